@@ -10,30 +10,36 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "pair.h"
 
-/** In Rust: `-1.0 / 3.0`. */
+/**
+ * Of the Taylor series of the arctangent, x³: to |x| = 1/32 the terms that follow are below 2⁻⁵³ of it.
+ * In Rust: `-1.0 / 3.0`.
+ */
 static const double A3 = -0.3333333333333333;
 
-/** In Rust: `1.0 / 5.0`. */
+/** The same, x⁵. In Rust: `1.0 / 5.0`. */
 static const double A5 = 0.2;
 
-/** In Rust: `-1.0 / 7.0`. */
+/** The same, x⁷. In Rust: `-1.0 / 7.0`. */
 static const double A7 = -0.14285714285714285;
 
-/** In Rust: `1.0 / 9.0`. */
+/** The same, x⁹. In Rust: `1.0 / 9.0`. */
 static const double A9 = 0.1111111111111111;
 
-/** (atan x − x)/x³ in powers of x², to 1/16; off by less than 2⁻⁵⁵. */
-static const double ARCTANGENT[6] = {
+/**
+ * (atan x − x)/x³ in powers of x², to 1/16, through the 6 Chebyshev points; off by less than 2⁻⁵⁵.
+ */
+static const double ARCTANGENT_POLYNOMIAL[6] = {
     -0.3333333333333333, 0.1999999999999979, -0.14285714285083995, 0.11111110422311014,
     -0.09090568687313817, 0.07614684924721683
 };
 
-/** c and atan c, to a double and less that: eight c for each octave from 1/16 to 16. */
-static const double ARCTANGENTS[64][3] = {
+/** c, atan c to a double, and what that leaves out: eight c for each octave from 1/16 to 16. */
+static const double ARCTANGENT_ROWS[64][3] = {
     {0.06640625, 0.06630889491982349, -4.885923989304001e-19},
     {0.07421875, 0.07408292254903373, 1.35448289530323e-19},
     {0.08203125, 0.08184798980307655, 1.7384613138337837e-18},
@@ -99,24 +105,6 @@ static const double ARCTANGENTS[64][3] = {
     {14.5, 1.501939837493852, 6.061899584075814e-17},
     {15.5, 1.5063694873693432, -1.0553391013319709e-16}
 };
-static const double F64_INFINITY = (double)INFINITY;
-static const double F64_NAN = (double)NAN;
-
-/** π/2, to a double. */
-static const double HALF_PI_HIGH = 1.5707963267948966;
-
-/** π/2, less its high part. */
-static const double HALF_PI_LOW = 6.123233995736766e-17;
-static const double SPLITTER = 134217729.0;
-
-/** The upper half of a double. */
-static const uint64_t UPPER = UINT64_C(0xFFFFFFFF00000000);
-
-/** π, to a double. */
-static const double WHOLE_PI_HIGH = 3.141592653589793;
-
-/** π, less its high part. */
-static const double WHOLE_PI_LOW = 1.2246467991473532e-16;
 
 /** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
 static inline void pair_ordered_sum(double a, double b, pair_t *pair)
@@ -129,10 +117,10 @@ static inline void pair_ordered_sum(double a, double b, pair_t *pair)
 /** `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp). */
 static inline void pair_product(double a, double b, pair_t *pair)
 {
-    const double a_scaled = SPLITTER * a;
+    const double a_scaled = PAIR_SPLITTER * a;
     const double a_high = a_scaled - (a_scaled - a);
     const double a_low = a - a_high;
-    const double b_scaled = SPLITTER * b;
+    const double b_scaled = PAIR_SPLITTER * b;
     const double b_high = b_scaled - (b_scaled - b);
     const double b_low = b - b_high;
     const double high = a * b;
@@ -173,8 +161,10 @@ static inline void pair_quotient(const pair_t *a, const pair_t *b, pair_t *pair)
 static inline double arctangent_curve(double t)
 {
     const double z = t * t;
-    const double upper = ARCTANGENT[3] + z * (ARCTANGENT[4] + z * ARCTANGENT[5]);
-    return t * z * (ARCTANGENT[0] + z * (ARCTANGENT[1] + z * (ARCTANGENT[2] + z * upper)));
+    const double upper = ARCTANGENT_POLYNOMIAL[3]
+        + z * (ARCTANGENT_POLYNOMIAL[4] + z * ARCTANGENT_POLYNOMIAL[5]);
+    return t * z * (ARCTANGENT_POLYNOMIAL[0]
+        + z * (ARCTANGENT_POLYNOMIAL[1] + z * (ARCTANGENT_POLYNOMIAL[2] + z * upper)));
 }
 
 /**
@@ -186,12 +176,12 @@ static inline void arctangent_angle_of_ratio(double height, double width, double
 {
     const uint32_t row = arctangent_row_of_ratio(ratio);
     if (row < 64U) {
-        const double centre = ARCTANGENTS[row][0];
-        const double upper = f64_from_bits(raw_bits_of_f64(width) & UPPER);
+        const double centre = ARCTANGENT_ROWS[row][0];
+        const double upper = f64_from_bits(raw_bits_of_f64(width) & PAIR_UPPER);
         const double above = height - centre * upper - centre * (width - upper);
         const double t = above / (width + centre * height);
-        const double rest = ARCTANGENTS[row][2] + (t + arctangent_small_curve(t));
-        pair->high = ARCTANGENTS[row][1];
+        const double rest = ARCTANGENT_ROWS[row][2] + (t + arctangent_small_curve(t));
+        pair->high = ARCTANGENT_ROWS[row][1];
         pair->low = rest;
     } else {
         arctangent_far_angle(height, width, ratio, pair);
@@ -203,8 +193,8 @@ static inline double arctangent_angle_on_side(const pair_t *angle, bool left)
 {
     if (left) {
         pair_t rest;
-        pair_ordered_sum(WHOLE_PI_HIGH, -angle->high, &rest);
-        return rest.high + (rest.low + (WHOLE_PI_LOW - angle->low));
+        pair_ordered_sum(ANGLES_WHOLE_PI_HIGH, -angle->high, &rest);
+        return rest.high + (rest.low + (ANGLES_WHOLE_PI_LOW - angle->low));
     } else {
         return angle->high + angle->low;
     }
@@ -221,8 +211,8 @@ void arctangent_far_angle(double height, double width, double ratio, pair_t *pai
         pair->low = exact.low + arctangent_curve(exact.high);
     } else {
         const double t = width / height;
-        pair->high = HALF_PI_HIGH;
-        pair->low = HALF_PI_LOW - (t + arctangent_curve(t));
+        pair->high = ANGLES_HALF_PI_HIGH;
+        pair->low = ANGLES_HALF_PI_LOW - (t + arctangent_curve(t));
     }
 }
 
@@ -231,21 +221,21 @@ double arctangent_far_atan2(double y, double x)
     const double width = fabs(x);
     const double height = fabs(y);
     const bool left = copysign_f64(1.0, x) < 0.0;
-    if (!(width <= F64_INFINITY && height <= F64_INFINITY)) {
-        return F64_NAN;
+    if (!(width <= (double)INFINITY && height <= (double)INFINITY)) {
+        return (double)NAN;
     }
     pair_t angle;
     if (width == height) {
         if (width > 0.0) {
-            angle.high = 0.5 * HALF_PI_HIGH;
-            angle.low = 0.5 * HALF_PI_LOW;
+            angle.high = 0.5 * ANGLES_HALF_PI_HIGH;
+            angle.low = 0.5 * ANGLES_HALF_PI_LOW;
         } else {
             angle.high = 0.0;
             angle.low = 0.0;
         }
     } else if (height > width * 1.152921504606847e18) {
-        angle.high = HALF_PI_HIGH;
-        angle.low = HALF_PI_LOW;
+        angle.high = ANGLES_HALF_PI_HIGH;
+        angle.low = ANGLES_HALF_PI_LOW;
     } else if (width * 8.673617379884035e-19 > height) {
         angle.high = height / width;
         angle.low = 0.0;

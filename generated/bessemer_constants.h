@@ -16,6 +16,51 @@ extern "C" {
 /** Acceleration of gravity, m/s². */
 static const double AIRFRAME_GRAVITY = 9.81;
 
+/** π/2, to a double. */
+static const double ANGLES_HALF_PI_HIGH = 1.5707963267948966;
+
+/** π/2, less its high part. */
+static const double ANGLES_HALF_PI_LOW = 6.123233995736766e-17;
+
+/** 64/π. */
+static const double ANGLES_STEPS_PER_RADIAN = 20.371832715762604;
+
+/** The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact. */
+static const double ANGLES_STEP_HIGH = 0.049087385210441425;
+
+/** The rest of π/64. */
+static const double ANGLES_STEP_LOW = 1.899093908283185e-12;
+
+/** π, to a double. */
+static const double ANGLES_WHOLE_PI_HIGH = 3.141592653589793;
+
+/** π, less its high part. */
+static const double ANGLES_WHOLE_PI_LOW = 1.2246467991473532e-16;
+
+/**
+ * Of the Taylor series of e^x, x²: to |x| = (ln 2)/256 the terms behind the fifth power are below 2⁻⁶⁰.
+ * In Rust: `1.0 / 2.0`.
+ */
+static const double EXPONENTIAL_E2 = 0.5;
+
+/** The same, x³. In Rust: `1.0 / 6.0`. */
+static const double EXPONENTIAL_E3 = 0.16666666666666666;
+
+/** The same, x⁴. In Rust: `1.0 / 24.0`. */
+static const double EXPONENTIAL_E4 = 0.041666666666666664;
+
+/** The same, x⁵. In Rust: `1.0 / 120.0`. */
+static const double EXPONENTIAL_E5 = 0.008333333333333333;
+
+/**
+ * Of the Taylor series of e^x, x⁶: with it, the terms that follow are below 2⁻⁶¹ to |x| = (ln 2)/256 + 1/200.
+ * In Rust: `1.0 / 720.0`.
+ */
+static const double EXPONENTIAL_E6 = 0.001388888888888889;
+
+/** To here e^x is normal, and so is what its last rounding takes in. */
+static const double EXPONENTIAL_NORMAL = 660.0;
+
 /**
  * So much older than the last packet, ms, a STOP is still taken: it may have been overtaken. Whoever
  * repeats one within that time stops what has been stopped.
@@ -25,8 +70,25 @@ static const uint64_t GATE_OVERTAKEN = UINT64_C(2000);
 /** Least cosine of the pitch that is divided by: 89.4°. */
 static const double GEOMETRY_STEEP = 0.01;
 
+/** 2²⁷ + 1: a product by it splits a double into halves of 26 bits (Veltkamp). */
+static const double PAIR_SPLITTER = 134217729.0;
+
+/**
+ * The bits of the upper half of a double: what they leave of it has a product with its like without loss.
+ */
+static const uint64_t PAIR_UPPER = UINT64_C(0xFFFFFFFF00000000);
+
 /** 2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵. */
-extern const uint64_t POWERS_POWERS[128][2];
+extern const uint64_t POWERS_OF_TWO[128][2];
+
+/** 128/ln 2. */
+static const double POWERS_STEPS_PER_UNIT = 184.6649652337873;
+
+/** The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact. */
+static const double POWERS_UNIT_STEP_HIGH = 0.005415212348111709;
+
+/** The rest of (ln 2)/128. */
+static const double POWERS_UNIT_STEP_LOW = 1.2864023111638346e-14;
 
 /** Makes ready for another flight; nothing happens unless the aircraft stands on the ground. */
 static const uint8_t RECEIVER_ARM = 11U;
@@ -80,6 +142,9 @@ static const uint8_t SENDER_RECORD = 0x40U;
 
 /** The state of the link: see `Status`. */
 static const uint8_t SENDER_STATUS = 0x41U;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
+static const double SINE_TO_INTEGER = 6755399441055744.0;
 
 /** The least values, in the order of `values`. */
 extern const double TUNING_LEAST[20];

@@ -14,37 +14,6 @@
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 
-/** In Rust: `1.0 / 2.0`. */
-static const double E2 = 0.5;
-
-/** In Rust: `1.0 / 6.0`. */
-static const double E3 = 0.16666666666666666;
-
-/** In Rust: `1.0 / 24.0`. */
-static const double E4 = 0.041666666666666664;
-
-/** In Rust: `1.0 / 120.0`. */
-static const double E5 = 0.008333333333333333;
-
-/** In Rust: `1.0 / 720.0`. */
-static const double E6 = 0.001388888888888889;
-static const double F64_INFINITY = (double)INFINITY;
-
-/** To here e^x is normal, and so is what its last rounding takes in. */
-static const double NORMAL = 660.0;
-
-/** 128/ln 2. */
-static const double STEPS_PER_UNIT = 184.6649652337873;
-
-/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
-static const double TO_INTEGER = 6755399441055744.0;
-
-/** The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact. */
-static const double UNIT_STEP_HIGH = 0.005415212348111709;
-
-/** The rest of (ln 2)/128. */
-static const double UNIT_STEP_LOW = 1.2864023111638346e-14;
-
 /** Two to a power from −1022 to 1023. */
 static inline double exponential_power_of_two(int32_t exponent)
 {
@@ -54,19 +23,20 @@ static inline double exponential_power_of_two(int32_t exponent)
 /** What `step` leaves out, as a fraction. */
 static inline double exponential_step_rest(uint64_t steps)
 {
-    return f64_from_bits(POWERS_POWERS[steps & UINT64_C(0x7F)][0]);
+    return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
 }
 
 /** e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding. */
-static inline void exponential_exponential_of_pair(double high, double low, power_t *power)
+static inline void exponential_power_of_pair(double high, double low, power_t *power)
 {
-    const double shifted = high * STEPS_PER_UNIT + TO_INTEGER;
-    const double steps = shifted - TO_INTEGER;
-    const double r = high - steps * UNIT_STEP_HIGH - steps * UNIT_STEP_LOW + low;
+    const double shifted = high * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
+    const double steps = shifted - SINE_TO_INTEGER;
+    const double r = high - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW + low;
 
     /* As in `step_power`, a term longer. */
     const double z = r * r;
-    const double tail = E2 + r * E3 + z * (E4 + r * E5 + z * E6);
+    const double tail = EXPONENTIAL_E2 + r * EXPONENTIAL_E3
+        + z * (EXPONENTIAL_E4 + r * EXPONENTIAL_E5 + z * EXPONENTIAL_E6);
     const uint64_t steps_2 = raw_bits_of_f64(shifted);
     power->steps = steps_2;
     power->rest = exponential_step_rest(steps_2) + r + z * tail;
@@ -76,7 +46,7 @@ static inline void exponential_exponential_of_pair(double high, double low, powe
 static inline double exponential_step(uint64_t steps)
 {
     /* The upper half alone changes: one addition where a word has 32 bits. */
-    const uint64_t bits = POWERS_POWERS[steps & UINT64_C(0x7F)][1];
+    const uint64_t bits = POWERS_OF_TWO[steps & UINT64_C(0x7F)][1];
     const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
     return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
 }
@@ -85,25 +55,26 @@ static inline double exponential_step(uint64_t steps)
 static inline void exponential_step_power(uint64_t steps, double r, power_t *power)
 {
     const double z = r * r;
-    const double tail = E2 + r * E3 + z * (E4 + r * E5);
+    const double tail = EXPONENTIAL_E2 + r * EXPONENTIAL_E3
+        + z * (EXPONENTIAL_E4 + r * EXPONENTIAL_E5);
     power->steps = steps;
     power->rest = exponential_step_rest(steps) + r + z * tail;
 }
 
 /** e^x for −750 to 750, before its last rounding. */
-static inline void exponential_exponential(double x, power_t *power)
+static inline void exponential_power(double x, power_t *power)
 {
-    const double shifted = x * STEPS_PER_UNIT + TO_INTEGER;
-    const double steps = shifted - TO_INTEGER;
+    const double shifted = x * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
+    const double steps = shifted - SINE_TO_INTEGER;
     exponential_step_power(raw_bits_of_f64(shifted),
-        x - steps * UNIT_STEP_HIGH - steps * UNIT_STEP_LOW, power);
+        x - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW, power);
 }
 
 double exponential_rounded(const power_t *power, int32_t more)
 {
     /* From 1 to 2. */
     const double high = f64_from_bits(
-        POWERS_POWERS[power->steps & UINT64_C(0x7F)][1] + ((power->steps & UINT64_C(0x7F)) << 45));
+        POWERS_OF_TWO[power->steps & UINT64_C(0x7F)][1] + ((power->steps & UINT64_C(0x7F)) << 45));
 
     /* 19 bits, signed, without the 7 of the index. */
     const int32_t whole = shift_right_i32(
@@ -116,7 +87,7 @@ double exponential_rounded(const power_t *power, int32_t more)
         /* 2¹⁰²³ */
         const double half = value * 8.98846567431158e307;
         if (exponent > 1024) {
-            return F64_INFINITY;
+            return (double)INFINITY;
         } else {
             return half * 2.0;
         }
@@ -135,14 +106,14 @@ double exponential_rounded(const power_t *power, int32_t more)
     }
 }
 
-double exponential_far_exponential(double x, double low, int32_t more)
+double exponential_far(double x, double low, int32_t more)
 {
     if (fabs(x) <= 750.0) {
         power_t result_power;
-        exponential_exponential_of_pair(x, low, &result_power);
+        exponential_power_of_pair(x, low, &result_power);
         return exponential_rounded(&result_power, more);
     } else if (x > 0.0) {
-        return F64_INFINITY;
+        return (double)INFINITY;
     } else if (x < 0.0) {
         return 0.0;
     } else {
@@ -152,12 +123,12 @@ double exponential_far_exponential(double x, double low, int32_t more)
 
 double exponential_exp(double x)
 {
-    if (fabs(x) < NORMAL) {
+    if (fabs(x) < EXPONENTIAL_NORMAL) {
         power_t power;
-        exponential_exponential(x, &power);
+        exponential_power(x, &power);
         const double lead = exponential_step(power.steps);
         return lead + lead * power.rest;
     } else {
-        return exponential_far_exponential(x, 0.0, 0);
+        return exponential_far(x, 0.0, 0);
     }
 }

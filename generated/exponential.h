@@ -30,7 +30,7 @@ typedef struct {
 double exponential_rounded(const power_t *power, int32_t more);
 
 /** e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN. */
-double exponential_far_exponential(double x, double low, int32_t more);
+double exponential_far(double x, double low, int32_t more);
 
 /** e^x; measured within 0.51 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN. */
 double exponential_exp(double x);

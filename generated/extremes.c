@@ -14,9 +14,7 @@
 #include "bessemer_target.h"
 #include "exponential.h"
 
-static const double F64_INFINITY = (double)INFINITY;
 static const double F64_MAX = 1.7976931348623157e308;
-static const double F64_NAN = (double)NAN;
 
 double extremes_power_of_negative(double value, double y)
 {
@@ -24,7 +22,7 @@ double extremes_power_of_negative(double value, double y)
     if (fabs(y) >= 9007199254740992.0) {
         return value;
     } else if (floor(y) < y) {
-        return F64_NAN;
+        return (double)NAN;
     } else if (floor(0.5 * y) < 0.5 * y) {
         return -value;
     } else {
@@ -40,15 +38,15 @@ double extremes_special_power(double x, double y)
     const double size = fabs(x);
 
     /* False for NaN. */
-    if (!(size <= F64_INFINITY && fabs(y) <= F64_INFINITY)) {
-        return F64_NAN;
+    if (!(size <= (double)INFINITY && fabs(y) <= (double)INFINITY)) {
+        return (double)NAN;
     }
     if (size == 1.0) {
         return 1.0;
     }
     double value;
     if ((size > 1.0) == (y > 0.0)) {
-        value = F64_INFINITY;
+        value = (double)INFINITY;
     } else {
         value = 0.0;
     }
@@ -68,7 +66,7 @@ double extremes_far_power(double x, double y, double high, double low)
     if (!(fabs(y) <= F64_MAX)) {
         return extremes_special_power(x, y);
     }
-    const double value = exponential_far_exponential(high, low, 0);
+    const double value = exponential_far(high, low, 0);
     if (x > 0.0) {
         return value;
     } else {

@@ -18,7 +18,7 @@
 #include "logarithm.h"
 #include "pair.h"
 
-/** ln c less the second of `COARSE_ROWS`. */
+/** ln c less the second of `COARSE_ROWS`, to a double. */
 static const double COARSE_REST[128] = {
     -1.077574303757264e-13, 8.82452633212564e-14, 7.925157831386559e-14, 1.1118671389559323e-13,
     1.0475750058776541e-13, 1.7625431312172662e-14, -1.1211800740360982e-13,
@@ -188,22 +188,9 @@ static const double COARSE_ROWS[128][2] = {
     {0.7109375, 0.3411707574027787}
 };
 
-/** In Rust: `1.0 / 2.0`. */
-static const double E2 = 0.5;
-
-/** In Rust: `1.0 / 6.0`. */
-static const double E3 = 0.16666666666666666;
-
-/** In Rust: `1.0 / 24.0`. */
-static const double E4 = 0.041666666666666664;
-
-/** In Rust: `1.0 / 120.0`. */
-static const double E5 = 0.008333333333333333;
-
-/** In Rust: `1.0 / 720.0`. */
-static const double E6 = 0.001388888888888889;
-
-/** (ln(1 + r) − r + r²/2)/r³ in powers of r, within such a row; off by less than 2⁻⁵⁵. */
+/**
+ * (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, which is such a row, through the 7 Chebyshev points; off by less than 2⁻⁵⁵.
+ */
 static const double FINER_LN[7] = {
     0.3333333333333333, -0.2500000000000011, 0.19999999999998155, -0.16666666647591571,
     0.14285714407282019, -0.1250081705872971, 0.11109474244766557
@@ -214,24 +201,6 @@ static const double LN_2_HIGH = 0.6931471805598903;
 
 /** The logarithm of 2 less its high part. */
 static const double LN_2_LOW = 5.497923018708371e-14;
-
-/** To here e^x is normal, and so is what its last rounding takes in. */
-static const double NORMAL = 660.0;
-
-/** 128/ln 2. */
-static const double STEPS_PER_UNIT = 184.6649652337873;
-
-/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
-static const double TO_INTEGER = 6755399441055744.0;
-
-/** The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact. */
-static const double UNIT_STEP_HIGH = 0.005415212348111709;
-
-/** The rest of (ln 2)/128. */
-static const double UNIT_STEP_LOW = 1.2864023111638346e-14;
-
-/** The upper half of a double. */
-static const uint64_t UPPER = UINT64_C(0xFFFFFFFF00000000);
 
 /** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
 static inline void pair_ordered_sum(double a, double b, pair_t *pair)
@@ -260,7 +229,7 @@ static inline void logarithm_logarithm(const parts_t *parts, double exponent, pa
 
     /* To the nearest: next to 1 the coarse part alone is 1. */
     const uint64_t bits = raw_bits_of_f64(parts->significand);
-    const double coarse = f64_from_bits((bits + UINT64_C(0x80000000)) & UPPER);
+    const double coarse = f64_from_bits((bits + UINT64_C(0x80000000)) & PAIR_UPPER);
     const double r_high = coarse * reciprocal - 1.0;
     const double r_low = (parts->significand - coarse) * reciprocal;
 
@@ -285,19 +254,20 @@ static inline void logarithm_logarithm(const parts_t *parts, double exponent, pa
 /** What `step` leaves out, as a fraction. */
 static inline double exponential_step_rest(uint64_t steps)
 {
-    return f64_from_bits(POWERS_POWERS[steps & UINT64_C(0x7F)][0]);
+    return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
 }
 
 /** e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding. */
-static inline void exponential_exponential_of_pair(double high, double low, power_t *power)
+static inline void exponential_power_of_pair(double high, double low, power_t *power)
 {
-    const double shifted = high * STEPS_PER_UNIT + TO_INTEGER;
-    const double steps = shifted - TO_INTEGER;
-    const double r = high - steps * UNIT_STEP_HIGH - steps * UNIT_STEP_LOW + low;
+    const double shifted = high * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
+    const double steps = shifted - SINE_TO_INTEGER;
+    const double r = high - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW + low;
 
     /* As in `step_power`, a term longer. */
     const double z = r * r;
-    const double tail = E2 + r * E3 + z * (E4 + r * E5 + z * E6);
+    const double tail = EXPONENTIAL_E2 + r * EXPONENTIAL_E3
+        + z * (EXPONENTIAL_E4 + r * EXPONENTIAL_E5 + z * EXPONENTIAL_E6);
     const uint64_t steps_2 = raw_bits_of_f64(shifted);
     power->steps = steps_2;
     power->rest = exponential_step_rest(steps_2) + r + z * tail;
@@ -307,7 +277,7 @@ static inline void exponential_exponential_of_pair(double high, double low, powe
 static inline double exponential_step(uint64_t steps)
 {
     /* The upper half alone changes: one addition where a word has 32 bits. */
-    const uint64_t bits = POWERS_POWERS[steps & UINT64_C(0x7F)][1];
+    const uint64_t bits = POWERS_OF_TWO[steps & UINT64_C(0x7F)][1];
     const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
     return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
 }
@@ -337,16 +307,16 @@ double power_powf(double x, double y)
         logarithm_logarithm(&parts, (double)exponent, &logarithm);
 
         /* 21 bits each: their product is exact. */
-        const double upper = f64_from_bits(raw_bits_of_f64(logarithm.high) & UPPER);
-        const double y_upper = f64_from_bits(raw_bits_of_f64(y) & UPPER);
+        const double upper = f64_from_bits(raw_bits_of_f64(logarithm.high) & PAIR_UPPER);
+        const double y_upper = f64_from_bits(raw_bits_of_f64(y) & PAIR_UPPER);
         const double lower = logarithm.high - upper + logarithm.low;
         const double high = y_upper * upper;
         const double low = (y - y_upper) * upper + y * lower;
-        if (!(fabs(high) < NORMAL)) {
+        if (!(fabs(high) < EXPONENTIAL_NORMAL)) {
             return extremes_far_power(x, y, high, low);
         }
         power_t power;
-        exponential_exponential_of_pair(high, low, &power);
+        exponential_power_of_pair(high, low, &power);
         const double lead = exponential_step(power.steps);
         const double value = lead + lead * power.rest;
         if (x > 0.0) {

@@ -27,13 +27,14 @@ static void by_loops(const double *a, const double *b, double *result)
     }
 }
 #else
-/* Vectors of LANES numbers, DOWN of them below one another for the rows of a sum. */
+/* LANES: numbers in a vector.
+   VECTORS: vectors below one another, which hold the rows of a column. */
 #if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
 #define LANES 4U
-#define DOWN 2U
+#define VECTORS 2U
 #elif defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
 #define LANES 2U
-#define DOWN 3U
+#define VECTORS 3U
 #endif
 
 #if defined(LANES)
@@ -53,28 +54,29 @@ typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_al
 
 /* A band of the result, vectors of rows below one another: the first products, then the others in order. */
 static inline __attribute__((always_inline)) void band(const double *a, const double *b, double *result,
-    const uint32_t down)
+    const uint32_t vectors)
 {
-    lanes_t sums[DOWN];
+    lanes_t sums[VECTORS];
 #pragma GCC unroll 8
-    for (uint32_t vector = 0U; vector < down; vector++) {
+    for (uint32_t vector = 0U; vector < vectors; vector++) {
         sums[vector] = TIMES(*(const lanes_t *)&a[OFFSET(vector)], b[0]);
     }
 #pragma GCC unroll 5
     for (uint32_t k = 1U; k < 6U; k++) {
 #pragma GCC unroll 8
-        for (uint32_t vector = 0U; vector < down; vector++) {
+        for (uint32_t vector = 0U; vector < vectors; vector++) {
             sums[vector] = PLUS(sums[vector], *(const lanes_t *)&a[6U * k + OFFSET(vector)], b[k]);
             IN_ITS_REGISTER(sums[vector]);
         }
     }
 #pragma GCC unroll 8
-    for (uint32_t vector = 0U; vector < down; vector++) {
+    for (uint32_t vector = 0U; vector < vectors; vector++) {
         *(lanes_t *)&result[OFFSET(vector)] = sums[vector];
     }
 }
 #else
-/* A tile of 6 by 1 elements: the first products, then the others in order. */
+/* A tile of 6 by 1 elements: y<row><column> is a sum in a register. The first products, then a term of
+   each sum for each k, in the order of k. */
 static void tile_6x1(const double *a, const double *b, double *result)
 {
     double y00 = a[0] * b[0];
@@ -117,7 +119,7 @@ void product_f64_6x6_6x1(const double a[36], const double b[6], double result[6]
 #if defined(BESSEMER_LOOPS)
     by_loops(a, b, result);
 #elif defined(LANES)
-    band(a, b, result, DOWN);
+    band(a, b, result, VECTORS);
 #else
     tile_6x1(&a[0U], &b[0U], &result[0U]);
 #endif

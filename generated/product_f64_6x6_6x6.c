@@ -27,17 +27,18 @@ static void by_loops(const double *a, const double *b, double *result)
     }
 }
 #else
-/* Vectors of LANES numbers, DOWN of them below one another for the rows of a sum.
-   HELD: registers have room for all of a.
-   TOGETHER: so many numbers of b are loaded at once. */
+/* LANES: numbers in a vector.
+   VECTORS: vectors below one another, which hold the rows of a column.
+   A_IN_REGISTERS: there are registers for all of a, which is loaded once.
+   NUMBERS_AT_ONCE: numbers of b that one load brings. */
 #if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
 #define LANES 4U
-#define DOWN 2U
-#define HELD
+#define VECTORS 2U
+#define A_IN_REGISTERS
 #elif defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
 #define LANES 2U
-#define DOWN 3U
-#define TOGETHER 2U
+#define VECTORS 3U
+#define NUMBERS_AT_ONCE 2U
 #endif
 
 #if defined(LANES)
@@ -55,7 +56,7 @@ typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_al
    ahead of the first, until the sums no longer fit into registers: the same results, in up to a third more instructions. */
 #define IN_ITS_REGISTER(value) __asm__("" : "+v"(value))
 
-#if defined(TOGETHER)
+#if defined(NUMBERS_AT_ONCE)
 typedef int32_t words_t __attribute__((vector_size(16), aligned(4), may_alias));
 
 /* Numbers that follow one another, of so many columns. */
@@ -83,27 +84,27 @@ static inline __attribute__((always_inline)) lanes_t spread(const words_t number
 static inline __attribute__((always_inline)) void load_rows(const double *a, lanes_t *rows)
 {
 #pragma GCC unroll 8
-    for (uint32_t down = 0U; down < DOWN; down++) {
-        rows[down] = *(const lanes_t *)&a[OFFSET(down)];
-        IN_ITS_REGISTER(rows[down]);
+    for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+        rows[vector] = *(const lanes_t *)&a[OFFSET(vector)];
+        IN_ITS_REGISTER(rows[vector]);
     }
 }
 
 /* A term of each sum. */
 static inline __attribute__((always_inline)) void add_beside(const double *a, const words_t *numbers, const uint32_t next,
-    lanes_t sums[][DOWN], const uint32_t beside)
+    lanes_t sums[][VECTORS], const uint32_t beside)
 {
-    lanes_t rows[DOWN];
+    lanes_t rows[VECTORS];
     load_rows(a, rows);
 #pragma GCC unroll 4
     for (uint32_t column = 0U; column < beside; column++) {
         const lanes_t number = spread(numbers[column], next);
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            lanes_t product = rows[down] * number;
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            lanes_t product = rows[vector] * number;
             IN_ITS_REGISTER(product);
-            sums[column][down] += product;
-            IN_ITS_REGISTER(sums[column][down]);
+            sums[column][vector] += product;
+            IN_ITS_REGISTER(sums[column][vector]);
         }
     }
 }
@@ -112,37 +113,37 @@ static inline __attribute__((always_inline)) void add_beside(const double *a, co
 static inline __attribute__((always_inline)) void columns_beside(const double *a, const double *b, double *result,
     const uint32_t beside)
 {
-    lanes_t sums[3U][DOWN];
+    lanes_t sums[3U][VECTORS];
     words_t numbers[3U];
     load_numbers(b, numbers, beside);
-    lanes_t rows[DOWN];
+    lanes_t rows[VECTORS];
     load_rows(a, rows);
 #pragma GCC unroll 4
     for (uint32_t column = 0U; column < beside; column++) {
         const lanes_t number = spread(numbers[column], 0U);
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            sums[column][down] = rows[down] * number;
-            IN_ITS_REGISTER(sums[column][down]);
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            sums[column][vector] = rows[vector] * number;
+            IN_ITS_REGISTER(sums[column][vector]);
         }
     }
 #pragma GCC unroll 4
-    for (uint32_t next = 1U; next < TOGETHER; next++) {
+    for (uint32_t next = 1U; next < NUMBERS_AT_ONCE; next++) {
         add_beside(&a[6U * next], numbers, next, sums, beside);
     }
 #pragma GCC unroll 6
-    for (uint32_t k = TOGETHER; k + TOGETHER <= 6U; k += TOGETHER) {
+    for (uint32_t k = NUMBERS_AT_ONCE; k + NUMBERS_AT_ONCE <= 6U; k += NUMBERS_AT_ONCE) {
         load_numbers(&b[k], numbers, beside);
 #pragma GCC unroll 4
-        for (uint32_t next = 0U; next < TOGETHER; next++) {
+        for (uint32_t next = 0U; next < NUMBERS_AT_ONCE; next++) {
             add_beside(&a[6U * (k + next)], numbers, next, sums, beside);
         }
     }
 #pragma GCC unroll 4
     for (uint32_t column = 0U; column < beside; column++) {
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            *(lanes_t *)&result[6U * column + OFFSET(down)] = sums[column][down];
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            *(lanes_t *)&result[6U * column + OFFSET(vector)] = sums[column][vector];
         }
     }
 }
@@ -151,7 +152,8 @@ static inline __attribute__((always_inline)) void columns_beside(const double *a
 #if defined(__x86_64__) || (defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M')
 /* Tiles for 16 registers. */
 #define SIXTEEN
-/* A tile of 4 by 3 elements: the first products, then the others in order. */
+/* A tile of 4 by 3 elements: y<row><column> is a sum in a register. The first products, then a term of
+   each sum for each k, in the order of k. */
 static void tile_4x3(const double *a, const double *b, double *result)
 {
     double y00 = a[0] * b[0];
@@ -205,7 +207,8 @@ static void tile_4x3(const double *a, const double *b, double *result)
     result[15] = y32;
 }
 
-/* A tile of 2 by 3 elements: the first products, then the others in order. */
+/* A tile of 2 by 3 elements: y<row><column> is a sum in a register. The first products, then a term of
+   each sum for each k, in the order of k. */
 static void tile_2x3(const double *a, const double *b, double *result)
 {
     double y00 = a[0] * b[0];
@@ -239,7 +242,8 @@ static void tile_2x3(const double *a, const double *b, double *result)
     result[13] = y12;
 }
 #else
-/* A tile of 3 by 6 elements: the first products, then the others in order. */
+/* A tile of 3 by 6 elements: y<row><column> is a sum in a register. The first products, then a term of
+   each sum for each k, in the order of k. */
 static void tile_3x6(const double *a, const double *b, double *result)
 {
     double y00 = a[0] * b[0];
@@ -320,36 +324,36 @@ void product_f64_6x6_6x6(const double a[36], const double b[36], double result[3
 {
 #if defined(BESSEMER_LOOPS)
     by_loops(a, b, result);
-#elif defined(HELD)
-    lanes_t held[6U][DOWN];
+#elif defined(A_IN_REGISTERS)
+    lanes_t held[6U][VECTORS];
 #pragma GCC unroll 32
     for (uint32_t k = 0U; k < 6U; k++) {
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            held[k][down] = *(const lanes_t *)&a[6U * k + OFFSET(down)];
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            held[k][vector] = *(const lanes_t *)&a[6U * k + OFFSET(vector)];
         }
     }
 #pragma GCC unroll 6
     for (uint32_t column = 0U; column < 6U; column++) {
-        lanes_t sums[DOWN];
+        lanes_t sums[VECTORS];
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            sums[down] = TIMES(held[0][down], b[6U * column]);
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            sums[vector] = TIMES(held[0][vector], b[6U * column]);
         }
 #pragma GCC unroll 32
         for (uint32_t k = 1U; k < 6U; k++) {
 #pragma GCC unroll 8
-            for (uint32_t down = 0U; down < DOWN; down++) {
-                sums[down] = PLUS(sums[down], held[k][down], b[k + 6U * column]);
-                IN_ITS_REGISTER(sums[down]);
+            for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+                sums[vector] = PLUS(sums[vector], held[k][vector], b[k + 6U * column]);
+                IN_ITS_REGISTER(sums[vector]);
             }
         }
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            *(lanes_t *)&result[6U * column + OFFSET(down)] = sums[down];
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            *(lanes_t *)&result[6U * column + OFFSET(vector)] = sums[vector];
         }
     }
-#elif defined(TOGETHER)
+#elif defined(NUMBERS_AT_ONCE)
 #pragma GCC unroll 2
     for (uint32_t column = 0U; column < 6U; column += 3U) {
         columns_beside(a, &b[6U * column], &result[6U * column], 3U);

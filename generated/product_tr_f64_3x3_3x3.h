@@ -66,6 +66,8 @@ static inline void product_tr_f64_3x3_3x3(const double a[9], const double b[9], 
     *(rows_t *)&result[6] = y02;
     *(rows_t *)&result[7] = y12;
 #else
+    /* y<row><column> starts as its first product and takes the others in order: each k gives all sums a term, so
+       that an element that is loaded is used at once. Stored when nothing is read any more. */
     const double a00 = a[0];
     const double a10 = a[1];
     const double a20 = a[2];

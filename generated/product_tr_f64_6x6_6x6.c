@@ -27,16 +27,18 @@ static void by_loops(const double *a, const double *b, double *result)
     }
 }
 #else
-/* Vectors of LANES numbers, DOWN of them below one another for the rows of a sum.
-   HELD: registers have room for all of a. */
+/* LANES: numbers in a vector.
+   VECTORS: vectors below one another, which hold the rows of a column.
+   A_IN_REGISTERS: there are registers for all of a, which is loaded once.
+   COLUMNS: columns of the result side by side, whose sums are in registers together. */
 #if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
 #define LANES 4U
-#define DOWN 2U
-#define HELD
+#define VECTORS 2U
+#define A_IN_REGISTERS
 #elif defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
 #define LANES 2U
-#define DOWN 3U
-#define ACROSS 3U
+#define VECTORS 3U
+#define COLUMNS 3U
 #endif
 
 #if defined(LANES)
@@ -54,22 +56,22 @@ typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_al
    ahead of the first, until the sums no longer fit into registers: the same results, in up to a third more instructions. */
 #define IN_ITS_REGISTER(value) __asm__("" : "+v"(value))
 
-#if defined(ACROSS)
+#if defined(COLUMNS)
 /* A term of each sum of a block. */
 static inline __attribute__((always_inline)) void add_term(const double *a, const double *b, const uint32_t k,
-    lanes_t sums[][DOWN], const uint32_t across, const uint32_t down)
+    lanes_t sums[][VECTORS], const uint32_t columns, const uint32_t vectors)
 {
-    lanes_t rows[DOWN];
+    lanes_t rows[VECTORS];
 #pragma GCC unroll 8
-    for (uint32_t vector = 0U; vector < down; vector++) {
+    for (uint32_t vector = 0U; vector < vectors; vector++) {
         rows[vector] = *(const lanes_t *)&a[6U * k + OFFSET(vector)];
         IN_ITS_REGISTER(rows[vector]);
     }
 #pragma GCC unroll 8
-    for (uint32_t column = 0U; column < across; column++) {
+    for (uint32_t column = 0U; column < columns; column++) {
         const double number = b[6U * k + column];
 #pragma GCC unroll 8
-        for (uint32_t vector = 0U; vector < down; vector++) {
+        for (uint32_t vector = 0U; vector < vectors; vector++) {
             sums[column][vector] = PLUS(sums[column][vector], rows[vector], number);
             IN_ITS_REGISTER(sums[column][vector]);
         }
@@ -78,25 +80,25 @@ static inline __attribute__((always_inline)) void add_term(const double *a, cons
 
 /* A block of the result, so many columns of so many vectors of rows: the first products, then the others in order. */
 static inline __attribute__((always_inline)) void block(const double *a, const double *b, double *result,
-    const uint32_t across, const uint32_t down)
+    const uint32_t columns, const uint32_t vectors)
 {
-    lanes_t sums[3U][DOWN];
+    lanes_t sums[3U][VECTORS];
 #pragma GCC unroll 8
-    for (uint32_t vector = 0U; vector < down; vector++) {
+    for (uint32_t vector = 0U; vector < vectors; vector++) {
         const lanes_t rows = *(const lanes_t *)&a[OFFSET(vector)];
 #pragma GCC unroll 8
-        for (uint32_t column = 0U; column < across; column++) {
+        for (uint32_t column = 0U; column < columns; column++) {
             sums[column][vector] = TIMES(rows, b[column]);
         }
     }
 #pragma GCC unroll 32
     for (uint32_t k = 1U; k < 6U; k++) {
-        add_term(a, b, k, sums, across, down);
+        add_term(a, b, k, sums, columns, vectors);
     }
 #pragma GCC unroll 8
-    for (uint32_t column = 0U; column < across; column++) {
+    for (uint32_t column = 0U; column < columns; column++) {
 #pragma GCC unroll 8
-        for (uint32_t vector = 0U; vector < down; vector++) {
+        for (uint32_t vector = 0U; vector < vectors; vector++) {
             *(lanes_t *)&result[6U * column + OFFSET(vector)] = sums[column][vector];
         }
     }
@@ -104,10 +106,10 @@ static inline __attribute__((always_inline)) void block(const double *a, const d
 
 /* So many vectors of rows: blocks of so many columns. */
 static inline __attribute__((always_inline)) void band(const double *a, const double *b, double *result,
-    const uint32_t across, const uint32_t down)
+    const uint32_t columns, const uint32_t vectors)
 {
-    for (uint32_t column = 0U; column < 6U; column += across) {
-        block(a, &b[column], &result[6U * column], across, down);
+    for (uint32_t column = 0U; column < 6U; column += columns) {
+        block(a, &b[column], &result[6U * column], columns, vectors);
     }
 }
 #endif
@@ -115,7 +117,8 @@ static inline __attribute__((always_inline)) void band(const double *a, const do
 #if defined(__x86_64__) || (defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M')
 /* Tiles for 16 registers. */
 #define SIXTEEN
-/* A tile of 4 by 3 elements: the first products, then the others in order. */
+/* A tile of 4 by 3 elements: y<row><column> is a sum in a register. The first products, then a term of
+   each sum for each k, in the order of k. */
 static void tile_4x3(const double *a, const double *b, double *result)
 {
     double y00 = a[0] * b[0];
@@ -170,7 +173,8 @@ static void tile_4x3(const double *a, const double *b, double *result)
     result[15] = y32;
 }
 
-/* A tile of 2 by 3 elements: the first products, then the others in order. */
+/* A tile of 2 by 3 elements: y<row><column> is a sum in a register. The first products, then a term of
+   each sum for each k, in the order of k. */
 static void tile_2x3(const double *a, const double *b, double *result)
 {
     double y00 = a[0] * b[0];
@@ -205,7 +209,8 @@ static void tile_2x3(const double *a, const double *b, double *result)
     result[13] = y12;
 }
 #else
-/* A tile of 3 by 6 elements: the first products, then the others in order. */
+/* A tile of 3 by 6 elements: y<row><column> is a sum in a register. The first products, then a term of
+   each sum for each k, in the order of k. */
 static void tile_3x6(const double *a, const double *b, double *result)
 {
     double y00 = a[0] * b[0];
@@ -287,37 +292,37 @@ void product_tr_f64_6x6_6x6(const double a[36], const double b[36], double resul
 {
 #if defined(BESSEMER_LOOPS)
     by_loops(a, b, result);
-#elif defined(HELD)
-    lanes_t held[6U][DOWN];
+#elif defined(A_IN_REGISTERS)
+    lanes_t held[6U][VECTORS];
 #pragma GCC unroll 32
     for (uint32_t k = 0U; k < 6U; k++) {
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            held[k][down] = *(const lanes_t *)&a[6U * k + OFFSET(down)];
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            held[k][vector] = *(const lanes_t *)&a[6U * k + OFFSET(vector)];
         }
     }
 #pragma GCC unroll 6
     for (uint32_t column = 0U; column < 6U; column++) {
-        lanes_t sums[DOWN];
+        lanes_t sums[VECTORS];
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            sums[down] = TIMES(held[0][down], b[column]);
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            sums[vector] = TIMES(held[0][vector], b[column]);
         }
 #pragma GCC unroll 32
         for (uint32_t k = 1U; k < 6U; k++) {
 #pragma GCC unroll 8
-            for (uint32_t down = 0U; down < DOWN; down++) {
-                sums[down] = PLUS(sums[down], held[k][down], b[6U * k + column]);
-                IN_ITS_REGISTER(sums[down]);
+            for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+                sums[vector] = PLUS(sums[vector], held[k][vector], b[6U * k + column]);
+                IN_ITS_REGISTER(sums[vector]);
             }
         }
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            *(lanes_t *)&result[6U * column + OFFSET(down)] = sums[down];
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            *(lanes_t *)&result[6U * column + OFFSET(vector)] = sums[vector];
         }
     }
-#elif defined(ACROSS)
-    band(a, b, result, ACROSS, DOWN);
+#elif defined(COLUMNS)
+    band(a, b, result, COLUMNS, VECTORS);
 #else
 #if defined(SIXTEEN)
     for (uint32_t column = 0U; column < 6U; column += 3U) {

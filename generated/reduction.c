@@ -10,22 +10,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "pair.h"
 
 static const double F64_MAX = 1.7976931348623157e308;
-static const double F64_NAN = (double)NAN;
 
 /** Up to here quarter turns are fewer than 2²⁰, rad. */
 static const double FEW_TURNS = 1600000.0;
 static const double FRAC_2_PI = 0.6366197723675814;
-
-/** π/2, to a double. */
-static const double HALF_PI_HIGH = 1.5707963267948966;
-
-/** π/2, less its high part. */
-static const double HALF_PI_LOW = 6.123233995736766e-17;
 
 /** The leading 33 bits of π/2: a multiple of it by up to 2²⁰ is exact. */
 static const double QUARTER_TURN_1 = 1.5707963267341256;
@@ -38,10 +32,6 @@ static const double QUARTER_TURN_3 = 2.0222662487111665e-21;
 
 /** The rest of π/2. */
 static const double QUARTER_TURN_4 = 8.4784276603689e-32;
-static const double SPLITTER = 134217729.0;
-
-/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
-static const double TO_INTEGER = 6755399441055744.0;
 
 /** The bits of 2/π after 64 zeros, most significant first. */
 static const uint64_t TWO_OVER_PI[36] = {
@@ -98,10 +88,10 @@ static inline void pair_ordered_sum(double a, double b, pair_t *pair)
 /** `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp). */
 static inline void pair_product(double a, double b, pair_t *pair)
 {
-    const double a_scaled = SPLITTER * a;
+    const double a_scaled = PAIR_SPLITTER * a;
     const double a_high = a_scaled - (a_scaled - a);
     const double a_low = a - a_high;
-    const double b_scaled = SPLITTER * b;
+    const double b_scaled = PAIR_SPLITTER * b;
     const double b_high = b_scaled - (b_scaled - b);
     const double b_low = b - b_high;
     const double high = a * b;
@@ -111,14 +101,14 @@ static inline void pair_product(double a, double b, pair_t *pair)
 }
 
 /** `a * b` to about 100 bits. */
-static inline void pair_pair_product(const pair_t *a, const pair_t *b, pair_t *pair)
+static inline void pair_times(const pair_t *a, const pair_t *b, pair_t *pair)
 {
     pair_t lead;
     pair_product(a->high, b->high, &lead);
     pair_ordered_sum(lead.high, lead.low + (a->high * b->low + a->low * b->high), pair);
 }
 
-void reduction_reduced_angle(double x, reduced_angle_t *reduced_angle)
+void reduction_reduce(double x, reduced_angle_t *reduced_angle)
 {
     const double size = fabs(x);
     if (size < 0.75) {
@@ -126,34 +116,34 @@ void reduction_reduced_angle(double x, reduced_angle_t *reduced_angle)
         reduced_angle->low = 0.0;
         reduced_angle->quadrant = UINT64_C(0);
     } else if (size <= FEW_TURNS) {
-        const double shifted = x * FRAC_2_PI + TO_INTEGER;
-        const double turns = shifted - TO_INTEGER;
+        const double shifted = x * FRAC_2_PI + SINE_TO_INTEGER;
+        const double quarter_turns = shifted - SINE_TO_INTEGER;
 
         /* Three products without loss; what the two differences lose is kept. */
-        const double first = x - turns * QUARTER_TURN_1;
-        const double part = turns * QUARTER_TURN_2;
+        const double first = x - quarter_turns * QUARTER_TURN_1;
+        const double part = quarter_turns * QUARTER_TURN_2;
         const double second = first - part;
         const double taken = first - second;
         const double lost = first - (second + taken) + (taken - part);
-        const double part_2 = turns * QUARTER_TURN_3;
+        const double part_2 = quarter_turns * QUARTER_TURN_3;
         const double third = second - part_2;
         const double taken_2 = second - third;
         const double lost_2 = lost + (second - (third + taken_2) + (taken_2 - part_2));
-        const double rest = lost_2 - turns * QUARTER_TURN_4;
+        const double rest = lost_2 - quarter_turns * QUARTER_TURN_4;
         const double high = third + rest;
         reduced_angle->high = high;
         reduced_angle->low = rest - (high - third);
         reduced_angle->quadrant = raw_bits_of_f64(shifted) & UINT64_C(3);
     } else if (size <= F64_MAX) {
-        reduction_reduced_huge_angle(x, reduced_angle);
+        reduction_reduce_huge(x, reduced_angle);
     } else {
-        reduced_angle->high = F64_NAN;
+        reduced_angle->high = (double)NAN;
         reduced_angle->low = 0.0;
         reduced_angle->quadrant = UINT64_C(0);
     }
 }
 
-void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
+void reduction_reduce_huge(double x, reduced_angle_t *reduced_angle)
 {
     const uint64_t bits = raw_bits_of_f64(x);
 
@@ -180,7 +170,7 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     const uint64_t first = mantissa * high + reduction_upper_product(mantissa, middle) + carry;
 
     /* To the nearest quarter turn; the fraction is signed. */
-    const uint64_t turns = (first + UINT64_C(0x2000000000000000)) >> 62;
+    const uint64_t quarter_turns = (first + UINT64_C(0x2000000000000000)) >> 62;
     const uint64_t fraction = (first << 2) | (centre >> 62);
     const bool negative = (fraction >> 63) == UINT64_C(1);
     uint64_t flip;
@@ -203,9 +193,9 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     pair_ordered_sum(lead.high, rest.high, &upper);
     pair_t fraction_2;
     pair_ordered_sum(upper.high, upper.low + (rest.low + least), &fraction_2);
-    const pair_t angle_b = {.high = HALF_PI_HIGH, .low = HALF_PI_LOW};
+    const pair_t angle_b = {.high = ANGLES_HALF_PI_HIGH, .low = ANGLES_HALF_PI_LOW};
     pair_t angle;
-    pair_pair_product(&fraction_2, &angle_b, &angle);
+    pair_times(&fraction_2, &angle_b, &angle);
     const bool backwards = x < 0.0;
     double sign;
     if (negative != backwards) {
@@ -217,9 +207,9 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     const double result_part_2 = sign * angle.low;
     uint64_t result_choice;
     if (backwards) {
-        result_choice = (UINT64_C(4) - turns) & UINT64_C(3);
+        result_choice = (UINT64_C(4) - quarter_turns) & UINT64_C(3);
     } else {
-        result_choice = turns & UINT64_C(3);
+        result_choice = quarter_turns & UINT64_C(3);
     }
     reduced_angle->high = result_part;
     reduced_angle->low = result_part_2;

@@ -29,10 +29,10 @@ typedef struct {
 } reduced_angle_t;
 
 /** Takes whole quarter turns off `x`, rad. */
-void reduction_reduced_angle(double x, reduced_angle_t *reduced_angle);
+void reduction_reduce(double x, reduced_angle_t *reduced_angle);
 
 /** Takes whole quarter turns off an angle of 2²⁰ rad or more. */
-void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle);
+void reduction_reduce_huge(double x, reduced_angle_t *reduced_angle);
 
 #ifdef __cplusplus
 }

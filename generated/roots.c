@@ -12,9 +12,7 @@
 
 #include "bessemer_target.h"
 
-static const double F64_INFINITY = (double)INFINITY;
 static const double F64_MAX = 1.7976931348623157e308;
-static const double F64_NAN = (double)NAN;
 
 /**
  * √(x² + y²) for 2^−500 to 2^500, the larger first: the root of the sum, and what it is off by, from
@@ -37,12 +35,12 @@ static inline double roots_length(double large, double small)
 double roots_far_length(double large, double small)
 {
     if (large > F64_MAX || small > F64_MAX) {
-        return F64_INFINITY;
+        return (double)INFINITY;
     }
 
     /* False for NaN. */
     if (!(large <= F64_MAX && small <= F64_MAX)) {
-        return F64_NAN;
+        return (double)NAN;
     }
 
     /* By 2⁻⁶⁰ the smaller is lost. */

@@ -19,10 +19,10 @@ extern "C" {
 #endif
 
 /**
- * Sine of `x` + `turns` · π/2, by way of the reduced angle in two doubles; of a tiny `x`, with 0 or 1
- * turns.
+ * Sine of `x` + `quarter_turns` · π/2, by way of the reduced angle in two doubles; of a tiny `x`, with 0 or 1
+ * of them.
  */
-double sine_sine_by_reduction(double x, uint64_t turns);
+double sine_by_reduction(double x, uint64_t quarter_turns);
 
 /**
  * Sine of an angle in rad, however large; measured within 0.65 ulp. ±0 gives ±0; ±∞ and NaN give

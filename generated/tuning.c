@@ -14,8 +14,6 @@
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
-static const double F64_NAN = (double)NAN;
-
 void tuning_values(const settings_t *settings, double result[TUNING_TUNABLE])
 {
     result[0] = settings->parameters.height.p;
@@ -44,7 +42,7 @@ double settings_parameter(const settings_t *self, uint8_t number)
 {
     const uint32_t n = (uint32_t)number;
     if (n >= TUNING_TUNABLE) {
-        return F64_NAN;
+        return (double)NAN;
     }
     double elements[20];
     tuning_values(self, elements);

@@ -67,8 +67,10 @@ WORDS = {"f64": literal, "f32": float_literal, "u64": lambda it: f"0x{it:016x}",
 MARK = "#[crate::data]\n"
 
 
-def constant(name, value, text, ty="f64"):
-    print(f"/// {text}\n{MARK}pub(crate) const {name}: {ty} = {WORDS[ty](value)};")
+def constant(name, value, text, ty="f64", shared=False):
+    """A number; shared: several modules read it, and the C has it once."""
+    seen = "pub" if shared else "pub(crate)"
+    print(f"/// {text}\n{MARK}{seen} const {name}: {ty} = {WORDS[ty](value)};")
 
 
 def table(name, values, text, ty="f64"):
@@ -79,8 +81,8 @@ def table(name, values, text, ty="f64"):
 
 
 def pair(name, value, text):
-    constant(f"{name}_HIGH", double(value), f"{text}, to a double.")
-    constant(f"{name}_LOW", double(value - double(value)), f"{text}, less its high part.")
+    constant(f"{name}_HIGH", double(value), f"{text}, to a double.", shared=True)
+    constant(f"{name}_LOW", double(value - double(value)), f"{text}, less its high part.", shared=True)
 
 
 def pairs(name, values, text):
@@ -123,7 +125,8 @@ def polynomial(name, function, count, low, high, text, ty="f64"):
     found = [double(c) if ty == "f64" else rounded(c, 24) for c in lu_solve(system, values)]
     points = [low + (high - low) * (2 * k + 1) / 1000 for k in range(500)]
     off = max(abs(function(x) - sum(c * x**power for power, c in enumerate(found))) for x in points)
-    table(name, found, f"{text.rstrip('.')}; off by less than 2{raised(int(floor(log(off, 2))) + 1)}.", ty)
+    through = f"{text.rstrip('.')}, through the {count} Chebyshev points"
+    table(name, found, f"{through}; off by less than 2{raised(int(floor(log(off, 2))) + 1)}.", ty)
     mp.prec = before
 
 
@@ -183,9 +186,10 @@ constant("QUARTER_TURN_1", first, "The leading 33 bits of π/2: a multiple of it
 constant("QUARTER_TURN_2", second, "The next 33 bits of π/2.")
 constant("QUARTER_TURN_3", third, "The next 33 bits of π/2.")
 constant("QUARTER_TURN_4", double(quarter - first - second - third), "The rest of π/2.")
-constant("STEPS_PER_RADIAN", double(64 / pi), "64/π.")
-constant("STEP_HIGH", first / 32, "The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact.")
-constant("STEP_LOW", double((quarter - first) / 32), "The rest of π/64.")
+constant("STEPS_PER_RADIAN", double(64 / pi), "64/π.", shared=True)
+constant("STEP_HIGH", first / 32, "The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact.",
+         shared=True)
+constant("STEP_LOW", double((quarter - first) / 32), "The rest of π/64.", shared=True)
 pair("HALF_PI", pi / 2, "π/2")
 pair("WHOLE_PI", pi, "π")
 
@@ -203,38 +207,40 @@ def exact(value):
     return mpf(0) if abs(value) < mpf(10) ** -100 else value
 
 
-rows("SINES", [split(exact(sin(k * pi / 64))) for k in range(128)], "sin(k·π/64), to a double and less that.")
-rows("TANGENTS", [split(exact(tan(k * pi / 64))) if k != 32 else (mpf(0), mpf(0)) for k in range(64)],
-     "tan(k·π/64), to a double and less that; at its pole 0.")
-polynomial("SINE", odd(sin), 5, 0, (mpf("5.6") * pi / 64) ** 2, "(sin x − x)/x³ in powers of x², to 0.27.")
-polynomial("TANGENT", odd(tan), 8, 0, (mpf("4.6") * pi / 64) ** 2, "(tan x − x)/x³ in powers of x², to 0.22.")
+rows("SINE_ROWS", [(*split(exact(sin(k * pi / 64))), double(exact(cos(k * pi / 64)))) for k in range(64)],
+     "sin(k·π/64) to a double, what that leaves out, and cos(k·π/64).")
+rows("TANGENT_ROWS", [split(exact(tan(k * pi / 64))) if k != 32 else (mpf(0), mpf(0)) for k in range(64)],
+     "tan(k·π/64) to a double, and what that leaves out; at its pole 0.")
+polynomial("SINE_POLYNOMIAL", odd(sin), 5, 0, (mpf("5.6") * pi / 64) ** 2, "(sin x − x)/x³ in powers of x², to 0.27.")
+polynomial("TANGENT_POLYNOMIAL", odd(tan), 8, 0, (mpf("4.6") * pi / 64) ** 2, "(tan x − x)/x³ in powers of x², to 0.22.")
 # Row j is for numbers whose exponent and first three binary digits are those of j/8 counted from 1/16.
 centres = []
 for j in range(64):
     octave, eighth = divmod(j, 8)
     centres.append(mpf(2) ** (octave - 4) * (1 + (mpf(eighth) + mpf(1) / 2) / 8))
-rows("ARCTANGENTS", [(c, *split(atan(c))) for c in centres],
-     "c and atan c, to a double and less that: eight c for each octave from 1/16 to 16.")
-polynomial("ARCTANGENT", odd(atan), 6, 0, mpf(1) / 256, "(atan x − x)/x³ in powers of x², to 1/16.")
-polynomial("ARCSINE", odd(asin), 13, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2.")
+rows("ARCTANGENT_ROWS", [(c, *split(atan(c))) for c in centres],
+     "c, atan c to a double, and what that leaves out: eight c for each octave from 1/16 to 16.")
+polynomial("ARCTANGENT_POLYNOMIAL", odd(atan), 6, 0, mpf(1) / 256, "(atan x − x)/x³ in powers of x², to 1/16.")
+polynomial("ARCSINE_POLYNOMIAL", odd(asin), 13, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2.")
 polynomial("ARCSINE_F32", odd(asin), 6, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2, for single precision.")
 
 module("powers", "Powers of two and hyperbolic functions.")
 two = log(mpf(2))
 steps = [mpf(2) ** (mpf(k) / 128) for k in range(128)]
-constant("STEPS_PER_UNIT", double(128 / two), "128/ln 2.")
-constant("UNIT_STEP_HIGH", cut(two / 128, 36), "The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact.")
-constant("UNIT_STEP_LOW", double(two / 128 - cut(two / 128, 36)), "The rest of (ln 2)/128.")
-rows("POWERS", [(bits((v - double(v)) / v), (bits(double(v)) - (k << 45)) % 2**64) for k, v in enumerate(steps)],
+constant("STEPS_PER_UNIT", double(128 / two), "128/ln 2.", shared=True)
+constant("UNIT_STEP_HIGH", cut(two / 128, 36), "The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact.",
+         shared=True)
+constant("UNIT_STEP_LOW", double(two / 128 - cut(two / 128, 36)), "The rest of (ln 2)/128.", shared=True)
+rows("OF_TWO", [(bits((v - double(v)) / v), (bits(double(v)) - (k << 45)) % 2**64) for k, v in enumerate(steps)],
      "2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵.", "u64", shared=True)
 polynomial("EXPONENTIAL_F32", lambda r: expm1(r * two) / r, 2, mpf(-1) / 256, mpf(1) / 256,
            "(2^r − 1)/r in powers of r, −1/256 to 1/256.")
 polynomial("EXP_M1", lambda x: (exp(x) - 1 - x - x * x / 2) / x**3, 11, mpf("-0.30"), mpf("0.3000001"),
            "(e^x − 1 − x − x²/2)/x³ in powers of x, −0.3 to 0.3.")
-polynomial("SINH", odd(sinh), 5, 0, mpf("0.31") ** 2, "(sinh x − x)/x³ in powers of x², to 0.3.")
-rows("TANHS", [split(tanh((k + mpf(1) / 2) / 16)) for k in range(64)],
-     "tanh((k + 1/2)/16), to a double and less that.")
-polynomial("TANH", odd(tanh), 8, 0, mpf("0.251") ** 2, "(tanh x − x)/x³ in powers of x², to 1/4.")
+polynomial("SINH_POLYNOMIAL", odd(sinh), 5, 0, mpf("0.31") ** 2, "(sinh x − x)/x³ in powers of x², to 0.3.")
+rows("TANH_ROWS", [split(tanh((k + mpf(1) / 2) / 16)) for k in range(64)],
+     "tanh((k + 1/2)/16) to a double, and what that leaves out.")
+polynomial("TANH_POLYNOMIAL", odd(tanh), 8, 0, mpf("0.251") ** 2, "(tanh x − x)/x³ in powers of x², to 1/4.")
 
 width = mpf("0.00404")
 
@@ -242,11 +248,14 @@ width = mpf("0.00404")
 def logarithm(name, base, unit):
     """The tables of a logarithm."""
     found = accurate_rows(lambda x: log(x) / log(base), mpf(2) ** unit)
-    rows(f"{name}_ROWS", [row[:2] for row in found], f"1/c and the logarithm of c, c as in `{name}_CENTRES`.")
-    table(f"{name}_CENTRES", [row[2] for row in found], "c near the middle of the row's significands.")
+    off = max(abs(log(c) / log(base) - value) for _, value, c in found)
+    rows(f"{name}_ROWS", [row[:2] for row in found],
+         f"1/c to a double and the logarithm of c, c as in `{name}_CENTRES` (Gal): the logarithm is off by less than "
+         f"2{raised(int(floor(log(off, 2))) + 1)}.")
+    table(f"{name}_CENTRES", [row[2] for row in found], "c near the middle of the row's significands, of which the logarithm is next to a double.")
     if base != mp.e:
-        polynomial(name, lambda r: log(1 + r) / log(base) / r, 6, -width, width,
-                   "log(1 + r)/r in powers of r, within a row.")
+        polynomial(f"{name}_POLYNOMIAL", lambda r: log(1 + r) / log(base) / r, 6, -width, width,
+                   "log(1 + r)/r in powers of r, −0.00404 to 0.00404, which is a row.")
         constant(f"{name}_E_HIGH", rounded(1 / log(base), 31), "The logarithm of e, to 31 bits.")
         constant(f"{name}_E_LOW", double(1 / log(base) - rounded(1 / log(base), 31)), "The logarithm of e, less its high part.")
     if base != 2:
@@ -257,8 +266,8 @@ def logarithm(name, base, unit):
 
 module("logarithms", "Logarithms, natural and to base 2.")
 logarithm("LN", mp.e, -43)
-polynomial("LN", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 4, -width, width,
-           "(ln(1 + r) − r + r²/2)/r³ in powers of r, within a row.")
+polynomial("LN_POLYNOMIAL", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 4, -width, width,
+           "(ln(1 + r) − r + r²/2)/r³ in powers of r, −0.00404 to 0.00404, which is a row.")
 polynomial("LN_NEAR_ONE", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 11, mpf("-0.0625"), mpf("0.0626"),
            "(ln(1 + r) − r + r²/2)/r³ in powers of r, −1/16 to 1/16.")
 logarithm("LOG2", mpf(2), -42)
@@ -285,19 +294,19 @@ coarse = [coarse_reciprocal(*cell(j)) for j in range(128)]
 logarithms = [-log(c) for c in coarse]
 rows("COARSE_ROWS", [(c, grid(v, -42)) for c, v in zip(coarse, logarithms)],
      "1/c, of ten bits at most, and ln c to multiples of 2⁻⁴².")
-table("COARSE_REST", [double(v - grid(v, -42)) for v in logarithms], "ln c less the second of `COARSE_ROWS`.")
+table("COARSE_REST", [double(v - grid(v, -42)) for v in logarithms], "ln c less the second of `COARSE_ROWS`, to a double.")
 width = mpf("0.0068")
 polynomial("FINER_LN", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 7, -width, width * 1.01,
-           "(ln(1 + r) − r + r²/2)/r³ in powers of r, within such a row.")
+           "(ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, which is such a row.")
 
 single = [mpf(1) if low < 1 < high else double(2 / (low + high)) for low, high in map(cell, range(128))]
 rows("LOG2_ROWS_F32", [(c, double(-log(c) / two)) for c in single],
-     "1/c and log₂ c for c in the middle of a row, for single precision.")
+     "1/c and log₂ c, each to a double, for c in the middle of a row, for single precision.")
 width = mpf("0.00392")
-polynomial("LOG2_F32", lambda r: log(1 + r) / two / r, 4, -width, width, "log₂(1 + r)/r in powers of r, within a row.")
+polynomial("LOG2_F32", lambda r: log(1 + r) / two / r, 4, -width, width, "log₂(1 + r)/r in powers of r, −0.00392 to 0.00392, which is a row.")
 
 polynomial("CUBE_ROOT", lambda r: r ** (-mpf(1) / 3), 5, mpf("0.90"), mpf("1.11"), "r^(−1/3) in powers of r, 0.9 to 1.1.")
-polynomial("CUBE_ROOT_F32", lambda r: r ** (-mpf(1) / 3), 7, mpf("0.90"), mpf("1.11"), "The same, finer.")
+polynomial("CUBE_ROOT_F32", lambda r: r ** (-mpf(1) / 3), 7, mpf("0.90"), mpf("1.11"), "r^(−1/3) in powers of r, 0.9 to 1.1, finer.")
 module("narrow", "Constants for `f32` in `f32` arithmetic alone.")
 
 
@@ -331,8 +340,8 @@ narrow("COSINE", lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2, 3, 0, eighth**2,
 narrow("TANGENT", odd(tan), 7, 0, mpf("0.62") ** 2, "(tan x − x)/x³ in powers of x², to 0.62.")
 narrow("ARCTANGENT", odd(atan), 4, 0, mpf(1) / 16, "(atan x − x)/x³ in powers of x², to 1/4.")
 centres = [mpf(2) ** (j // 4 - 2) * (1 + (mpf(j % 4) + mpf(1) / 2) / 4) for j in range(16)]
-rows("NARROW_ARCTANGENTS", [(c, rounded(atan(c), 24), atan(c) - rounded(atan(c), 24)) for c in centres],
-     "c and atan c, to a float and less that: four c for each octave from 1/4 to 4.", "f32")
+rows("NARROW_ARCTANGENT_ROWS", [(c, rounded(atan(c), 24), atan(c) - rounded(atan(c), 24)) for c in centres],
+     "c, atan c to a float, and what that leaves out: four c for each octave from 1/4 to 4.", "f32")
 narrow("ARCSINE", odd(asin), 5, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2.")
 narrow("EXPONENTIAL", lambda x: (exp(x) - 1 - x) / x**2, 6, -two / 2, two / 2 * mpf("1.001"),
        "(e^x − 1 − x)/x² in powers of x, to (ln 2)/2.")

@@ -6,27 +6,25 @@
 //! asin x = π/2 − 2·asin √((1 − x)/2).
 
 use super::RawBits as _;
-use super::pair::{Pair, ordered_sum, quotient};
+use super::pair::{LEADING, Pair, UPPER, ordered_sum, quotient};
 use super::tables::{
-    ARCSINE, ARCTANGENT, ARCTANGENTS, HALF_PI_HIGH, HALF_PI_LOW, WHOLE_PI_HIGH, WHOLE_PI_LOW,
+    ARCSINE_POLYNOMIAL, ARCTANGENT_POLYNOMIAL, ARCTANGENT_ROWS, HALF_PI_HIGH, HALF_PI_LOW,
+    WHOLE_PI_HIGH, WHOLE_PI_LOW,
 };
 use crate::prelude::*;
 
+/// Of the Taylor series of the arctangent, x³: to |x| = 1/32 the terms that follow are below 2⁻⁵³ of it.
 #[crate::data]
 const A3: f64 = -1.0 / 3.0;
+/// The same, x⁵.
 #[crate::data]
 const A5: f64 = 1.0 / 5.0;
+/// The same, x⁷.
 #[crate::data]
 const A7: f64 = -1.0 / 7.0;
+/// The same, x⁹.
 #[crate::data]
 const A9: f64 = 1.0 / 9.0;
-
-/// The upper half of a double.
-#[crate::data]
-const UPPER: u64 = 0xffff_ffff_0000_0000;
-/// All but the last 27 bits: what is left has a square without loss.
-#[crate::data]
-const LEADING: u64 = 0xffff_ffff_f800_0000;
 
 /// The row for a ratio: 0 to 63 from 1/16 to 16, more outside.
 #[inline]
@@ -49,13 +47,16 @@ pub fn small_curve(t: f64) -> f64 {
 #[function]
 pub fn curve(t: f64) -> f64 {
     let z = t * t;
-    let upper = ARCTANGENT[3] + z * (ARCTANGENT[4] + z * ARCTANGENT[5]);
-    t * z * (ARCTANGENT[0] + z * (ARCTANGENT[1] + z * (ARCTANGENT[2] + z * upper)))
+    let upper =
+        ARCTANGENT_POLYNOMIAL[3] + z * (ARCTANGENT_POLYNOMIAL[4] + z * ARCTANGENT_POLYNOMIAL[5]);
+    t * z
+        * (ARCTANGENT_POLYNOMIAL[0]
+            + z * (ARCTANGENT_POLYNOMIAL[1] + z * (ARCTANGENT_POLYNOMIAL[2] + z * upper)))
 }
 
 /// The arctangent of 0 to 1/16, of 16 and more, and of NaN.
 #[function]
-pub fn far_arctangent(size: f64) -> f64 {
+pub fn far(size: f64) -> f64 {
     if size < 1.0 {
         size + curve(size)
     } else {
@@ -70,12 +71,12 @@ pub fn atan(x: f64) -> f64 {
     let size = x.abs();
     let row = row_of_ratio(size);
     let value = if row < 64 {
-        let centre = ARCTANGENTS[row as usize][0];
+        let centre = ARCTANGENT_ROWS[row as usize][0];
         let t = (size - centre) / (1.0 + size * centre);
-        let rest = ARCTANGENTS[row as usize][2] + (t + small_curve(t));
-        ARCTANGENTS[row as usize][1] + rest
+        let rest = ARCTANGENT_ROWS[row as usize][2] + (t + small_curve(t));
+        ARCTANGENT_ROWS[row as usize][1] + rest
     } else {
-        far_arctangent(size)
+        far(size)
     };
     if x < 0.0 {
         -value
@@ -94,12 +95,12 @@ pub fn atan(x: f64) -> f64 {
 pub fn angle_of_ratio(height: f64, width: f64, ratio: f64) -> Pair {
     let row = row_of_ratio(ratio);
     if row < 64 {
-        let centre = ARCTANGENTS[row as usize][0];
+        let centre = ARCTANGENT_ROWS[row as usize][0];
         let upper = f64::from_bits(width.raw_bits() & UPPER);
         let above = (height - centre * upper) - centre * (width - upper);
         let t = above / (width + centre * height);
-        let rest = ARCTANGENTS[row as usize][2] + (t + small_curve(t));
-        Pair { high: ARCTANGENTS[row as usize][1], low: rest }
+        let rest = ARCTANGENT_ROWS[row as usize][2] + (t + small_curve(t));
+        Pair { high: ARCTANGENT_ROWS[row as usize][1], low: rest }
     } else {
         far_angle(height, width, ratio)
     }
@@ -182,10 +183,13 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 pub fn arcsine_curve(z: f64) -> f64 {
     let w = z * z;
     let v = w * w;
-    let lower = (ARCSINE[0] + z * ARCSINE[1]) + w * (ARCSINE[2] + z * ARCSINE[3]);
-    let middle = (ARCSINE[4] + z * ARCSINE[5]) + w * (ARCSINE[6] + z * ARCSINE[7]);
-    let upper = (ARCSINE[8] + z * ARCSINE[9]) + w * (ARCSINE[10] + z * ARCSINE[11]);
-    lower + v * (middle + v * (upper + v * ARCSINE[12]))
+    let lower = (ARCSINE_POLYNOMIAL[0] + z * ARCSINE_POLYNOMIAL[1])
+        + w * (ARCSINE_POLYNOMIAL[2] + z * ARCSINE_POLYNOMIAL[3]);
+    let middle = (ARCSINE_POLYNOMIAL[4] + z * ARCSINE_POLYNOMIAL[5])
+        + w * (ARCSINE_POLYNOMIAL[6] + z * ARCSINE_POLYNOMIAL[7]);
+    let upper = (ARCSINE_POLYNOMIAL[8] + z * ARCSINE_POLYNOMIAL[9])
+        + w * (ARCSINE_POLYNOMIAL[10] + z * ARCSINE_POLYNOMIAL[11]);
+    lower + v * (middle + v * (upper + v * ARCSINE_POLYNOMIAL[12]))
 }
 
 /// Half the arccosine of `size` from 1/2 to 1, without 1: the root r of (1 − `size`)/2 as it is rounded,

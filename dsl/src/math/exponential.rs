@@ -10,26 +10,35 @@ use core::f64::consts::LN_2;
 use super::RawBits as _;
 use super::pair::sum;
 use super::sine::TO_INTEGER;
-use super::tables::{EXP_M1, POWERS, STEPS_PER_UNIT, UNIT_STEP_HIGH, UNIT_STEP_LOW};
+use super::tables::{EXP_M1, OF_TWO, STEPS_PER_UNIT, UNIT_STEP_HIGH, UNIT_STEP_LOW};
 use crate::prelude::*;
 
+/// Of the Taylor series of e^x, x²: to |x| = (ln 2)/256 the terms behind the fifth power are below 2⁻⁶⁰.
 #[crate::data]
-const E2: f64 = 1.0 / 2.0;
+pub const E2: f64 = 1.0 / 2.0;
+/// The same, x³.
 #[crate::data]
-const E3: f64 = 1.0 / 6.0;
+pub const E3: f64 = 1.0 / 6.0;
+/// The same, x⁴.
 #[crate::data]
-const E4: f64 = 1.0 / 24.0;
+pub const E4: f64 = 1.0 / 24.0;
+/// The same, x⁵.
 #[crate::data]
-const E5: f64 = 1.0 / 120.0;
+pub const E5: f64 = 1.0 / 120.0;
+/// Of the Taylor series of e^x, x⁶: with it, the terms that follow are below 2⁻⁶¹ to |x| = (ln 2)/256 + 1/200.
 #[crate::data]
-const E6: f64 = 1.0 / 720.0;
+pub const E6: f64 = 1.0 / 720.0;
 
+/// Of the Taylor series of 2^x, x²: to |x| = 1/256 the terms behind the fifth power are below 2⁻⁶⁰.
 #[crate::data]
 const P2: f64 = LN_2 * LN_2 / 2.0;
+/// The same, x³.
 #[crate::data]
 const P3: f64 = LN_2 * LN_2 * LN_2 / 6.0;
+/// The same, x⁴.
 #[crate::data]
 const P4: f64 = LN_2 * LN_2 * LN_2 * LN_2 / 24.0;
+/// The same, x⁵.
 #[crate::data]
 const P5: f64 = LN_2 * LN_2 * LN_2 * LN_2 * LN_2 / 120.0;
 
@@ -39,7 +48,7 @@ pub(crate) const TO_STEP: f64 = TO_INTEGER / 128.0;
 
 /// To here e^x is normal, and so is what its last rounding takes in.
 #[crate::data]
-pub(crate) const NORMAL: f64 = 660.0;
+pub const NORMAL: f64 = 660.0;
 
 /// The power 2^(`steps`/128) · (1 + `rest`).
 #[data]
@@ -63,7 +72,7 @@ pub fn power_of_two(exponent: i32) -> f64 {
 #[function]
 pub fn step(steps: u64) -> f64 {
     // The upper half alone changes: one addition where a word has 32 bits.
-    let bits = POWERS[(steps & 127) as usize][1];
+    let bits = OF_TWO[(steps & 127) as usize][1];
     let upper = ((bits >> 32) as u32).wrapping_add((steps as u32) << 13);
     f64::from_bits(((upper as u64) << 32) | (bits & 0xffff_ffff))
 }
@@ -72,7 +81,7 @@ pub fn step(steps: u64) -> f64 {
 #[inline]
 #[function]
 pub fn step_rest(steps: u64) -> f64 {
-    f64::from_bits(POWERS[(steps & 127) as usize][0])
+    f64::from_bits(OF_TWO[(steps & 127) as usize][0])
 }
 
 /// 2^(`steps`/128) · e^`r` for |r| ≤ (ln 2)/256.
@@ -87,7 +96,7 @@ pub fn step_power(steps: u64, r: f64) -> Power {
 /// e^x for −750 to 750, before its last rounding.
 #[inline]
 #[function]
-pub fn exponential(x: f64) -> Power {
+pub fn power(x: f64) -> Power {
     let shifted = x * STEPS_PER_UNIT + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     step_power(shifted.raw_bits(), (x - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW)
@@ -96,7 +105,7 @@ pub fn exponential(x: f64) -> Power {
 /// e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding.
 #[inline]
 #[function]
-pub fn exponential_of_pair(high: f64, low: f64) -> Power {
+pub fn power_of_pair(high: f64, low: f64) -> Power {
     let shifted = high * STEPS_PER_UNIT + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     let r = ((high - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW) + low;
@@ -112,7 +121,7 @@ pub fn exponential_of_pair(high: f64, low: f64) -> Power {
 pub fn rounded(power: Power, more: i32) -> f64 {
     // From 1 to 2.
     let high = f64::from_bits(
-        POWERS[(power.steps & 127) as usize][1].wrapping_add((power.steps & 127) << 45),
+        OF_TWO[(power.steps & 127) as usize][1].wrapping_add((power.steps & 127) << 45),
     );
     // 19 bits, signed, without the 7 of the index.
     let whole = (((power.steps & 0x7_ffff) as i32) ^ 0x4_0000).wrapping_sub(0x4_0000) >> 7;
@@ -139,9 +148,9 @@ pub fn rounded(power: Power, more: i32) -> f64 {
 
 /// e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN.
 #[function]
-pub fn far_exponential(x: f64, low: f64, more: i32) -> f64 {
+pub fn far(x: f64, low: f64, more: i32) -> f64 {
     if x.abs() <= 750.0 {
-        rounded(exponential_of_pair(x, low), more)
+        rounded(power_of_pair(x, low), more)
     } else if x > 0.0 {
         f64::INFINITY
     } else if x < 0.0 {
@@ -155,18 +164,18 @@ pub fn far_exponential(x: f64, low: f64, more: i32) -> f64 {
 #[function]
 pub fn exp(x: f64) -> f64 {
     if x.abs() < NORMAL {
-        let power = exponential(x);
+        let power = power(x);
         let lead = step(power.steps);
         lead + lead * power.rest
     } else {
-        far_exponential(x, 0.0, 0)
+        far(x, 0.0, 0)
     }
 }
 
 /// 2^x for −1080 to 1080, before its last rounding.
 #[inline]
 #[function]
-pub fn binary_exponential(x: f64) -> Power {
+pub fn binary(x: f64) -> Power {
     let shifted = x + TO_STEP;
     let r = x - (shifted - TO_STEP);
     let steps = shifted.raw_bits();
@@ -179,7 +188,7 @@ pub fn binary_exponential(x: f64) -> Power {
 #[function]
 pub fn far_power(x: f64) -> f64 {
     if x.abs() <= 1080.0 {
-        rounded(binary_exponential(x), 0)
+        rounded(binary(x), 0)
     } else if x > 0.0 {
         f64::INFINITY
     } else if x < 0.0 {
@@ -193,7 +202,7 @@ pub fn far_power(x: f64) -> f64 {
 #[function]
 pub fn exp2(x: f64) -> f64 {
     if x.abs() < 960.0 {
-        let power = binary_exponential(x);
+        let power = binary(x);
         let lead = step(power.steps);
         lead + lead * power.rest
     } else {
@@ -217,13 +226,13 @@ pub fn exp_m1(x: f64) -> f64 {
         let tail = EXP_M1[0] + x * (EXP_M1[1] + x * (EXP_M1[2] + x * (odd + x * even)));
         x + (0.5 * z + x * z * tail)
     } else if size < NORMAL {
-        let power = exponential(x);
+        let power = power(x);
         let lead = step(power.steps);
         let less = sum(lead, -1.0);
         less.high + (less.low + lead * power.rest)
     } else if x < 0.0 {
         -1.0
     } else {
-        far_exponential(x, 0.0, 0)
+        far(x, 0.0, 0)
     }
 }

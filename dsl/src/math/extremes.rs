@@ -4,7 +4,7 @@
 // A NaN goes the way of what is not less.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
-use super::exponential::far_exponential;
+use super::exponential::far;
 use crate::prelude::*;
 
 /// What x^y is for a negative x of which `value` is |x|^y.
@@ -50,6 +50,6 @@ pub fn far_power(x: f64, y: f64, high: f64, low: f64) -> f64 {
     if !(y.abs() <= f64::MAX) {
         return special_power(x, y);
     }
-    let value = far_exponential(high, low, 0);
+    let value = far(high, low, 0);
     if x > 0.0 { value } else { power_of_negative(value, y) }
 }

@@ -5,26 +5,24 @@
 //! e^(2x). Near zero, sine and tangent have polynomials.
 
 use super::RawBits as _;
-use super::exponential::{NORMAL, exponential, far_exponential, step, step_rest};
+use super::exponential::{E2, E3, E4, E5, NORMAL, far, power, step, step_rest};
 use super::pair::ordered_sum;
 use super::sine::TO_INTEGER;
-use super::tables::{SINH, STEPS_PER_UNIT, TANH, TANHS, UNIT_STEP_HIGH, UNIT_STEP_LOW};
+use super::tables::{
+    SINH_POLYNOMIAL, STEPS_PER_UNIT, TANH_POLYNOMIAL, TANH_ROWS, UNIT_STEP_HIGH, UNIT_STEP_LOW,
+};
 use crate::prelude::*;
 
-#[crate::data]
-const E2: f64 = 1.0 / 2.0;
-#[crate::data]
-const E3: f64 = 1.0 / 6.0;
-#[crate::data]
-const E4: f64 = 1.0 / 24.0;
-#[crate::data]
-const E5: f64 = 1.0 / 120.0;
+/// Of the Taylor series of the hyperbolic tangent, x³: to |x| = 1/32 the terms that follow are below 2⁻⁵⁶ of it.
 #[crate::data]
 const T3: f64 = -1.0 / 3.0;
+/// The same, x⁵.
 #[crate::data]
 const T5: f64 = 2.0 / 15.0;
+/// The same, x⁷.
 #[crate::data]
 const T7: f64 = -17.0 / 315.0;
+/// The same, x⁹.
 #[crate::data]
 const T9: f64 = 62.0 / 2_835.0;
 
@@ -53,11 +51,12 @@ pub fn sinh(x: f64) -> f64 {
     let size = x.abs();
     if size < 0.3 {
         let z = x * x;
-        let tail = SINH[0] + z * (SINH[1] + z * (SINH[2] + z * (SINH[3] + z * SINH[4])));
+        let tail = SINH_POLYNOMIAL[0]
+            + z * (SINH_POLYNOMIAL[1]
+                + z * (SINH_POLYNOMIAL[2] + z * (SINH_POLYNOMIAL[3] + z * SINH_POLYNOMIAL[4])));
         return x + x * z * tail;
     }
-    let value =
-        if size < NORMAL { half_of_both(size, -1.0) } else { far_exponential(size, 0.0, -1) };
+    let value = if size < NORMAL { half_of_both(size, -1.0) } else { far(size, 0.0, -1) };
     if x < 0.0 { -value } else { value }
 }
 
@@ -65,14 +64,14 @@ pub fn sinh(x: f64) -> f64 {
 #[function]
 pub fn cosh(x: f64) -> f64 {
     let size = x.abs();
-    if size < NORMAL { half_of_both(size, 1.0) } else { far_exponential(size, 0.0, -1) }
+    if size < NORMAL { half_of_both(size, 1.0) } else { far(size, 0.0, -1) }
 }
 
 /// The hyperbolic tangent of 4 and more, and of NaN.
 #[function]
 pub fn far_tangent(size: f64) -> f64 {
     if size < 22.0 {
-        let power = exponential(2.0 * size);
+        let power = power(2.0 * size);
         let lead = step(power.steps);
         1.0 - 2.0 / ((lead + lead * power.rest) + 1.0)
     } else if size >= 22.0 {
@@ -88,8 +87,11 @@ pub fn tanh(x: f64) -> f64 {
     let size = x.abs();
     if size < 0.25 {
         let z = x * x;
-        let upper = TANH[4] + z * (TANH[5] + z * (TANH[6] + z * TANH[7]));
-        let tail = TANH[0] + z * (TANH[1] + z * (TANH[2] + z * (TANH[3] + z * upper)));
+        let upper = TANH_POLYNOMIAL[4]
+            + z * (TANH_POLYNOMIAL[5] + z * (TANH_POLYNOMIAL[6] + z * TANH_POLYNOMIAL[7]));
+        let tail = TANH_POLYNOMIAL[0]
+            + z * (TANH_POLYNOMIAL[1]
+                + z * (TANH_POLYNOMIAL[2] + z * (TANH_POLYNOMIAL[3] + z * upper)));
         return if size < 7.450580596923828e-9 { x } else { x + x * z * tail };
     }
     let value = if size < 4.0 {
@@ -99,9 +101,9 @@ pub fn tanh(x: f64) -> f64 {
         let t = size - ((shifted - TO_INTEGER) + 0.5) * 0.0625;
         let z = t * t;
         let tangent = t + t * z * (T3 + z * (T5 + z * (T7 + z * T9)));
-        let lead = TANHS[index][0];
+        let lead = TANH_ROWS[index][0];
         let product = tangent * lead;
-        lead + (TANHS[index][1] + (tangent - product * (lead + tangent) / (1.0 + product)))
+        lead + (TANH_ROWS[index][1] + (tangent - product * (lead + tangent) / (1.0 + product)))
     } else {
         far_tangent(size)
     };

@@ -14,20 +14,15 @@
 //! [`powf`]: super::power::powf
 
 use super::RawBits as _;
-use super::pair::{Pair, ordered_sum, sum};
+use super::pair::{LEADING, Pair, UPPER, ordered_sum, sum};
 use super::tables::{
-    COARSE_REST, COARSE_ROWS, FINER_LN, LN, LN_2_HIGH, LN_2_LOW, LN_CENTRES, LN_NEAR_ONE, LN_ROWS,
-    LOG2, LOG2_CENTRES, LOG2_E_HIGH, LOG2_E_LOW, LOG2_ROWS, LOG10, LOG10_2_HIGH, LOG10_2_LOW,
-    LOG10_CENTRES, LOG10_E_HIGH, LOG10_E_LOW, LOG10_ROWS,
+    COARSE_REST, COARSE_ROWS, FINER_LN, LN_2_HIGH, LN_2_LOW, LN_CENTRES, LN_NEAR_ONE,
+    LN_POLYNOMIAL, LN_ROWS, LOG2_CENTRES, LOG2_E_HIGH, LOG2_E_LOW, LOG2_POLYNOMIAL, LOG2_ROWS,
+    LOG10_2_HIGH, LOG10_2_LOW, LOG10_CENTRES, LOG10_E_HIGH, LOG10_E_LOW, LOG10_POLYNOMIAL,
+    LOG10_ROWS,
 };
 use crate::prelude::*;
 
-/// The upper half of a double.
-#[crate::data]
-const UPPER: u64 = 0xffff_ffff_0000_0000;
-/// All but the last 27 bits: what is left has a square without loss.
-#[crate::data]
-const LEADING: u64 = 0xffff_ffff_f800_0000;
 /// Within this of 1, logarithms are those next to 1.
 #[crate::data]
 const NEAR: f64 = 0.0625;
@@ -102,14 +97,15 @@ pub fn offset(parts: Parts) -> f64 {
 pub fn ln_of_offset(row: usize, exponent: f64, offset: f64) -> f64 {
     let r = offset * LN_ROWS[row & 127][0];
     let z = r * r;
-    let tail = (LN[0] + r * LN[1]) + z * (LN[2] + r * LN[3]);
+    let tail =
+        (LN_POLYNOMIAL[0] + r * LN_POLYNOMIAL[1]) + z * (LN_POLYNOMIAL[2] + r * LN_POLYNOMIAL[3]);
     let lead = exponent * LN_2_HIGH + LN_ROWS[row & 127][1];
     lead + (r + (z * (r * tail - 0.5) + exponent * LN_2_LOW))
 }
 
 /// The logarithm where its argument is zero, negative, infinite or NaN.
 #[function]
-pub fn logarithm_at_limit(x: f64) -> f64 {
+pub fn at_limit(x: f64) -> f64 {
     if x == 0.0 {
         -f64::INFINITY
     } else if x > 0.0 {
@@ -143,7 +139,7 @@ pub fn ln(x: f64) -> f64 {
         let parts = parts(normal_bits(x));
         ln_of_offset(parts.row, parts.exponent as f64 - 54.0, offset(parts))
     } else {
-        logarithm_at_limit(x)
+        at_limit(x)
     }
 }
 
@@ -164,8 +160,9 @@ pub fn log2_of_parts(parts: Parts, exponent: f64) -> f64 {
     let row = parts.row & 127;
     let r = (parts.significand - LOG2_CENTRES[row]) * LOG2_ROWS[row][0];
     let z = r * r;
-    let upper = (LOG2[2] + r * LOG2[3]) + z * (LOG2[4] + r * LOG2[5]);
-    let tail = (LOG2[0] + r * LOG2[1]) + z * upper;
+    let upper = (LOG2_POLYNOMIAL[2] + r * LOG2_POLYNOMIAL[3])
+        + z * (LOG2_POLYNOMIAL[4] + r * LOG2_POLYNOMIAL[5]);
+    let tail = (LOG2_POLYNOMIAL[0] + r * LOG2_POLYNOMIAL[1]) + z * upper;
     (exponent + LOG2_ROWS[row][1]) + r * tail
 }
 
@@ -185,7 +182,7 @@ pub fn log2(x: f64) -> f64 {
         let parts = parts(normal_bits(x));
         log2_of_parts(parts, parts.exponent as f64 - 54.0)
     } else {
-        logarithm_at_limit(x)
+        at_limit(x)
     }
 }
 
@@ -196,8 +193,9 @@ pub fn log10_of_parts(parts: Parts, exponent: f64) -> f64 {
     let row = parts.row & 127;
     let r = (parts.significand - LOG10_CENTRES[row]) * LOG10_ROWS[row][0];
     let z = r * r;
-    let upper = (LOG10[2] + r * LOG10[3]) + z * (LOG10[4] + r * LOG10[5]);
-    let tail = (LOG10[0] + r * LOG10[1]) + z * upper;
+    let upper = (LOG10_POLYNOMIAL[2] + r * LOG10_POLYNOMIAL[3])
+        + z * (LOG10_POLYNOMIAL[4] + r * LOG10_POLYNOMIAL[5]);
+    let tail = (LOG10_POLYNOMIAL[0] + r * LOG10_POLYNOMIAL[1]) + z * upper;
     let lead = exponent * LOG10_2_HIGH + LOG10_ROWS[row][1];
     lead + (r * tail + exponent * LOG10_2_LOW)
 }
@@ -218,7 +216,7 @@ pub fn log10(x: f64) -> f64 {
         let parts = parts(normal_bits(x));
         log10_of_parts(parts, parts.exponent as f64 - 54.0)
     } else {
-        logarithm_at_limit(x)
+        at_limit(x)
     }
 }
 

@@ -6,6 +6,16 @@
 
 use crate::prelude::*;
 
+/// The bits of the upper half of a double: what they leave of it has a product with its like without loss.
+#[crate::data]
+pub const UPPER: u64 = 0xffff_ffff_0000_0000;
+/// All bits of a double but the last 27: what they leave of it has a square without loss.
+#[crate::data]
+pub const LEADING: u64 = 0xffff_ffff_f800_0000;
+/// 2²⁷ + 1: a product by it splits a double into halves of 26 bits (Veltkamp).
+#[crate::data]
+pub const SPLITTER: f64 = 134_217_729.0;
+
 /// A number as a double and what that leaves out.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,7 +47,6 @@ pub fn ordered_sum(a: f64, b: f64) -> Pair {
 #[inline]
 #[function]
 pub fn product(a: f64, b: f64) -> Pair {
-    const SPLITTER: f64 = 134_217_729.0;
     let a_scaled = SPLITTER * a;
     let a_high = a_scaled - (a_scaled - a);
     let a_low = a - a_high;
@@ -52,7 +61,7 @@ pub fn product(a: f64, b: f64) -> Pair {
 /// `a * b` to about 100 bits.
 #[inline]
 #[function]
-pub fn pair_product(a: Pair, b: Pair) -> Pair {
+pub fn times(a: Pair, b: Pair) -> Pair {
     let lead = product(a.high, b.high);
     ordered_sum(lead.high, lead.low + (a.high * b.low + a.low * b.high))
 }

@@ -7,14 +7,11 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 use super::RawBits as _;
-use super::exponential::{NORMAL, exponential_of_pair, step};
+use super::exponential::{NORMAL, power_of_pair, step};
 use super::extremes::{far_power, power_of_negative, special_power};
 use super::logarithm::{logarithm, parts};
+use super::pair::UPPER;
 use crate::prelude::*;
-
-/// The upper half of a double.
-#[crate::data]
-const UPPER: u64 = 0xffff_ffff_0000_0000;
 
 /// x^y; measured within 0.51 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is
 /// whole; the rest as in C99, F.9.4.4.
@@ -39,7 +36,7 @@ pub fn powf(x: f64, y: f64) -> f64 {
         if !(high.abs() < NORMAL) {
             return far_power(x, y, high, low);
         }
-        let power = exponential_of_pair(high, low);
+        let power = power_of_pair(high, low);
         let lead = step(power.steps);
         let value = lead + lead * power.rest;
         if x > 0.0 {

@@ -10,7 +10,7 @@
 use core::f64::consts::FRAC_2_PI;
 
 use super::RawBits as _;
-use super::pair::{Pair, ordered_sum, pair_product, sum};
+use super::pair::{Pair, ordered_sum, sum, times};
 use super::sine::TO_INTEGER;
 use super::tables::{
     HALF_PI_HIGH, HALF_PI_LOW, QUARTER_TURN_1, QUARTER_TURN_2, QUARTER_TURN_3, QUARTER_TURN_4,
@@ -36,28 +36,28 @@ const FEW_TURNS: f64 = 1_600_000.0;
 
 /// Takes whole quarter turns off `x`, rad.
 #[function]
-pub fn reduced_angle(x: f64) -> ReducedAngle {
+pub fn reduce(x: f64) -> ReducedAngle {
     let size = x.abs();
     if size < 0.75 {
         ReducedAngle { high: x, low: 0.0, quadrant: 0 }
     } else if size <= FEW_TURNS {
         let shifted = x * FRAC_2_PI + TO_INTEGER;
-        let turns = shifted - TO_INTEGER;
+        let quarter_turns = shifted - TO_INTEGER;
         // Three products without loss; what the two differences lose is kept.
-        let first = x - turns * QUARTER_TURN_1;
-        let part = turns * QUARTER_TURN_2;
+        let first = x - quarter_turns * QUARTER_TURN_1;
+        let part = quarter_turns * QUARTER_TURN_2;
         let second = first - part;
         let taken = first - second;
         let lost = (first - (second + taken)) + (taken - part);
-        let part = turns * QUARTER_TURN_3;
+        let part = quarter_turns * QUARTER_TURN_3;
         let third = second - part;
         let taken = second - third;
         let lost = lost + ((second - (third + taken)) + (taken - part));
-        let rest = lost - turns * QUARTER_TURN_4;
+        let rest = lost - quarter_turns * QUARTER_TURN_4;
         let high = third + rest;
         ReducedAngle { high, low: rest - (high - third), quadrant: shifted.raw_bits() & 3 }
     } else if size <= f64::MAX {
-        reduced_huge_angle(x)
+        reduce_huge(x)
     } else {
         ReducedAngle { high: f64::NAN, low: 0.0, quadrant: 0 }
     }
@@ -86,7 +86,7 @@ pub fn window(word: u64, next: u64, shift: u64) -> u64 {
 
 /// Takes whole quarter turns off an angle of 2²⁰ rad or more.
 #[function]
-pub fn reduced_huge_angle(x: f64) -> ReducedAngle {
+pub fn reduce_huge(x: f64) -> ReducedAngle {
     let bits = x.raw_bits();
     // Bits of 2/π before this one make whole turns. The table starts with 64 zeros.
     let start = ((bits >> 52) & 0x7ff).wrapping_sub(1023 + 52 + 2 - 64);
@@ -108,7 +108,7 @@ pub fn reduced_huge_angle(x: f64) -> ReducedAngle {
         .wrapping_add(carry);
 
     // To the nearest quarter turn; the fraction is signed.
-    let turns = first.wrapping_add(0x2000_0000_0000_0000) >> 62;
+    let quarter_turns = first.wrapping_add(0x2000_0000_0000_0000) >> 62;
     let fraction = (first << 2) | (centre >> 62);
     let negative = (fraction >> 63) == 1;
     let flip = if negative { 0xffff_ffff_ffff_ffff } else { 0 };
@@ -125,13 +125,13 @@ pub fn reduced_huge_angle(x: f64) -> ReducedAngle {
         + ((end >> 32) as u32) as f64 * 6.842277657836021e-49;
     let upper = ordered_sum(lead.high, rest.high);
     let fraction = ordered_sum(upper.high, upper.low + (rest.low + least));
-    let angle = pair_product(fraction, Pair { high: HALF_PI_HIGH, low: HALF_PI_LOW });
+    let angle = times(fraction, Pair { high: HALF_PI_HIGH, low: HALF_PI_LOW });
 
     let backwards = x < 0.0;
     let sign = if negative != backwards { -1.0 } else { 1.0 };
     ReducedAngle {
         high: sign * angle.high,
         low: sign * angle.low,
-        quadrant: if backwards { 4u64.wrapping_sub(turns) & 3 } else { turns & 3 },
+        quadrant: if backwards { 4u64.wrapping_sub(quarter_turns) & 3 } else { quarter_turns & 3 },
     }
 }

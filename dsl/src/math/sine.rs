@@ -7,8 +7,8 @@
 //! in two doubles: [`super::reduction`].
 
 use super::RawBits as _;
-use super::reduction::reduced_angle;
-use super::tables::{SINE, SINES, STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN};
+use super::reduction::reduce;
+use super::tables::{SINE_POLYNOMIAL, SINE_ROWS, STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN};
 use crate::prelude::*;
 
 /// Up to here steps of π/64 are fewer than 2²⁰, rad.
@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(crate) const MODERATE: f64 = 50_000.0;
 /// 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits.
 #[crate::data]
-pub(crate) const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
+pub const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 /// Below this an angle is its own sine and tangent: 2⁻²⁷.
 #[crate::data]
 pub(crate) const TINY: f64 = 7.450580596923828e-9;
@@ -25,78 +25,91 @@ pub(crate) const TINY: f64 = 7.450580596923828e-9;
 #[crate::data]
 const NEAR_ZERO: f64 = 0.27;
 
-/// Of the Taylor series of the sine, x³.
+/// Of the Taylor series of the sine, x³: to |x| = π/128 the terms that follow are below 2⁻⁶¹ of it.
 #[crate::data]
 pub(crate) const S3: f64 = -1.0 / 6.0;
+/// The same, x⁵.
 #[crate::data]
 const S5: f64 = 1.0 / 120.0;
+/// The same, x⁷.
 #[crate::data]
 const S7: f64 = -1.0 / 5_040.0;
-/// Of the Taylor series of the cosine, x².
+/// Of the Taylor series of the cosine, x²: to |x| = π/128 the terms that follow are below 2⁻⁵⁸.
 #[crate::data]
 pub(crate) const C2: f64 = -1.0 / 2.0;
-/// x⁴.
+/// The same, x⁴.
 #[crate::data]
 pub(crate) const C4: f64 = 1.0 / 24.0;
+/// The same, x⁶.
 #[crate::data]
 const C6: f64 = -1.0 / 720.0;
+
+/// `value`, negated where `row` is in the second half of a turn, which has 128 rows.
+#[inline]
+#[function]
+pub(crate) fn signed(value: f64, row: u64) -> f64 {
+    if (row & 64) == 0 { value } else { -value }
+}
 
 /// Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more.
 #[inline]
 #[function]
-pub fn sine_from_row(row: u64, rest: f64) -> f64 {
-    let index = (row & 127) as usize;
-    let slope = SINES[((row.wrapping_add(32)) & 127) as usize][0];
+pub fn from_row(row: u64, rest: f64) -> f64 {
+    let index = (row & 63) as usize;
+    let lead = SINE_ROWS[index][0];
+    let slope = SINE_ROWS[index][2];
     let z = rest * rest;
     let sine = rest + rest * z * (S3 + z * (S5 + z * S7));
     let versine = z * (C2 + z * (C4 + z * C6));
-    SINES[index][0] + (SINES[index][1] + (slope * sine + SINES[index][0] * versine))
+    signed(lead + (SINE_ROWS[index][1] + (slope * sine + lead * versine)), row)
 }
 
 /// Sine of `high` + `low` for −0.27 to 0.27.
 #[inline]
 #[function]
-pub fn sine_near_zero(high: f64, low: f64) -> f64 {
+pub fn near_zero(high: f64, low: f64) -> f64 {
     let z = high * high;
-    let tail = SINE[0] + z * (SINE[1] + z * (SINE[2] + z * (SINE[3] + z * SINE[4])));
+    let tail = SINE_POLYNOMIAL[0]
+        + z * (SINE_POLYNOMIAL[1]
+            + z * (SINE_POLYNOMIAL[2] + z * (SINE_POLYNOMIAL[3] + z * SINE_POLYNOMIAL[4])));
     high + (low + high * z * tail)
 }
 
-/// Sine of `x` + `turns` · π/2, by way of the reduced angle in two doubles; of a tiny `x`, with 0 or 1
-/// turns.
+/// Sine of `x` + `quarter_turns` · π/2, by way of the reduced angle in two doubles; of a tiny `x`, with 0 or 1
+/// of them.
 #[function]
-pub fn sine_by_reduction(x: f64, turns: u64) -> f64 {
+pub fn by_reduction(x: f64, quarter_turns: u64) -> f64 {
     if x.abs() < TINY {
-        return if turns == 0 { x } else { 1.0 };
+        return if quarter_turns == 0 { x } else { 1.0 };
     }
-    if turns == 0 && x.abs() < NEAR_ZERO {
-        return sine_near_zero(x, 0.0);
+    if quarter_turns == 0 && x.abs() < NEAR_ZERO {
+        return near_zero(x, 0.0);
     }
-    let angle = reduced_angle(x);
-    let quadrant = angle.quadrant.wrapping_add(turns);
+    let angle = reduce(x);
+    let quadrant = angle.quadrant.wrapping_add(quarter_turns);
     if (quadrant & 1) == 0 && angle.high.abs() < NEAR_ZERO {
-        let value = sine_near_zero(angle.high, angle.low);
+        let value = near_zero(angle.high, angle.low);
         if (quadrant & 2) == 0 { value } else { -value }
     } else {
         let shifted = angle.high * STEPS_PER_RADIAN + TO_INTEGER;
         let steps = shifted - TO_INTEGER;
         let rest = ((angle.high - steps * STEP_HIGH) - steps * STEP_LOW) + angle.low;
-        sine_from_row(shifted.raw_bits().wrapping_add(quadrant << 5), rest)
+        from_row(shifted.raw_bits().wrapping_add(quadrant << 5), rest)
     }
 }
 
-/// Sine of `x` + `turns` · π/2.
+/// Sine of `x` + `quarter_turns` · π/2.
 #[inline]
 #[function]
-pub fn turned_sine(x: f64, turns: u64) -> f64 {
+pub fn turned(x: f64, quarter_turns: u64) -> f64 {
     let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
-    let row = shifted.raw_bits().wrapping_add(turns << 5);
+    let row = shifted.raw_bits().wrapping_add(quarter_turns << 5);
     // Within 5½ rows of a multiple of π the sine is below 0.27, and the sum loses too much.
     if x.abs() < MODERATE && (row.wrapping_add(5) & 63) > 10 {
         let steps = shifted - TO_INTEGER;
-        sine_from_row(row, (x - steps * STEP_HIGH) - steps * STEP_LOW)
+        from_row(row, (x - steps * STEP_HIGH) - steps * STEP_LOW)
     } else {
-        sine_by_reduction(x, turns)
+        by_reduction(x, quarter_turns)
     }
 }
 
@@ -104,14 +117,14 @@ pub fn turned_sine(x: f64, turns: u64) -> f64 {
 /// NaN.
 #[function]
 pub fn sin(x: f64) -> f64 {
-    turned_sine(x, 0)
+    turned(x, 0)
 }
 
 /// Cosine of an angle in rad, however large; measured within 0.66 ulp. ±0 gives 1; ±∞ and NaN give
 /// NaN.
 #[function]
 pub fn cos(x: f64) -> f64 {
-    turned_sine(x, 1)
+    turned(x, 1)
 }
 
 /// Sine and cosine of an angle in rad: the bits of [`sin`] and of [`cos`], with one reduction.
@@ -123,7 +136,7 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     if x.abs() < MODERATE && (row.wrapping_add(5) & 31) > 10 {
         let steps = shifted - TO_INTEGER;
         let rest = (x - steps * STEP_HIGH) - steps * STEP_LOW;
-        (sine_from_row(row, rest), sine_from_row(row.wrapping_add(32), rest))
+        (from_row(row, rest), from_row(row.wrapping_add(32), rest))
     } else {
         (sin(x), cos(x))
     }

@@ -7,30 +7,30 @@ use super::RawBits as _;
 use super::arctangent::{atan, atan2};
 use super::exponential::{TO_STEP, exp, exp_m1, exp2, step};
 use super::hyperbolic::{cosh, sinh, tanh};
-use super::logarithm::{ln_1p, logarithm_at_limit, parts};
+use super::logarithm::{at_limit, ln_1p, parts};
 use super::power::{powf, powi};
 use super::roots::{COARSE, coarse_root};
-use super::sine::{C2, C4, S3, TO_INTEGER, sine_by_reduction};
+use super::sine::{C2, C4, S3, TO_INTEGER, by_reduction, signed};
 use super::tables::{
-    ARCSINE_F32, CUBE_ROOT_F32, EXPONENTIAL_F32, LOG2_F32, LOG2_ROWS_F32, SINES, STEP_HIGH,
+    ARCSINE_F32, CUBE_ROOT_F32, EXPONENTIAL_F32, LOG2_F32, LOG2_ROWS_F32, SINE_ROWS, STEP_HIGH,
     STEP_LOW, STEPS_PER_RADIAN,
 };
 use super::tangent::tan;
 use crate::prelude::*;
 
-/// Sine of `x` + `turns` · π/2 for up to 2¹⁵ rad: a row of the table of sines, and two short Taylor
+/// Sine of `x` + `quarter_turns` · π/2 for up to 2¹⁵ rad: a row of the table of sines, and two short Taylor
 /// polynomials.
 #[inline]
 #[function]
-pub fn moderate_sine(x: f64, turns: u64) -> f64 {
+pub fn moderate_sine(x: f64, quarter_turns: u64) -> f64 {
     let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     let rest = (x - steps * STEP_HIGH) - steps * STEP_LOW;
-    let row = shifted.raw_bits().wrapping_add(turns << 5);
-    let sine = SINES[(row & 127) as usize][0];
-    let slope = SINES[(row.wrapping_add(32) & 127) as usize][0];
+    let row = shifted.raw_bits().wrapping_add(quarter_turns << 5);
+    let sine = SINE_ROWS[(row & 63) as usize][0];
+    let slope = SINE_ROWS[(row & 63) as usize][2];
     let z = rest * rest;
-    sine + (slope * rest + z * (S3 * slope * rest + sine * (C2 + z * C4)))
+    signed(sine + (slope * rest + z * (S3 * slope * rest + sine * (C2 + z * C4))), row)
 }
 
 /// Sine of an angle in rad, however large; measured within 0.54 ulp. ±0 gives ±0; ±∞ and NaN give
@@ -41,7 +41,7 @@ pub fn sinf(x: f32) -> f32 {
     if (x.raw_bits() & 0x7fff_ffff).wrapping_sub(0x3200_0000) < 0x1500_0000 {
         moderate_sine(x as f64, 0) as f32
     } else {
-        sine_by_reduction(x as f64, 0) as f32
+        by_reduction(x as f64, 0) as f32
     }
 }
 
@@ -53,7 +53,7 @@ pub fn cosf(x: f32) -> f32 {
     if (x.raw_bits() & 0x7fff_ffff) < 0x4700_0000 {
         moderate_sine(x as f64, 1) as f32
     } else {
-        sine_by_reduction(x as f64, 1) as f32
+        by_reduction(x as f64, 1) as f32
     }
 }
 
@@ -202,7 +202,7 @@ pub fn far_logarithm(x: f32, unit: f64) -> f32 {
         // By 2²³.
         ((binary_logarithm(x * 8_388_608.0) - 23.0) * unit) as f32
     } else {
-        logarithm_at_limit(x as f64) as f32
+        at_limit(x as f64) as f32
     }
 }
 

@@ -6,44 +6,49 @@
 
 use super::RawBits as _;
 use super::pair::{Pair, quotient};
-use super::reduction::reduced_angle;
+use super::reduction::reduce;
 use super::sine::{MODERATE, TINY, TO_INTEGER};
-use super::tables::{STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN, TANGENT, TANGENTS};
+use super::tables::{STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN, TANGENT_POLYNOMIAL, TANGENT_ROWS};
 use crate::prelude::*;
 
+/// Of the Taylor series of the tangent, x³: to |x| = π/128 the terms that follow are below 2⁻⁶⁰ of it.
 #[crate::data]
 const T3: f64 = 1.0 / 3.0;
+/// The same, x⁵.
 #[crate::data]
 const T5: f64 = 2.0 / 15.0;
+/// The same, x⁷.
 #[crate::data]
 const T7: f64 = 17.0 / 315.0;
+/// The same, x⁹.
 #[crate::data]
 const T9: f64 = 62.0 / 2_835.0;
 
 /// Tangent of `row`·π/64 + `rest` for |rest| ≤ π/128, 2½ rows and more away from zero, 4½ from the pole.
 #[inline]
 #[function]
-pub fn tangent_from_row(row: u64, rest: f64) -> f64 {
+pub fn from_row(row: u64, rest: f64) -> f64 {
     let index = (row & 63) as usize;
-    let lead = TANGENTS[index][0];
+    let lead = TANGENT_ROWS[index][0];
     let z = rest * rest;
     let tangent = rest + rest * z * (T3 + z * (T5 + z * (T7 + z * T9)));
     let product = tangent * lead;
-    lead + (TANGENTS[index][1] + (tangent + product * (lead + tangent) / (1.0 - product)))
+    lead + (TANGENT_ROWS[index][1] + (tangent + product * (lead + tangent) / (1.0 - product)))
 }
 
 /// Tangent of `x`, by way of the reduced angle in two doubles.
 #[function]
-pub fn tangent_by_reduction(x: f64) -> f64 {
+pub fn by_reduction(x: f64) -> f64 {
     if x.abs() < TINY {
         return x;
     }
-    let angle = reduced_angle(x);
+    let angle = reduce(x);
     if angle.high.abs() < 0.22 {
         let z = angle.high * angle.high;
-        let end = TANGENT[5] + z * (TANGENT[6] + z * TANGENT[7]);
-        let upper = TANGENT[2] + z * (TANGENT[3] + z * (TANGENT[4] + z * end));
-        let tail = TANGENT[0] + z * (TANGENT[1] + z * upper);
+        let end = TANGENT_POLYNOMIAL[5] + z * (TANGENT_POLYNOMIAL[6] + z * TANGENT_POLYNOMIAL[7]);
+        let upper = TANGENT_POLYNOMIAL[2]
+            + z * (TANGENT_POLYNOMIAL[3] + z * (TANGENT_POLYNOMIAL[4] + z * end));
+        let tail = TANGENT_POLYNOMIAL[0] + z * (TANGENT_POLYNOMIAL[1] + z * upper);
         let low = angle.low + angle.high * z * tail;
         if (angle.quadrant & 1) == 0 {
             angle.high + low
@@ -54,7 +59,7 @@ pub fn tangent_by_reduction(x: f64) -> f64 {
         let shifted = angle.high * STEPS_PER_RADIAN + TO_INTEGER;
         let steps = shifted - TO_INTEGER;
         let rest = ((angle.high - steps * STEP_HIGH) - steps * STEP_LOW) + angle.low;
-        tangent_from_row(shifted.raw_bits().wrapping_add(angle.quadrant << 5), rest)
+        from_row(shifted.raw_bits().wrapping_add(angle.quadrant << 5), rest)
     }
 }
 
@@ -67,8 +72,8 @@ pub fn tan(x: f64) -> f64 {
     let plain = (row.wrapping_add(2) & 63) > 4 && (row.wrapping_add(36) & 63) > 8;
     if plain && x.abs() < MODERATE {
         let steps = shifted - TO_INTEGER;
-        tangent_from_row(row, (x - steps * STEP_HIGH) - steps * STEP_LOW)
+        from_row(row, (x - steps * STEP_HIGH) - steps * STEP_LOW)
     } else {
-        tangent_by_reduction(x)
+        by_reduction(x)
     }
 }

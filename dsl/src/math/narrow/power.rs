@@ -11,10 +11,13 @@ use super::exponential::{beyond_binary, far_scaled, scaled};
 use super::{PairF32, TO_INTEGER, leading, ordered_sum, sum};
 use crate::prelude::*;
 
+/// Of the Taylor series of ln(1 + x), x³: to |x| = 1/128 the terms behind the fifth power are below 2⁻³⁷ of it.
 #[crate::data]
 const THIRD: f32 = 1.0 / 3.0;
+/// The same, x⁴, which is taken off.
 #[crate::data]
 const QUARTER: f32 = 1.0 / 4.0;
+/// The same, x⁵.
 #[crate::data]
 const FIFTH: f32 = 1.0 / 5.0;
 

@@ -36,12 +36,12 @@ pub(crate) const FEW_TURNS: f32 = 400.0;
 #[function]
 pub fn reduced_moderate(x: f32) -> ReducedF32 {
     let shifted = x * FRAC_2_PI + TO_INTEGER;
-    let turns = shifted - TO_INTEGER;
+    let quarter_turns = shifted - TO_INTEGER;
     // Two products without loss, and a first difference; what the second loses is kept.
-    let first = x - turns * NARROW_TURN_1;
-    let part = turns * NARROW_TURN_2;
+    let first = x - quarter_turns * NARROW_TURN_1;
+    let part = quarter_turns * NARROW_TURN_2;
     let lead = first - part;
-    let lost = ((first - lead) - part) - turns * NARROW_TURN_3;
+    let lost = ((first - lead) - part) - quarter_turns * NARROW_TURN_3;
     let high = lead + lost;
     ReducedF32 { high, low: (lead - high) + lost, quadrant: shifted.raw_bits() }
 }
@@ -91,12 +91,12 @@ pub fn radians(head: u32, tail: u32) -> PairF32 {
     let next = (((head & 0xff) << 16) | (tail >> 16)) as f32 * 3.5527137e-15;
     let rest = ordered_sum(lead, next);
     let last = (tail & 0xffff) as f32 * 5.421011e-20;
-    let turns = ordered_sum(rest.high, rest.low + last);
-    let upper = leading(turns.high);
-    let lower = turns.high - upper;
+    let quarter_turns = ordered_sum(rest.high, rest.low + last);
+    let upper = leading(quarter_turns.high);
+    let lower = quarter_turns.high - upper;
     let small = upper * NARROW_QUARTER_2 + lower * NARROW_QUARTER_1;
     let least = (upper * NARROW_QUARTER_3 + lower * NARROW_QUARTER_2)
-        + turns.low * (NARROW_QUARTER_1 + NARROW_QUARTER_2);
+        + quarter_turns.low * (NARROW_QUARTER_1 + NARROW_QUARTER_2);
     ordered_sum(upper * NARROW_QUARTER_1, small + least)
 }
 
@@ -124,7 +124,7 @@ pub fn reduced_huge(x: f32) -> ReducedF32 {
         .wrapping_add(carry);
 
     // To the nearest quarter turn; the fraction is signed.
-    let turns = first.wrapping_add(0x2000_0000) >> 30;
+    let quarter_turns = first.wrapping_add(0x2000_0000) >> 30;
     let fraction = (first << 2) | (centre >> 30);
     let negative = (fraction >> 31) == 1;
     let flip = if negative { 0xffff_ffff } else { 0 };
@@ -135,6 +135,6 @@ pub fn reduced_huge(x: f32) -> ReducedF32 {
     ReducedF32 {
         high: sign * angle.high,
         low: sign * angle.low,
-        quadrant: if backwards { 4u32.wrapping_sub(turns) } else { turns },
+        quadrant: if backwards { 4u32.wrapping_sub(quarter_turns) } else { quarter_turns },
     }
 }

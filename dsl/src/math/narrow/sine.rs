@@ -31,11 +31,11 @@ pub fn near_cosine(high: f32, low: f32) -> f32 {
     lead + (((1.0 - lead) - half) + (curve - high * low))
 }
 
-/// Sine of a reduced angle + `turns` · π/2.
+/// Sine of a reduced angle + `quarter_turns` · π/2.
 #[inline]
 #[function]
-pub fn turned(angle: ReducedF32, turns: u32) -> f32 {
-    let quadrant = angle.quadrant.wrapping_add(turns);
+pub fn turned(angle: ReducedF32, quarter_turns: u32) -> f32 {
+    let quadrant = angle.quadrant.wrapping_add(quarter_turns);
     let value = if (quadrant & 1) == 0 {
         near_sine(angle.high, angle.low)
     } else {

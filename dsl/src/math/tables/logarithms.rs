@@ -2,7 +2,7 @@
 //!
 //! Written by `dsl/coefficients/tables.py`: change that.
 
-/// 1/c and the logarithm of c, c as in `LN_CENTRES`.
+/// 1/c to a double and the logarithm of c, c as in `LN_CENTRES` (Gal): the logarithm is off by less than 2⁻⁶¹.
 #[crate::data]
 pub(crate) const LN_ROWS: [[f64; 2]; 128] = [
     [1.4143870923074604, -0.3466962869457575],
@@ -134,7 +134,7 @@ pub(crate) const LN_ROWS: [[f64; 2]; 128] = [
     [0.7151980018264747, 0.3351958489935214],
     [0.7110106954988128, 0.34106780639638146],
 ];
-/// c near the middle of the row's significands.
+/// c near the middle of the row's significands, of which the logarithm is next to a double.
 #[crate::data]
 pub(crate) const LN_CENTRES: [f64; 128] = [
     0.707020026864484,
@@ -272,11 +272,11 @@ pub(crate) const LN_2_HIGH: f64 = 0.6931471805598903;
 /// The logarithm of 2 less its high part.
 #[crate::data]
 pub(crate) const LN_2_LOW: f64 = 5.497923018708371e-14;
-/// (ln(1 + r) − r + r²/2)/r³ in powers of r, within a row; off by less than 2⁻³⁷.
+/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.00404 to 0.00404, which is a row, through the 4 Chebyshev points; off by less than 2⁻³⁷.
 #[crate::data]
-pub(crate) const LN: [f64; 4] =
+pub(crate) const LN_POLYNOMIAL: [f64; 4] =
     [0.33333333332857623, -0.24999999999583752, 0.20000233168304263, -0.16666870688997648];
-/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −1/16 to 1/16; off by less than 2⁻⁵⁵.
+/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −1/16 to 1/16, through the 11 Chebyshev points; off by less than 2⁻⁵⁵.
 #[crate::data]
 pub(crate) const LN_NEAR_ONE: [f64; 11] = [
     0.3333333333333333,
@@ -291,7 +291,7 @@ pub(crate) const LN_NEAR_ONE: [f64; 11] = [
     -0.08410640534223801,
     0.07760500948205412,
 ];
-/// 1/c and the logarithm of c, c as in `LOG2_CENTRES`.
+/// 1/c to a double and the logarithm of c, c as in `LOG2_CENTRES` (Gal): the logarithm is off by less than 2⁻⁶⁰.
 #[crate::data]
 pub(crate) const LOG2_ROWS: [[f64; 2]; 128] = [
     [1.414319105849628, -0.5001076650462437],
@@ -423,7 +423,7 @@ pub(crate) const LOG2_ROWS: [[f64; 2]; 128] = [
     [0.7152016536483358, 0.48357802264536076],
     [0.7111472590889242, 0.49177976154123826],
 ];
-/// c near the middle of the row's significands.
+/// c near the middle of the row's significands, of which the logarithm is next to a double.
 #[crate::data]
 pub(crate) const LOG2_CENTRES: [f64; 128] = [
     0.7070540133863688,
@@ -555,9 +555,9 @@ pub(crate) const LOG2_CENTRES: [f64; 128] = [
     1.3982070579659194,
     1.4061785195954144,
 ];
-/// log(1 + r)/r in powers of r, within a row; off by less than 2⁻⁵³.
+/// log(1 + r)/r in powers of r, −0.00404 to 0.00404, which is a row, through the 6 Chebyshev points; off by less than 2⁻⁵³.
 #[crate::data]
-pub(crate) const LOG2: [f64; 6] = [
+pub(crate) const LOG2_POLYNOMIAL: [f64; 6] = [
     1.4426950408889634,
     -0.7213475204444817,
     0.48089834693210387,
