@@ -58,6 +58,23 @@ impl Sources {
         comments
     }
 
+    /// What a file says of itself by `//!` at its head, up to a heading or an example.
+    pub fn about(&self, file: &str) -> Vec<String> {
+        let lines = self.lines(file);
+        // A licence may stand above.
+        let above = |line: &&String| line.is_empty() || comment(line).is_some();
+        let said = lines.iter().skip_while(above).map_while(|line| line.strip_prefix("//!"));
+        let said = said.map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end());
+        let mut about: Vec<String> = said
+            .take_while(|line| !line.starts_with('#') && !line.starts_with("```"))
+            .map(str::to_owned)
+            .collect();
+        while about.last().is_some_and(String::is_empty) {
+            about.pop();
+        }
+        about
+    }
+
     /// The fields that the `impl Default` of a struct of `file` computes, each with the author's expression.
     pub fn computed_defaults(&self, file: &str, name: &str) -> Vec<(String, String)> {
         defaults::computed(&self.lines(file).join("\n"), name)
@@ -88,6 +105,24 @@ fn comment(line: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::Sources;
+
+    /// The head of a module, and nothing below a heading or an example.
+    #[test]
+    fn a_file_says_what_it_is_about() -> std::io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let sources = |text: &str| -> std::io::Result<Vec<String>> {
+            std::fs::write(folder.path().join("lib.rs"), text)?;
+            Ok(Sources::new(folder.path()).about("lib.rs"))
+        };
+        assert_eq!(
+            sources("// A licence.\n\n//! One.\n//!\n//! Two.\nfn f() {}\n//! No.")?,
+            ["One.", "", "Two."]
+        );
+        assert_eq!(sources("//! One.\n//!\n//! # Two\n//! Three.")?, ["One."]);
+        assert_eq!(sources("//! One.\n//! ```\n//! two();\n//! ```")?, ["One."]);
+        assert!(sources("/// One.\nfn f() {}")?.is_empty());
+        Ok(())
+    }
 
     /// Only a `use` renames; a cast to a type of that name does not.
     #[test]

@@ -5,6 +5,7 @@
 //! * Inside a file everything stands in the order of the Rust source, save that C wants types before
 //!   their uses; static functions are declared at the top instead of being moved.
 
+mod about;
 mod constants;
 mod kernel;
 
@@ -458,6 +459,7 @@ impl Writer<'_> {
             file: &name,
             header: &header,
             summary: &self.summary(),
+            about: self.about(extension),
             source: &if source.is_empty() {
                 self.context.module.name.clone()
             } else {

@@ -37,6 +37,7 @@ pub fn header(
     system.extend(helpers.iter().any(|it| it.needs_string()).then(|| "string.h".to_owned()));
     system.sort();
     let shell = Shell {
+        about: &[],
         file: &name,
         header: &name,
         summary: "operations of Rust that C has no operator for; for the sources beside it alone.",

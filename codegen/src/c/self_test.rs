@@ -26,6 +26,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     let file = |name: &str, template: &str, system: &[&str]| {
         let is_header = name == header;
         let shell = Shell {
+            about: &[],
             file: name,
             header: &header,
             summary: "whether the target computes as the C needs it.",

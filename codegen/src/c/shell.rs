@@ -3,6 +3,8 @@
 
 use tera::{Context, Tera};
 
+use super::print::comment_text;
+
 /// The mark that the body takes the place of.
 const BODY: &str = "\u{1}body\u{1}";
 
@@ -17,6 +19,8 @@ pub struct Shell<'a> {
     pub header: &'a str,
     /// A line that says what is inside.
     pub summary: &'a str,
+    /// What the author says of its module.
+    pub about: &'a [String],
     /// The Rust modules it comes from.
     pub source: &'a str,
     /// The SPDX expression.
@@ -53,6 +57,7 @@ fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> 
     context.insert("file", shell.file);
     context.insert("header", shell.header);
     context.insert("summary", shell.summary);
+    context.insert("about", &about(shell.about));
     context.insert("source", shell.source);
     context.insert("license", shell.license);
     context.insert("guard", &guard(shell.file));
@@ -73,6 +78,14 @@ fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> 
     ];
     tera.add_raw_templates(parts).expect("the templates parse: a test renders them");
     tera.render("file", &context).expect("the templates render: a test renders them")
+}
+
+/// The lines of a comment, behind an empty one.
+fn about(lines: &[String]) -> String {
+    let lines =
+        lines.iter().map(|line| format!(" * {}", comment_text(line)).trim_end().to_owned() + "\n");
+    let text: String = lines.collect();
+    if text.is_empty() { text } else { format!(" *\n{text}") }
 }
 
 /// `height.h` → `HEIGHT_H`, `acme/height.h` → `ACME_HEIGHT_H`.

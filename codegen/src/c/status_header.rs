@@ -58,6 +58,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
     });
     let items: Vec<Item> = std::iter::once(item).chain(hook).collect();
     let shell = Shell {
+        about: &[],
         file: &status.header,
         header: &status.header,
         summary: "what a call came to.",

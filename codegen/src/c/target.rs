@@ -47,6 +47,7 @@ fn decided(options: &Options) -> String {
 pub fn header(context: Context<'_>, options: &Options) -> CFile {
     let name = name(options);
     let shell = Shell {
+        about: &[],
         file: &name,
         header: &name,
         summary: "what the C needs of compiler and processor.",

@@ -358,6 +358,10 @@ impl<'a> Context<'a> {
         let index = *self.files.entry(file.to_owned()).or_insert(next);
         if index == next {
             self.module.files.push(file.to_owned());
+            let about = self.sources.about(file);
+            if !about.is_empty() {
+                self.module.about.insert(file.to_owned(), about);
+            }
         }
         Span { file: index, line, column }
     }

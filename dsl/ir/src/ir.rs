@@ -8,7 +8,7 @@
 //! * Every node carries its [`Span`]. Spans never influence the emitted C.
 
 use alloc::boxed::Box;
-use alloc::collections::BTreeSet;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -64,6 +64,8 @@ pub struct Module {
     pub name: String,
     /// Source files, relative to the workspace, with forward slashes.
     pub files: Vec<String>,
+    /// What the author says of a source file, as of a module: by its path, a line each.
+    pub about: BTreeMap<String, Vec<String>>,
     /// Structs; fields refer to earlier ones.
     pub structs: Vec<Struct>,
     /// Enums.

@@ -79,6 +79,7 @@ pub(super) fn shared(
     let file = |name: &str, summary: &str, items: &[Item], mut includes: Includes| {
         includes.own.remove(&header);
         let shell = Shell {
+            about: &[],
             file: name,
             header: &header,
             summary,

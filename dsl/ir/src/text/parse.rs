@@ -262,14 +262,17 @@ impl Parser {
             self.module.name = self.name()?;
         }
         while *self.peek() != Token::End {
+            let docs = self.docs();
             if self.eat_word("file") {
-                match self.bump() {
-                    Token::Quoted(file) => self.module.files.push(file),
-                    _ => return self.fail("expected a file's path in quotes"),
+                let Token::Quoted(file) = self.bump() else {
+                    return self.fail("expected a file's path in quotes");
+                };
+                if !docs.is_empty() {
+                    self.module.about.insert(file.clone(), docs);
                 }
+                self.module.files.push(file);
                 continue;
             }
-            let docs = self.docs();
             let span = self.span(Span::default())?.unwrap_or_default();
             if self.eat_word("hexadecimal") {
                 let word = self.long()?;

@@ -131,6 +131,7 @@ impl<'m> Printer<'m> {
         let module = self.module;
         self.put(format_args!("module {}\n", shown(&module.name)));
         for file in &module.files {
+            self.remarks("///", module.about.get(file).map_or(&[][..], Vec::as_slice));
             self.put(format_args!("file {file:?}\n"));
         }
         for (span, word) in &module.hexadecimal {

@@ -7,13 +7,17 @@ use bessemer_ir::*;
 /// A module that these bytes stand for; when they run out, the simplest of everything.
 pub fn module(bytes: &[u8]) -> Module {
     let mut source = Source { bytes, depth: 0, locals: 0 };
+    let files = source.some(2, Source::text);
+    let about = files.first().map(|file| (file.clone(), source.some(2, Source::text)));
+    let about = about.into_iter().filter(|(_, lines)| !lines.is_empty()).collect();
     let enums = source.some(3, Source::enumeration);
     let structs = source.some(4, Source::structure);
     let consts = source.some(3, Source::constant);
     let functions = source.some(4, Source::function);
     Module {
         name: source.name(),
-        files: source.some(2, Source::text),
+        files,
+        about,
         structs,
         enums,
         consts,
