@@ -31,6 +31,15 @@ pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
     }
 }
 
+/// What comes first by one order, and if that does not say, by another.
+#[function(rewrite)]
+pub fn then_with<F: FnOnce() -> Native>(order: Native, f: F) -> Native {
+    match order {
+        Native::Equal => f(),
+        value => value,
+    }
+}
+
 /// The lesser of two; of equal ones the first.
 #[function]
 #[inline]

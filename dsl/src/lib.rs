@@ -80,6 +80,8 @@ pub mod math;
 pub mod non_zero;
 #[doc(hidden)]
 pub mod optional;
+#[doc(hidden)]
+pub mod outcome;
 mod plain;
 pub mod range;
 pub mod rotation;

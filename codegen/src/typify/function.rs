@@ -70,7 +70,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
         role: match tree.role {
             tree::Role::Entry { infallible } => Role::Entry { infallible },
             tree::Role::Public => Role::Public,
-            tree::Role::Private | tree::Role::Expanded => Role::Private,
+            tree::Role::Private | tree::Role::Expanded | tree::Role::Rewritten => Role::Private,
             tree::Role::Inline => Role::Inline,
         },
         attributes,

@@ -62,6 +62,7 @@ mod pattern;
 mod place;
 mod ranges;
 mod regions;
+mod rewrite;
 mod several;
 mod sizes;
 mod slice;
@@ -141,9 +142,11 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<regions::Jo
             cx.told.push(diagnostic(&table.file, problem));
         }
     }
+    cx.note_rules(package.functions.iter());
     let (templates, functions): (Vec<_>, Vec<_>) = package
         .functions
         .iter()
+        .filter(|function| function.tree.role != tree::Role::Rewritten)
         .partition(|function| function.tree.params.iter().any(|param| param.closure));
     cx.templates = templates.into_iter().map(|it| (it.path.as_str(), it)).collect();
     cx.note_implied(&package.implied);
@@ -282,6 +285,8 @@ struct Context<'a> {
     templates: HashMap<&'a str, &'a tree::Function>,
     /// The functions that stand where they are called.
     expanded: HashMap<&'a str, &'a tree::Function>,
+    /// Those of which a call stands for the body, whatever its types are.
+    rules: HashMap<&'a str, &'a tree::FunctionTree>,
     /// All functions that take no closures.
     all: HashMap<&'a str, &'a tree::Function>,
     /// Those of which the place that they lend stands where they are called.
@@ -338,6 +343,7 @@ impl<'a> Context<'a> {
             functions: HashMap::new(),
             templates: HashMap::new(),
             expanded: HashMap::new(),
+            rules: HashMap::new(),
             all: HashMap::new(),
             lending: HashMap::new(),
             indexing: Vec::new(),

@@ -4,8 +4,8 @@
 use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Ty};
 use bessemer_ir::{Block, Fault, Place, Stmt, StmtKind, StructId, Type};
 
-use super::closure::is_plain;
 use super::lowering::Lowering;
+use super::rewrite::is_plain;
 use super::{OUR_FAULT, Result, order, problem};
 
 impl Lowering<'_, '_> {
@@ -61,9 +61,7 @@ impl Lowering<'_, '_> {
         let callee = self.source.callees.get(*callee as usize);
         let (lent, case, error) = match (callee, arguments.as_slice(), ty(operand)?) {
             // Of an `Option` and something else, core makes a `Result` in these two alone.
-            (Some(tree::Callee::Builtin(_)), [lent, error], Ty::Result(..))
-                if matches!(ty(lent), Some(Ty::Option(_))) =>
-            {
+            (Some(_), [lent, error], Ty::Result(..)) if matches!(ty(lent), Some(Ty::Option(_))) => {
                 let error = match &error.kind {
                     Tree::Closure(closure) => &*closure.body,
                     _ if is_quiet(error) => error,

@@ -242,6 +242,8 @@ pub enum Role {
     Inline,
     /// Stands where it is called: nothing in the C.
     Expanded,
+    /// A call of it stands for its body, which has no types of its own: nothing in the C.
+    Rewritten,
 }
 
 /// A parameter.

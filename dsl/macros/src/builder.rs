@@ -50,7 +50,12 @@ pub enum Home<'a> {
 /// Refuses what the DSL does not take; in a generation build gives the items that stand beside a
 /// free function. For a method see [`method`].
 pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
-    let generics = closures::without(&subject.signature.generics);
+    let rewritten = subject.asked.role == Role::Rewritten;
+    // A rule by which calls are rewritten is one whatever the types are.
+    let generics = match rewritten {
+        true => syn::Generics::default(),
+        false => closures::without(&subject.signature.generics),
+    };
     let scope = Scope::of_function(&generics);
     let Some(parts) = lower(subject, scope, refusals) else { return TokenStream::new() };
     let name = &subject.signature.ident;
@@ -61,7 +66,7 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let declared = scope.is_generic().then(|| declare_marker(marker, scope));
     let companion = companion(subject, &call, marker, scope, &parts);
     let callee = callee(&quote! { #name }, marker, scope, None, &subject.signature.ident);
-    let register = register(name, marker, scope);
+    let register = (!rewritten).then(|| register(name, marker, scope));
     let builder = parts.builder;
     quote! {
         const _: () = {
@@ -318,7 +323,8 @@ fn builder(
 ) -> TokenStream {
     let witness =
         Copy { parameters, params: &tree.params, result: tree.result, signature, body: copy };
-    let parts = witness.parts(walk);
+    let rewritten = subject.asked.role == Role::Rewritten;
+    let parts = (!rewritten).then(|| witness.parts(walk));
     let items = &walk.items;
     let macros = walk.macros.iter().map(lower::asked);
     // The tree is plain data: writing it cannot fail.

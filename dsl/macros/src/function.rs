@@ -11,21 +11,24 @@ use crate::generics::Scope;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
 
-/// `#[function]`; `#[function(expand)]` stands where it is called.
+/// `#[function]`; `#[function(expand)]` stands where it is called, and so does `#[function(rewrite)]`, as if its caller had
+/// written its body: its types are those of the call, of which the DSL need not know any.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut refusals = Refusals::default();
-    let expands = syn::parse2::<syn::Ident>(arguments.clone()).is_ok_and(|it| it == "expand");
-    if !arguments.is_empty() && !expands {
+    let word = syn::parse2::<syn::Ident>(arguments.clone()).map(|it| it.to_string());
+    let role = match word.as_deref() {
+        Ok("expand") => Role::Expanded,
+        Ok("rewrite") => Role::Rewritten,
+        _ => Role::Public,
+    };
+    if !arguments.is_empty() && role == Role::Public {
         refusals.add(&arguments, refuse::ARGUMENTS);
     }
     marked(item, refusals, |function, refusals| {
-        if expands {
+        if role != Role::Public {
             lower::without_returns(&function.block, refusals);
         }
-        Asked {
-            role: if expands { Role::Expanded } else { Role::Public },
-            attributes: Attributes::default(),
-        }
+        Asked { role, attributes: Attributes::default() }
     })
 }
 
@@ -61,7 +64,7 @@ fn marked(
         let Attributes { parameters, result, .. } = asked.attributes;
         let attributes = Attributes { parameters, result, ..more.attributes };
         asked = Asked { role: Role::Public, attributes };
-    } else if more.role == Role::Expanded {
+    } else if more.role != Role::Public {
         asked.role = more.role;
     }
     let subject = Subject {

@@ -23,12 +23,13 @@ macro_rules! markers {
 }
 pub(super) use markers;
 
-/// Companions that are asked for their types alone: none is ever run.
+/// Companions that are asked for their types alone: none is ever run. A method's own types stand in square brackets.
 macro_rules! signatures {
     ($(
-        fn $name:ident($($parameters:tt)*) -> $result:ty $(where $of:ident: $bound:ident)?;
+        fn $name:ident $([$($g:ident),*])? ($($parameters:tt)*) -> $result:ty
+            $(where $of:ident: $bound:ident)?;
     )*) => {$(
-        fn $name($($parameters)*) -> $result $(where $of: $bound)? {
+        fn $name $(<$($g),*>)? ($($parameters)*) -> $result $(where $of: $bound)? {
             unreachable!("a witness copy is never run")
         }
     )*};

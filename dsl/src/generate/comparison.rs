@@ -4,18 +4,14 @@
 
 use core::cmp::Ordering;
 
-use bessemer_ir::tree::{self, Desugared, Ty};
+use bessemer_ir::tree::Ty;
 
 use super::builder::{Builder, Callee};
-use super::builtin::{OrderBuiltins, markers};
+use super::builtin::{OrderBuiltins, signatures};
 use super::matrices::told;
 use super::slot::{Called, DslType, Seen, Value};
 use crate::comparison;
 use crate::math::Real;
-
-markers! {
-    ThenWith: Desugared(Desugared::OrderingThenWith);
-}
 
 impl DslType for Ordering {
     fn ty(cx: &mut Builder) -> Ty {
@@ -220,8 +216,10 @@ impl<T: Value + Real> TotalCompareBuiltins for T {
 pub trait OrderingBuiltins: Sized {
     fn __b_reverse(self) -> told!([Self] => Ordering);
     fn __b_then(self, next: Ordering) -> told!([Self] => Ordering);
-    fn __b_then_with(self, _next: impl FnOnce() -> Ordering) -> Called<ThenWith, Ordering> {
-        unreachable!()
+    signatures! {
+        fn __b_then_with(
+            self, _next: impl FnOnce() -> Ordering
+        ) -> Called<comparison::then_with, Ordering>;
     }
     fn __b_is_lt(self) -> told!([Self] => bool);
     fn __b_is_le(self) -> told!([Self] => bool);

@@ -1,12 +1,11 @@
 //! The companions of the methods of `Option`, `Result` and `bool`.
 
-use bessemer_ir::tree::{self, CaseMethod, Cases, Desugared, OptionMethod};
+use bessemer_ir::tree::{self, Desugared, OptionMethod};
 
 use super::builder::{Builder, Callee};
 use super::builtin::{markers, signatures};
-use super::matrices::told;
-use super::slot::{Called, Value};
-use crate::optional;
+use super::slot::Called;
+use crate::{optional, outcome};
 
 markers! {
     IsSome: Option(OptionMethod::IsSome);
@@ -27,34 +26,10 @@ markers! {
     Err: Option(OptionMethod::Err);
     AsRef: Desugared(Desugared::AsRef);
     AsMut: Option(OptionMethod::AsMut);
-    Xor: Desugared(Desugared::OptionXor);
-    Zip: Desugared(Desugared::OptionZip);
     Insert: Option(OptionMethod::Insert);
     GetOrInsert: Option(OptionMethod::GetOrInsert);
     GetOrInsertWith: Option(OptionMethod::GetOrInsertWith);
-    Flatten: Desugared(Desugared::Case(Cases::Option, CaseMethod::Flatten));
-    Map: Desugared(Desugared::Case(Cases::Option, CaseMethod::Map));
-    AndThen: Desugared(Desugared::Case(Cases::Option, CaseMethod::AndThen));
-    Filter: Desugared(Desugared::Case(Cases::Option, CaseMethod::Filter));
-    OrElse: Desugared(Desugared::Case(Cases::Option, CaseMethod::OrElse));
-    UnwrapOrElse: Desugared(Desugared::Case(Cases::Option, CaseMethod::UnwrapOrElse));
-    MapOr: Desugared(Desugared::Case(Cases::Option, CaseMethod::MapOr));
-    MapOrElse: Desugared(Desugared::Case(Cases::Option, CaseMethod::MapOrElse));
-    IsSomeAnd: Desugared(Desugared::Case(Cases::Option, CaseMethod::IsAnd));
-    IsNoneOr: Desugared(Desugared::Case(Cases::Option, CaseMethod::IsNoneOr));
-    OkOrElse: Desugared(Desugared::Case(Cases::Option, CaseMethod::OkOrElse));
-    ResultMap: Desugared(Desugared::Case(Cases::Result, CaseMethod::Map));
-    ResultMapErr: Desugared(Desugared::Case(Cases::Result, CaseMethod::MapErr));
-    ResultAndThen: Desugared(Desugared::Case(Cases::Result, CaseMethod::AndThen));
-    ResultOrElse: Desugared(Desugared::Case(Cases::Result, CaseMethod::OrElse));
-    ResultUnwrapOrElse: Desugared(Desugared::Case(Cases::Result, CaseMethod::UnwrapOrElse));
-    ResultMapOr: Desugared(Desugared::Case(Cases::Result, CaseMethod::MapOr));
-    ResultMapOrElse: Desugared(Desugared::Case(Cases::Result, CaseMethod::MapOrElse));
-    IsOkAnd: Desugared(Desugared::Case(Cases::Result, CaseMethod::IsAnd));
-    IsErrAnd: Desugared(Desugared::Case(Cases::Result, CaseMethod::IsErrAnd));
     ArrayMap: Desugared(Desugared::ArrayMap);
-    Then: Desugared(Desugared::BoolThen);
-    ThenSome: Desugared(Desugared::BoolThenSome);
 }
 
 /// Methods of `Option`.
@@ -68,63 +43,40 @@ pub trait OptionBuiltins<T>: Sized {
         fn __b_unwrap_or(self, _other: T) -> Called<UnwrapOr, T>;
         fn __b_unwrap_or_default(self) -> Called<UnwrapOrDefault, T> where T: Default;
         fn __b_or(self, _other: Option<T>) -> Called<Or, Option<T>>;
-    }
-    fn __b_and<U>(self, _other: Option<U>) -> Called<And, Option<U>> {
-        unreachable!()
-    }
-    fn __b_take(&mut self) -> Called<Take, Option<T>> {
-        unreachable!()
-    }
-    fn __b_replace(&mut self, _value: T) -> Called<Replace, Option<T>> {
-        unreachable!()
-    }
-    fn __b_ok_or<E>(self, _error: E) -> Called<OkOr, Result<T, E>> {
-        unreachable!()
-    }
-    signatures! {
+        fn __b_and[U](self, _other: Option<U>) -> Called<And, Option<U>>;
+        fn __b_take(&mut self) -> Called<Take, Option<T>>;
+        fn __b_replace(&mut self, _value: T) -> Called<Replace, Option<T>>;
+        fn __b_ok_or[E](self, _error: E) -> Called<OkOr, Result<T, E>>;
         fn __b_as_ref(&self) -> Called<AsRef, Option<&T>>;
         fn __b_as_mut(&mut self) -> Called<AsMut, Option<&mut T>>;
-        fn __b_xor(self, _other: Option<T>) -> Called<Xor, Option<T>>;
-    }
-    fn __b_zip<U>(self, _other: Option<U>) -> Called<Zip, Option<(T, U)>> {
-        unreachable!()
-    }
-    signatures! {
         fn __b_insert(&mut self, _value: T) -> Called<Insert, &mut T>;
         fn __b_get_or_insert(&mut self, _value: T) -> Called<GetOrInsert, &mut T>;
         fn __b_get_or_insert_with(
             &mut self, _f: impl FnOnce() -> T
         ) -> Called<GetOrInsertWith, &mut T>;
-    }
-    fn __b_map<U>(self, _f: impl FnOnce(T) -> U) -> Called<Map, Option<U>> {
-        unreachable!()
-    }
-    fn __b_and_then<U>(self, _f: impl FnOnce(T) -> Option<U>) -> Called<AndThen, Option<U>> {
-        unreachable!()
-    }
-    signatures! {
-        fn __b_filter(self, _f: impl FnOnce(&T) -> bool) -> Called<Filter, Option<T>>;
-        fn __b_or_else(self, _f: impl FnOnce() -> Option<T>) -> Called<OrElse, Option<T>>;
-        fn __b_unwrap_or_else(self, _f: impl FnOnce() -> T) -> Called<UnwrapOrElse, T>;
-    }
-    fn __b_map_or<U>(self, _other: U, _f: impl FnOnce(T) -> U) -> Called<MapOr, U> {
-        unreachable!()
-    }
-    fn __b_map_or_else<U>(
-        self,
-        _other: impl FnOnce() -> U,
-        _f: impl FnOnce(T) -> U,
-    ) -> Called<MapOrElse, U> {
-        unreachable!()
-    }
-    fn __b_is_some_and(self, _f: impl FnOnce(T) -> bool) -> Called<IsSomeAnd, bool> {
-        unreachable!()
-    }
-    fn __b_is_none_or(self, _f: impl FnOnce(T) -> bool) -> Called<IsNoneOr, bool> {
-        unreachable!()
-    }
-    fn __b_ok_or_else<E>(self, _f: impl FnOnce() -> E) -> Called<OkOrElse, Result<T, E>> {
-        unreachable!()
+
+        fn __b_xor(self, _other: Option<T>) -> Called<optional::xor, Option<T>>;
+        fn __b_zip[U](self, _other: Option<U>) -> Called<optional::zip, Option<(T, U)>>;
+        fn __b_map[U](self, _f: impl FnOnce(T) -> U) -> Called<optional::map, Option<U>>;
+        fn __b_and_then[U](
+            self, _f: impl FnOnce(T) -> Option<U>
+        ) -> Called<optional::and_then, Option<U>>;
+        fn __b_filter(self, _f: impl FnOnce(&T) -> bool) -> Called<optional::filter, Option<T>>;
+        fn __b_or_else(
+            self, _f: impl FnOnce() -> Option<T>
+        ) -> Called<optional::or_else, Option<T>>;
+        fn __b_unwrap_or_else(self, _f: impl FnOnce() -> T) -> Called<optional::unwrap_or_else, T>;
+        fn __b_map_or[U](self, _other: U, _f: impl FnOnce(T) -> U) -> Called<optional::map_or, U>;
+        fn __b_map_or_else[U](
+            self, _other: impl FnOnce() -> U, _f: impl FnOnce(T) -> U
+        ) -> Called<optional::map_or_else, U>;
+        fn __b_is_some_and(
+            self, _f: impl FnOnce(T) -> bool
+        ) -> Called<optional::is_some_and, bool>;
+        fn __b_is_none_or(self, _f: impl FnOnce(T) -> bool) -> Called<optional::is_none_or, bool>;
+        fn __b_ok_or_else[E](
+            self, _f: impl FnOnce() -> E
+        ) -> Called<optional::ok_or_else, Result<T, E>>;
     }
 }
 
@@ -133,78 +85,55 @@ impl<T> OptionBuiltins<T> for Option<T> {}
 /// Methods of `bool`.
 #[allow(missing_docs)]
 pub trait BoolBuiltins: Sized {
-    fn __b_then<T>(self, _value: impl FnOnce() -> T) -> Called<Then, Option<T>> {
-        unreachable!()
-    }
-    fn __b_then_some<T>(self, _value: T) -> Called<ThenSome, Option<T>> {
-        unreachable!()
+    signatures! {
+        fn __b_then[T](self, _value: impl FnOnce() -> T) -> Called<optional::then, Option<T>>;
+        fn __b_then_some[T](self, _value: T) -> Called<optional::then_some, Option<T>>;
     }
 }
 
 impl BoolBuiltins for bool {}
 
-/// `copied` of an `Option` of a reference.
-pub trait CopiedBuiltin<T>: Sized {
-    #[allow(missing_docs)]
-    fn __b_copied(self) -> Called<Copied, Option<T>> {
-        unreachable!()
+/// Methods of an `Option` of a type of some kind.
+macro_rules! of_options {
+    ($(
+        $(#[$doc:meta])*
+        $trait:ident[$($g:ident),*] for $ty:ty { $($companion:tt)* }
+    )*) => {$(
+        $(#[$doc])*
+        #[allow(missing_docs)]
+        pub trait $trait<$($g),*>: Sized {
+            signatures! { $($companion)* }
+        }
+
+        impl<$($g),*> $trait<$($g),*> for $ty {}
+    )*};
+}
+
+of_options! {
+    /// `copied` of an `Option` of a reference.
+    CopiedBuiltin[T] for Option<&T> { fn __b_copied(self) -> Called<Copied, Option<T>>; }
+    /// `flatten` of an `Option` in an `Option`.
+    FlattenBuiltin[T] for Option<Option<T>> {
+        fn __b_flatten(self) -> Called<optional::flatten, Option<T>>;
     }
-}
-
-impl<T> CopiedBuiltin<T> for Option<&T> {}
-
-/// `flatten` of an `Option` in an `Option`.
-pub trait FlattenBuiltin<T>: Sized {
-    #[allow(missing_docs)]
-    fn __b_flatten(self) -> Called<Flatten, Option<T>> {
-        unreachable!()
+    /// `transpose` of an `Option` of a `Result`.
+    TransposeBuiltin[T, E] for Option<Result<T, E>> {
+        fn __b_transpose(self) -> Called<optional::transpose, Result<Option<T>, E>>;
     }
-}
-
-impl<T> FlattenBuiltin<T> for Option<Option<T>> {}
-
-/// `transpose` of an `Option` of a `Result`.
-#[allow(missing_docs)]
-pub trait TransposeBuiltin<T, E>: Sized {
-    fn __b_transpose(self) -> told!([Self, T, E] => Result<Option<T>, E>);
-}
-
-impl<T: Value, E: Value> TransposeBuiltin<T, E> for Option<Result<T, E>> {
-    fn __b_transpose(self) -> told!([T, E] => Result<Option<T>, E>) {
-        optional::transposed::__call(self)
+    /// `transpose` of a `Result` of an `Option`.
+    TransposeBackBuiltin[T, E] for Result<Option<T>, E> {
+        fn __b_transpose(self) -> Called<outcome::transpose, Option<Result<T, E>>>;
     }
-}
-
-/// `transpose` of a `Result` of an `Option`.
-#[allow(missing_docs)]
-pub trait TransposeBackBuiltin<T, E>: Sized {
-    fn __b_transpose(self) -> told!([Self, T, E] => Option<Result<T, E>>);
-}
-
-impl<T: Value, E: Value> TransposeBackBuiltin<T, E> for Result<Option<T>, E> {
-    fn __b_transpose(self) -> told!([T, E] => Option<Result<T, E>>) {
-        optional::transposed_back::__call(self)
-    }
-}
-
-/// `unzip` of an `Option` of a pair.
-#[allow(missing_docs)]
-pub trait UnzipBuiltin<A, B>: Sized {
-    fn __b_unzip(self) -> told!([Self, A, B] => (Option<A>, Option<B>));
-}
-
-impl<A: Value, B: Value> UnzipBuiltin<A, B> for Option<(A, B)> {
-    fn __b_unzip(self) -> told!([A, B] => (Option<A>, Option<B>)) {
-        optional::unzipped::__call(self)
+    /// `unzip` of an `Option` of a pair.
+    UnzipBuiltin[A, B] for Option<(A, B)> {
+        fn __b_unzip(self) -> Called<optional::unzip, (Option<A>, Option<B>)>;
     }
 }
 
 /// `map` of an array.
+#[allow(missing_docs)]
 pub trait ArrayBuiltins<T, const N: usize>: Sized {
-    #[allow(missing_docs)]
-    fn __b_map<U>(self, _f: impl FnMut(T) -> U) -> Called<ArrayMap, [U; N]> {
-        unreachable!()
-    }
+    signatures! { fn __b_map[U](self, _f: impl FnMut(T) -> U) -> Called<ArrayMap, [U; N]>; }
 }
 
 impl<T, const N: usize> ArrayBuiltins<T, N> for [T; N] {}
@@ -224,47 +153,24 @@ pub trait ResultBuiltins<T, E>: Sized {
         fn __b_ok(self) -> Called<Ok, Option<T>>;
         fn __b_err(self) -> Called<Err, Option<E>>;
         fn __b_or(self, _other: Result<T, E>) -> Called<Or, Result<T, E>>;
+        fn __b_and[U](self, _other: Result<U, E>) -> Called<And, Result<U, E>>;
         fn __b_as_ref(&self) -> Called<AsRef, Result<&T, &E>>;
-    }
-    fn __b_map<U>(self, _f: impl FnOnce(T) -> U) -> Called<ResultMap, Result<U, E>> {
-        unreachable!()
-    }
-    fn __b_map_err<F>(self, _f: impl FnOnce(E) -> F) -> Called<ResultMapErr, Result<T, F>> {
-        unreachable!()
-    }
-    fn __b_and_then<U>(
-        self,
-        _f: impl FnOnce(T) -> Result<U, E>,
-    ) -> Called<ResultAndThen, Result<U, E>> {
-        unreachable!()
-    }
-    fn __b_or_else<F>(
-        self,
-        _f: impl FnOnce(E) -> Result<T, F>,
-    ) -> Called<ResultOrElse, Result<T, F>> {
-        unreachable!()
-    }
-    fn __b_unwrap_or_else(self, _f: impl FnOnce(E) -> T) -> Called<ResultUnwrapOrElse, T> {
-        unreachable!()
-    }
-    fn __b_map_or<U>(self, _other: U, _f: impl FnOnce(T) -> U) -> Called<ResultMapOr, U> {
-        unreachable!()
-    }
-    fn __b_map_or_else<U>(
-        self,
-        _other: impl FnOnce(E) -> U,
-        _f: impl FnOnce(T) -> U,
-    ) -> Called<ResultMapOrElse, U> {
-        unreachable!()
-    }
-    fn __b_is_ok_and(self, _f: impl FnOnce(T) -> bool) -> Called<IsOkAnd, bool> {
-        unreachable!()
-    }
-    fn __b_is_err_and(self, _f: impl FnOnce(E) -> bool) -> Called<IsErrAnd, bool> {
-        unreachable!()
-    }
-    fn __b_and<U>(self, _other: Result<U, E>) -> Called<And, Result<U, E>> {
-        unreachable!()
+
+        fn __b_map[U](self, _f: impl FnOnce(T) -> U) -> Called<outcome::map, Result<U, E>>;
+        fn __b_map_err[F](self, _f: impl FnOnce(E) -> F) -> Called<outcome::map_err, Result<T, F>>;
+        fn __b_and_then[U](
+            self, _f: impl FnOnce(T) -> Result<U, E>
+        ) -> Called<outcome::and_then, Result<U, E>>;
+        fn __b_or_else[F](
+            self, _f: impl FnOnce(E) -> Result<T, F>
+        ) -> Called<outcome::or_else, Result<T, F>>;
+        fn __b_unwrap_or_else(self, _f: impl FnOnce(E) -> T) -> Called<outcome::unwrap_or_else, T>;
+        fn __b_map_or[U](self, _other: U, _f: impl FnOnce(T) -> U) -> Called<outcome::map_or, U>;
+        fn __b_map_or_else[U](
+            self, _other: impl FnOnce(E) -> U, _f: impl FnOnce(T) -> U
+        ) -> Called<outcome::map_or_else, U>;
+        fn __b_is_ok_and(self, _f: impl FnOnce(T) -> bool) -> Called<outcome::is_ok_and, bool>;
+        fn __b_is_err_and(self, _f: impl FnOnce(E) -> bool) -> Called<outcome::is_err_and, bool>;
     }
 }
 

@@ -134,22 +134,9 @@ builtins! {
 
     /// Methods that stand for a `match` or a loop in the author's own language.
     Desugared {
-        ArrayMap, AsRef, OptionXor, OptionZip, BoolThen, BoolThenSome, OrderingThenWith,
-        /// A method of `Option` or `Result` that takes closures.
-        Case(Cases, CaseMethod),
+        ArrayMap, AsRef,
         /// What a loop through an iterator gathers.
         Gather(Gather),
-    }
-
-    /// The type of which a method takes the cases.
-    Cases { Option, Result, }
-
-    /// Methods of `Option` and `Result` that take closures.
-    CaseMethod {
-        Flatten, Map, MapErr, AndThen, OrElse, UnwrapOrElse, MapOr, MapOrElse, OkOrElse, Filter,
-        /// `is_some_and`, `is_ok_and`.
-        IsAnd,
-        IsErrAnd, IsNoneOr,
     }
 
     /// What a loop through an iterator gathers.

@@ -139,13 +139,9 @@ static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_
 
 bool orders_is_beyond(double reading, double limit)
 {
-    option_ordering_t order;
-    comparison_partial_f64(reading, limit, &order);
-    if (order.is_some) {
-        return comparison_is_greater(order.value);
-    } else {
-        return false;
-    }
+    option_ordering_t option;
+    comparison_partial_f64(reading, limit, &option);
+    return option.is_some && comparison_is_greater(option.value);
 }
 
 void orders_longest(const orders_task_t tasks[4], option_task_t *result)

@@ -22,42 +22,41 @@ void transposed_checked(int16_t reading, result_i16_transposed_broken_t *result)
 
 void transposed_perhaps(const option_i16_t *reading, result_option_i16_transposed_broken_t *result)
 {
-    option_result_i16_transposed_broken_t reading_choice;
+    result_option_i16_transposed_broken_t reading_choice;
+    option_result_i16_transposed_broken_t reading_choice_2;
     if (reading->is_some) {
         const int16_t reading_2 = reading->value;
         result_i16_transposed_broken_t reading_choice_value;
         transposed_checked(reading_2, &reading_choice_value);
-        reading_choice.is_some = true;
-        reading_choice.value = reading_choice_value;
+        reading_choice_2.is_some = true;
+        reading_choice_2.value = reading_choice_value;
     } else {
-        reading_choice = (option_result_i16_transposed_broken_t){.is_some = false};
+        reading_choice_2 = (option_result_i16_transposed_broken_t){.is_some = false};
     }
-    const option_result_i16_transposed_broken_t *const it = &reading_choice;
-    result_option_i16_transposed_broken_t reading_choice_2;
-    if (it->is_some && it->value.is_ok) {
-        reading_choice_2 = (result_option_i16_transposed_broken_t){
+    if (reading_choice_2.is_some && reading_choice_2.value.is_ok) {
+        reading_choice = (result_option_i16_transposed_broken_t){
             .is_ok = true,
-            .value = {.is_some = true, .value = it->value.value}
+            .value = {.is_some = true, .value = reading_choice_2.value.value}
         };
-    } else if (it->is_some && !it->value.is_ok) {
-        reading_choice_2 = (result_option_i16_transposed_broken_t){
+    } else if (reading_choice_2.is_some && !reading_choice_2.value.is_ok) {
+        reading_choice = (result_option_i16_transposed_broken_t){
             .is_ok = false,
-            .error = it->value.error
+            .error = reading_choice_2.value.error
         };
     } else {
-        reading_choice_2 = (result_option_i16_transposed_broken_t){
+        reading_choice = (result_option_i16_transposed_broken_t){
             .is_ok = true,
             .value = {.is_some = false}
         };
     }
-    if (!reading_choice_2.is_ok) {
+    if (!reading_choice.is_ok) {
         *result = (result_option_i16_transposed_broken_t){
             .is_ok = false,
-            .error = reading_choice_2.error
+            .error = reading_choice.error
         };
         return;
     }
-    const option_i16_t reading_2 = reading_choice_2.value;
+    const option_i16_t reading_2 = reading_choice.value;
     if (reading_2.is_some && reading_2.value > 10) {
         result->value.is_some = true;
         result->value.value = reading_2.value;
@@ -74,29 +73,28 @@ void transposed_some(const result_option_i16_transposed_broken_t *reading,
     option_result_i16_transposed_broken_t *result)
 {
     if (reading->is_ok && reading->value.is_some) {
-        const int16_t value = reading->value.value;
         result->is_some = true;
-        result->value = (result_i16_transposed_broken_t){.is_ok = true, .value = value};
+        result->value = (result_i16_transposed_broken_t){
+            .is_ok = true,
+            .value = reading->value.value
+        };
     } else if (reading->is_ok && !reading->value.is_some) {
         *result = (option_result_i16_transposed_broken_t){.is_some = false};
     } else {
-        const transposed_broken_t error = reading->error;
         result->is_some = true;
         result->value.is_ok = false;
         result->value.value = 0;
-        result->value.error = error;
+        result->value.error = reading->error;
     }
 }
 
 void transposed_parts(const option_pair_u8_f32_t *pair, pair_option_u8_option_f32_t *result)
 {
     if (pair->is_some) {
-        const uint8_t one = pair->value.first;
-        const float other = pair->value.second;
         result->first.is_some = true;
-        result->first.value = one;
+        result->first.value = pair->value.first;
         result->second.is_some = true;
-        result->second.value = other;
+        result->second.value = pair->value.second;
     } else {
         static const pair_option_u8_option_f32_t parts = {
             .first = {.is_some = false},

@@ -85,13 +85,8 @@ void covariance_factors_full_rank(const float p[9], pair_bool_f32_t *result)
 {
     option_ldl_f32_3_t factors;
     ldl_factored_f32_3(p, &factors);
-    bool result_choice;
-    if (factors.is_some) {
-        const ldl_f32_3_t *const it = &factors.value;
-        result_choice = ldl_f32_3_is_positive(it);
-    } else {
-        result_choice = false;
-    }
+    const option_ldl_f32_3_t *const option = &factors;
+    const bool result_choice = option->is_some && ldl_f32_3_is_positive(&option->value);
     float result_choice_2;
     if (factors.is_some) {
         const ldl_f32_3_t *const it = &factors.value;

@@ -1,0 +1,299 @@
+//! Calls of `#[function(rewrite)]`: each stands for the function's body, as if its caller had written that.
+//!
+//! An argument stands where its parameter does, and the body of a closure where the closure is called, so that a place
+//! stays a place, and what is not wanted is not computed. Where that would change the order of what is computed, the
+//! argument has a name before.
+//!
+//! Invariants: a body is an expression of `match`, `if`, constructors and names, none of which means two things; it names
+//! a parameter once, and calls it with names that the arm binds. Its own types are never asked for: its value is of the type of the call.
+//!
+//! Must not know: what any such function computes.
+
+use std::collections::HashMap;
+
+use bessemer_ir::tree::visit::{self, Visit, VisitMut};
+use bessemer_ir::tree::{
+    self, Arm, BinaryOp, Block, Expr, ExprKind, FunctionTree, NO_SLOT, Pattern, Role, Site, Stmt,
+    UnaryOp,
+};
+
+use super::Context;
+use super::lowering::Lowering;
+
+impl<'a> Context<'a> {
+    /// Notes the functions of which calls stand for their bodies.
+    pub(super) fn note_rules(&mut self, functions: impl Iterator<Item = &'a tree::Function>) {
+        let rules = functions.filter(|it| it.tree.role == Role::Rewritten);
+        self.rules = rules.map(|it| (it.path.as_str(), &it.tree)).collect();
+    }
+}
+
+impl<'a> Lowering<'a, '_> {
+    /// The function of which `expr` is such a call, and its arguments; none if `expr` is something else.
+    pub(super) fn rule<'e>(&self, expr: &'e Expr) -> Option<(&'a FunctionTree, &'e [Expr])> {
+        let ExprKind::Call(callee, arguments) = &expr.kind else { return None };
+        let tree::Callee::Function(path) = self.source.callees.get(*callee as usize)? else {
+            return None;
+        };
+        Some((self.cx.rules.get(path.as_str())?, arguments))
+    }
+}
+
+/// What `call` of a rule stands for.
+pub(super) fn rewritten(rule: &FunctionTree, arguments: &[Expr], call: &Expr) -> Expr {
+    let (site, slot) = (call.site, call.slot);
+    let mut body = match &rule.body.tail {
+        Some(body) => (**body).clone(),
+        None => Expr { kind: NOTHING, site, slot },
+    };
+    let given = rule.params.iter().map(|param| param.name.as_str()).zip(arguments);
+    let mut rewriting = Rewriting { given: given.collect(), asked: HashMap::new() };
+    let stmts = rewriting.held_before(rule, &body, arguments, site);
+    Placed(site).expr(&mut body);
+    give(&mut body, slot);
+    rewriting.expr(&mut body);
+    if stmts.is_empty() {
+        return body;
+    }
+    let block = Block { stmts, tail: Some(Box::new(body)) };
+    Expr { kind: ExprKind::Block(block), site, slot }
+}
+
+/// `()`.
+const NOTHING: ExprKind = ExprKind::Tuple(Vec::new());
+
+/// A name that no author can write.
+fn hidden(name: &str) -> String {
+    format!("%{name}")
+}
+
+/// Puts a rule where it is called: there its types are not known.
+struct Placed(Site);
+
+impl VisitMut for Placed {
+    fn expr(&mut self, expr: &mut Expr) {
+        (expr.site, expr.slot) = (self.0, None);
+        visit::walk_expr_mut(self, expr);
+    }
+
+    fn arm(&mut self, arm: &mut Arm) {
+        arm.site = self.0;
+        visit::walk_arm_mut(self, arm);
+    }
+
+    fn pattern(&mut self, pattern: &mut Pattern) {
+        if let Pattern::Name { slot, .. } = pattern {
+            *slot = NO_SLOT;
+        }
+        visit::walk_pattern_mut(self, pattern);
+    }
+}
+
+/// Gives what a rule ends in the type of the call. Of a statement, only what it does is left.
+fn give(expr: &mut Expr, slot: Option<u32>) {
+    expr.slot = slot;
+    match &mut expr.kind {
+        ExprKind::Match(_, arms) => arms.iter_mut().for_each(|arm| give(&mut arm.body, slot)),
+        ExprKind::If(_, then, otherwise) => {
+            then.tail.iter_mut().for_each(|tail| give(tail, slot));
+            otherwise.iter_mut().for_each(|otherwise| give(otherwise, slot));
+        }
+        ExprKind::Block(block) => block.tail.iter_mut().for_each(|tail| give(tail, slot)),
+        ExprKind::Constructor(_, parts) if slot.is_none() => match parts.pop() {
+            Some(part) => {
+                *expr = part;
+                give(expr, slot);
+            }
+            None => expr.kind = NOTHING,
+        },
+        ExprKind::Local(_) if slot.is_none() => expr.kind = NOTHING,
+        // Its own type says more than that of the call, which may be a reference.
+        ExprKind::Local(_) => expr.slot = None,
+        _ => {}
+    }
+}
+
+/// A rule with its parameters' meaning.
+struct Rewriting<'e> {
+    /// The arguments that stand where their parameters do.
+    given: HashMap<&'e str, &'e Expr>,
+    /// The names that the arm at hand binds and a closure is called with: the closure's own patterns for them.
+    asked: HashMap<String, Pattern>,
+}
+
+impl<'e> Rewriting<'e> {
+    /// Names arguments, if the body would compute them in another order, or may write to them while it looks at them.
+    fn held_before(
+        &mut self,
+        rule: &'e FunctionTree,
+        body: &Expr,
+        arguments: &[Expr],
+        site: Site,
+    ) -> Vec<Stmt> {
+        let (first, written) = (computed_first(body), self.writes_when_asked(body));
+        let mut values: Vec<_> = rule.params.iter().zip(arguments).collect();
+        values.retain(|(param, argument)| !param.closure && (written || !is_quiet(argument)));
+        if !written && values.iter().all(|(param, _)| first.contains(&param.name.as_str())) {
+            return Vec::new();
+        }
+        let held = |(param, argument): (&'e tree::Param, &Expr)| {
+            self.given.remove(param.name.as_str());
+            let (name, value) = (hidden(&param.name), Some(argument.clone()));
+            Stmt::Let { name, slot: NO_SLOT, value, site }
+        };
+        values.into_iter().map(held).collect()
+    }
+
+    /// Whether a guard calls a closure that may write to what is matched.
+    fn writes_when_asked(&self, body: &Expr) -> bool {
+        let ExprKind::Match(_, arms) = &body.kind else { return false };
+        let writes = |guard: &Expr| match &guard.kind {
+            ExprKind::Apply(f, _) => !self.closure(f).is_some_and(|it| is_pure(&it.body)),
+            _ => false,
+        };
+        arms.iter().filter_map(|arm| arm.guard.as_ref()).any(writes)
+    }
+
+    /// The closure that is written for a parameter; none for one that the caller was given itself.
+    fn closure(&self, name: &str) -> Option<&'e tree::Closure> {
+        match &self.given.get(name)?.kind {
+            ExprKind::Closure(closure) => Some(closure),
+            _ => None,
+        }
+    }
+}
+
+impl VisitMut for Rewriting<'_> {
+    fn expr(&mut self, expr: &mut Expr) {
+        match &mut expr.kind {
+            ExprKind::Local(name) => match self.given.get(name.as_str()) {
+                Some(argument) => *expr = (*argument).clone(),
+                None => *name = hidden(name),
+            },
+            ExprKind::Apply(name, arguments) => {
+                match (self.closure(name), self.given.get(name.as_str())) {
+                    (Some(closure), _) => *expr = (*closure.body).clone(),
+                    (None, Some(Expr { kind: ExprKind::Local(own), .. })) => {
+                        name.clone_from(own);
+                        arguments.iter_mut().for_each(|argument| self.expr(argument));
+                    }
+                    (None, _) => visit::walk_expr_mut(self, expr),
+                }
+            }
+            _ => visit::walk_expr_mut(self, expr),
+        }
+    }
+
+    fn arm(&mut self, arm: &mut Arm) {
+        let mut uses = Uses { rewriting: self, asked: HashMap::new(), read: Vec::new() };
+        arm.guard.iter().for_each(|guard| uses.expr(guard));
+        uses.expr(&arm.body);
+        let Uses { mut asked, read, .. } = uses;
+        for name in read {
+            let inner = asked.remove(&name).map(Box::new);
+            let hidden =
+                Pattern::Name { name: hidden(&name), slot: NO_SLOT, mutable: false, inner };
+            asked.insert(name, hidden);
+        }
+        self.asked = asked;
+        visit::walk_arm_mut(self, arm);
+    }
+
+    fn pattern(&mut self, pattern: &mut Pattern) {
+        match pattern {
+            Pattern::Name { name, .. } => {
+                *pattern = self.asked.remove(name).unwrap_or(Pattern::Any);
+            }
+            _ => visit::walk_pattern_mut(self, pattern),
+        }
+    }
+}
+
+/// Looks for what becomes of the names that an arm binds.
+struct Uses<'r, 'e> {
+    rewriting: &'r Rewriting<'e>,
+    asked: HashMap<String, Pattern>,
+    /// Those that are read.
+    read: Vec<String>,
+}
+
+impl Visit for Uses<'_, '_> {
+    fn expr(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::Apply(name, arguments)
+                if let Some(closure) = self.rewriting.closure(name) =>
+            {
+                for (argument, pattern) in arguments.iter().zip(&closure.parameters) {
+                    let argument = match &argument.kind {
+                        ExprKind::Ref(_, lent) => &lent.kind,
+                        argument => argument,
+                    };
+                    if let ExprKind::Local(name) = argument {
+                        self.asked.insert(name.clone(), pattern.clone());
+                    }
+                }
+            }
+            ExprKind::Local(name) => self.read.push(name.clone()),
+            _ => visit::walk_expr(self, expr),
+        }
+    }
+}
+
+/// The parameters that a body computes before anything else.
+fn computed_first(body: &Expr) -> Vec<&str> {
+    match &body.kind {
+        ExprKind::Match(first, _) | ExprKind::If(first, ..) => computed_first(first),
+        ExprKind::Tuple(parts) => parts.iter().flat_map(computed_first).collect(),
+        ExprKind::Local(name) => vec![name],
+        _ => Vec::new(),
+    }
+}
+
+/// Whether an expression may be left out: a literal, a name, a part of one.
+pub(super) fn is_plain(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Bool(_) | ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bytes(_) => true,
+        ExprKind::Local(_) | ExprKind::Path(..) => true,
+        ExprKind::Constructor(_, parts) => parts.is_empty(),
+        ExprKind::Field(inner, _) | ExprKind::Ref(_, inner) | ExprKind::Deref(inner) => {
+            is_plain(inner)
+        }
+        ExprKind::Unary(UnaryOp::Neg, inner) => {
+            matches!(inner.kind, ExprKind::Int(..) | ExprKind::Float(..))
+        }
+        _ => false,
+    }
+}
+
+/// Whether an expression changes nothing, as far as its syntax shows; it may fault.
+fn is_pure(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Unary(_, inner) | ExprKind::Cast(inner) => is_pure(inner),
+        ExprKind::Binary(_, left, right) | ExprKind::Index(left, right) => {
+            is_pure(left) && is_pure(right)
+        }
+        _ => is_quiet(expr),
+    }
+}
+
+/// Whether an expression changes nothing and cannot fault, as far as its syntax shows: it may be computed
+/// or not.
+fn is_quiet(expr: &Expr) -> bool {
+    use BinaryOp::{Eq, Ge, Gt, Le, LogicAnd, LogicOr, Lt, Ne};
+    match &expr.kind {
+        ExprKind::Binary(op, left, right) => {
+            let quiet = match op {
+                LogicAnd | LogicOr => true,
+                // Beside a number it is no author's own operator, which may do anything.
+                Eq | Ne | Lt | Le | Gt | Ge => is_number(left) || is_number(right),
+                _ => false,
+            };
+            quiet && is_quiet(left) && is_quiet(right)
+        }
+        _ => is_plain(expr),
+    }
+}
+
+fn is_number(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Bool(_) | ExprKind::Int(..) | ExprKind::Float(..))
+}
