@@ -274,8 +274,7 @@ impl Lowering<'_, '_> {
                 if self.in_option(expr)?.is_some()
                     || self.lent_place(expr)?.is_some()
                     || self.list_effect(expr)?
-                    || self.slice_effect(expr)?
-                    || self.part_effect(expr)? =>
+                    || self.slice_effect(expr)? =>
             {
                 Ok(())
             }
@@ -362,10 +361,11 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let naming = std::mem::take(&mut self.naming);
         let condition = self.value(condition, Some(&Type::BOOL))?;
-        // A check's condition cannot fault, so what might is computed first.
-        let condition = match super::order::is_free(&condition) {
-            true => condition,
-            false => self.temporary("asserted", condition),
+        // What an author asserts may do anything, so it is computed first. The library asks for sums at most.
+        let condition = match claim == tree::Claim::Assertion && !super::order::is_free(&condition)
+        {
+            true => self.temporary("asserted", condition),
+            false => condition,
         };
         self.naming = naming;
         let span = self.span(site);
@@ -375,6 +375,9 @@ impl Lowering<'_, '_> {
             tree::Claim::Capacity => Fault::Capacity,
             tree::Claim::Clamp => Fault::Clamp,
         };
+        if !self.expanding.is_empty() && self.decided(&condition) == Some(true) {
+            return Ok(());
+        }
         self.emit(StmtKind::Check { condition, fault }, span);
         Ok(())
     }

@@ -6,6 +6,7 @@ use bessemer_ir::{
     Type, UnaryOp,
 };
 
+use super::lengths::plus;
 use super::lowering::{Lowering, Target};
 use super::syntax::{control_with_value, is_question};
 use super::{OUR_FAULT, Result, literal, problem};
@@ -245,6 +246,7 @@ impl Lowering<'_, '_> {
         let [left, right] = two(operands, expr.site)?;
         match literal::folded(op, &left, &right).filter(|_| of_instance) {
             Some(word) => self.node(ExprKind::Literal(word), left.ty, expr.site),
+            None if of_instance && op == Op::Add && left.ty == Type::USIZE => Ok(plus(left, right)),
             None => self.binary_node(op, left, right, expr.site),
         }
     }

@@ -4,8 +4,8 @@
 use bessemer_ir::tree;
 use bessemer_ir::{Block, Expr, ExprKind, Place, Span, Step, Stmt, StmtKind, Type};
 
+use super::counted::{counted, local};
 use super::lowering::Lowering;
-use super::written_views::{counted, local};
 use super::{OUR_FAULT, Result, problem};
 
 /// Up to so many elements are written out.

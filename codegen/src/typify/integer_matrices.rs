@@ -11,8 +11,8 @@ use bessemer_ir::{
     UnaryOp,
 };
 
+use super::counted::{counted, local};
 use super::lowering::Lowering;
-use super::written_views::{counted, local};
 use super::{OUR_FAULT, Result, problem};
 
 /// The operation of a routine on two elements, on an element and a number, or on one.

@@ -6,8 +6,8 @@ use bessemer_ir::{
     Routine, Scalar, Span, Step, Stmt, StmtKind, Type,
 };
 
+use super::counted::counted;
 use super::lowering::Lowering;
-use super::written_views::counted;
 use super::{Context, OUR_FAULT, Result, problem};
 
 impl Context<'_> {

@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, BinaryOp, Builtin, MatrixMethod, Site};
 use bessemer_ir::{Expr, ExprKind, Float, Int, Scalar, Type};
 
-use super::lowering::Lowering;
+use super::lowering::{Binding, Lowering};
 use super::{OUR_FAULT, Result, problem};
 
 /// The word of an integer literal as a value of `scalar`.
@@ -83,8 +83,8 @@ pub(super) fn float_type(suffix: Option<Scalar>, expected: Option<&Type>) -> Sca
 
 /// The methods that ask for the size of a matrix.
 impl Lowering<'_, '_> {
-    /// Whether a number is made of those that an instance of something generic is made with, or of the size
-    /// of a matrix.
+    /// Whether a number is made of those that an instance of something generic is made with, of the size of a matrix, or of
+    /// those that an expanded function is called with.
     pub(super) fn is_of_instance(&self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             tree::ExprKind::Path(_, name) => {
@@ -98,6 +98,9 @@ impl Lowering<'_, '_> {
                     MatrixMethod::Rows | MatrixMethod::Cols | MatrixMethod::Elements
                 ))
             ),
+            tree::ExprKind::Local(name) if !self.expanding.is_empty() => {
+                matches!(self.lookup(name, expr.site), Ok(Binding::Value(it)) if it.is_literal())
+            }
             tree::ExprKind::Binary(_, a, b) => self.is_of_instance(a) || self.is_of_instance(b),
             _ => false,
         }

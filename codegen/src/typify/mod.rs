@@ -18,6 +18,7 @@ mod choice;
 mod closure;
 mod conditions;
 mod control;
+mod counted;
 mod each;
 mod elements;
 mod ended;
@@ -73,7 +74,6 @@ mod syntax;
 mod types;
 mod views;
 mod within;
-mod written_views;
 
 use std::collections::{HashMap, HashSet};
 

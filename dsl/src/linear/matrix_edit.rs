@@ -39,24 +39,26 @@ pub fn fill_with_identity<T: Real, const R: usize, const C: usize>(a: &mut SMatr
 }
 
 /// Sets the elements of a row.
-#[function]
+#[function(expand)]
 pub fn fill_row<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     row: usize,
     value: T,
 ) {
+    crate::__inside!(row < R);
     for column in 0..C {
         a[(row, column)] = value;
     }
 }
 
 /// Sets the elements of a column.
-#[function]
+#[function(expand)]
 pub fn fill_column<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     column: usize,
     value: T,
 ) {
+    crate::__inside!(column < C);
     for row in 0..R {
         a[(row, column)] = value;
     }
@@ -130,7 +132,7 @@ pub fn fill_upper_triangle_with_lower_triangle<T: Element, const N: usize>(
 }
 
 /// Exchanges two rows.
-#[function]
+#[function(expand)]
 pub fn swap_rows<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     one: usize,
@@ -145,7 +147,7 @@ pub fn swap_rows<T: Element, const R: usize, const C: usize>(
 }
 
 /// Exchanges two columns.
-#[function]
+#[function(expand)]
 pub fn swap_columns<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     one: usize,

@@ -95,7 +95,7 @@ pub fn fixed_columns<T: Element, const R: usize, const C: usize, const COLUMNS: 
 }
 
 /// Writes a row.
-#[function]
+#[function(expand)]
 pub fn set_row<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     row: usize,
@@ -108,7 +108,7 @@ pub fn set_row<T: Element, const R: usize, const C: usize>(
 }
 
 /// Writes a column.
-#[function]
+#[function(expand)]
 pub fn set_column<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     column: usize,
@@ -121,7 +121,7 @@ pub fn set_column<T: Element, const R: usize, const C: usize>(
 }
 
 /// Fills a row: `a.row_mut(row).fill(value)`.
-#[function]
+#[function(expand)]
 pub fn fill_row<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     row: usize,
@@ -134,7 +134,7 @@ pub fn fill_row<T: Element, const R: usize, const C: usize>(
 }
 
 /// Fills a column: `a.column_mut(column).fill(value)`.
-#[function]
+#[function(expand)]
 pub fn fill_column<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     column: usize,
@@ -146,8 +146,29 @@ pub fn fill_column<T: Element, const R: usize, const C: usize>(
     }
 }
 
+/// Writes a part where it is known to fit.
+#[function(expand)]
+fn set_part<T: Element, const R: usize, const C: usize, const ROWS: usize, const COLUMNS: usize>(
+    a: &mut SMatrix<T, R, C>,
+    first_row: usize,
+    first_column: usize,
+    part: &SMatrix<T, ROWS, COLUMNS>,
+) {
+    if COLUMNS == 1 {
+        for row in 0..ROWS {
+            a[(first_row + row, first_column)] = part[(row, 0)];
+        }
+    } else {
+        for column in 0..COLUMNS {
+            for row in 0..ROWS {
+                a[(first_row + row, first_column + column)] = part[(row, column)];
+            }
+        }
+    }
+}
+
 /// Writes the block whose first element is at a row and a column.
-#[function]
+#[function(expand)]
 pub fn set_fixed_view<
     T: Element,
     const R: usize,
@@ -162,39 +183,27 @@ pub fn set_fixed_view<
 ) {
     crate::__inside!(row + ROWS <= R);
     crate::__inside!(column + COLUMNS <= C);
-    for j in 0..COLUMNS {
-        for i in 0..ROWS {
-            a[(row + i, column + j)] = part[(i, j)];
-        }
-    }
+    set_part(a, row, column, part);
 }
 
 /// Writes rows one below the other.
-#[function]
+#[function(expand)]
 pub fn set_fixed_rows<T: Element, const R: usize, const C: usize, const ROWS: usize>(
     a: &mut SMatrix<T, R, C>,
     row: usize,
     part: &SMatrix<T, ROWS, C>,
 ) {
     crate::__inside!(row + ROWS <= R);
-    for j in 0..C {
-        for i in 0..ROWS {
-            a[(row + i, j)] = part[(i, j)];
-        }
-    }
+    set_part(a, row, 0, part);
 }
 
 /// Writes columns side by side.
-#[function]
+#[function(expand)]
 pub fn set_fixed_columns<T: Element, const R: usize, const C: usize, const COLUMNS: usize>(
     a: &mut SMatrix<T, R, C>,
     column: usize,
     part: &SMatrix<T, R, COLUMNS>,
 ) {
     crate::__inside!(column + COLUMNS <= C);
-    for j in 0..COLUMNS {
-        for i in 0..R {
-            a[(i, column + j)] = part[(i, j)];
-        }
-    }
+    set_part(a, 0, column, part);
 }

@@ -40,8 +40,7 @@ bessemer_status_t own_indices_levelled(grid_t *grid, uint64_t row, uint64_t colu
         return BESSEMER_STATUS_INDEX;
     }
     grid->heights[grid_index] = mean_value;
-    const uint32_t grid_index_2 = 4U * 0U + 3U;
-    grid->heights[grid_index_2] += mean_value;
+    grid->heights[3] += mean_value;
     *mean = mean_value;
     return BESSEMER_STATUS_OK;
 }

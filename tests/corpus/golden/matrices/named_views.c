@@ -72,15 +72,15 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
     part[1] += by[1];
     part[2] += by[2];
     part[3] += by[3];
-    const uint64_t value_column = part_at;
-    if (value_column > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
+    const uint64_t column_2 = part_at;
+    if (column_2 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (value_column + UINT64_C(1) > UINT64_C(4)) {
+    if (column_2 + UINT64_C(1) > UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * value_column] = part[row];
+        m[row + 4U * column_2] = part[row];
     }
     option_f64_t first_choice;
     const option_f64_t first_option = {.is_some = true, .value = part[0]};
@@ -97,29 +97,29 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_OK;
     }
     const double first = first_choice.value;
-    const uint64_t value_column_2 = part_at;
-    if (value_column_2 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
+    const uint64_t column_3 = part_at;
+    if (column_3 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (value_column_2 + UINT64_C(1) > UINT64_C(4)) {
+    if (column_3 + UINT64_C(1) > UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * value_column_2] = part[row];
+        m[row + 4U * column_3] = part[row];
     }
     part[0] *= first;
     part[1] *= first;
     part[2] *= first;
     part[3] *= first;
-    const uint64_t value_column_3 = part_at;
-    if (value_column_3 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
+    const uint64_t column_4 = part_at;
+    if (column_4 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (value_column_3 + UINT64_C(1) > UINT64_C(4)) {
+    if (column_4 + UINT64_C(1) > UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * value_column_3] = part[row];
+        m[row + 4U * column_4] = part[row];
     }
     for (uint32_t i = 0U; i < 4U; i++) {
         if (i == 2U) {
@@ -127,29 +127,29 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         }
         part[i] -= by[i];
     }
-    const uint64_t value_column_4 = part_at;
-    if (value_column_4 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
+    const uint64_t column_5 = part_at;
+    if (column_5 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (value_column_4 + UINT64_C(1) > UINT64_C(4)) {
+    if (column_5 + UINT64_C(1) > UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * value_column_4] = part[row];
+        m[row + 4U * column_5] = part[row];
     }
     const option_f64_t given_value = {
         .is_some = true,
         .value = matrix_statistics_sum_f64_4_1(part)
     };
-    const uint64_t value_column_5 = part_at;
-    if (value_column_5 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
+    const uint64_t column_6 = part_at;
+    if (column_6 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (value_column_5 + UINT64_C(1) > UINT64_C(4)) {
+    if (column_6 + UINT64_C(1) > UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * value_column_5] = part[row];
+        m[row + 4U * column_6] = part[row];
     }
     *given = given_value;
     return BESSEMER_STATUS_OK;
@@ -164,9 +164,9 @@ void named_views_scaled(double m[6], const double by[2])
         column[0] += by[0];
         column[1] += by[1];
         column[1] = 0.5;
-        const uint32_t value_column = column_at;
+        const uint32_t column_2 = column_at;
         for (uint32_t row = 0U; row < 2U; row++) {
-            m[row + 2U * value_column] = column[row];
+            m[row + 2U * column_2] = column[row];
         }
     }
     for (uint32_t i = 0U; i < 2U; i++) {

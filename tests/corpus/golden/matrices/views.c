@@ -29,9 +29,9 @@ void programs_matrices_views_moved(const double state[6], const double velocity[
     for (uint32_t row = 0U; row < 3U; row++) {
         next[row + 3U] = velocity[row];
     }
-    const double vector_value[3] = {next[0], next[1], next[2]};
-    const double vector[3] = {vector_value[0] * 0.5, vector_value[1] * 0.5, vector_value[2] * 0.5};
+    const double part_vector[3] = {next[0], next[1], next[2]};
+    const double part[3] = {part_vector[0] * 0.5, part_vector[1] * 0.5, part_vector[2] * 0.5};
     for (uint32_t row = 0U; row < 3U; row++) {
-        next[row] = vector[row];
+        next[row] = part[row];
     }
 }

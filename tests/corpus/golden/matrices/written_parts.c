@@ -61,12 +61,12 @@ void blocks_update(blocks_t *self, const double gain[6], const double row[6])
             self->p[row_2 + 6U * i] = gain[row_2];
         }
     }
-    double vector[6];
+    double part[6];
     for (uint32_t i = 0U; i < 6U; i++) {
-        vector[i] = gain[i] * 2.0;
+        part[i] = gain[i] * 2.0;
     }
     for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-        self->p[row_2 + 6U * 4U] = vector[row_2];
+        self->p[row_2 + 6U * 4U] = part[row_2];
     }
     for (uint32_t column = 0U; column < 6U; column++) {
         self->p[5U + 6U * column] = row[column];
