@@ -8,7 +8,7 @@ use std::path::Path;
 
 use bessemer_codegen::c::interface::Interface;
 use bessemer_codegen::c::names::Passing;
-use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_project::build_files::flags;
 use bessemer_project::firmware::{Call, calls, declared};
 use bessemer_project::{Wanted, build_files, compile, parameter_tables};
@@ -37,7 +37,7 @@ pub fn run(folder: &Path, wanted: &Pack, colour: bool) -> Result<String, Error> 
     files.extend(match wanted.system {
         System::Zephyr => zephyr(&name, &compiled, &flags),
         System::Px4 => px4(&name, &compiled, &flags),
-        System::FreeRtos => freertos(&compiled),
+        System::FreeRtos => freertos(&compiled, &project.settings.options),
         System::Arduino => arduino(&name, &compiled),
     });
     for (path, text) in &files {
@@ -90,8 +90,8 @@ fn zephyr(name: &str, compiled: &Compiled, flags: &str) -> Vec<(String, String)>
 }
 
 /// FreeRTOS has no form for a library of its own: the C gets the files for CMake and make.
-fn freertos(compiled: &Compiled) -> Vec<(String, String)> {
-    let builds = build_files::files(compiled).into_iter();
+fn freertos(compiled: &Compiled, options: &Options) -> Vec<(String, String)> {
+    let builds = build_files::files(compiled, options).into_iter();
     let mut files: Vec<(String, String)> =
         builds.map(|it| (format!("src/{}", it.name), it.text)).collect();
     for call in calls(&compiled.interface) {
