@@ -68,6 +68,8 @@ mod bounded_arithmetic;
 pub mod comparison;
 pub mod complex;
 mod element;
+#[doc(hidden)]
+pub mod exchange;
 #[cfg(feature = "generate")]
 #[doc(hidden)]
 pub mod generate;

@@ -380,6 +380,11 @@ impl Lowering<'_, '_> {
                     *site
                 }
                 tree::Stmt::Apart { pattern, value, otherwise, site } => {
+                    let naming = self.naming.clone();
+                    // Another name of a place, which no author wrote.
+                    if let tree::Pattern::Name { name, slot: NO_SLOT, .. } = &**pattern {
+                        self.naming.clone_from(name);
+                    }
                     match self.tried_lent(value).filter(|_| otherwise.is_none()) {
                         Some((lent, otherwise)) => {
                             let pattern = there((**pattern).clone());
@@ -387,6 +392,7 @@ impl Lowering<'_, '_> {
                         }
                         None => self.take_apart(pattern, value, otherwise.as_ref())?,
                     }
+                    self.naming = naming;
                     *site
                 }
                 tree::Stmt::Expr(expr) => {

@@ -4,8 +4,9 @@
 //! stays a place, and what is not wanted is not computed. Where that would change the order of what is computed, the
 //! argument has a name before.
 //!
-//! Invariants: a body is an expression of `match`, `if`, constructors and names, none of which means two things; it names
-//! a parameter once, and calls it with names that the arm binds. Its own types are never asked for: its value is of the type of the call.
+//! Invariants: a body is made of `match`, `if`, assignments, constructors and names, none of which means two things; it
+//! names a parameter that is no reference once, and calls it with names that the arm binds. Its own types are never asked
+//! for: its value is of the type of the call.
 //!
 //! Must not know: what any such function computes.
 
@@ -42,9 +43,9 @@ impl<'a> Lowering<'a, '_> {
 /// What `call` of a rule stands for.
 pub(super) fn rewritten(rule: &FunctionTree, arguments: &[Expr], call: &Expr) -> Expr {
     let (site, slot) = (call.site, call.slot);
-    let mut body = match &rule.body.tail {
-        Some(body) => (**body).clone(),
-        None => Expr { kind: NOTHING, site, slot },
+    let mut body = match (rule.body.stmts.as_slice(), &rule.body.tail) {
+        ([], Some(body)) => (**body).clone(),
+        _ => Expr { kind: ExprKind::Block(rule.body.clone()), site, slot },
     };
     let given = rule.params.iter().map(|param| param.name.as_str()).zip(arguments);
     let mut rewriting = Rewriting { given: given.collect(), asked: HashMap::new() };
@@ -74,6 +75,13 @@ impl VisitMut for Placed {
     fn expr(&mut self, expr: &mut Expr) {
         (expr.site, expr.slot) = (self.0, None);
         visit::walk_expr_mut(self, expr);
+    }
+
+    fn stmt(&mut self, stmt: &mut Stmt) {
+        if let Stmt::Let { slot, site, .. } = stmt {
+            (*slot, *site) = (NO_SLOT, self.0);
+        }
+        visit::walk_stmt_mut(self, stmt);
     }
 
     fn arm(&mut self, arm: &mut Arm) {
@@ -138,8 +146,13 @@ impl<'e> Rewriting<'e> {
         }
         let held = |(param, argument): (&'e tree::Param, &Expr)| {
             self.given.remove(param.name.as_str());
-            let (name, value) = (hidden(&param.name), Some(argument.clone()));
-            Stmt::Let { name, slot: NO_SLOT, value, site }
+            let (name, slot, value) = (hidden(&param.name), NO_SLOT, argument.clone());
+            if let ExprKind::Ref(..) = value.kind {
+                // Another name of its place.
+                let pattern = Pattern::Name { name, slot, mutable: false, inner: None };
+                return Stmt::Apart { pattern: Box::new(pattern), value, otherwise: None, site };
+            }
+            Stmt::Let { name, slot, value: Some(value), site }
         };
         values.into_iter().map(held).collect()
     }
@@ -165,6 +178,14 @@ impl<'e> Rewriting<'e> {
 
 impl VisitMut for Rewriting<'_> {
     fn expr(&mut self, expr: &mut Expr) {
+        // What a reference that is written out refers to is the place itself.
+        if let ExprKind::Deref(inner) = &expr.kind
+            && let ExprKind::Local(name) = &inner.kind
+            && let Some(ExprKind::Ref(_, place)) = self.given.get(name.as_str()).map(|it| &it.kind)
+        {
+            *expr = (**place).clone();
+            return;
+        }
         match &mut expr.kind {
             ExprKind::Local(name) => match self.given.get(name.as_str()) {
                 Some(argument) => *expr = (*argument).clone(),
@@ -181,6 +202,13 @@ impl VisitMut for Rewriting<'_> {
                 }
             }
             _ => visit::walk_expr_mut(self, expr),
+        }
+    }
+
+    fn stmt(&mut self, stmt: &mut Stmt) {
+        visit::walk_stmt_mut(self, stmt);
+        if let Stmt::Let { name, .. } = stmt {
+            *name = hidden(name);
         }
     }
 

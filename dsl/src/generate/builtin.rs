@@ -26,10 +26,10 @@ pub(super) use markers;
 /// Companions that are asked for their types alone: none is ever run. A method's own types stand in square brackets.
 macro_rules! signatures {
     ($(
-        fn $name:ident $([$($g:ident),*])? ($($parameters:tt)*) -> $result:ty
+        $visible:vis fn $name:ident $([$($g:ident),*])? ($($parameters:tt)*) -> $result:ty
             $(where $of:ident: $bound:ident)?;
     )*) => {$(
-        fn $name $(<$($g),*>)? ($($parameters)*) -> $result $(where $of: $bound)? {
+        $visible fn $name $(<$($g),*>)? ($($parameters)*) -> $result $(where $of: $bound)? {
             unreachable!("a witness copy is never run")
         }
     )*};

@@ -45,6 +45,7 @@ pub use items::{
 pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, owned, sign};
+pub use option::mem;
 pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees, constant,
     list, types,

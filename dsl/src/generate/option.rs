@@ -130,6 +130,28 @@ of_options! {
     }
 }
 
+/// The companions of functions of `core::mem`: a value need not be `Copy` there.
+#[allow(missing_docs, non_camel_case_types)]
+pub mod mem {
+    use super::{Called, signatures};
+    use crate::exchange;
+
+    pub struct swap;
+    pub struct replace;
+
+    impl swap {
+        signatures! {
+            pub fn __call[T](_one: &mut T, _other: &mut T) -> Called<exchange::swap, ()>;
+        }
+    }
+
+    impl replace {
+        signatures! {
+            pub fn __call[T](_place: &mut T, _value: T) -> Called<exchange::replace, T>;
+        }
+    }
+}
+
 /// `map` of an array.
 #[allow(missing_docs)]
 pub trait ArrayBuiltins<T, const N: usize>: Sized {

@@ -14,13 +14,16 @@ use super::syntax::{bare, compared, gives_pairs, is_ended, is_plain, names};
 use super::walk::Lowering;
 use super::{refuse, sort};
 
+/// The modules of core whose functions have companions, and these functions.
+const OF_CORE: [(&str, [&str; 2]); 2] = [("mem", ["swap", "replace"]), ("cmp", ["max", "min"])];
+
 impl Lowering<'_> {
     /// The expansion of an expression; none if it stands for itself.
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
             syn::Expr::Call(it) => {
-                return self.exchanged(it).or_else(|| self.extreme_of_two(it));
+                return self.of_core(it);
             }
             syn::Expr::Range(it) => return held(it),
             syn::Expr::ForLoop(it) => return in_two(it),
@@ -46,57 +49,27 @@ impl Lowering<'_> {
         }
     }
 
-    /// `core::mem::swap(&mut a, &mut b)`, `core::mem::replace(&mut a, value)`, `core::mem::take(&mut a)`: the
-    /// assignments.
-    fn exchanged(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
-        let name = self.function_of("mem", it)?;
-        let arguments: Vec<_> = it.args.iter().collect();
-        let whole = syn::Expr::Call(it.clone());
-        let kept = self.fresh_in("kept", &whole);
-        match (name.as_str(), arguments.as_slice()) {
-            ("swap", [one, other]) => {
-                let [one_name, other_name] = ["one", "other"].map(|it| self.fresh_in(it, &whole));
-                let ((first, one), (second, other)) =
-                    (lent(one, &one_name)?, lent(other, &other_name)?);
-                Some(parse_quote! {
-                    { #first #second let #kept = #one; #one = #other; #other = #kept; }
-                })
-            }
-            ("take", [place]) => {
-                let (named, place) = lent(place, &self.fresh_in("place", &whole))?;
-                let default: syn::Expr = parse_quote! { Default::default() };
-                Some(parse_quote! { { #named let #kept = #place; #place = #default; #kept } })
-            }
-            ("replace", [place, value]) => {
-                let (named, place) = lent(place, &self.fresh_in("place", &whole))?;
-                if is_plain(value) {
-                    return Some(parse_quote! {
-                        { #named let #kept = #place; #place = #value; #kept }
-                    });
-                }
-                if moves(value, &place) {
-                    return None;
-                }
-                let next = self.fresh_in("next", &whole);
-                // The place is chosen before the value is computed, and either may fault.
-                Some(parse_quote! {
-                    { #named let #kept = #place; let #next = #value; #place = #next; #kept }
-                })
-            }
-            _ => None,
-        }
-    }
-
-    /// `core::cmp::max(a, b)`, `core::cmp::min(a, b)`: by the companions that these have.
-    fn extreme_of_two(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
-        let name = self.function_of("cmp", it)?;
-        if !["max", "min"].contains(&name.as_str()) {
-            return None;
-        }
+    /// `core::mem::swap(&mut a, &mut b)`, `core::cmp::max(a, b)`: by the companions that these have.
+    fn of_core(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
         let span = syn::spanned::Spanned::span(&it.func);
-        let (name, arguments) = (syn::Ident::new(&name, span), &it.args);
-        let path = quote::quote_spanned! { span => ::bessemer::generate::cmp::#name };
-        Some(parse_quote! { #path(#arguments) })
+        let mut arguments = it.args.clone();
+        for (module, names) in OF_CORE {
+            let Some(name) = self.function_of(module, it) else { continue };
+            let name = match name.as_str() {
+                "take" => {
+                    arguments.push(parse_quote! { Default::default() });
+                    "replace"
+                }
+                name => name,
+            };
+            if !names.contains(&name) {
+                return None;
+            }
+            let [module, name] = [module, name].map(|it| syn::Ident::new(it, span));
+            let path = quote::quote_spanned! { span => ::bessemer::generate::#module::#name };
+            return Some(parse_quote! { #path(#arguments) });
+        }
+        None
     }
 
     /// The name of what is called, if that is a function of Rust's `module` by its path.
@@ -379,37 +352,6 @@ fn copied_within(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
             parse_quote! { #array.#method(#from, usize::saturating_add(#to, 1), #place) }
         }
     })
-}
-
-/// The place that `&mut place`, or a name for one, lends; behind a `let` of `name` where it may not be written twice.
-fn lent(expr: &syn::Expr, name: &syn::Ident) -> Option<(Option<syn::Stmt>, syn::Expr)> {
-    match bare(expr) {
-        syn::Expr::Reference(it) if it.mutability.is_none() => None,
-        syn::Expr::Reference(it) if is_place(&it.expr) => Some((None, (*it.expr).clone())),
-        reference @ syn::Expr::Reference(_) => {
-            Some((Some(parse_quote! { let #name = #reference; }), parse_quote! { *#name }))
-        }
-        syn::Expr::Path(it) => Some((None, parse_quote! { *#it })),
-        _ => None,
-    }
-}
-
-/// Whether an expression is a place whose indices are plain.
-fn is_place(expr: &syn::Expr) -> bool {
-    match bare(expr) {
-        syn::Expr::Index(it) => is_place(&it.expr) && is_plain(&it.index),
-        syn::Expr::Field(it) => is_place(&it.base),
-        other => is_plain(other),
-    }
-}
-
-/// Whether computing `value` may change which place `place` is.
-fn moves(value: &syn::Expr, place: &syn::Expr) -> bool {
-    match bare(place) {
-        syn::Expr::Index(it) => may_change(value, &it.index) || moves(value, &it.expr),
-        syn::Expr::Field(it) => moves(value, &it.base),
-        _ => false,
-    }
 }
 
 /// `first..=last` as a value: what Rust makes of it.

@@ -106,14 +106,27 @@ bessemer_status_t own_names_taken(uint8_t ring[4], uint64_t at, uint8_t by, uint
     if (at >= UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
     }
-    const uint8_t kept = ring[at];
     if (by == 0U) {
         return BESSEMER_STATUS_DIVISION_BY_ZERO;
     }
-    const uint8_t next = (uint8_t)(200U / by);
-    ring[at] = next;
+    const uint8_t value = (uint8_t)(200U / by);
+    const uint8_t kept = ring[at];
+    ring[at] = value;
     *result = kept;
     return BESSEMER_STATUS_OK;
+}
+
+void own_names_moved_on(uint8_t ring[4], uint8_t start, pair_u8_u8_t *result)
+{
+    uint32_t at = (uint32_t)(uint8_t)(start % 3U);
+    const uint32_t place_index = at;
+    at += 1U;
+    const uint8_t value = (uint8_t)(start / 2U);
+    const uint8_t kept = ring[place_index];
+    ring[place_index] = value;
+    const uint8_t before = kept;
+    result->first = before;
+    result->second = ring[at];
 }
 
 /* own_names.h */

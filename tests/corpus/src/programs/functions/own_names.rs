@@ -82,3 +82,14 @@ pub fn turn([x, y]: &mut [f64; 2], (mut turns, by): (u8, f64)) -> u8 {
 pub fn taken(ring: &mut [u8; 4], at: usize, by: u8) -> u8 {
     core::mem::replace(&mut ring[at], 200 / by)
 }
+
+/// What stood where an index points that moves on before the new value is there.
+#[function]
+pub fn moved_on(ring: &mut [u8; 4], start: u8) -> (u8, u8) {
+    let mut at = usize::from(start % 3);
+    let before = core::mem::replace(&mut ring[at], {
+        at += 1;
+        start / 2
+    });
+    (before, ring[at])
+}
