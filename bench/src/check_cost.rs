@@ -113,15 +113,23 @@ pub(crate) fn spread(mut times: Vec<f64>) -> [f64; 3] {
 
 /// Processor seconds of all children that have ended (`proc(5)`: `cutime` and `cstime`).
 pub(crate) fn children_seconds() -> Result<f64, String> {
+    seconds(&[13, 14])
+}
+
+/// The same, and those of this process itself (`utime` and `stime`).
+pub(crate) fn all_seconds() -> Result<f64, String> {
+    seconds(&[11, 12, 13, 14])
+}
+
+fn seconds(wanted: &[usize]) -> Result<f64, String> {
     let stat = fs::read_to_string("/proc/self/stat").map_err(|error| error.to_string())?;
     let fields: Vec<&str> =
         stat.rsplit(')').next().unwrap_or_default().split_whitespace().collect();
-    let ticks = |index: usize| fields.get(index).and_then(|field| field.parse::<f64>().ok());
-    match (ticks(13), ticks(14)) {
-        // The kernel reports to user space in hundredths, whatever its own clock.
-        (Some(user), Some(system)) => Ok((user + system) / 100.0),
-        _ => Err("/proc/self/stat has no times".into()),
-    }
+    let ticks = |index: &usize| fields.get(*index).and_then(|field| field.parse::<f64>().ok());
+    let all: Option<Vec<f64>> = wanted.iter().map(ticks).collect();
+    // The kernel reports to user space in hundredths, whatever its own clock.
+    let seconds = all.map(|all| all.iter().sum::<f64>() / 100.0);
+    seconds.ok_or_else(|| "/proc/self/stat has no times".into())
 }
 
 /// A package of `functions` functions of 22 lines, as a model has them.

@@ -22,6 +22,7 @@ pub mod elementary;
 pub mod equality;
 pub mod generation;
 pub mod kernels;
+pub mod long;
 pub mod onboard;
 pub mod rebuild;
 pub mod threads;

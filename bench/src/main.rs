@@ -8,7 +8,7 @@ use bench::check_cost::{self, Size};
 use bench::kernels::reasons::Reasons;
 use bench::kernels::results::Results;
 use bench::kernels::{machine, plot, report, run, stored};
-use bench::{accuracy_points, elementary, equality, generation, onboard, rebuild, threads};
+use bench::{accuracy_points, elementary, equality, generation, long, onboard, rebuild, threads};
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
@@ -50,6 +50,8 @@ enum Part {
     Rebuild,
     /// How long a generation takes, by the number of functions
     Generation,
+    /// What the generation of one long function costs
+    Long,
     /// Instructions of a control period of the onboard software on the Cortex-A9
     Onboard,
     /// Large kernels on one thread and on two
@@ -77,12 +79,13 @@ const AGAIN: &str = "measured again";
 /// A measurement: prints its table, and writes its results unless it is a short run.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 9] = [
+const PARTS: [(Part, Measurement); 10] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
     (Part::Rebuild, rebuild),
     (Part::Generation, generation),
+    (Part::Long, long),
     (Part::Onboard, onboard),
     (Part::Threads, on_threads),
     (Part::Equality, equality),
@@ -244,6 +247,15 @@ fn generation(arguments: &Arguments) -> Result<(), String> {
     bar.finish_and_clear();
     println!("{}", found.table());
     arguments.write("generation", &found.json())
+}
+
+fn long(arguments: &Arguments) -> Result<(), String> {
+    let runs = if arguments.quick { 1 } else { 5 };
+    let bar = ProgressBar::new(3 * runs as u64).with_message("generating");
+    let found = long::measure(runs, || bar.inc(1))?;
+    bar.finish_and_clear();
+    println!("{}", found.table());
+    arguments.write("long", &found.json())
 }
 
 fn elementary(arguments: &Arguments) -> Result<(), String> {

@@ -92,8 +92,8 @@ pub mod prelude {
         TryFromBuiltin as _, TryIntoBuiltin as _, UnsignedBuiltins as _,
     };
     pub use super::operators::{
-        __operand, __operands, __operated, __placed, __settled, OtherOperands as _,
-        OwnOperands as _,
+        __both, __computed, __named, __named_left, __named_right, __operand, __operands,
+        __operated, __placed, __settled, OtherOperands as _, OwnOperands as _,
     };
     pub use super::option::{
         ArrayBuiltins as _, BoolBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _,

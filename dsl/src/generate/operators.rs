@@ -15,7 +15,7 @@ use bessemer_ir::tree::{self, Callee, Implied, Ty};
 use nalgebra::SMatrix;
 
 use super::builder::Builder;
-use super::slot::{ScalarType, Slot};
+use super::slot::{ScalarType, Seen, Slot};
 use super::spatial;
 
 /// The traits that are called by no name and no operator of one's own.
@@ -142,6 +142,21 @@ pub fn __operands<O, A, B>(_: &Slot<A>, _: &Slot<B>) -> Operands<O, A, B> {
     Operands(PhantomData)
 }
 
+/// The same of operands that have a name, the left one, the right one or both.
+pub fn __named_left<O, A, B>(_: &A, _: &Slot<B>) -> Operands<O, A, B> {
+    Operands(PhantomData)
+}
+
+/// See [`__named_left`].
+pub fn __named_right<O, A, B>(_: &Slot<A>, _: &B) -> Operands<O, A, B> {
+    Operands(PhantomData)
+}
+
+/// See [`__named_left`].
+pub fn __named<O, A, B>(_: &A, _: &B) -> Operands<O, A, B> {
+    Operands(PhantomData)
+}
+
 /// Every type. Of its [`Type`](Itself::Type) rustc expects nothing before it knows the type itself.
 pub trait Itself {
     /// The same.
@@ -187,6 +202,17 @@ pub fn __operand<T: Itself>(_: &Slot<T>, _: T) -> T::Type {
 
 /// Tells a slot the type of a place.
 pub fn __placed<T>(_: &Slot<T>, _: &T) {}
+
+/// Passes the value of an operator through, its type into the second slot, and which function it is into the first: one call in place of
+/// two, since rustc's time goes with the calls.
+pub fn __computed<M, R>(_: &Slot<M>, _: &Slot<R>, value: R, _: Slot<M>) -> R {
+    value
+}
+
+/// Passes an operand through, and its type into both slots, into the second one without the lifetime of a reference.
+pub fn __both<T: Seen>(_: &Slot<T>, _: &Slot<T::Slot>, value: T) -> T {
+    value
+}
 
 /// Passes the value of an operator through, and which function it is into the slot.
 pub fn __operated<M, R>(_: &Slot<M>, value: R, _: Slot<M>) -> R {

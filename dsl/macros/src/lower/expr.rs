@@ -35,6 +35,8 @@ impl Lowering<'_> {
                 }
                 slot
             }
+            // The operator lets it see.
+            (ExprKind::Binary(op, ..), true) if operator::sign(*op).is_some() => Some(self.slot()),
             (_, true) => Some(self.see(expr)),
             _ => None,
         };
@@ -313,10 +315,11 @@ impl Lowering<'_> {
             return (UNIT, false);
         };
         self.chained = operator::sign(op).is_some() && operator::is_operator(&it.left);
-        let left = self.operand(op, &mut it.left, Side::Left);
+        let (left, first) = self.operand(op, &mut it.left, Side::Left);
         let before = std::mem::take(&mut self.before);
-        let right = self.operand(op, &mut it.right, Side::Right);
+        let (right, second) = self.operand(op, &mut it.right, Side::Right);
         self.before = before;
+        self.sides = [first, second];
         (ExprKind::Binary(op, Box::new(left), Box::new(right)), operator::sign(op).is_some())
     }
 

@@ -16,13 +16,24 @@ use super::names::{GENERATING, own_name, slot_name, span};
 use super::walk::Lowering;
 
 impl Lowering<'_> {
-    /// An operand: a slot sees its type.
-    pub(super) fn operand(&mut self, op: BinaryOp, expr: &mut syn::Expr, side: Side) -> tree::Expr {
-        let operand = self.glanced(op, expr);
-        if sign(op).is_some() {
-            side.sees(expr);
+    /// An operand: a slot sees its type, unless it is a name, of which the type can be asked as well.
+    pub(super) fn operand(
+        &mut self,
+        op: BinaryOp,
+        expr: &mut syn::Expr,
+        side: Side,
+    ) -> (tree::Expr, Option<syn::Ident>) {
+        let (operand, glanced) = self.glanced(op, expr);
+        if sign(op).is_none() {
+            return (operand, None);
         }
-        operand
+        let name = name_of(&operand, expr);
+        match (&name, glanced) {
+            (None, _) => side.sees(glanced, expr),
+            (Some(_), Some(slot)) => self.glance_in(slot, expr),
+            (Some(_), None) => {}
+        }
+        (operand, name)
     }
 
     /// The value of `place op= value`. Of a place that takes computing to name, nobody asks for a function.
@@ -32,19 +43,24 @@ impl Lowering<'_> {
         place: &tree::Expr,
         expr: &mut syn::Expr,
     ) -> tree::Expr {
-        let value = self.glanced(op, expr);
-        if is_named(place) && sign(op).is_some() {
-            Side::Right.sees(expr);
+        let (value, glanced) = self.glanced(op, expr);
+        match glanced {
+            _ if is_named(place) && sign(op).is_some() => Side::Right.sees(glanced, expr),
+            Some(slot) => self.glance_in(slot, expr),
+            None => {}
         }
         value
     }
 
-    fn glanced(&mut self, op: BinaryOp, expr: &mut syn::Expr) -> tree::Expr {
+    /// An operand, and the slot that is still to see it, if one is.
+    fn glanced(&mut self, op: BinaryOp, expr: &mut syn::Expr) -> (tree::Expr, Option<u32>) {
         let mut operand = self.value(expr);
-        if sign(op).is_some() && operand.slot.is_none() && !is_literal(&operand) {
-            operand.slot = Some(self.glance(expr));
+        if sign(op).is_none() || operand.slot.is_some() || is_literal(&operand) {
+            return (operand, None);
         }
-        operand
+        operand.slot = Some(self.slot());
+        let slot = operand.slot;
+        (operand, slot)
     }
 
     /// Notes an operator, whose value is in `slot`; `chained`: it is the left operand of another.
@@ -55,6 +71,8 @@ impl Lowering<'_> {
         expr: &mut syn::Expr,
         chained: bool,
     ) {
+        let names = std::mem::take(&mut self.sides);
+        let operates = matches!(kind, ExprKind::Binary(..));
         let (at, operands, of) = match (kind, slot) {
             (ExprKind::Binary(op, left, right), Some(slot)) if let Some(sign) = sign(*op) => {
                 (slot, vec![left.slot, right.slot], String::from(sign))
@@ -76,13 +94,36 @@ impl Lowering<'_> {
         if GENERATING {
             let own = own_name(self.operators.len());
             let of = syn::Ident::new(&of, Span::call_site());
-            let sides = [Side::Left.name(), Side::Right.name()];
-            let sides = &sides[..operands.len()];
-            let (first, second) = (sides.first(), sides.last());
-            let value = quote_spanned! { span(expr) =>
-                #(let #sides = [];)*
-                __operated(&#own, #expr, __settled(&__operands::<::bessemer::generate::sign::#of, _, _>(&#first, &#second)).__own())
+            let asks = match &names {
+                [None, None] => "__operands",
+                [Some(_), None] => "__named_left",
+                [None, Some(_)] => "__named_right",
+                [Some(_), Some(_)] => "__named",
             };
+            let asks = syn::Ident::new(asks, Span::call_site());
+            let mut sides = Vec::new();
+            let [left, right] = names;
+            let mut side = |name: Option<syn::Ident>, side: Side| {
+                name.unwrap_or_else(|| {
+                    sides.push(side.name());
+                    side.name()
+                })
+            };
+            let first = side(left, Side::Left);
+            let second = match operands.len() {
+                1 => first.clone(),
+                _ => side(right, Side::Right),
+            };
+            let function = quote_spanned! { span(expr) =>
+                __settled(&#asks::<::bessemer::generate::sign::#of, _, _>(&#first, &#second)).__own()
+            };
+            let value = if operates {
+                let slot = slot_name(at);
+                quote_spanned! { span(expr) => __computed(&#own, &#slot, #expr, #function) }
+            } else {
+                quote_spanned! { span(expr) => __operated(&#own, #expr, #function) }
+            };
+            let value = quote_spanned! { span(expr) => #(let #sides = [];)* #value };
             *expr = syn::Expr::Verbatim(if chained {
                 let name = syn::Ident::new("__before", Span::mixed_site());
                 self.before.push(quote_spanned! { span(expr) => let #name = { #value }; });
@@ -128,11 +169,14 @@ impl Side {
         syn::Ident::new(name, Span::call_site())
     }
 
-    /// Lets the slot see an operand.
-    fn sees(self, expr: &mut syn::Expr) {
+    /// Lets the slot see an operand, and one of the function that has not yet.
+    fn sees(self, glanced: Option<u32>, expr: &mut syn::Expr) {
         if GENERATING {
             let name = self.name();
-            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __see(&#name, #expr) });
+            *expr = syn::Expr::Verbatim(match glanced.map(slot_name) {
+                Some(slot) => quote_spanned! { span(expr) => __both(&#name, &#slot, #expr) },
+                None => quote_spanned! { span(expr) => __see(&#name, #expr) },
+            });
         }
     }
 }
@@ -212,6 +256,15 @@ fn is_literal(expr: &tree::Expr) -> bool {
         ExprKind::Int(_, suffix) | ExprKind::Float(_, suffix) => suffix.is_none(),
         ExprKind::Unary(_, operand) => is_literal(operand),
         _ => false,
+    }
+}
+
+/// The name in the witness copy of an operand that has one there: a local, or what stands in a statement before.
+fn name_of(operand: &tree::Expr, expr: &syn::Expr) -> Option<syn::Ident> {
+    match (&operand.kind, expr) {
+        (ExprKind::Local(_), syn::Expr::Path(it)) => it.path.get_ident().cloned(),
+        (ExprKind::Binary(..), syn::Expr::Verbatim(tokens)) => syn::parse2(tokens.clone()).ok(),
+        _ => None,
     }
 }
 

@@ -27,6 +27,8 @@ pub struct Lowering<'a> {
     pub operators: Vec<tree::Operator>,
     /// Whether what is lowered next is the left operand of an operator.
     pub(super) chained: bool,
+    /// The names that the operands of the operator have that is being lowered, where they are names.
+    pub(super) sides: [Option<syn::Ident>; 2],
     /// The statements of the witness copy before the operator that is being lowered: those of its left operand.
     pub(super) before: Vec<TokenStream>,
     /// Where each statement of the body begins in the witness copy, and where the last ends.
@@ -87,6 +89,7 @@ impl<'a> Lowering<'a> {
             callees: 0,
             operators: Vec::new(),
             chained: false,
+            sides: [None, None],
             before: Vec::new(),
             begins: Vec::new(),
             constants: Vec::new(),
@@ -182,11 +185,15 @@ impl<'a> Lowering<'a> {
     /// The same for a value with references in it, of which a slot holds the type without their lifetime.
     pub(super) fn glance(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
+        self.glance_in(slot, expr);
+        slot
+    }
+
+    pub(super) fn glance_in(&self, slot: u32, expr: &mut syn::Expr) {
         if GENERATING {
             let name = slot_name(slot);
             *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __glance(&#name, #expr) });
         }
-        slot
     }
 
     pub(super) fn see_in(&self, slot: u32, expr: &mut syn::Expr) {
