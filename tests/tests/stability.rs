@@ -31,51 +31,53 @@ fn only_what_must_move_moves() {
     // The tool's version: the manifest alone.
     assert_eq!(moved(&before, &generate("99.0.0")), ["manifest.json"]);
 
-    // A comment on top of a model: the map of its lines, no C.
+    // A comment on top of a model: the map of its lines, no C. A constant: the one C file that uses it, and there one line.
+    // A new model that uses what is there, and a name of a constant that is there, too: its own files, and the manifest
+    // that lists them. All three in one build, since they are seen apart.
     replace(
         "//! How hard to push: the height loop",
         "// A comment.\n//! How hard to push: the height loop",
     );
-    let commented = generate(version);
-    assert_eq!(moved(&before, &commented), ["height.c.map", "height.h.map"]);
-
-    // A constant: the one C file that uses it, and there one line.
     replace("NEAR: f64 = 0.1;", "NEAR: f64 = 0.15;");
-    let nearer = generate(version);
-    assert_eq!(moved(&commented, &nearer), ["touch_down.c"]);
-    let lines = commented["touch_down.c"].lines().zip(nearer["touch_down.c"].lines());
+    let model = "//! Counts.\nuse crate::signals::Target;\nuse bessemer::prelude::*;\n\n\
+        /// On the moon, m/s².\nconst GRAVITY: f64 = 1.62;\n\n\
+        /// Counts landings.\n#[component]\n#[derive(Clone, Debug, Default, PartialEq)]\n\
+        pub struct Counter {\n    /// How many.\n    pub landings: f64,\n}\n\n#[component]\n\
+        impl Counter {\n    /// One period.\n    #[entry(infallible)]\n    \
+        pub fn step(&mut self, target: &Target) {\n        if target.land {\n            \
+        self.landings += GRAVITY;\n        }\n    }\n}\n";
+    fs::write(copy.folder().join("src/counter.rs"), model).expect("a source file");
+    replace("pub mod height;", "pub mod counter;\npub mod height;");
+    let changed = generate(version);
+    let files = [
+        "counter.c",
+        "counter.c.map",
+        "counter.h",
+        "counter.h.map",
+        "height.c.map",
+        "height.h.map",
+        "manifest.json",
+        "touch_down.c",
+    ];
+    assert_eq!(moved(&before, &changed), files);
+    let lines = before["touch_down.c"].lines().zip(changed["touch_down.c"].lines());
     assert_eq!(lines.filter(|(one, other)| one != other).count(), 1);
 
     // A shared type: the files that name it, and there the lines that name it.
     replace("Target", "Goal");
     let renamed = generate(version);
-    let naming: Vec<String> = nearer
+    let naming: Vec<String> = changed
         .iter()
         .filter(|(name, text)| !name.ends_with(".map") && text.contains("target_t"))
         .map(|(name, _)| name.clone())
         .collect();
-    let mut sources = moved(&nearer, &renamed);
+    let mut sources = moved(&changed, &renamed);
     sources.retain(|name| !name.ends_with(".map"));
     assert_eq!(sources, naming);
     for name in &naming {
         let back = renamed[name].replace("goal", "target");
         // A shorter name may let two lines be joined; nothing else may change.
         let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(joined(&back), joined(&nearer[name]), "{name}");
+        assert_eq!(joined(&back), joined(&changed[name]), "{name}");
     }
-
-    // A new model that uses what is there, and a name of a constant that is there, too: its own files,
-    // and the manifest that lists them.
-    let model = "//! Counts.\nuse crate::signals::Goal;\nuse bessemer::prelude::*;\n\n\
-        /// On the moon, m/s².\nconst GRAVITY: f64 = 1.62;\n\n\
-        /// Counts landings.\n#[component]\n#[derive(Clone, Debug, Default, PartialEq)]\n\
-        pub struct Counter {\n    /// How many.\n    pub landings: f64,\n}\n\n#[component]\n\
-        impl Counter {\n    /// One period.\n    #[entry(infallible)]\n    \
-        pub fn step(&mut self, goal: &Goal) {\n        if goal.land {\n            \
-        self.landings += GRAVITY;\n        }\n    }\n}\n";
-    fs::write(copy.folder().join("src/counter.rs"), model).expect("a source file");
-    replace("pub mod height;", "pub mod counter;\npub mod height;");
-    let added = generate(version);
-    let new = ["counter.c", "counter.c.map", "counter.h", "counter.h.map", "manifest.json"];
-    assert_eq!(moved(&renamed, &added), new);
 }
