@@ -74,6 +74,8 @@ pub mod exchange;
 #[doc(hidden)]
 pub mod generate;
 mod instance;
+#[doc(hidden)]
+pub mod iterate;
 pub mod linear;
 mod list;
 #[doc(hidden)]

@@ -73,11 +73,3 @@ pub enum Kind {
     /// Nothing.
     Plain,
 }
-
-/// Folded.
-#[function]
-pub fn folded(values: &[f64; 3]) -> f64 {
-    let mark = values.iter().fold(Mark, |mark, _| mark);
-    let _ = mark;
-    values[0]
-}

@@ -2,15 +2,14 @@
 //!
 //! Methods that stand for a `match` are functions of the library ([`rewrite`](super::rewrite)).
 
+use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
 use bessemer_ir::tree::{
-    self, Block, Builtin, Desugared, Expr, ExprKind, Gather, NO_SLOT, Pattern, Start, Stmt,
+    self, Block, Builtin, Desugared, EACH, Expr, ExprKind, Pattern, Start, Stmt, Together,
 };
 
+use super::items::handing;
 use super::lowering::Lowering;
 use super::rewrite::rewritten;
-
-/// A name that no author can write.
-const PAYLOAD: &str = "%value";
 
 impl Lowering<'_, '_> {
     /// What a call stands for; none if `expr` is something else.
@@ -20,7 +19,7 @@ impl Lowering<'_, '_> {
         }
         let (Builtin::Desugared(method), arguments) = self.builtin_call(expr)? else { return None };
         match method {
-            Desugared::Gather(end) => ended(end, arguments.first()?, expr),
+            Desugared::Together(how) => Some(together(how, arguments.first()?, expr)),
             Desugared::ArrayMap => mapped(&arguments[0], arguments.get(1)?, expr),
             // What is lent stands where it stands.
             Desugared::AsRef => arguments.first().cloned(),
@@ -36,10 +35,6 @@ fn parts(closure: &Expr) -> Option<(Pattern, &Expr)> {
         }
         _ => None,
     }
-}
-
-fn named() -> Pattern {
-    Pattern::Name { name: PAYLOAD.into(), slot: NO_SLOT, mutable: false, inner: None }
 }
 
 /// `array.map(|x| …)`: a loop that assigns each element.
@@ -69,51 +64,34 @@ fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
     Some(Expr { kind, site, slot: expr.slot })
 }
 
-/// `items.next()`, `items.last()`, `items.count()`, `items.sum()` of what a function gives: a loop that keeps, counts or
-/// adds up what comes.
-fn ended(end: Gather, items: &Expr, expr: &Expr) -> Option<Expr> {
-    let (site, slot) = (expr.site, expr.slot);
-    let of = |kind, slot| Expr { kind, site, slot };
-    let plain = |kind| Expr { kind, site, slot: None };
-    let begun = |value| Start::Value(Box::new(value));
-    let first = end == Gather::Next;
-    let item = plain(ExprKind::Local(PAYLOAD.into()));
-    let (name, pattern, start, op, value) = match end {
-        Gather::Sum => ("%sum", named(), Start::Sum, Some(tree::BinaryOp::Add), item),
-        Gather::Product => ("%product", named(), Start::Product, Some(tree::BinaryOp::Mul), item),
-        Gather::Count => {
-            let number = |digits: &str| {
-                let size = Some(bessemer_ir::Scalar::Int(bessemer_ir::Int::Usize));
-                plain(ExprKind::Int(digits.into(), size))
-            };
-            ("%count", Pattern::Any, begun(number("0")), Some(tree::BinaryOp::Add), number("1"))
-        }
-        Gather::Next | Gather::Last => {
-            let option = |case: &str, parts| of(ExprKind::Constructor(case.into(), parts), slot);
-            (
-                if first { "%next" } else { "%last" },
-                named(),
-                begun(option("None", Vec::new())),
-                None,
-                option("Some", vec![item]),
-            )
-        }
+/// `items.sum()`, `items.product()`: a loop that adds each item to what it has so far, or multiplies by it.
+fn together(how: Together, items: &Expr, expr: &Expr) -> Expr {
+    let plain = |kind| Expr { kind, site: expr.site, slot: None };
+    let (name, start, op) = match how {
+        Together::Sum => ("%sum", Start::Sum, tree::BinaryOp::Add),
+        Together::Product => ("%product", Start::Product, tree::BinaryOp::Mul),
     };
-    let kept = Box::new(plain(ExprKind::Local(name.into())));
-    let mut stmts = vec![Stmt::Expr(plain(ExprKind::Assign(op, kept, Box::new(value))))];
-    if first {
-        stmts.push(Stmt::Expr(plain(ExprKind::Break(None, None))));
+    let mut each = handing(items).body;
+    Taken(&|item| {
+        let so_far = Box::new(plain(ExprKind::Local(name.into())));
+        ExprKind::Assign(Some(op), so_far, Box::new(item))
+    })
+    .expr(&mut each);
+    Expr { slot: expr.slot, ..plain(ExprKind::Fold { name: name.into(), start, each }) }
+}
+
+/// Puts what is done with an item in the place of handing it on.
+struct Taken<'f>(&'f dyn Fn(Expr) -> ExprKind);
+
+impl VisitMut for Taken<'_> {
+    fn expr(&mut self, expr: &mut Expr) {
+        match &mut expr.kind {
+            ExprKind::Apply(name, items) if name == EACH => {
+                if let Some(item) = items.pop() {
+                    expr.kind = (self.0)(item);
+                }
+            }
+            _ => walk_expr_mut(self, expr),
+        }
     }
-    let part =
-        tree::Part { pattern, array: items.clone(), owned: false, group: None, reversed: false };
-    let each = plain(ExprKind::Each {
-        label: None,
-        index: None,
-        parts: vec![part],
-        order: tree::Order::Up,
-        cuts: Vec::new(),
-        body: Block { stmts, tail: None },
-    });
-    let kind = ExprKind::Fold { name: name.into(), start, each: Box::new(each) };
-    Some(Expr { kind, site, slot })
 }

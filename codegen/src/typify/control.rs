@@ -26,7 +26,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::If(condition, then, Some(otherwise)) => {
                 let span = self.span(expr.site);
                 if !has_let(condition) {
-                    let condition = self.value(condition, Some(&Type::BOOL))?;
+                    let condition = self.asked(condition)?;
                     if let Some(holds) = self.decided(&condition) {
                         let Block(stmts) = match holds {
                             true => self.block_into(then, target)?,
@@ -79,7 +79,7 @@ impl Lowering<'_, '_> {
         then: impl FnOnce(&mut Self) -> Result<Block>,
     ) -> Result<(Expr, Block)> {
         if !has_let(condition) {
-            return Ok((self.value(condition, Some(&Type::BOOL))?, then(self)?));
+            return Ok((self.asked(condition)?, then(self)?));
         }
         self.naming_scope(|inner| {
             let mut names = Vec::new();
@@ -203,7 +203,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::AssignEach(places, value) => self.assign_each(places, value),
             tree::ExprKind::If(condition, then, otherwise) => {
                 if !has_let(condition) {
-                    let condition = self.value(condition, Some(&Type::BOOL))?;
+                    let condition = self.asked(condition)?;
                     if let Some(holds) = self.decided(&condition) {
                         let Block(stmts) = match holds {
                             true => self.block_effect(then)?,
@@ -390,7 +390,7 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let tree::ExprKind::Local(name) = &place.kind else { return Ok(()) };
         let refers = match self.lookup(name, place.site)? {
-            Binding::Value(_) | Binding::Nothing => false,
+            Binding::Value(_) | Binding::Nothing | Binding::Unmade(_) => false,
             Binding::Alias(_) | Binding::Slice(_) => true,
             // One that may be written also stands for a variable that a closure writes.
             Binding::Local(root) => match self.locals[root.index()].mode {

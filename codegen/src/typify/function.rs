@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use bessemer_ir::tree::visit::{Visit, walk_expr};
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
     Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
@@ -295,6 +296,7 @@ impl Lowering<'_, '_> {
             Binding::Slice(slice) => slice.place(),
             Binding::Value(value) => return Ok(*value),
             Binding::Nothing => return Ok(self.nothing(site)),
+            Binding::Unmade(tuple) => return self.made(*tuple, site),
             Binding::Local(root) => {
                 let ty = self.locals[root.index()].ty.clone();
                 Place::local(root, ty, span)
@@ -425,13 +427,16 @@ impl Lowering<'_, '_> {
             self.bind(name, Binding::Nothing);
             return Ok(());
         }
-        if slot != NO_SLOT && self.slot_is_reference(slot, site)? {
+        if slot != NO_SLOT && self.slot_is_reference(slot, site)? && !self.gathers(name) {
             return self.alias(name, value, site);
         }
         let other = value.and_then(|value| self.in_place(value));
         let value = other.as_ref().or(value);
         let (ty, span) = match (slot, value) {
             (NO_SLOT, Some(value)) => (self.type_alone(value)?, self.span(site)),
+            _ if self.slot_is_reference(slot, site)? => {
+                (self.refers_to(slot, site)?, self.span(site))
+            }
             _ => (self.slot(slot, site)?, self.span(site)),
         };
         if ty == Type::Unit {
@@ -467,6 +472,25 @@ impl Lowering<'_, '_> {
         }
         self.naming = naming;
         Ok(())
+    }
+
+    /// Whether a name of a function that stands where it is called is that of a variable which is assigned: it holds what a
+    /// reference refers to, since what is assigned to it lies elsewhere.
+    fn gathers(&self, name: &str) -> bool {
+        struct Assigned<'n>(&'n str, bool);
+        impl Visit for Assigned<'_> {
+            fn expr(&mut self, expr: &tree::Expr) {
+                if let tree::ExprKind::Assign(None, place, _) = &expr.kind {
+                    self.1 |= matches!(&place.kind, tree::ExprKind::Local(name) if name == self.0);
+                }
+                walk_expr(self, expr);
+            }
+        }
+        let mut assigned = Assigned(name, false);
+        if self.source.tree.role == tree::Role::Expanded {
+            assigned.block(&self.source.tree.body);
+        }
+        assigned.1
     }
 
     /// The local that a value was put together in, and nothing else: it can have the author's name.

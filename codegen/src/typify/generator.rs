@@ -110,7 +110,12 @@ impl<'a> Lowering<'a, '_> {
         body: &tree::Block,
     ) -> Result<()> {
         let Generated { by, pattern, straight } = generated;
-        if !straight || order != Order::Up || !cuts.is_empty() {
+        let way = Way { order, counted: index.is_some() };
+        let plain = match &by {
+            By::Argument(handed) => way.of(&handed.closure.body),
+            By::Call(..) => None,
+        };
+        if !straight || (order != Order::Up && plain.is_none()) || !cuts.is_empty() {
             return problem(
                 site,
                 "what a function gives is gone through one by one in the DSL, and from the first on",
@@ -119,11 +124,15 @@ impl<'a> Lowering<'a, '_> {
         }
         self.naming_scope(|inner| {
             let mut body = body.clone();
+            let mut pattern = pattern.clone();
             if let Some(index) = index {
-                inner.count_items(index, &mut body, site)?;
+                match plain {
+                    Some(_) => pattern = tree::Pattern::Tuple(vec![named(index), pattern]),
+                    None => inner.count_items(index, &mut body, site)?,
+                }
             }
             let body = tree::Expr { kind: Tree::Block(body), site, slot: None };
-            let (name, parameters, body) = (None, vec![pattern.clone()], Box::new(body));
+            let (name, parameters, body) = (None, vec![pattern], Box::new(body));
             let closure = tree::Closure { name, parameters, body };
             let (captures, nothing) = (Vec::new(), Vec::new());
             let source = inner.source;
@@ -142,7 +151,7 @@ impl<'a> Lowering<'a, '_> {
                 By::Argument(handed) => {
                     let scope = Some(inner.scope());
                     let each = Handed { closure, source, captures, nothing, scope };
-                    let mut text = (*handed.closure.body).clone();
+                    let mut text = plain.unwrap_or_else(|| (*handed.closure.body).clone());
                     stands_for(said, &mut text);
                     inner.in_scope_of(&handed, Some(each), site, |inner| inner.effect(&text))
                 }
@@ -210,6 +219,54 @@ impl<'a> Lowering<'a, '_> {
         let begin = tree::Block { stmts: vec![named(NEXT, number("0"))], tail: None };
         self.stmts(&begin)
     }
+}
+
+/// How a loop goes through an iterator that is an argument.
+struct Way {
+    order: Order,
+    counted: bool,
+}
+
+impl Way {
+    /// A loop that hands on each element, going that way itself, each element with its index if they are counted; none if
+    /// that cannot be said of it.
+    fn of(&self, through: &tree::Expr) -> Option<tree::Expr> {
+        let mut text = through.clone();
+        let Tree::Each { index: own @ None, order, cuts, body, .. } = &mut text.kind else {
+            return None;
+        };
+        *order = match (*order, self.order, self.counted) {
+            (own, Order::Up, false) => own,
+            (own, Order::Down, false) if own != Order::Mirrored => match own {
+                Order::Up => Order::Down,
+                _ => Order::Up,
+            },
+            (Order::Up, Order::Up | Order::Down, true) if cuts.is_empty() => self.order,
+            (Order::Down, Order::Up, true) if cuts.is_empty() => Order::Mirrored,
+            _ => return None,
+        };
+        if self.counted {
+            let [Stmt::Expr(tree::Expr { kind: Tree::Apply(_, items), site, .. })] =
+                body.stmts.as_mut_slice()
+            else {
+                return None;
+            };
+            let of = |kind| tree::Expr { kind, site: *site, slot: None };
+            let counter = of(Tree::Local(COUNTER.into()));
+            let pair = std::iter::once(counter).chain(std::mem::take(items)).collect();
+            *items = vec![of(Tree::Tuple(pair))];
+            *own = Some(COUNTER.into());
+        }
+        Some(text)
+    }
+}
+
+/// The index of an element that is handed on.
+const COUNTER: &str = "i%";
+
+fn named(name: &str) -> tree::Pattern {
+    let (name, slot) = (name.to_owned(), NO_SLOT);
+    tree::Pattern::Name { name, slot, mutable: false, inner: None }
 }
 
 /// The number of the next item.

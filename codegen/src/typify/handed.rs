@@ -76,7 +76,7 @@ impl<'a> Lowering<'a, '_> {
             let local = matches!(binding, Binding::Local(_));
             let place = match binding {
                 Binding::Alias(place) => Some(place),
-                Binding::Slice(_) | Binding::Value(_) => None,
+                Binding::Slice(_) | Binding::Value(_) | Binding::Unmade(_) => None,
                 Binding::Nothing => {
                     nothing.push(name);
                     continue;
@@ -227,6 +227,19 @@ impl<'a> Lowering<'a, '_> {
         Ok(held)
     }
 
+    /// A condition: what a closure says that is inlined is looked at at once, and need not be held.
+    pub(super) fn asked(&mut self, condition: &tree::Expr) -> Result<Expr> {
+        match &condition.kind {
+            tree::ExprKind::Apply(name, arguments) if self.stands_here(condition) => {
+                self.applied(name, arguments, condition.site, Self::body_value)
+            }
+            tree::ExprKind::Unary(tree::UnaryOp::Not, inner) if self.stands_here(inner) => {
+                Ok(self.asked(inner)?.negated())
+            }
+            _ => self.value(condition, Some(&Type::BOOL)),
+        }
+    }
+
     /// The same, its value where it goes.
     pub(super) fn apply_into(
         &mut self,
@@ -269,9 +282,16 @@ impl<'a> Lowering<'a, '_> {
             };
             // An item is what it is where it comes from; but a pair that has one name is a value.
             let whole = matches!(parameter, Some(tree::Pattern::Name { .. }))
-                && matches!(argument.kind, tree::ExprKind::Tuple(_));
+                && matches!(argument.kind, tree::ExprKind::Tuple(_))
+                && handed.source.tree.role != tree::Role::Expanded;
             if name == tree::EACH && !whole {
                 subjects.push(self.item(argument, parameter)?);
+                continue;
+            }
+            if let (Some(tree::Pattern::Tuple(_)), Some(parts)) =
+                (parameter, self.parts_named(argument))
+            {
+                subjects.push(parts);
                 continue;
             }
             let (lent, expected) = match taken {
@@ -361,15 +381,32 @@ impl<'a> Lowering<'a, '_> {
             if let (tree::Pattern::Name { name, mutable: false, inner: None, .. }, Some(place)) =
                 (pattern, place)
             {
-                if place.steps.is_empty() && stays.is_some_and(|own| place.root.index() >= own) {
-                    self.locals[place.root.index()].name.clone_from(name);
-                }
+                self.name_own(pattern, &Subject::Place(place.clone()), stays);
                 self.alias_to(name, place);
                 continue;
             }
+            self.name_own(pattern, subject, stays);
             self.test(pattern, subject, closure.body.site, &mut names)?;
         }
         self.bind_names(&names)
+    }
+
+    /// Gives locals of what calls a closure the names that the closure's author gives them.
+    fn name_own(&mut self, pattern: &tree::Pattern, subject: &Subject, stays: Option<usize>) {
+        match (pattern, subject) {
+            (tree::Pattern::Tuple(patterns), Subject::Parts(parts)) => {
+                for (pattern, part) in patterns.iter().zip(parts) {
+                    self.name_own(pattern, part, stays);
+                }
+            }
+            (
+                tree::Pattern::Name { name, mutable: false, inner: None, .. },
+                Subject::Place(place),
+            ) if place.steps.is_empty() && stays.is_some_and(|own| place.root.index() >= own) => {
+                self.locals[place.root.index()].name.clone_from(name);
+            }
+            _ => {}
+        }
     }
 
     fn body_value(&mut self, closure: &tree::Closure) -> Result<Expr> {

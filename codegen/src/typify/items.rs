@@ -5,6 +5,7 @@
 //!
 //! Must not know: how an iterator is gone through ([`generator`](super::generator)).
 
+use bessemer_ir::tree::visit::{Visit, walk_expr};
 use bessemer_ir::tree::{self, EACH, ExprKind as Tree, NO_SLOT, Order, Stmt, Ty};
 use bessemer_ir::{Int, Mode, Scalar};
 
@@ -14,7 +15,7 @@ use super::lowering::{Binding, Lowering};
 
 /// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
 /// types to see what it is, a loop through it.
-fn handing(argument: &tree::Expr) -> tree::Closure {
+pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     if let Tree::Closure(closure) = &argument.kind {
         return closure.clone();
     }
@@ -37,6 +38,26 @@ fn handing(argument: &tree::Expr) -> tree::Closure {
     let (order, cuts) = (Order::Up, Vec::new());
     let each = Tree::Each { label: None, index: None, parts: vec![part], order, cuts, body };
     tree::Closure { name: None, parameters: Vec::new(), body: Box::new(plain(each)) }
+}
+
+/// Whether a variable of that name is written to, or lent to be.
+fn is_changed(name: &str, body: &tree::Block) -> bool {
+    struct Changed<'n>(&'n str, bool);
+    impl Visit for Changed<'_> {
+        fn expr(&mut self, expr: &tree::Expr) {
+            let written = match &expr.kind {
+                Tree::Assign(_, place, _) | Tree::Ref(true, place) => Some(&**place),
+                Tree::AssignEach(..) => None,
+                _ => return walk_expr(self, expr),
+            };
+            // Of what several places are assigned to, any may be meant.
+            self.1 |= written.is_none_or(|it| matches!(&it.kind, Tree::Local(it) if it == self.0));
+            walk_expr(self, expr);
+        }
+    }
+    let mut changed = Changed(name, false);
+    changed.block(body);
+    changed.1
 }
 
 /// The type of a count.
@@ -91,7 +112,12 @@ impl Lowering<'_, '_> {
     }
 
     fn settle_number(&mut self, number: &mut tree::Expr, name: &str, ty: &Ty) -> Result<()> {
-        if matches!(number.kind, Tree::Int(..)) {
+        let stays = match &number.kind {
+            Tree::Int(..) => true,
+            Tree::Local(name) => !is_changed(name, &self.source.tree.body),
+            _ => false,
+        };
+        if stays {
             return Ok(());
         }
         let given = self.given((name, false), ty, number)?;

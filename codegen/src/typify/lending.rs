@@ -384,7 +384,7 @@ impl<'a> Lowering<'a, '_> {
         let ty = self.cx.value_type(ty, argument.site)?;
         let value = self.value(argument, Some(&ty))?;
         match value.kind {
-            _ if mutable || !self.is_steady(&value) => {
+            _ if mutable || !(self.is_steady(&value) || is_constant(&value)) => {
                 self.own(name, value, mutable, argument.site)
             }
             ExprKind::Load(place) => Ok(Binding::Alias(place)),
@@ -410,5 +410,14 @@ impl<'a> Lowering<'a, '_> {
             self.held.remove(&place.root);
         }
         Ok(Binding::Alias(place))
+    }
+}
+
+/// Whether a value is made of literals and constants.
+fn is_constant(value: &Expr) -> bool {
+    match &value.kind {
+        ExprKind::Literal(_) | ExprKind::Const(_) => true,
+        ExprKind::Struct(parts) | ExprKind::Array(parts) => parts.iter().all(is_constant),
+        _ => false,
     }
 }

@@ -12,6 +12,7 @@ use bessemer_ir::{Expr, Local, LocalId, Place, Stmt, Type};
 use super::Context;
 use super::elements::Slice;
 use super::regions::Lenders;
+use super::subject::Unmade;
 
 /// The owner of temporaries where nothing has a name.
 pub(super) const UNNAMED: &str = "value";
@@ -66,6 +67,8 @@ pub(super) enum Binding {
     Value(Box<Expr>),
     /// A zero-sized value.
     Nothing,
+    /// A tuple that is never made.
+    Unmade(Box<Unmade>),
 }
 
 /// Where a value goes.

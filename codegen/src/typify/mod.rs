@@ -72,6 +72,7 @@ mod stepped;
 mod subject;
 mod syntax;
 mod types;
+mod unmade;
 mod views;
 mod within;
 

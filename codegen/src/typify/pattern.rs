@@ -16,7 +16,7 @@ use super::generic::Case;
 use super::lowering::{Binding, Lowering};
 use super::nothing::At;
 use super::order::is_settled;
-use super::subject::{Named, Stands, Subject};
+use super::subject::{Named, Stands, Subject, Unmade};
 use super::syntax::is_rest;
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
@@ -55,10 +55,18 @@ impl Lowering<'_, '_> {
             }
             return Ok(Subject::Parts(subjects));
         }
+        if let Some(parts) = self.parts_named(expr) {
+            return Ok(parts);
+        }
         if let Some(lent) = self.lent(expr)? {
             return Ok(lent);
         }
-        let value = self.value(expr, None)?;
+        // A number that is written out is of the type that rustc saw.
+        let expected = match expr.slot.and_then(|slot| self.source.slots.get(slot as usize)) {
+            Some(tree::Ty::Scalar(scalar)) => Some(Type::Scalar(*scalar)),
+            _ => None,
+        };
+        let value = self.value(expr, expected.as_ref())?;
         self.value_subject(value, expr.site)
     }
 
@@ -151,6 +159,20 @@ impl Lowering<'_, '_> {
                     all = both(all, next);
                 }
                 Ok(all)
+            }
+            (
+                tree::Pattern::Name { name, slot, mutable: false, inner: None },
+                Subject::Parts(_),
+            ) if *slot != NO_SLOT && self.source.tree.role == tree::Role::Expanded => {
+                // One that lends to be changed has no type of its own, and is only taken apart.
+                let value = match self.slot(*slot, site) {
+                    Ok(ty) => self.whole(subject, &ty, site),
+                    Err(_) => None,
+                };
+                let parts = subject.clone();
+                let (name, stands) = (name.clone(), Stands::Whole(Unmade { parts, value }));
+                names.push(Named { name, slot: *slot, mutable: false, stands, site });
+                Ok(None)
             }
             _ => problem(
                 site,
@@ -443,6 +465,9 @@ impl Lowering<'_, '_> {
                 Stands::Part(part) => self.bind(&named.name, Binding::Slice(part.clone())),
                 Stands::Place(place) => self.alias_to(&named.name, place.clone()),
                 Stands::Nothing => self.bind(&named.name, Binding::Nothing),
+                Stands::Whole(tuple) => {
+                    self.bind(&named.name, Binding::Unmade(Box::new(tuple.clone())));
+                }
             }
         }
     }
@@ -470,6 +495,10 @@ impl Lowering<'_, '_> {
                 }
                 Stands::Nothing => {
                     self.bind(&named.name, Binding::Nothing);
+                    continue;
+                }
+                Stands::Whole(tuple) => {
+                    self.bind(&named.name, Binding::Unmade(Box::new(tuple.clone())));
                     continue;
                 }
                 Stands::Place(place) => place,

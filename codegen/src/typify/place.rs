@@ -34,7 +34,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Local(name) => Ok(Some(match self.lookup(name, expr.site)? {
                 Binding::Alias(place) => place,
                 Binding::Slice(slice) => slice.place(),
-                Binding::Value(_) | Binding::Nothing => return Ok(None),
+                Binding::Value(_) | Binding::Nothing | Binding::Unmade(_) => return Ok(None),
                 Binding::Local(root) => {
                     let ty = self.locals[root.index()].ty.clone();
                     Place::local(root, ty, span)
@@ -242,6 +242,7 @@ impl Lowering<'_, '_> {
                 Binding::Slice(slice) => slice.ty(),
                 Binding::Value(value) => value.ty,
                 Binding::Nothing => Type::Unit,
+                Binding::Unmade(tuple) => self.made(*tuple, expr.site)?.ty,
                 Binding::Local(root) => self.locals[root.index()].ty.clone(),
             }),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place_type(inner),

@@ -136,7 +136,7 @@ impl Lowering<'_, '_> {
                     }
                 },
                 Binding::Alias(place) => self.slice_at(place, expr.site)?,
-                Binding::Value(_) | Binding::Nothing => None,
+                Binding::Value(_) | Binding::Nothing | Binding::Unmade(_) => None,
             }),
             tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.slice(inner),
             tree::ExprKind::Slice(base, from, to, inclusive) => {

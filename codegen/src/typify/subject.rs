@@ -30,6 +30,15 @@ pub(super) struct Named {
     pub site: Site,
 }
 
+/// A tuple that is never made.
+#[derive(Clone)]
+pub(super) struct Unmade {
+    /// Its parts, side by side.
+    pub parts: Subject,
+    /// Its value, if it can be one.
+    pub value: Option<Expr>,
+}
+
 /// The meaning of a name.
 #[derive(Clone)]
 pub(super) enum Stands {
@@ -37,6 +46,8 @@ pub(super) enum Stands {
     Place(Place),
     /// Several elements.
     Part(Box<Slice>),
+    /// A tuple that is never made.
+    Whole(Unmade),
     /// A zero-sized value.
     Nothing,
 }

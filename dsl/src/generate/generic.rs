@@ -16,26 +16,9 @@ use super::builtin::{FloatBuiltins, OrderBuiltins};
 use super::elementary::ElementaryBuiltins;
 use super::matrices::told;
 use super::numbers::{FloatKindBuiltins, SignBuiltins};
-use super::slot::{Called, DslType};
+use super::slot::{Called, Companion, DslType};
 use crate::linear::norms;
 use crate::math::{Real, constants};
-
-/// The function behind a companion.
-trait Companion {
-    fn callee(self, cx: &mut Builder) -> tree::Callee;
-}
-
-macro_rules! companions_of {
-    ($($($argument:ident),*;)*) => {$(
-        impl<M: Callee, R, $($argument),*> Companion for fn($($argument),*) -> Called<M, R> {
-            fn callee(self, cx: &mut Builder) -> tree::Callee {
-                M::callee(cx)
-            }
-        }
-    )*};
-}
-
-companions_of! { ; A; A, B; A, B, C; }
 
 fn is_single<T: DslType>(cx: &mut Builder) -> bool {
     T::ty(cx) == Ty::Scalar(Scalar::Float(Float::F32))

@@ -3,21 +3,16 @@
 
 #![allow(missing_docs)]
 
+use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, Desugared, Gather, Ty};
+use bessemer_ir::tree::{self, Desugared, Together, Ty};
 
 use super::builder::{Builder, Callee};
 use super::builtin::markers;
-use super::slot::{Called, DslType, Seen};
-
-markers! {
-    Next: Desugared(Desugared::Gather(Gather::Next));
-    Last: Desugared(Desugared::Gather(Gather::Last));
-    Count: Desugared(Desugared::Gather(Gather::Count));
-    Sum: Desugared(Desugared::Gather(Gather::Sum));
-    Product: Desugared(Desugared::Gather(Gather::Product));
-}
+use super::slot::{Called, Companion, DslType, Exclusive, Seen, Shared, Value};
+use crate::Plain;
+use crate::iterate;
 
 /// What the companion of a function gives that gives an iterator of `T`, and what the builder of one that takes it has.
 pub struct Items<T>(PhantomData<T>);
@@ -76,20 +71,151 @@ impl<T> Seen for Items<T> {
     type Slot = Items<()>;
 }
 
-impl<T> Items<T> {
-    pub fn __b_next(&mut self) -> Called<Next, Option<T>> {
+/// A reference is a value where a function stands in place: it is what it refers to.
+macro_rules! references {
+    ($($reference:ident)*) => {$(
+        impl<T: ?Sized> Seen for $reference<T> {
+            type Slot = $reference<T>;
+        }
+
+        impl<T: ?Sized> PartialEq for $reference<T> {
+            fn eq(&self, _: &Self) -> bool {
+                unreachable!("a witness copy is never run")
+            }
+        }
+
+        impl<T: ?Sized> PartialOrd for $reference<T> {
+            fn partial_cmp(&self, _: &Self) -> Option<Ordering> {
+                unreachable!("a witness copy is never run")
+            }
+        }
+
+        impl<T: ?Sized> Plain for $reference<T> {
+            const WORDS: usize = 0;
+            fn store(&self, _: &mut dyn FnMut(u64)) {}
+            fn load(_: &mut dyn FnMut() -> u64) -> Self {
+                unreachable!("a witness copy is never run")
+            }
+        }
+    )*};
+}
+
+references! { Shared Exclusive }
+
+/// The type of an item in a slot.
+type Item<I> = <<I as Iterator>::Item as Seen>::Slot;
+
+/// The marker of a function of what an iterator ends in, by what it is generic over.
+macro_rules! ends {
+    ($($marker:ident<$($of:ident $(: $bound:path)?),+>: $function:ident($($parameter:ty),*);)*) => {$(
+        #[doc = concat!("The marker of `", stringify!($function), "`.")]
+        pub struct $marker<$($of),+>(PhantomData<($($of,)+)>);
+        impl<$($of: Value $(+ $bound)?),+> Callee for $marker<$($of),+> {
+            fn callee(cx: &mut Builder) -> tree::Callee {
+                let function = iterate::$function::__call as fn($($parameter),*) -> _;
+                Companion::callee(function, cx)
+            }
+        }
+    )*};
+}
+
+ends! {
+    Count<T>: count(Items<T>);
+    Fold<T, A>: fold(Items<T>, A, fn(A, T) -> A);
+    Any<T>: any(Items<T>, fn(T) -> bool);
+    All<T>: all(Items<T>, fn(T) -> bool);
+    Find<T>: find(Items<T>, fn(&T) -> bool);
+    Last<T>: last(Items<T>);
+    Next<T>: next(Items<T>);
+    Nth<T>: nth(Items<T>, usize);
+    Position<T>: position(Items<T>, fn(T) -> bool);
+    Rposition<T>: rposition(Items<T>, fn(T) -> bool);
+    Max<T: PartialOrd>: max(Items<T>);
+    Min<T: PartialOrd>: min(Items<T>);
+    ForEach<T>: for_each(Items<T>, fn(T));
+    Reduce<T>: reduce(Items<T>, fn(T, T) -> T);
+}
+
+markers! {
+    Sum: Desugared(Desugared::Together(Together::Sum));
+    Product: Desugared(Desugared::Together(Together::Product));
+}
+
+/// What iterators end in.
+pub trait Ends: Iterator<Item: Seen> + Sized {
+    fn __b_sum<S: core::iter::Sum<Self::Item>>(self) -> Called<Sum, S> {
         unreachable!()
     }
-    pub fn __b_last(self) -> Called<Last, Option<T>> {
+    fn __b_product<P: core::iter::Product<Self::Item>>(self) -> Called<Product, P> {
         unreachable!()
     }
-    pub fn __b_sum<S: core::iter::Sum<T>>(self) -> Called<Sum, S> {
+    fn __b_for_each<F: FnMut(Self::Item)>(self, _: F) -> Called<ForEach<Item<Self>>, ()> {
         unreachable!()
     }
-    pub fn __b_product<P: core::iter::Product<T>>(self) -> Called<Product, P> {
+    fn __b_reduce<F: FnMut(Self::Item, Self::Item) -> Self::Item>(
+        self,
+        _: F,
+    ) -> Called<Reduce<Item<Self>>, Option<Self::Item>> {
         unreachable!()
     }
-    pub fn __b_count(self) -> Called<Count, usize> {
+    fn __b_nth(self, _: usize) -> Called<Nth<Item<Self>>, Option<Self::Item>> {
+        unreachable!()
+    }
+    fn __b_position<F: FnMut(Self::Item) -> bool>(
+        self,
+        _: F,
+    ) -> Called<Position<Item<Self>>, Option<usize>> {
+        unreachable!()
+    }
+    fn __b_rposition<F: FnMut(Self::Item) -> bool>(
+        self,
+        _: F,
+    ) -> Called<Rposition<Item<Self>>, Option<usize>>
+    where
+        Self: DoubleEndedIterator + ExactSizeIterator,
+    {
+        unreachable!()
+    }
+    fn __b_max(self) -> Called<Max<Item<Self>>, Option<Self::Item>>
+    where
+        Self::Item: Ord,
+    {
+        unreachable!()
+    }
+    fn __b_min(self) -> Called<Min<Item<Self>>, Option<Self::Item>>
+    where
+        Self::Item: Ord,
+    {
+        unreachable!()
+    }
+    fn __b_count(self) -> Called<Count<Item<Self>>, usize> {
+        unreachable!()
+    }
+    fn __b_fold<A: Seen, F: FnMut(A, Self::Item) -> A>(
+        self,
+        _: A,
+        _: F,
+    ) -> Called<Fold<Item<Self>, A::Slot>, A> {
+        unreachable!()
+    }
+    fn __b_any<F: FnMut(Self::Item) -> bool>(self, _: F) -> Called<Any<Item<Self>>, bool> {
+        unreachable!()
+    }
+    fn __b_all<F: FnMut(Self::Item) -> bool>(self, _: F) -> Called<All<Item<Self>>, bool> {
+        unreachable!()
+    }
+    fn __b_find<F: FnMut(&Self::Item) -> bool>(
+        self,
+        _: F,
+    ) -> Called<Find<Item<Self>>, Option<Self::Item>> {
+        unreachable!()
+    }
+    fn __b_last(self) -> Called<Last<Item<Self>>, Option<Self::Item>> {
+        unreachable!()
+    }
+    fn __b_next(self) -> Called<Next<Item<Self>>, Option<Self::Item>> {
         unreachable!()
     }
 }
+
+impl<I: Iterator<Item: Seen>> Ends for I {}

@@ -373,3 +373,21 @@ impl<T: DslType, const N: usize> DslType for List<T, N> {
 impl<T, const N: usize> Seen for List<T, N> {
     type Slot = List<T, N>;
 }
+
+/// The function behind a companion.
+pub(super) trait Companion {
+    /// Builds it, and names it.
+    fn callee(self, cx: &mut Builder) -> tree::Callee;
+}
+
+macro_rules! companions_of {
+    ($($($argument:ident),*;)*) => {$(
+        impl<M: Callee, R, $($argument),*> Companion for fn($($argument),*) -> Called<M, R> {
+            fn callee(self, cx: &mut Builder) -> tree::Callee {
+                M::callee(cx)
+            }
+        }
+    )*};
+}
+
+companions_of! { ; A; A, B; A, B, C; }

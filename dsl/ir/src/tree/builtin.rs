@@ -135,12 +135,12 @@ builtins! {
     /// Methods that stand for a `match` or a loop in the author's own language.
     Desugared {
         ArrayMap, AsRef,
-        /// What a loop through an iterator gathers.
-        Gather(Gather),
+        /// The items of an iterator together, by an operator.
+        Together(Together),
     }
 
-    /// What a loop through an iterator gathers.
-    Gather { Next, Last, Count, Sum, Product, }
+    /// What becomes of numbers or matrices together.
+    Together { Sum, Product, }
 }
 
 impl Parts {

@@ -118,7 +118,7 @@ impl Lowering<'_> {
     }
 
     /// Wraps a call of a companion so that a slot learns which function it is.
-    fn take<T: WitnessCall + Spanned>(&mut self, call: &mut T) -> u32 {
+    pub(super) fn take<T: WitnessCall + Spanned>(&mut self, call: &mut T) -> u32 {
         let callee = self.callees;
         self.callees += 1;
         if GENERATING {
@@ -173,7 +173,7 @@ fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
 }
 
 /// A call that can be wrapped where it stands.
-trait WitnessCall {
+pub(super) trait WitnessCall {
     fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident);
 }
 

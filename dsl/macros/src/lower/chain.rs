@@ -6,6 +6,7 @@
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Start, UnaryOp};
 use bessemer_ir::{Int, Scalar};
 
+use super::call::companion_name;
 use super::closure::{closure_of, closure_parameter, in_full};
 use super::each::Way;
 use super::flow::{Flow, Item, Over, Step, Takes};
@@ -14,15 +15,17 @@ use super::made::{UNIT, plain};
 use super::names::{place, text};
 use super::syntax::{is_ended, is_linked, is_made_of_plain};
 use super::walk::Lowering;
-use super::{each, refuse, search};
+use super::{each, refuse};
 
 /// The ends of a chain, and how many arguments each takes.
-const ENDS: [(&str, usize); 15] = [
+const ENDS: [(&str, usize); 17] = [
     ("sum", 0),
     ("product", 0),
     ("count", 0),
     ("fold", 2),
     ("try_fold", 2),
+    ("reduce", 1),
+    ("for_each", 1),
     ("any", 1),
     ("all", 1),
     ("min", 0),
@@ -45,43 +48,27 @@ impl Lowering<'_> {
         if !ENDS.contains(&(end.as_str(), arguments)) || !is_chain(it) {
             return None;
         }
-        let node = it.method.clone();
+        if end != "try_fold" {
+            return Some(self.end(it));
+        }
         let before = self.refusals.len();
-        if end != "nth" {
-            it.args.last_mut().into_iter().for_each(|it| in_full(it, end.ends_with("fold")));
-        }
-        if search::ENDS.contains(&end.as_str()) {
-            let kind = self.scoped(|walk| walk.search(it, &end));
-            if kind.is_none() && self.refusals.len() == before {
-                self.refusals.add(&node, refuse::CHAIN);
-            }
-            return Some(kind.unwrap_or(UNIT));
-        }
-        let kind = self.scoped(|walk| {
-            let start = match end.as_str() {
-                "sum" => Start::Sum,
-                "product" => Start::Product,
-                "fold" => Start::Value(Box::new(walk.value(&mut it.args[0]))),
-                "try_fold" => Start::Tried(Box::new(walk.value(&mut it.args[0]))),
-                "count" => Start::Value(Box::new(plain(ExprKind::Int("0".into(), None), &node))),
-                end => Start::Value(Box::new(plain(ExprKind::Bool(end == "all"), &node))),
-            };
-            let mut flow = walk.flow(&mut it.receiver)?;
-            let name = match end.as_str() {
-                "fold" => walk.accumulator(&it.args[1])?,
-                "try_fold" => walk.hidden("tried"),
-                "any" => walk.hidden("found"),
-                "all" => walk.hidden("every"),
-                other => walk.hidden(other),
-            };
-            let last = walk.last(it, &mut flow, &end, &name)?;
-            let each = Box::new(plain(flow.into_loop(last, None), &node));
-            Some(ExprKind::Fold { name, start, each })
-        });
+        let kind = self.scoped(|walk| walk.tried(it));
         if kind.is_none() && self.refusals.len() == before {
-            self.refusals.add(&node, refuse::CHAIN);
+            self.refusals.add(&it.method, refuse::CHAIN);
         }
         Some(kind.unwrap_or(UNIT))
+    }
+
+    /// The end of a chain: a call of the library's function of that name.
+    fn end(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
+        let mut arguments = vec![self.items_argument(&mut it.receiver)];
+        let of_two = it.method == "fold" || it.method == "reduce";
+        if it.method != "nth" {
+            it.args.last_mut().into_iter().for_each(|last| in_full(last, of_two));
+        }
+        arguments.extend(it.args.iter_mut().map(|argument| self.argument(argument)));
+        it.method = companion_name(&it.method);
+        ExprKind::Call(self.take(it), arguments)
     }
 
     /// `for x in values.iter().filter(…)`: the body is what the chain ends in.
@@ -106,87 +93,29 @@ impl Lowering<'_> {
         kind
     }
 
-    /// The name of what `fold` gathers; one of its own where the author takes it apart.
-    fn accumulator(&mut self, argument: &syn::Expr) -> Option<String> {
-        let syn::Expr::Closure(closure) = argument else { return None };
-        Some(match closure_parameter(closure.inputs.first()?) {
-            Some(name) => self.bind_apart(&text(&name)),
-            None => self.hidden("gathered"),
-        })
-    }
-
-    /// A pass of `fold` or `try_fold`: what comes of what was gathered so far and of the item.
-    fn taken_further(
-        &mut self,
-        flow: &mut Flow,
-        closure: &mut syn::ExprClosure,
-        name: &str,
-        tries: bool,
-    ) -> Option<tree::Expr> {
-        let (pattern, mut looks) = (closure.inputs.first()?.clone(), Vec::new());
-        if tries || closure_parameter(&pattern).is_none() {
-            let value = plain(ExprKind::Local(name.to_owned()), &pattern);
-            let mut taken = self.pattern_apart(&pattern, &mut looks);
-            if tries {
-                taken = tree::Pattern::Constructor(tree::GOES_ON.into(), vec![taken]);
-            }
-            let (site, pattern, otherwise) = (value.site, Box::new(taken), None);
-            flow.steps.push(Step::Do(tree::Stmt::Apart { pattern, value, otherwise, site }));
-        }
-        self.through_with(flow, closure, (1, Takes::Items), looks)
-    }
-
-    /// The work of the last link in each pass.
-    fn last(
-        &mut self,
-        it: &mut syn::ExprMethodCall,
-        flow: &mut Flow,
-        end: &str,
-        name: &str,
-    ) -> Option<tree::Stmt> {
+    /// `items.try_fold(start, |so_far, item| …)`: what comes of what was gathered so far and of the item, until nothing does.
+    fn tried(&mut self, it: &mut syn::ExprMethodCall) -> Option<ExprKind> {
         let node = it.method.clone();
-        let gathered = || Box::new(plain(ExprKind::Local(name.to_owned()), &node));
-        let assign = |op, value| {
-            tree::Stmt::Expr(plain(ExprKind::Assign(op, gathered(), Box::new(value)), &node))
-        };
-        Some(match end {
-            "sum" | "product" => {
-                let op = if end == "sum" { BinaryOp::Add } else { BinaryOp::Mul };
-                let value = self.item_value(flow, &mut it.receiver)?;
-                assign(Some(op), value)
-            }
-            "count" => {
-                self.passed_by(flow, &mut it.receiver)?;
-                assign(Some(BinaryOp::Add), plain(ExprKind::Int("1".into(), None), &node))
-            }
-            "fold" => {
-                let closure = closure_of(it.args.get_mut(1)?)?;
-                let value = self.taken_further(flow, closure, name, false)?;
-                assign(None, value)
-            }
-            "try_fold" => {
-                let closure = closure_of(it.args.get_mut(1)?)?;
-                let value = self.taken_further(flow, closure, name, true)?;
-                flow.steps.push(Step::Do(assign(None, value)));
-                let pattern =
-                    tree::Pattern::Constructor(tree::GOES_ON.into(), vec![tree::Pattern::Any]);
-                let stop = tree::Stmt::Expr(plain(ExprKind::Break(None, None), &node));
-                let otherwise = Some(tree::Block { stmts: vec![stop], tail: None });
-                let (pattern, value) = (Box::new(pattern), *gathered());
-                tree::Stmt::Apart { pattern, site: value.site, value, otherwise }
-            }
-            end => {
-                let closure = closure_of(it.args.get_mut(0)?)?;
-                let mut condition = self.through(flow, closure, (0, Takes::Items))?;
-                if end == "all" {
-                    condition = plain(ExprKind::Unary(UnaryOp::Not, Box::new(condition)), &node);
-                }
-                let told = assign(None, plain(ExprKind::Bool(end == "any"), &node));
-                let stop = tree::Stmt::Expr(plain(ExprKind::Break(None, None), &node));
-                let then = tree::Block { stmts: vec![told, stop], tail: None };
-                tree::Stmt::Expr(plain(ExprKind::If(Box::new(condition), then, None), &node))
-            }
-        })
+        it.args.last_mut().into_iter().for_each(|last| in_full(last, true));
+        let start = Start::Tried(Box::new(self.value(&mut it.args[0])));
+        let mut flow = self.flow(&mut it.receiver)?;
+        let name = self.hidden("tried");
+        let gathered = || plain(ExprKind::Local(name.clone()), &node);
+        let goes_on = |part| Box::new(tree::Pattern::Constructor(tree::GOES_ON.into(), vec![part]));
+        let closure = closure_of(it.args.get_mut(1)?)?;
+        let (mut looks, site) = (Vec::new(), gathered().site);
+        let taken = self.pattern_apart(&closure.inputs.first()?.clone(), &mut looks);
+        let (pattern, value, otherwise) = (goes_on(taken), gathered(), None);
+        flow.steps.push(Step::Do(tree::Stmt::Apart { pattern, value, otherwise, site }));
+        let next = self.through_with(&mut flow, closure, (1, Takes::Items), looks)?;
+        let next = ExprKind::Assign(None, Box::new(gathered()), Box::new(next));
+        flow.steps.push(Step::Do(tree::Stmt::Expr(plain(next, &node))));
+        let stop = tree::Stmt::Expr(plain(ExprKind::Break(None, None), &node));
+        let otherwise = Some(tree::Block { stmts: vec![stop], tail: None });
+        let (pattern, value) = (goes_on(tree::Pattern::Any), gathered());
+        let last = tree::Stmt::Apart { pattern, value, otherwise, site };
+        let each = Box::new(plain(flow.into_loop(last, None), &node));
+        Some(ExprKind::Fold { name, start, each })
     }
 
     pub(super) fn flow(&mut self, expr: &mut syn::Expr) -> Option<Flow> {

@@ -305,19 +305,6 @@ impl Lowering<'_> {
         (name, slot)
     }
 
-    /// The items of a chain, of which nothing is asked but to be there.
-    pub(super) fn passed_by(&mut self, flow: &mut Flow, receiver: &mut syn::Expr) -> Option<()> {
-        match &flow.item {
-            Item::Number => self.item_value(flow, receiver).map(drop),
-            Item::Named(_) | Item::Pair(..) | Item::Taken => Some(()),
-            // Also what a closure computes is computed, and may be nothing.
-            _ => {
-                let mut any = syn::parse_quote!(_);
-                self.name_item(flow, (&mut any, Takes::Items), &mut Vec::new())
-            }
-        }
-    }
-
     /// The items of a chain, as a value.
     pub(super) fn item_value(
         &mut self,

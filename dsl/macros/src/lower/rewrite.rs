@@ -34,7 +34,6 @@ impl Lowering<'_> {
             ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1) if is_ended(it, true) => {
                 self.extreme(it)
             }
-            ("for_each" | "reduce", 1) => self.ended(it),
             ("get" | "get_mut", 1) => gotten(it),
             ("copy_within", 2) => copied_within(it),
             _ if sort::sorts(it) => {

@@ -51,8 +51,8 @@ bessemer_status_t chain_links_leading_number(const uint8_t text[6], uint32_t *re
 
 bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start, option_i32_t *result)
 {
-    option_i32_t max = {.is_some = false};
     int32_t level = start;
+    option_i32_t max = {.is_some = false};
     for (uint32_t i = 0U; i < 6U; i++) {
         option_i32_t result_choice;
         if ((int64_t)level + (int64_t)flows[i] < INT32_MIN
@@ -70,8 +70,7 @@ bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start, opt
         if (result_choice.is_some) {
             const int32_t value = result_choice.value;
             if (max.is_some) {
-                const int32_t best = max.value;
-                if (value > best) {
+                if (value > max.value) {
                     max.is_some = true;
                     max.value = value;
                 }
@@ -98,18 +97,17 @@ float chain_links_folded(const float samples[4], const float coefficients[4])
 
 void chain_links_places(const uint16_t readings[6], pair_option_u16_option_usize_t *result)
 {
+    uint64_t left = UINT64_C(1);
     result->first.is_some = false;
     result->first.value = 0U;
-    uint64_t left = UINT64_C(1);
     for (uint32_t i = 0U; i < 6U; i++) {
         if (readings[i] < 4096U) {
             if (left == UINT64_C(0)) {
                 result->first.is_some = true;
                 result->first.value = readings[i];
                 break;
-            } else {
-                left -= UINT64_C(1);
             }
+            left -= UINT64_C(1);
         }
     }
     result->second.is_some = false;

@@ -32,9 +32,8 @@ void closure_patterns_next(const closure_patterns_track_t tracks[6], uint64_t af
         }
     }
     if (find.is_some) {
-        const uint64_t i = find.value.first;
         result->is_some = true;
-        result->value = i;
+        result->value = find.value.first;
     } else {
         result->is_some = false;
         result->value = UINT64_C(0);

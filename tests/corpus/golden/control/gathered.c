@@ -40,10 +40,8 @@ void gathered_largest(const double values[4], uint64_t count, option_f64_t *resu
     for (uint32_t i = 0U; i < result_count; i++) {
         double reduced_choice;
         if (result->is_some) {
-            const double before = result->value;
-            const double gathered = before;
-            const double value = values[i];
-            reduced_choice = max_f64(gathered, value);
+            const double gathered = result->value;
+            reduced_choice = max_f64(gathered, values[i]);
         } else {
             reduced_choice = values[i];
         }
@@ -56,12 +54,10 @@ bessemer_status_t gathered_balance(const int32_t values[5], int32_t *result)
 {
     option_i32_t reduced = {.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
-        const int32_t item = values[i] / 2;
+        const int32_t x = values[i] / 2;
         int32_t reduced_choice;
         if (reduced.is_some) {
-            const int32_t before = reduced.value;
-            const int32_t so_far = before;
-            const int32_t x = item;
+            const int32_t so_far = reduced.value;
             if (so_far > x) {
                 if ((int64_t)so_far - (int64_t)x > INT32_MAX) {
                     return BESSEMER_STATUS_OVERFLOW;
@@ -74,17 +70,16 @@ bessemer_status_t gathered_balance(const int32_t values[5], int32_t *result)
                 reduced_choice = so_far + x;
             }
         } else {
-            reduced_choice = item;
+            reduced_choice = x;
         }
         reduced.is_some = true;
         reduced.value = reduced_choice;
     }
-    const option_i32_t result_choice = reduced;
-    int32_t result_choice_2 = 0;
-    if (result_choice.is_some) {
-        result_choice_2 = result_choice.value;
+    int32_t result_choice = 0;
+    if (reduced.is_some) {
+        result_choice = reduced.value;
     }
-    *result = result_choice_2;
+    *result = result_choice;
     return BESSEMER_STATUS_OK;
 }
 
@@ -92,16 +87,14 @@ void gathered_parity(uint8_t end, option_u8_t *result)
 {
     result->is_some = false;
     result->value = 0U;
-    for (uint8_t x = 0U; x < end; x++) {
-        if (x % 3U == 1U) {
+    for (uint8_t b = 0U; b < end; b++) {
+        if (b % 3U == 1U) {
             uint8_t reduced_choice;
             if (result->is_some) {
-                const uint8_t before = result->value;
-                const uint8_t a = before;
-                const uint8_t b = x;
+                const uint8_t a = result->value;
                 reduced_choice = (uint8_t)(a ^ b);
             } else {
-                reduced_choice = x;
+                reduced_choice = b;
             }
             result->is_some = true;
             result->value = reduced_choice;

@@ -64,14 +64,13 @@ bessemer_status_t numbered_weighted(const int16_t values[6], int16_t least, int6
 uint32_t numbered_every_second(uint8_t count)
 {
     const uint32_t squares_end = (uint32_t)count;
-    uint32_t a = 0U;
     uint32_t next = 0U;
+    uint32_t a = 0U;
     for (uint32_t x = 0U; x < squares_end; x++) {
-        const uint32_t item = x * x;
+        const uint32_t b = x * x;
         const uint32_t i = next;
         next += 1U;
         if (i % 2U == 1U) {
-            const uint32_t b = item;
             a ^= b;
         }
     }

@@ -41,6 +41,15 @@ pub fn points(points: &[Point; 3], limit: i16) -> i16 {
 }
 
 #[function]
+pub fn in_pairs(xs: &[i32; 6], ys: &[i32; 5], ends: &mut [i32; 3], limit: i32) -> usize {
+    let above = xs.windows(2).zip(ys).position(|(pair, y)| pair[1] > *y).unwrap_or(9);
+    ends.iter_mut().enumerate().for_each(|(i, end)| *end = limit ^ i as i32);
+    let all = xs.chunks(4).enumerate().all(|(i, chunk)| chunk.len() > 2 || i > 0);
+    let named = xs.iter().zip(ys).any(|pair| *pair.0 > *pair.1);
+    above + usize::from(all) + usize::from(named)
+}
+
+#[function]
 pub fn counted(xs: &mut [i32; 5], by: i32) -> i32 {
     let mut calls = 0;
     let mut next = |x: i32| {
@@ -91,4 +100,16 @@ pub fn generic(rows: &[[f32; 3]; 2], others: &[[f64; 2]; 2]) -> f64 {
     let [a, b] = means(rows);
     let [c, d] = means(others);
     (a - b).as_f64() + c * d + squares.iter().sum::<u16>() as f64
+}
+
+#[function]
+pub fn left(xs: &[i32; 5], limit: i32) -> i32 {
+    let mut sum = 0_i32;
+    xs.iter().for_each(|x| {
+        if *x < limit {
+            return;
+        }
+        sum ^= x;
+    });
+    sum
 }

@@ -183,3 +183,13 @@ pub fn made(n: u32) -> u32 {
     let slot: Slot = begun(n + 1);
     START.1 + START.3 + mark.code() + u32::from(slot.after)
 }
+
+#[function]
+pub fn folded(values: &[i32; 3], sum: &mut i32) -> i32 {
+    let nothing = values.iter().fold(Mark {}, |so_far, value| {
+        *sum ^= value;
+        so_far
+    });
+    let _ = nothing;
+    values[0]
+}

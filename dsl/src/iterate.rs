@@ -1,0 +1,219 @@
+//! What iterators end in, as functions of the DSL that are put where they are called: each is one loop.
+//!
+//! Must not know: where the items come from, or what a chain makes of them on the way.
+
+use crate::function;
+
+/// How many there are.
+#[function(expand)]
+pub fn count<T>(items: impl Iterator<Item = T>) -> usize {
+    let mut count = 0_usize;
+    for _ in items {
+        count += 1;
+    }
+    count
+}
+
+/// What `f` makes of all of them, one after the other.
+#[function(expand)]
+pub fn fold<T, A>(items: impl Iterator<Item = T>, start: A, mut f: impl FnMut(A, T) -> A) -> A {
+    let mut gathered = start;
+    for value in items {
+        gathered = f(gathered, value);
+    }
+    gathered
+}
+
+/// Whether one of them is as `f` asks.
+#[function(expand)]
+pub fn any<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> bool {
+    let mut found = false;
+    for item in items {
+        if f(item) {
+            found = true;
+            break;
+        }
+    }
+    found
+}
+
+/// Whether all of them are.
+#[function(expand)]
+pub fn all<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> bool {
+    let mut every = true;
+    for item in items {
+        if !f(item) {
+            every = false;
+            break;
+        }
+    }
+    every
+}
+
+/// The first that is as `f` asks.
+#[function(expand)]
+pub fn find<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(&T) -> bool) -> Option<T> {
+    let mut find = None;
+    for item in items {
+        if f(&item) {
+            find = Some(item);
+            break;
+        }
+    }
+    find
+}
+
+/// The last.
+#[function(expand)]
+pub fn last<T>(items: impl Iterator<Item = T>) -> Option<T> {
+    let mut last = None;
+    for value in items {
+        last = Some(value);
+    }
+    last
+}
+
+/// The first.
+#[function(expand)]
+pub fn next<T>(items: impl Iterator<Item = T>) -> Option<T> {
+    let mut next = None;
+    #[allow(clippy::never_loop)]
+    for value in items {
+        next = Some(value);
+        break;
+    }
+    next
+}
+
+/// The one that comes after `n` others.
+#[function(expand)]
+pub fn nth<T>(items: impl Iterator<Item = T>, n: usize) -> Option<T> {
+    let mut left = n;
+    let mut nth = None;
+    for value in items {
+        if left == 0 {
+            nth = Some(value);
+            break;
+        }
+        left -= 1;
+    }
+    nth
+}
+
+/// How many come before the first that is as `f` asks.
+#[function(expand)]
+pub fn position<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> Option<usize> {
+    let mut position = None;
+    for (i, item) in items.enumerate() {
+        if f(item) {
+            position = Some(i);
+            break;
+        }
+    }
+    position
+}
+
+/// How many come before the last that is as `f` asks.
+#[function(expand)]
+pub fn rposition<T>(
+    items: impl DoubleEndedIterator<Item = T> + ExactSizeIterator,
+    mut f: impl FnMut(T) -> bool,
+) -> Option<usize> {
+    let mut rposition = None;
+    for (i, item) in items.enumerate().rev() {
+        if f(item) {
+            rposition = Some(i);
+            break;
+        }
+    }
+    rposition
+}
+
+/// The greatest.
+#[function(expand)]
+pub fn max<T: PartialOrd>(items: impl Iterator<Item = T>) -> Option<T> {
+    let mut max = None;
+    for value in items {
+        if let Some(best) = &max {
+            if value > *best {
+                max = Some(value);
+            }
+        } else {
+            max = Some(value);
+        }
+    }
+    max
+}
+
+/// The least.
+#[function(expand)]
+pub fn min<T: PartialOrd>(items: impl Iterator<Item = T>) -> Option<T> {
+    let mut min = None;
+    for value in items {
+        if let Some(best) = &min {
+            if value < *best {
+                min = Some(value);
+            }
+        } else {
+            min = Some(value);
+        }
+    }
+    min
+}
+
+/// Does `f` to each.
+#[function(expand)]
+pub fn for_each<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T)) {
+    for item in items {
+        f(item);
+    }
+}
+
+/// What `f` makes of the first and of each of the others, one after the other.
+#[function(expand)]
+pub fn reduce<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T, T) -> T) -> Option<T> {
+    let mut reduced = None;
+    for item in items {
+        reduced = Some(match reduced {
+            Some(before) => f(before, item),
+            None => item,
+        });
+    }
+    reduced
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_gives_what_core_gives() {
+        let values = [3_u8, 9, 4, 9, 1, 4, 7];
+        for length in 0..=values.len() {
+            let part = &values[..length];
+            let items = || part.iter().copied();
+            assert_eq!(count(items()), items().count());
+            assert_eq!(last(items()), items().last());
+            assert_eq!(next(items()), items().next());
+            assert_eq!(max(items()), items().max());
+            assert_eq!(min(items()), items().min());
+            let joined = |so_far: u8, x: u8| so_far.wrapping_mul(5).wrapping_add(x);
+            assert_eq!(fold(items(), 2, joined), items().fold(2, joined));
+            assert_eq!(reduce(items(), joined), items().reduce(joined));
+            let (mut seen, mut expected) = (0, 0);
+            for_each(items(), |x| seen = joined(seen, x));
+            items().for_each(|x| expected = joined(expected, x));
+            assert_eq!(seen, expected);
+            for limit in 0..10 {
+                let above = |x: u8| x > limit;
+                assert_eq!(any(items(), above), items().any(above));
+                assert_eq!(all(items(), above), items().all(above));
+                assert_eq!(find(items(), |x| above(*x)), items().find(|x| above(*x)));
+                assert_eq!(position(items(), above), items().position(above));
+                assert_eq!(rposition(items(), above), items().rposition(above));
+                let n = usize::from(limit);
+                assert_eq!(nth(items(), n), items().nth(n));
+            }
+        }
+    }
+}
