@@ -41,10 +41,9 @@ fn drop_copy(block: &mut Vec<Stmt>, body: &[Stmt]) -> bool {
             return false;
         };
         let said = StmtKind::Expr(Expr::cast("void", Expr::name(&declarator.name)));
-        let elsewhere = |place| mentions(body, place) > 1;
-        next.kind == said
-            && mentions(rest, &declarator.name) == 0
-            && root(value).is_some_and(elsewhere)
+        // Names of other blocks count as one: of a name that two have, nothing is known.
+        let elsewhere = |place| reads(body, place) > 1 && declarations(body, place) <= 1;
+        next.kind == said && !names(rest, &declarator.name) && root(value).is_some_and(elsewhere)
     };
     if let Some(at) = (0..block.len()).find(unread) {
         block.drain(at..at + 2);
@@ -85,31 +84,70 @@ fn inner_mut(kind: &mut StmtKind) -> Vec<&mut Vec<Stmt>> {
     }
 }
 
-/// How often the variable is named, its declaration left aside.
-fn mentions(body: &[Stmt], name: &str) -> usize {
-    body.iter().map(|stmt| of_statement(&stmt.kind, name)).sum()
+/// Whether a variable of this name is read or written.
+fn names(body: &[Stmt], name: &str) -> bool {
+    body.iter().any(|stmt| {
+        let written = match &stmt.kind {
+            StmtKind::Assign(place, ..) | StmtKind::Build(place, ..) => of_expression(place, name),
+            _ => 0,
+        };
+        written + of_statement(&stmt.kind, name) > 0
+            || inner(&stmt.kind).into_iter().any(|block| names(block, name))
+    })
 }
 
+/// How many variables have this name.
+fn declarations(body: &[Stmt], name: &str) -> usize {
+    let count = |stmt: &Stmt| {
+        let own = match &stmt.kind {
+            StmtKind::Declare(declarator, _) => declarator.name == name,
+            StmtKind::For { init: (declarator, _), .. } => declarator.name == name,
+            _ => false,
+        };
+        let inner = inner(&stmt.kind).into_iter().map(|block| declarations(block, name));
+        usize::from(own) + inner.sum::<usize>()
+    };
+    body.iter().map(count).sum()
+}
+
+/// How often the variable is read: a write to it, or to a part of it, is none.
+fn reads(body: &[Stmt], name: &str) -> usize {
+    let inner_reads = |stmt: &Stmt| -> usize {
+        inner(&stmt.kind).into_iter().map(|block| reads(block, name)).sum()
+    };
+    body.iter().map(|stmt| of_statement(&stmt.kind, name) + inner_reads(stmt)).sum()
+}
+
+/// Reads in a statement but for the blocks in it.
 fn of_statement(kind: &StmtKind, name: &str) -> usize {
     let of = |expr: &Expr| of_expression(expr, name);
-    let own = match kind {
+    match kind {
         StmtKind::Declare(_, Some(init)) => of_init(init, name),
         StmtKind::Expr(value) | StmtKind::Return(Some(value)) => of(value),
-        StmtKind::Assign(place, _, value) => of(place) + of(value),
-        StmtKind::Build(place, _, init) => of(place) + of_init(init, name),
+        StmtKind::Assign(place, _, value) => of_written(place, name) + of(value),
+        StmtKind::Build(place, _, init) => of_written(place, name) + of_init(init, name),
         StmtKind::If { condition, .. } | StmtKind::While { condition, .. } => of(condition),
         StmtKind::Switch { scrutinee, .. } => of(scrutinee),
         StmtKind::For { init: (_, first), condition, step, .. } => {
             let step = match step {
                 Some(Step::Expr(value)) => of(value),
-                Some(Step::Assign(place, value)) => of(place) + of(value),
+                Some(Step::Assign(place, value)) => of_written(place, name) + of(value),
                 None => 0,
             };
             of(first) + of(condition) + step
         }
         _ => 0,
-    };
-    own + inner(kind).into_iter().map(|block| mentions(block, name)).sum::<usize>()
+    }
+}
+
+/// Reads on the way to a place that is written: of indices and pointers.
+fn of_written(place: &Expr, name: &str) -> usize {
+    match place {
+        Expr::Name(_) => 0,
+        Expr::Member(of, _) => of_written(of, name),
+        Expr::Index(of, index) => of_written(of, name) + of_expression(index, name),
+        _ => of_expression(place, name),
+    }
 }
 
 fn of_init(init: &Init, name: &str) -> usize {
