@@ -85,7 +85,7 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
     let mut workspaces = Vec::new();
     for annotated in [false, true] {
         let workspace = Workspace::with_source("").map_err(failed)?;
-        let modules = copied(&programs, &workspace.path("models/src"), annotated, &mut lines)
+        let modules = copied(&programs, &workspace.folder().join("src"), annotated, &mut lines)
             .map_err(failed)?;
         workspaces.push((workspace, modules));
     }

@@ -142,6 +142,9 @@ fn compared(
     let calls: usize = cases.iter().map(|case| case.calls.len()).sum();
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{} entry points, {calls} calls; against the interpreter:", cases.len());
+    if cases.is_empty() && left.is_empty() {
+        text += "  There is nothing to call: mark a method of a component `#[entry]`.\n";
+    }
     let mut all = true;
     for (leg, outcomes) in &legs {
         let differing = differing(module, &cases, outcomes);
