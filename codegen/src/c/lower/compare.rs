@@ -43,14 +43,20 @@ impl Lower<'_> {
         }
     }
 
-    /// All bits turned over of what is not promoted.
+    /// All bits turned over of what was widened.
     fn complement(&mut self, operand: Expr) -> Expr {
-        let int = match &operand {
-            Expr::Cast(ty, _) if ty == "uint32_t" => Int::U32,
-            Expr::Cast(ty, _) if ty == "uint64_t" => Int::U64,
+        let widened = match &operand {
+            Expr::Cast(ty, _) => ty.as_str(),
             _ => return Expr::unary("~", operand),
         };
-        let all = literal::integer(int, Int::max(int));
+        let int = match widened {
+            "uint32_t" => Int::U32,
+            "uint64_t" => Int::U64,
+            "int16_t" | "int32_t" => Int::I32,
+            "int64_t" => Int::I64,
+            _ => return Expr::unary("~", operand),
+        };
+        let all = literal::integer(int, if int.signed() { -1 } else { Int::max(int) });
         self.helper(Helper::Xor(int), vec![operand, all])
     }
 
