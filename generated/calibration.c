@@ -3,7 +3,7 @@
  *
  * From what the sensors say to what they mean: offsets, scales, units (thesis, §6.1, signal processor).
  *
- * Knows each sensor by its data sheet; whether to believe it is for `crate::estimator`. Readings of
+ * Knows each sensor by its data sheet; whether to believe it is for `estimator`. Readings of
  * the processor's own sensors are counts, so that they cannot be NaN; those of Vicon come by radio, and
  * can be anything.
  *

@@ -5,11 +5,11 @@
  * to throw away, and one state vector.
  *
  * * Vicon is the source of place and attitude while it is there. Without it: the altimeter for the
- *  height, the camera for the horizontal velocity, the accelerometer for what is level.
+ *   height, the camera for the horizontal velocity, the accelerometer for what is level.
  * * A reading out of its sensor's range, not a number, repeated to the bit, or too far from what is
- *  expected (the filters' gates) changes nothing. What lasts is believed in the end: `DOUBT`.
- * * While an inertial sensor is silent, what it should say stands in for it (`crate::expectation`);
- *  without a gyroscope, Vicon or the camera tell what is level.
+ *   expected (the filters' gates) changes nothing. What lasts is believed in the end: `DOUBT`.
+ * * While an inertial sensor is silent, what it should say stands in for it (`expectation`);
+ *   without a gyroscope, Vicon or the camera tell what is level.
  * * How long each part of the state has gone unmeasured is told, for others to judge.
  *
  * Knows what the sensors measure, not how the aircraft is flown.

@@ -42,11 +42,11 @@ typedef struct {
 
 /** Which law closes the loop. */
 typedef enum {
-    /** The thesis' cascade, read so that it flies: `crate::cascade`. */
+    /** The thesis' cascade, read so that it flies: `cascade`. */
     CANDIDATE_CASCADE = 0,
-    /** The same with the map from place to lean as the thesis prints it: `crate::printed`. */
+    /** The same with the map from place to lean as the thesis prints it: `printed`. */
     CANDIDATE_PRINTED = 1,
-    /** A geometric law on the rotation itself: `crate::geometric`. */
+    /** A geometric law on the rotation itself: `geometric`. */
     CANDIDATE_GEOMETRIC = 2
 } candidate_t;
 

@@ -61,7 +61,7 @@ typedef enum {
 typedef struct {
     /** What for. */
     request_t request;
-    /** The parameter's number: see `crate::tuning`. */
+    /** The parameter's number: see `tuning`. */
     uint8_t number;
     /** The value it is to have. */
     double value;

@@ -26,7 +26,7 @@ extern "C" {
 typedef struct {
     /** Position in the inertial frame, z upwards, m. */
     double position[3];
-    /** Euler angles: roll, pitch, yaw of R = C1 C2 C3, passive: see `crate::geometry`, rad. */
+    /** Euler angles: roll, pitch, yaw of R = C1 C2 C3, passive: see `geometry`, rad. */
     double angles[3];
     /** Velocity in the inertial frame, m/s. */
     double velocity[3];

@@ -58,17 +58,16 @@ impl Sources {
         comments
     }
 
-    /// What a file says of itself by `//!` at its head, up to a heading or an example.
+    /// What a file says of itself by `//!` at its head, up to a heading or an example; as comments of items are, with the space
+    /// behind the mark.
     pub fn about(&self, file: &str) -> Vec<String> {
         let lines = self.lines(file);
         // A licence may stand above.
         let above = |line: &&String| line.is_empty() || comment(line).is_some();
         let said = lines.iter().skip_while(above).map_while(|line| line.strip_prefix("//!"));
-        let said = said.map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end());
-        let mut about: Vec<String> = said
-            .take_while(|line| !line.starts_with('#') && !line.starts_with("```"))
-            .map(str::to_owned)
-            .collect();
+        let text = |line: &&str| !line.starts_with(" #") && !line.starts_with(" ```");
+        let mut about: Vec<String> =
+            said.map(str::trim_end).take_while(text).map(str::to_owned).collect();
         while about.last().is_some_and(String::is_empty) {
             about.pop();
         }
@@ -116,10 +115,10 @@ mod tests {
         };
         assert_eq!(
             sources("// A licence.\n\n//! One.\n//!\n//! Two.\nfn f() {}\n//! No.")?,
-            ["One.", "", "Two."]
+            [" One.", "", " Two."]
         );
-        assert_eq!(sources("//! One.\n//!\n//! # Two\n//! Three.")?, ["One."]);
-        assert_eq!(sources("//! One.\n//! ```\n//! two();\n//! ```")?, ["One."]);
+        assert_eq!(sources("//! One.\n//!\n//! # Two\n//! Three.")?, [" One."]);
+        assert_eq!(sources("//! One.\n//! ```\n//! two();\n//! ```")?, [" One."]);
         assert!(sources("/// One.\nfn f() {}")?.is_empty());
         Ok(())
     }

@@ -193,16 +193,18 @@ impl<'a> Printer<'a> {
     }
 
     fn comment(&mut self, open: &str, lines: &[String]) {
-        let lines: Vec<String> = lines.iter().map(|line| comment_text(line)).collect();
-        let first = lines.iter().position(|line| !line.is_empty());
-        let Some(first) = first else { return };
-        let last = lines.iter().rposition(|line| !line.is_empty()).unwrap_or(first);
-        if first == last && lines[first].chars().count() + self.margin() + open.len() + 4 <= WIDTH {
-            self.put(&format!("{open} {} */", lines[first]));
+        let lines = comment_lines(lines);
+        if let [line] = &lines[..]
+            && line.chars().count() + self.margin() + open.len() + 4 <= WIDTH
+        {
+            self.put(&format!("{open} {line} */"));
+            return;
+        }
+        if lines.is_empty() {
             return;
         }
         self.put(open);
-        for line in &lines[first..=last] {
+        for line in &lines {
             self.put(format!(" * {line}").trim_end());
         }
         self.put(" */");
@@ -485,6 +487,33 @@ fn flat_init(init: &Init) -> String {
     }
 }
 
+/// The author's lines as those of a C comment, without empty ones at either end.
+pub fn comment_lines(lines: &[String]) -> Vec<String> {
+    let lines = lines.iter().filter(|line| !defines_link(line)).map(|line| comment_text(line));
+    let mut lines: Vec<String> = lines.skip_while(String::is_empty).collect();
+    while lines.last().is_some_and(String::is_empty) {
+        lines.pop();
+    }
+    lines
+}
+
+/// Whether a line says where a link leads: `` [`name`]: path ``. Rustdoc shows none of it.
+fn defines_link(line: &str) -> bool {
+    let named = line.trim_start().strip_prefix('[').and_then(|line| line.split_once("]:"));
+    named.is_some_and(|(name, path)| !name.contains(']') && path.split_whitespace().count() == 1)
+}
+
+/// A path of Rust from where its names begin: C has no `crate`.
+fn without_roots(mut code: &str) -> String {
+    code = code.strip_prefix('`').unwrap_or(code);
+    while let Some((_, names)) =
+        code.split_once("::").filter(|(root, _)| ["crate", "super", "self"].contains(root))
+    {
+        code = names;
+    }
+    format!("`{code}")
+}
+
 /// A line without what only rustdoc understands: a link is its text, of `[text](path)` or of `` [`name`] ``.
 fn without_links(line: &str) -> String {
     let (mut text, mut rest) = (String::new(), line);
@@ -500,7 +529,7 @@ fn without_links(line: &str) -> String {
                 rest = behind.split_once(')').map_or("", |(_, rest)| rest);
             }
             Some((inner, behind)) if is_code(inner) => {
-                text.push_str(inner);
+                text.push_str(&without_roots(inner));
                 rest = behind;
             }
             _ => {
@@ -526,7 +555,15 @@ pub fn comment_text(line: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::without_links;
+    use super::{comment_lines, without_links};
+
+    #[test]
+    fn comments_have_no_definitions_of_links() {
+        let lines = ["", " Of [`a`].", "", " [`a`]: super::b::a", " [a]: it is", ""];
+        let lines = lines.map(str::to_owned);
+        assert_eq!(comment_lines(&lines), ["Of `a`.", "", "[a]: it is"]);
+        assert_eq!(comment_lines(&lines[2..4]), [""; 0]);
+    }
 
     #[test]
     fn comments_have_no_links_of_rustdoc() {
@@ -536,6 +573,7 @@ mod tests {
                 "see `LowPass`, and `rotation`.",
             ),
             ("[the page](https://a.b/c) says", "the page says"),
+            ("as [`crate::cascade`], [`super::super::a::b`]", "as `cascade`, `a::b`"),
             ("from [0, 1) on, a[3] of `b[i]` [and", "from [0, 1) on, a[3] of `b[i]` [and"),
         ] {
             assert_eq!(without_links(line), text);

@@ -3,7 +3,7 @@
 
 use tera::{Context, Tera};
 
-use super::print::comment_text;
+use super::print::comment_lines;
 
 /// The mark that the body takes the place of.
 const BODY: &str = "\u{1}body\u{1}";
@@ -82,9 +82,9 @@ fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> 
 
 /// The lines of a comment, behind an empty one.
 fn about(lines: &[String]) -> String {
-    let lines =
-        lines.iter().map(|line| format!(" * {}", comment_text(line)).trim_end().to_owned() + "\n");
-    let text: String = lines.collect();
+    let lines = comment_lines(lines).into_iter();
+    let text: String =
+        lines.map(|line| format!(" * {line}").trim_end().to_owned() + "\n").collect();
     if text.is_empty() { text } else { format!(" *\n{text}") }
 }
 
