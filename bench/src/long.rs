@@ -1,4 +1,4 @@
-//! What a generation costs whose package is one long function, by the number of its operations: rustc's part of it must grow with the
+//! The cost of generating one long function, by the number of its operations: rustc's part of it must grow with the
 //! length, not with its square.
 //!
 //! All of it is measured, cargo, rustc, the linker and the C, as in `cargo xtask gen`; what the package depends on is built before. Each
@@ -17,7 +17,7 @@ use crate::check_cost::{all_seconds, hundredths, spread};
 /// Operations of the function: additions, products, comparisons, choices, `clamp`.
 const SIZES: [usize; 3] = [500, 1000, 2000];
 
-/// What was measured.
+/// The times that were measured.
 #[derive(Clone, Debug)]
 pub struct Long {
     /// How often each was generated.

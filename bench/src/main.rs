@@ -50,7 +50,7 @@ enum Part {
     Rebuild,
     /// How long a generation takes, by the number of functions
     Generation,
-    /// What the generation of one long function costs
+    /// How long the generation of one long function takes, by the number of its operations
     Long,
     /// Instructions of a control period of the onboard software on the Cortex-A9
     Onboard,

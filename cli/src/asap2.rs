@@ -76,7 +76,7 @@ fn variable<'f>(
     Ok(Variable { name, ty, address: symbol.address(), bytes })
 }
 
-/// Whether the firmware says that its enums are as short as their values allow: the attribute `Tag_ABI_enum_size` of ARM's ABI.
+/// Whether enums of the firmware are as short as their values allow: the ELF has `Tag_ABI_enum_size` of ARM's ABI for that.
 fn has_short_enums(elf: &object::File<'_>) -> bool {
     /// Of ARM's ABI: enums of the smallest size.
     const ENUM_SIZE: (u64, u64) = (26, 1);

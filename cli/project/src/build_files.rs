@@ -12,8 +12,12 @@ use crate::firmware;
 
 /// The flags that the sources need: the standard; no fused multiplications; threads, where kernels have them.
 pub fn flags(options: &Options) -> String {
-    let threads = if options.threads > 1 { " -pthread" } else { "" };
-    format!("{} -ffp-contract=off{threads}", options.standard.flag())
+    format!("{} -ffp-contract=off{}", options.standard.flag(), threads(options))
+}
+
+/// The flag of threads, behind a space, where kernels have them.
+fn threads(options: &Options) -> &'static str {
+    if options.threads > 1 { " -pthread" } else { "" }
 }
 
 /// The files for the C of a package.
@@ -37,8 +41,7 @@ fn cmake(
     options: &Options,
     (sources, examples): (&[&str], &[&str]),
 ) -> String {
-    let (standard, flags) = (options.standard.flag(), flags(options));
-    let threads = if options.threads > 1 { " -pthread" } else { "" };
+    let (standard, flags, threads) = (options.standard.flag(), flags(options), threads(options));
     let sources: String = sources.iter().map(|it| format!("\n    {it}")).collect();
     let example = |stem: &&str| {
         format!(

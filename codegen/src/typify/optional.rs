@@ -64,7 +64,7 @@ impl Lowering<'_, '_> {
             (Some(_), [lent, error], Ty::Result(..)) if matches!(ty(lent), Some(Ty::Option(_))) => {
                 let error = match &error.kind {
                     Tree::Closure(closure) => &*closure.body,
-                    _ if is_quiet(error) => error,
+                    _ if is_of_names(error) => error,
                     _ => return None,
                 };
                 (lent, "Err", Some(error))
@@ -159,12 +159,12 @@ fn refers(ty: &Ty) -> bool {
 }
 
 /// Whether a value may be computed or not: a name, a number, or what is made of them.
-fn is_quiet(expr: &tree::Expr) -> bool {
+fn is_of_names(expr: &tree::Expr) -> bool {
     match &expr.kind {
         Tree::Tuple(parts) | Tree::Array(parts) | Tree::Constructor(_, parts) => {
-            parts.iter().all(is_quiet)
+            parts.iter().all(is_of_names)
         }
-        Tree::Struct(_, fields, None) => fields.iter().all(|(_, value)| is_quiet(value)),
+        Tree::Struct(_, fields, None) => fields.iter().all(|(_, value)| is_of_names(value)),
         _ => is_plain(expr),
     }
 }

@@ -152,7 +152,7 @@ impl Lowering<'_, '_> {
 
     fn element(&mut self, mut base: Place, index: &tree::Expr, expr: &tree::Expr) -> Result<Place> {
         let mark = self.out.len();
-        let (step, ty) = match base.ty.clone() {
+        let (mut step, ty) = match base.ty.clone() {
             Type::Array { element, .. } => {
                 let index = self.value(index, Some(&Type::USIZE))?;
                 (Step::Index(index), *element)
@@ -181,7 +181,6 @@ impl Lowering<'_, '_> {
                 );
             }
         };
-        let mut step = step;
         // Whoever gets the place may read it more than once, which must write nothing.
         if !effects::lent_by_step(&step).is_empty() {
             self.keep_indices_of(&mut step, |index| !index.is_literal());
