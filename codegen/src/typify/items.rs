@@ -182,9 +182,11 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Puts a name in the place of an expression.
+    /// Puts a name in the place of an expression: one that nothing else has here, since a loop goes through several parts.
     fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Binding) {
-        self.bind(name, given);
-        *expr = tree::Expr { kind: Tree::Local(name.to_owned()), site: expr.site, slot: None };
+        let known: usize = self.scopes.iter().map(|scope| scope.len()).sum();
+        let name = format!("{name}{known}");
+        self.bind(&name, given);
+        *expr = tree::Expr { kind: Tree::Local(name), site: expr.site, slot: None };
     }
 }

@@ -127,10 +127,10 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// The same under another name in the tree, if it would hide a local there: what is lowered out of
-    /// its place keeps its meaning. Marks in a name of the tree do not reach the C.
+    /// The same under a name in the tree that hides none there, and that none of the author's hides: what is lowered out of
+    /// its place keeps its meaning, also where it gets a second name. Marks in a name of the tree do not reach the C.
     pub(super) fn bind_apart(&mut self, name: &str) -> String {
-        let apart = self.hidden(name);
+        let apart = self.hidden(&format!("{name}%"));
         self.bind_as(name, &apart);
         apart
     }
