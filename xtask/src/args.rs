@@ -230,8 +230,8 @@ pub struct Bench {
     /// Measure the short list only, and write nothing
     #[arg(long)]
     pub quick: bool,
-    /// Only this part: kernels, threads, elementary, check-cost, rebuild, generation, onboard, equality,
-    /// accuracy-points
+    /// Only this part: kernels, threads, elementary, check-cost, rebuild, generation, long, onboard,
+    /// equality, accuracy-points
     #[arg(long)]
     pub only: Option<String>,
     /// Only these machines of `kernels`, such as a9,host-v3: the others keep what was measured before
