@@ -16,6 +16,7 @@ pub mod kernels;
 pub mod passes;
 pub mod remarks;
 pub mod source;
+mod termination;
 pub mod typify;
 mod uncopied;
 pub mod used;

@@ -10,8 +10,9 @@ use bessemer_ir::{
     Span, Step, Stmt, StmtKind, Type,
 };
 
+use crate::termination::{self, Loop, Proof};
+
 use super::conditions::has_let;
-use super::ended::{self, Loop, Proof};
 use super::expr::{Operand, two};
 use super::lowering::{Behind, Frame, Leaving, Lowering, PASS, Said, Target};
 use super::subject::Named;
@@ -101,7 +102,7 @@ impl Lowering<'_, '_> {
                 (None, Some(length)) => {
                     let name = |place: &Place| inner.place_name(place);
                     let rest = &body.0[heads[0] + 1..];
-                    let shown = ended::popped(&inner.cx.module, name, &length, rest);
+                    let shown = termination::popped(&inner.cx.module, name, &length, rest);
                     inner.ended(site, shown, body)
                 }
                 (None, None) => {
@@ -208,11 +209,11 @@ impl Lowering<'_, '_> {
     }
 
     /// The bound that shows of a loop which one of the `if`s at `heads` of its body ends.
-    fn shown(&self, body: &Block, heads: &[usize]) -> Result<Proof, ended::Reason> {
+    fn shown(&self, body: &Block, heads: &[usize]) -> Result<Proof, termination::Reason> {
         let name = |place: &Place| self.place_name(place);
         let shown = |head: &usize| {
             let of = left_at(&body.0, *head, &self.out).ok_or_else(no_end)?;
-            ended::proof(&self.cx.module, name, &of)
+            termination::proof(&self.cx.module, name, &of)
         };
         let mut all = heads.iter().map(shown);
         let first = all.next().unwrap_or_else(|| Err(no_end()));
@@ -225,9 +226,9 @@ impl Lowering<'_, '_> {
         for head in 0..body.0.len() {
             let Some(of) = left_at(&body.0, head, &self.out) else { continue };
             let name = |place: &Place| self.place_name(place);
-            match ended::proof(&self.cx.module, name, &of) {
+            match termination::proof(&self.cx.module, name, &of) {
                 Ok(proof) => return self.ended(site, Ok(proof), body),
-                Err(reason) => match ended::turned(&self.cx.module, name, &of) {
+                Err(reason) => match termination::turned(&self.cx.module, name, &of) {
                     Ok(()) => return Ok(self.turned(body, span)),
                     Err(turned) => shown = Err(if head == 0 { reason } else { turned }),
                 },
@@ -250,7 +251,7 @@ impl Lowering<'_, '_> {
     fn ended(
         &mut self,
         site: Site,
-        shown: Result<Proof, ended::Reason>,
+        shown: Result<Proof, termination::Reason>,
         body: Block,
     ) -> Result<StmtKind> {
         let span = self.span(site);
@@ -500,7 +501,7 @@ fn left_at<'a>(body: &'a [Stmt], head: usize, lead: &'a [Stmt]) -> Option<Loop<'
     })
 }
 
-fn no_end() -> ended::Reason {
+fn no_end() -> termination::Reason {
     "no `if … { break; }` stands in it by itself".into()
 }
 

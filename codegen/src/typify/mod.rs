@@ -21,7 +21,6 @@ mod control;
 mod counted;
 mod each;
 mod elements;
-mod ended;
 mod enums;
 mod equal;
 mod equal_slices;

@@ -1,6 +1,6 @@
 //! What a condition compares: numbers of which one is below another while it holds, and what shows of a number.
 //!
-//! It looks at one condition alone; how the two move is for [`ended`](super) to follow.
+//! It looks at one condition alone; how the two move is for [`termination`](super) to follow.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Module, Place, Step, Stmt, StmtKind,

@@ -27,7 +27,7 @@ mod tests;
 use compared::{bounds, is_unsigned, place, shown_least};
 
 /// Between which two numbers there are as many as there are passes.
-pub(super) struct Proof {
+pub(crate) struct Proof {
     pub low: Expr,
     pub high: Expr,
     /// Whether another pass may begin where they are the same.
@@ -35,7 +35,7 @@ pub(super) struct Proof {
 }
 
 /// A loop that is left where `condition` is not `truth`.
-pub(super) struct Loop<'a> {
+pub(crate) struct Loop<'a> {
     /// The statements before the condition.
     pub before: &'a [Stmt],
     pub condition: &'a Expr,
@@ -47,10 +47,10 @@ pub(super) struct Loop<'a> {
 }
 
 /// Why there is no proof, for the author.
-pub(super) type Reason = String;
+pub(crate) type Reason = String;
 
 /// Shows that a loop ends.
-pub(super) fn proof(
+pub(crate) fn proof(
     module: &Module,
     name: impl Fn(&Place) -> String,
     of: &Loop,
@@ -76,7 +76,7 @@ pub(super) fn proof(
 
 /// Shows that a loop ends from one condition to the next; how often depends on its first pass, of which nothing
 /// is known.
-pub(super) fn turned(
+pub(crate) fn turned(
     module: &Module,
     name: impl Fn(&Place) -> String,
     of: &Loop,
@@ -98,7 +98,7 @@ pub(super) fn turned(
 }
 
 /// Shows that a loop ends that takes an element off a list in every pass, and ends where there is none.
-pub(super) fn popped(
+pub(crate) fn popped(
     module: &Module,
     name: impl Fn(&Place) -> String,
     length: &Expr,
