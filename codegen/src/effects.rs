@@ -44,7 +44,9 @@ pub(crate) fn same_place(one: &Place, other: &Place) -> bool {
         && one.steps.len() == other.steps.len()
         && steps().all(|steps| match steps {
             (Step::Field(one), Step::Field(other)) => one == other,
-            (Step::Index(one), Step::Index(other)) => same_index(one, other),
+            (Step::Index(one), Step::Index(other)) | (Step::From(one), Step::From(other)) => {
+                same_index(one, other)
+            }
             (Step::Element(row, column), Step::Element(other_row, other_column)) => {
                 same_index(row, other_row) && same_index(column, other_column)
             }
@@ -55,6 +57,7 @@ pub(crate) fn same_place(one: &Place, other: &Place) -> bool {
 fn same_index(one: &Expr, other: &Expr) -> bool {
     match (&one.kind, &other.kind) {
         (ExprKind::Literal(one), ExprKind::Literal(other)) => one == other,
+        (ExprKind::Const(one), ExprKind::Const(other)) => one == other,
         (ExprKind::Load(one), ExprKind::Load(other)) => same_place(one, other),
         _ => false,
     }

@@ -4,8 +4,9 @@ use bessemer_ir::tree::{self, NO_SLOT};
 use bessemer_ir::{Block, Local, LocalId, Mode, StmtKind};
 
 use super::Result;
-use super::lowering::{Binding, Lowering};
+use super::lowering::Lowering;
 use super::pattern::aligned;
+use super::value::Value;
 
 impl Lowering<'_, '_> {
     /// `let pattern = value;`
@@ -50,7 +51,7 @@ impl Lowering<'_, '_> {
         &mut self,
         pattern: &tree::Pattern,
         value: &tree::Expr,
-        bound: &mut Vec<(String, Binding)>,
+        bound: &mut Vec<(String, Value)>,
     ) -> Result<()> {
         match (pattern, &value.kind) {
             (tree::Pattern::Tuple(patterns), tree::ExprKind::Tuple(values)) => {
@@ -73,7 +74,7 @@ impl Lowering<'_, '_> {
                 self.effect(value)?;
                 let mut names = Vec::new();
                 Self::take_nothing(pattern, value.site, &mut names);
-                bound.extend(names.into_iter().map(|named| (named.name, Binding::Nothing)));
+                bound.extend(names.into_iter().map(|named| (named.name, Value::Nothing)));
                 Ok(())
             }
             (tree::Pattern::Name { name, slot, inner: None, .. }, _)
@@ -83,7 +84,7 @@ impl Lowering<'_, '_> {
                 let slice = self.sliced(value)?;
                 self.naming = naming;
                 let slice = self.kept_elements(slice);
-                bound.push((name.clone(), Binding::Slice(Box::new(slice))));
+                bound.push((name.clone(), Value::Slice(Box::new(slice))));
                 Ok(())
             }
             (tree::Pattern::Name { name, slot, inner: None, .. }, _)
@@ -98,7 +99,7 @@ impl Lowering<'_, '_> {
                 let span = lowered.span;
                 self.locals.push(Local { name: name.clone(), ty, mode: Mode::Value, span });
                 self.emit(StmtKind::Let { local, value: Some(lowered) }, span);
-                bound.push((name.clone(), Binding::Local(local)));
+                bound.push((name.clone(), Value::Local(local)));
                 Ok(())
             }
             _ => {

@@ -42,7 +42,7 @@ impl Context<'_> {
 
     /// Whether a function gives a slice.
     pub(super) fn gives_slice(&self, path: &str) -> bool {
-        let function = self.all.get(path).or_else(|| self.templates.get(path));
+        let function = self.all.get(path);
         let result = function.and_then(|it| it.slots.get(it.tree.result as usize));
         matches!(result, Some(Ty::Ref(inner, _)) if matches!(**inner, Ty::Slice(_)))
     }

@@ -9,7 +9,7 @@ use bessemer_ir::{
 use super::expr::{Operand, two};
 use super::lengths::least;
 use super::lowering::{Lowering, Said};
-use super::subject::Subject;
+use super::value::Value;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -120,7 +120,7 @@ impl Lowering<'_, '_> {
                 let place = Place { span, ..place.inside(Step::Index(at(row)), element) };
                 let block = walk.scoped(|walk| {
                     let mut names = Vec::new();
-                    walk.test(&part.pattern, &Subject::Place(place), site, &mut names)?;
+                    walk.test(&part.pattern, &Value::Place(place), site, &mut names)?;
                     walk.bind_names(&names)?;
                     walk.statements(body)
                 })?;

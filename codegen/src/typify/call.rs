@@ -6,7 +6,10 @@ use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Type};
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
-impl Lowering<'_, '_> {
+/// A function, and what it is called with.
+pub(super) type Called<'a, 't> = (&'a tree::Function, &'t [tree::Expr]);
+
+impl<'a> Lowering<'a, '_> {
     /// The operation that a callee is; none if it is a function.
     pub(super) fn builtin_of(&self, callee: u32) -> Option<Builtin> {
         match self.source.callees.get(callee as usize)? {
@@ -22,6 +25,15 @@ impl Lowering<'_, '_> {
     ) -> Option<(Builtin, &'t [tree::Expr])> {
         let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
         Some((self.builtin_of(*callee)?, arguments))
+    }
+
+    /// The function that an expression calls, and what it is called with.
+    pub(super) fn called<'t>(&self, expr: &'t tree::Expr) -> Option<Called<'a, 't>> {
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
+        match self.source.callees.get(*callee as usize)? {
+            tree::Callee::Function(path) => Some((self.cx.all.get(path.as_str())?, arguments)),
+            tree::Callee::Builtin(_) => None,
+        }
     }
 
     pub(super) fn call_function(

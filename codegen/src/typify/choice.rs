@@ -7,7 +7,7 @@ use bessemer_ir::{
 };
 
 use super::lowering::{Lowering, Target};
-use super::subject::Subject;
+use super::value::Value;
 use super::within::test;
 use super::{Result, problem};
 
@@ -195,7 +195,7 @@ impl Lowering<'_, '_> {
     /// The author's name for what is matched.
     fn name(&mut self, taken: &Taken<'_>, value: &Expr) {
         if let (Some((name, _)), ExprKind::Load(place)) = (taken.binding, &value.kind) {
-            self.alias_to(name, place.clone());
+            self.bind(name, Value::Place(place.clone()));
         }
     }
 
@@ -228,13 +228,13 @@ impl Lowering<'_, '_> {
     /// conditions one after the other.
     fn subject_arms(
         &mut self,
-        subject: &Subject,
+        subject: &Value,
         arms: &[tree::Arm],
         target: Option<&Target>,
         site: Site,
     ) -> Result<()> {
         let arms: Vec<tree::Arm> = arms.iter().flat_map(spread).collect();
-        if let Subject::Place(place) = subject
+        if let Value::Place(place) = subject
             && self.variant_cases(place, &arms, target, site)?
         {
             return Ok(());
@@ -247,7 +247,7 @@ impl Lowering<'_, '_> {
 
     fn subject_chain(
         &mut self,
-        subject: &Subject,
+        subject: &Value,
         arms: &[tree::Arm],
         target: Option<&Target>,
         site: Site,
@@ -301,7 +301,7 @@ impl Lowering<'_, '_> {
         };
         let words: Option<Vec<_>> = arms.iter().map(|arm| self.words(arm, id)).collect();
         let (Type::Enum(_), Some(words)) = (&tag.ty, words) else { return Ok(false) };
-        let subject = Subject::Place(place.clone());
+        let subject = Value::Place(place.clone());
         let (mut cases, mut otherwise) = (Vec::<Arm>::new(), None);
         for (arm, words) in arms.iter().zip(words) {
             let body = self.scoped(|inner| {

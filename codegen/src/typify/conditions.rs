@@ -5,7 +5,7 @@ use bessemer_ir::{Block, Expr, ExprKind, LogicOp, Place, Stmt, StmtKind, Type};
 
 use super::Result;
 use super::lowering::Lowering;
-use super::subject::Named;
+use super::value::Named;
 
 impl Lowering<'_, '_> {
     /// A condition with patterns in it; its names stand for their places from here on.

@@ -6,8 +6,9 @@ use bessemer_ir::{
 };
 
 use super::conditions::has_let;
-use super::lowering::{Binding, Leaving, Lowering, RESULT, Target};
+use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
+use super::value::Value;
 use super::{OUR_FAULT, Result, order, problem};
 
 impl Lowering<'_, '_> {
@@ -17,7 +18,9 @@ impl Lowering<'_, '_> {
             return self.into(&other, target);
         }
         if let Some(expansion) = self.expansion(expr) {
-            return self.expanded_into(expansion, target, expr.site);
+            return self.expanded(expansion, expr.site, |inner, tail| {
+                tail.map_or(Ok(()), |tail| inner.into(tail, target))
+            });
         }
         match &expr.kind {
             tree::ExprKind::Apply(name, arguments) if self.stands_here(expr) => {
@@ -195,7 +198,9 @@ impl Lowering<'_, '_> {
             return self.effect(&other);
         }
         if let Some(expansion) = self.expansion(expr) {
-            return self.expanded_effect(expansion, expr.site);
+            return self.expanded(expansion, expr.site, |inner, tail| {
+                tail.map_or(Ok(()), |tail| inner.effect(tail))
+            });
         }
         let span = self.span(expr.site);
         match &expr.kind {
@@ -390,14 +395,14 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let tree::ExprKind::Local(name) = &place.kind else { return Ok(()) };
         let refers = match self.lookup(name, place.site)? {
-            Binding::Value(_) | Binding::Nothing | Binding::Unmade(_) => false,
-            Binding::Alias(_) | Binding::Slice(_) => true,
+            Value::Place(_) | Value::Slice(_) => true,
             // One that may be written also stands for a variable that a closure writes.
-            Binding::Local(root) => match self.locals[root.index()].mode {
+            Value::Local(root) => match self.locals[root.index()].mode {
                 Mode::Value => false,
                 Mode::Ref => true,
                 Mode::RefMut => self.is_reference(value)?,
             },
+            _ => false,
         };
         match refers {
             true => problem(
@@ -531,7 +536,7 @@ impl Lowering<'_, '_> {
             // What a function that stands here calls its parameter has the author's name.
             tree::ExprKind::Local(name) if !self.expanding.is_empty() => {
                 match self.lookup(name, place.site) {
-                    Ok(Binding::Alias(it)) if it.steps.is_empty() => {
+                    Ok(Value::Place(it)) if it.steps.is_empty() => {
                         self.locals[it.root.index()].name.clone()
                     }
                     _ => name.clone(),

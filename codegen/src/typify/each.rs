@@ -10,8 +10,8 @@ use bessemer_ir::{
 
 use super::elements::Slice;
 use super::lengths::{divided, greatest, least, lesser, minus, plus, same, times};
-use super::lowering::{Binding, Lowering, Said};
-use super::subject::Subject;
+use super::lowering::{Lowering, Said};
+use super::value::Value;
 use super::{Result, problem};
 use crate::effects;
 
@@ -79,7 +79,7 @@ impl Lowering<'_, '_> {
             inner.locals.push(Local { name, ty: Type::USIZE, mode: Mode::Value, span });
             let mut block = inner.scoped(|inner| {
                 if let Some(index) = index {
-                    inner.bind(index, super::lowering::Binding::Local(variable));
+                    inner.bind(index, Value::Local(variable));
                 }
                 let counter = Place::local(variable, Type::USIZE, span).load();
                 let counter = match order {
@@ -232,7 +232,7 @@ impl Lowering<'_, '_> {
         if !passed.behind.is_empty() {
             let element = self.one_of_several(part, passed, counter)?;
             let mut names = Vec::new();
-            self.test(&part.pattern, &Subject::Place(element), site, &mut names)?;
+            self.test(&part.pattern, &Value::Place(element), site, &mut names)?;
             return self.bind_names(&names);
         }
         let Some((way, size)) = &passed.group else {
@@ -244,7 +244,7 @@ impl Lowering<'_, '_> {
                 }
             };
             let mut names = Vec::new();
-            self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
+            self.test(&part.pattern, &Value::Place(slice.at(at)), site, &mut names)?;
             return self.bind_names(&names);
         };
         let size = size.clone().at(slice.base.span);
@@ -253,7 +253,7 @@ impl Lowering<'_, '_> {
             let at = Expr::binary(BinaryOp::Rem, at, slice.length.clone());
             let at = plus(slice.from.clone(), at);
             let mut names = Vec::new();
-            self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
+            self.test(&part.pattern, &Value::Place(slice.at(at)), site, &mut names)?;
             return self.bind_names(&names);
         }
         let begin = match way {
@@ -268,7 +268,7 @@ impl Lowering<'_, '_> {
                 true => minus(minus(slice.to.clone(), Expr::usize(1, slice.base.span)), begin),
             };
             let mut names = Vec::new();
-            self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
+            self.test(&part.pattern, &Value::Place(slice.at(at)), site, &mut names)?;
             return self.bind_names(&names);
         }
         match &part.pattern {
@@ -287,7 +287,7 @@ impl Lowering<'_, '_> {
                     }
                     _ => slice.part(begin, size),
                 };
-                self.bind(name, Binding::Slice(Box::new(part)));
+                self.bind(name, Value::Slice(Box::new(part)));
             }
             _ => {
                 return problem(

@@ -8,53 +8,33 @@
 //!
 //! Must not know: what any such function computes.
 
-use std::collections::HashMap;
-
 use bessemer_ir::tree::{self, ExprKind as Tree, Role, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Type};
 
+use super::call::Called;
 use super::generator::generates;
-use super::lowering::{Binding, Handed, Lowering, Target};
-use super::{Context, Problem, Result, diagnostic, problem};
-
-/// The meaning of a function's parameters: values and places, and closures.
-pub(super) type Given<'a> = (Vec<(String, Binding)>, HashMap<String, Handed<'a>>);
-
-impl<'a> Context<'a> {
-    /// Notes the functions that stand where they are called.
-    pub(super) fn note_expanded(&mut self, functions: impl Iterator<Item = &'a tree::Function>) {
-        let expanded = functions.filter(|it| it.tree.role == Role::Expanded);
-        self.expanded = expanded.map(|it| (it.path.as_str(), it)).collect();
-    }
-}
+use super::lowering::Lowering;
+use super::value::Value;
+use super::{Problem, Result, diagnostic, problem};
 
 impl<'a> Lowering<'a, '_> {
     /// The function that stands where `expr` calls it, and its arguments; none if `expr` is something else.
-    pub(super) fn expansion<'e>(
-        &self,
-        expr: &'e tree::Expr,
-    ) -> Option<(&'a tree::Function, &'e [tree::Expr])> {
-        let Tree::Call(callee, arguments) = &expr.kind else { return None };
-        let Some(tree::Callee::Function(path)) = self.source.callees.get(*callee as usize) else {
-            return None;
-        };
-        let function = self.cx.expanded.get(path.as_str())?;
-        Some((function, arguments))
+    pub(super) fn expansion<'e>(&self, expr: &'e tree::Expr) -> Option<Called<'a, 'e>> {
+        self.called(expr).filter(|(function, _)| function.tree.role == Role::Expanded)
     }
 
     /// Its value.
     pub(super) fn expanded_value(
         &mut self,
-        (function, arguments): (&'a tree::Function, &[tree::Expr]),
+        called: Called<'a, '_>,
         expected: Option<&Type>,
         site: Site,
     ) -> Result<Expr> {
         let before = self.locals.len();
-        let value =
-            self.expanded(function, arguments, site, |inner| match &function.tree.body.tail {
-                Some(tail) => inner.value(tail, expected),
-                None => Ok(inner.nothing(function.tree.site)),
-            })?;
+        let value = self.expanded(called, site, |inner, tail| match tail {
+            Some(tail) => inner.value(tail, expected),
+            None => Ok(inner.nothing(site)),
+        })?;
         // A local of its own, which nothing names from here on.
         if let ExprKind::Load(place) = &value.kind
             && place.steps.is_empty()
@@ -65,37 +45,12 @@ impl<'a> Lowering<'a, '_> {
         Ok(value)
     }
 
-    /// Its value, where it goes.
-    pub(super) fn expanded_into(
+    /// Lowers its body, and hands what that ends in to `end`.
+    pub(super) fn expanded<T>(
         &mut self,
-        (function, arguments): (&'a tree::Function, &[tree::Expr]),
-        target: &Target,
+        (function, arguments): Called<'a, '_>,
         site: Site,
-    ) -> Result<()> {
-        self.expanded(function, arguments, site, |inner| match &function.tree.body.tail {
-            Some(tail) => inner.into(tail, target),
-            None => Ok(()),
-        })
-    }
-
-    /// Its statements, without its value.
-    pub(super) fn expanded_effect(
-        &mut self,
-        (function, arguments): (&'a tree::Function, &[tree::Expr]),
-        site: Site,
-    ) -> Result<()> {
-        self.expanded(function, arguments, site, |inner| match &function.tree.body.tail {
-            Some(tail) => inner.effect(tail),
-            None => Ok(()),
-        })
-    }
-
-    fn expanded<T>(
-        &mut self,
-        function: &'a tree::Function,
-        arguments: &[tree::Expr],
-        site: Site,
-        end: impl FnOnce(&mut Self) -> Result<T>,
+        end: impl FnOnce(&mut Self, Option<&tree::Expr>) -> Result<T>,
     ) -> Result<T> {
         if generates(function) {
             return problem(
@@ -107,25 +62,18 @@ impl<'a> Lowering<'a, '_> {
         let given = self.given_to(function, arguments)?;
         self.inside(function, given, site, |inner| {
             inner.stmts(&function.tree.body)?;
-            end(inner)
+            end(inner, function.tree.body.tail.as_deref())
         })
     }
 
-    /// The meaning of the parameters of a function: values and places, and closures.
+    /// The meaning of the parameters of a function.
     pub(super) fn given_to(
         &mut self,
         function: &'a tree::Function,
         arguments: &[tree::Expr],
-    ) -> Result<Given<'a>> {
-        let (mut bound, mut handed) = (Vec::new(), HashMap::new());
-        for (param, argument) in function.tree.params.iter().zip(arguments) {
-            if param.closure {
-                handed.insert(param.name.clone(), self.handed_in_scope(param, argument)?);
-                continue;
-            }
-            bound.push(self.given_as(function, param, argument)?);
-        }
-        Ok((bound, handed))
+    ) -> Result<Vec<(String, Value)>> {
+        let pairs = function.tree.params.iter().zip(arguments);
+        pairs.map(|(param, argument)| self.given_as(function, param, argument)).collect()
     }
 
     pub(super) fn given_as(
@@ -133,37 +81,36 @@ impl<'a> Lowering<'a, '_> {
         function: &'a tree::Function,
         param: &tree::Param,
         argument: &tree::Expr,
-    ) -> Result<(String, Binding)> {
-        let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
-        let given = self.given((&param.name, param.mutable), &ty, argument)?;
+    ) -> Result<(String, Value)> {
+        let given = match param.closure {
+            true => self.closure_given(param, argument)?,
+            false => {
+                let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
+                self.given((&param.name, param.mutable), &ty, argument)?
+            }
+        };
         Ok((param.name.clone(), given))
     }
 
-    /// The closure that an argument is, with the scope that it was written in.
-    fn handed_in_scope(
-        &mut self,
-        param: &tree::Param,
-        argument: &tree::Expr,
-    ) -> Result<Handed<'a>> {
+    /// The closure that an argument is, in the scope that it was written in.
+    fn closure_given(&mut self, param: &tree::Param, argument: &tree::Expr) -> Result<Value> {
         if let Tree::Local(name) = &argument.kind
-            && let Some(handed) = self.handed.get(name)
+            && let Some(closure) = self.closure_named(name)
         {
-            return Ok(handed.clone());
+            return Ok(Value::Closure(closure));
         }
-        let closure = match param.items {
+        let text = match param.items {
             true => self.items(argument)?,
             false => self.closure_of(argument)?,
         };
-        let scope = Some(self.scope());
-        let (captures, nothing) = (Vec::new(), Vec::new());
-        Ok(Handed { closure, source: self.source, captures, nothing, scope })
+        Ok(self.closure_here(text))
     }
 
-    /// Lowers what belongs to another function, in which names and closures have these meanings.
+    /// Lowers what belongs to another function, in which names have these meanings.
     pub(super) fn inside<T>(
         &mut self,
         function: &'a tree::Function,
-        (bound, handed): Given<'a>,
+        bound: Vec<(String, Value)>,
         site: Site,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
@@ -172,10 +119,8 @@ impl<'a> Lowering<'a, '_> {
         }
         self.expanding.push(&function.path);
         let scopes = std::mem::replace(&mut self.scopes, vec![bound]);
-        let handed = std::mem::replace(&mut self.handed, handed);
         let done = self.from(function, site, lower);
         self.scopes = scopes;
-        self.handed = handed;
         self.expanding.pop();
         done
     }

@@ -6,6 +6,7 @@ use bessemer_ir::{
     Type, UnaryOp,
 };
 
+use super::function::takes_closures;
 use super::lengths::plus;
 use super::lowering::{Lowering, Target};
 use super::syntax::{control_with_value, is_question};
@@ -506,7 +507,8 @@ impl Lowering<'_, '_> {
         match callee {
             tree::Callee::Builtin(builtin) => self.builtin(*builtin, arguments, expr),
             tree::Callee::Function(path) => {
-                if let Some(template) = self.cx.templates.get(path.as_str()).copied() {
+                let function = self.cx.all.get(path.as_str()).copied();
+                if let Some(template) = function.filter(|it| takes_closures(it)) {
                     return self.call_handing(template, arguments, expr);
                 }
                 if let Some(place) = self.lent_by(path, arguments, expr)? {

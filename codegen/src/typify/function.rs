@@ -1,19 +1,19 @@
 //! One function: its parameters, its scopes, and its statements in order.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
-use bessemer_ir::tree::visit::{Visit, walk_expr};
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
     Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
     StmtKind, Type,
 };
 
-use super::lowering::{Binding, Lowering, RESULT, Target, UNNAMED};
+use super::lowering::{Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
 use super::optional::there;
 use super::regions::{Lenders, Path};
-use super::syntax::{control_with_value, ends_in_loop};
+use super::syntax::{Writes, control_with_value, ends_in_loop};
+use super::value::Value;
 use super::{Context, Result, names, problem};
 
 /// A function, and what its callers have to know of it.
@@ -30,17 +30,13 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
     let tree = &source.tree;
     let span = cx.span(&source.file, tree.site);
     let mut lowering = Lowering::new(cx, source)?;
-    let owner = lowering.owner();
     lowering.parameters()?;
-    let params = lowering.locals.len() as u32;
+    let params = lowering.locals.len();
     lowering.body(&tree.body)?;
     if tree.attributes.atomic {
-        lowering.roll_back(params as usize, span);
+        lowering.roll_back(params, span);
     }
-    lowering.check_locals()?;
-    let given_back = lowering.lent_out()?;
-    let result = lowering.result.clone();
-    let result_name = result_name(lowering.cx, tree, &result);
+    let lowered = lowering.finished(params, span)?;
     let home = source.owner.as_deref().unwrap_or(&source.module);
     let suffix = lowering.cx.suffix(&source.suffix);
     let name = match &source.interface {
@@ -61,30 +57,18 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
     // The methods of an instance stand where its author named it.
     let alias = source.owner.as_deref().and_then(|owner| lowering.cx.aliases.get(owner));
     let module = alias.map_or(&source.module, |alias| &alias.module).clone();
-    let absent = std::mem::take(&mut lowering.absent);
-    let parameters = &lowering.locals[..params as usize];
-    let attributes = lowering.cx.sizes_of(source, parameters, &result);
-    let function = Function {
-        name,
-        module,
-        owner,
-        role: match tree.role {
-            tree::Role::Entry { infallible } => Role::Entry { infallible },
-            tree::Role::Public => Role::Public,
-            tree::Role::Private | tree::Role::Expanded | tree::Role::Rewritten => Role::Private,
-            tree::Role::Inline => Role::Inline,
-        },
-        attributes,
-        docs: tree.docs.clone(),
-        params,
-        result_name,
-        body: Block(lowering.out),
-        locals: lowering.locals.into_iter().map(without_marks).collect(),
-        result,
-        kernel: None,
-        span,
+    let role = match tree.role {
+        tree::Role::Entry { infallible } => Role::Entry { infallible },
+        tree::Role::Public => Role::Public,
+        tree::Role::Private | tree::Role::Expanded | tree::Role::Rewritten => Role::Private,
+        tree::Role::Inline => Role::Inline,
     };
-    Ok(Lowered { function, absent, given_back })
+    Ok(Lowered { function: Function { name, module, role, ..lowered.function }, ..lowered })
+}
+
+/// Whether each call of a function has a copy of its own, for the closures that it is called with.
+pub(super) fn takes_closures(function: &tree::Function) -> bool {
+    function.tree.params.iter().any(|param| param.closure)
 }
 
 /// The local without the marks that kept its name apart from others.
@@ -93,7 +77,7 @@ pub(super) fn without_marks(local: Local) -> Local {
 }
 
 /// The author's name for the result if the body ends in one, else the name of its type.
-pub(super) fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
+fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
     if let Some(name) = &tree.attributes.result.name {
         return name.clone();
     }
@@ -168,7 +152,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             lenders: Lenders::default(),
             frames: Vec::new(),
             counters: Vec::new(),
-            handed: HashMap::new(),
+            closures: Vec::new(),
             absent: Vec::new(),
             expanding: Vec::new(),
         })
@@ -185,6 +169,30 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// The function, its body lowered; the first `params` of its locals are its parameters. Its caller gives it a name.
+    pub(super) fn finished(&mut self, params: usize, span: Span) -> Result<Lowered> {
+        self.check_locals()?;
+        let given_back = self.lent_out()?;
+        let (source, result) = (self.source, self.result.clone());
+        let locals = std::mem::take(&mut self.locals);
+        let function = Function {
+            name: source.tree.name.clone(),
+            module: source.module.clone(),
+            owner: self.owner(),
+            role: Role::Private,
+            attributes: self.cx.sizes_of(source, &locals[..params], &result),
+            docs: source.tree.docs.clone(),
+            params: params as u32,
+            result_name: result_name(self.cx, &source.tree, &result),
+            body: Block(std::mem::take(&mut self.out)),
+            locals: locals.into_iter().map(without_marks).collect(),
+            result,
+            kernel: None,
+            span,
+        };
+        Ok(Lowered { function, absent: std::mem::take(&mut self.absent), given_back })
+    }
+
     pub(super) fn parameters(&mut self) -> Result<()> {
         let source = self.source;
         for param in source.tree.params.iter().filter(|param| !param.closure) {
@@ -192,7 +200,7 @@ impl Lowering<'_, '_> {
             let absent = self.slot_is_nothing(param.slot);
             self.absent.push(absent);
             if absent {
-                self.bind(&param.name, Binding::Nothing);
+                self.bind(&param.name, Value::Nothing);
                 continue;
             }
             if let Some(element) = slice_of(ty) {
@@ -284,30 +292,34 @@ impl Lowering<'_, '_> {
     pub(super) fn declare(&mut self, name: &str, ty: Type, mode: Mode, span: Span) -> LocalId {
         let id = LocalId(self.locals.len() as u32);
         self.locals.push(Local { name: name.to_owned(), ty, mode, span });
-        self.bind(name, Binding::Local(id));
+        self.bind(name, Value::Local(id));
         id
     }
 
     /// The meaning of a name, as a value.
     pub(super) fn named(&mut self, name: &str, site: Site) -> Result<Expr> {
         let span = self.span(site);
-        let place = match self.lookup(name, site)? {
-            Binding::Alias(place) => place,
-            Binding::Slice(slice) => slice.place(),
-            Binding::Value(value) => return Ok(*value),
-            Binding::Nothing => return Ok(self.nothing(site)),
-            Binding::Unmade(tuple) => return self.made(*tuple, site),
-            Binding::Local(root) => {
-                let ty = self.locals[root.index()].ty.clone();
-                Place::local(root, ty, span)
-            }
-        };
-        Ok(place.load().at(span))
+        let meaning = self.lookup(name, site)?;
+        if let Some(place) = self.place_of(&meaning, span) {
+            return Ok(place.load().at(span));
+        }
+        match meaning {
+            Value::Word(value) => Ok(*value),
+            Value::Nothing => Ok(self.nothing(site)),
+            tuple => self.made(&tuple, site),
+        }
     }
 
-    /// Another name for a place, from here on.
-    pub(super) fn alias_to(&mut self, name: &str, place: Place) {
-        self.bind(name, Binding::Alias(place));
+    /// The place that a name means; none if it means a value, or none yet.
+    pub(super) fn place_of(&self, meaning: &Value, span: Span) -> Option<Place> {
+        match meaning {
+            Value::Place(place) => Some(place.clone()),
+            Value::Slice(slice) => Some(slice.place()),
+            Value::Local(root) => {
+                Some(Place::local(*root, self.locals[root.index()].ty.clone(), span))
+            }
+            _ => None,
+        }
     }
 
     /// The value of a local that a loop assigns: C compilers do not see that the loop runs.
@@ -315,18 +327,27 @@ impl Lowering<'_, '_> {
         (ends_in_loop(value) && *ty != Type::Unit).then(|| self.zero(ty, span))
     }
 
-    pub(super) fn bind(&mut self, name: &str, binding: Binding) {
+    pub(super) fn bind(&mut self, name: &str, binding: Value) {
         if let Some(scope) = self.scopes.last_mut() {
             scope.push((name.to_owned(), binding));
         }
     }
 
-    pub(super) fn lookup(&self, name: &str, site: Site) -> Result<Binding> {
+    pub(super) fn lookup(&self, name: &str, site: Site) -> Result<Value> {
         let found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
         match found.into_iter().find(|(known, _)| known == name) {
             Some((_, binding)) => Ok(binding.clone()),
             None => problem(site, format!("`{name}` is not known here"), super::OUR_FAULT),
         }
+    }
+
+    /// The closure that a name means.
+    pub(super) fn closure_named(&self, name: &str) -> Option<usize> {
+        let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
+        found.find_map(|(known, meaning)| match meaning {
+            Value::Closure(closure) if known == name => Some(*closure),
+            _ => None,
+        })
     }
 
     pub(super) fn emit(&mut self, kind: StmtKind, span: Span) {
@@ -424,7 +445,7 @@ impl Lowering<'_, '_> {
         }
         if self.slot_is_nothing(slot) {
             value.iter().try_for_each(|value| self.effect(value))?;
-            self.bind(name, Binding::Nothing);
+            self.bind(name, Value::Nothing);
             return Ok(());
         }
         if slot != NO_SLOT && self.slot_is_reference(slot, site)? && !self.gathers(name) {
@@ -441,7 +462,7 @@ impl Lowering<'_, '_> {
         };
         if ty == Type::Unit {
             value.iter().try_for_each(|value| self.effect(value))?;
-            self.bind(name, Binding::Nothing);
+            self.bind(name, Value::Nothing);
             return Ok(());
         }
         let naming = std::mem::replace(&mut self.naming, name.to_owned());
@@ -450,7 +471,7 @@ impl Lowering<'_, '_> {
                 // The loop gathers in the variable itself.
                 let local = self.fold(value, Some(name))?;
                 self.agree(&self.locals[local.index()].ty.clone(), &ty, site)?;
-                self.bind(name, Binding::Local(local));
+                self.bind(name, Value::Local(local));
             }
             Some(value) if !control_with_value(value) => {
                 // The name means the new local only after its value.
@@ -460,7 +481,7 @@ impl Lowering<'_, '_> {
                 match self.made_for(&value, before) {
                     Some(local) => {
                         self.locals[local.index()].name = name.to_owned();
-                        self.bind(name, Binding::Local(local));
+                        self.bind(name, Value::Local(local));
                     }
                     None => {
                         let local = self.declare(name, ty, Mode::Value, span);
@@ -477,20 +498,8 @@ impl Lowering<'_, '_> {
     /// Whether a name of a function that stands where it is called is that of a variable which is assigned: it holds what a
     /// reference refers to, since what is assigned to it lies elsewhere.
     fn gathers(&self, name: &str) -> bool {
-        struct Assigned<'n>(&'n str, bool);
-        impl Visit for Assigned<'_> {
-            fn expr(&mut self, expr: &tree::Expr) {
-                if let tree::ExprKind::Assign(None, place, _) = &expr.kind {
-                    self.1 |= matches!(&place.kind, tree::ExprKind::Local(name) if name == self.0);
-                }
-                walk_expr(self, expr);
-            }
-        }
-        let mut assigned = Assigned(name, false);
-        if self.source.tree.role == tree::Role::Expanded {
-            assigned.block(&self.source.tree.body);
-        }
-        assigned.1
+        self.source.tree.role == tree::Role::Expanded
+            && Writes::to(name, &self.source.tree.body).whole
     }
 
     /// The local that a value was put together in, and nothing else: it can have the author's name.
@@ -519,7 +528,7 @@ impl Lowering<'_, '_> {
             let place = Place::local(local, ty, span);
             self.into(value, &Target::Place(place))?;
         }
-        self.bind(name, Binding::Local(local));
+        self.bind(name, Value::Local(local));
         Ok(())
     }
 

@@ -3,8 +3,9 @@
 use bessemer_ir::tree::{self, Start};
 use bessemer_ir::{Expr, ExprKind, Float, Local, LocalId, Mode, Scalar, Stmt, StmtKind, Type};
 
-use super::lowering::{Binding, Lowering};
+use super::lowering::Lowering;
 use super::order::{is_free, is_settled};
+use super::value::Value;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -33,7 +34,7 @@ impl Lowering<'_, '_> {
         self.emit(StmtKind::Let { local, value }, span);
         let begun = self.later(mark);
         self.naming_scope(|inner| {
-            inner.bind(name, Binding::Local(local));
+            inner.bind(name, Value::Local(local));
             inner.effect(each)
         })?;
         let mut source = self.later(mark);

@@ -7,12 +7,15 @@
 //! Invariants: one loop of the function hands its items on, so that what leaves the body's pass, or the author's loop,
 //! leaves the same of that one.
 
+use std::rc::Rc;
+
 use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
 use bessemer_ir::tree::{self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt};
 use bessemer_ir::{Place, Type};
 
-use super::lowering::{Binding, Handed, Lowering, Said};
-use super::subject::Subject;
+use super::call::Called;
+use super::lowering::{Lowering, Said};
+use super::value::Value;
 use super::{Result, problem};
 
 /// A loop through what a function gives.
@@ -26,9 +29,9 @@ pub(super) struct Generated<'a, 'e> {
 /// What gives the items.
 enum By<'a, 'e> {
     /// A call of a function.
-    Call(&'a tree::Function, &'e [tree::Expr]),
+    Call(Called<'a, 'e>),
     /// An iterator that is an argument.
-    Argument(Handed<'a>),
+    Argument(usize),
 }
 
 /// Whether a function gives an iterator.
@@ -46,15 +49,15 @@ impl<'a> Lowering<'a, '_> {
         for part in parts {
             let called = self.expansion(&part.array).filter(|(it, _)| generates(it));
             let by = match called {
-                Some((function, arguments)) => Some(By::Call(function, arguments)),
-                None if let Some(handed) = self.items_given(&part.array) => {
-                    Some(By::Argument(handed))
+                Some(called) => Some(By::Call(called)),
+                None if let Some(closure) = self.items_given(&part.array) => {
+                    Some(By::Argument(closure))
                 }
                 // What is gone through by value is what `into_iter` gives, which may be something else.
                 None if part.owned => None,
                 None => {
                     let own = self.own_items(&part.array)?;
-                    own.map(|(function, arguments)| By::Call(function, arguments))
+                    own.map(By::Call)
                 }
             };
             let Some(by) = by else { continue };
@@ -72,24 +75,24 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The iterator that a parameter is.
-    fn items_given(&self, of: &tree::Expr) -> Option<Handed<'a>> {
+    fn items_given(&self, of: &tree::Expr) -> Option<usize> {
         let Tree::Local(name) = &of.kind else { return None };
         let mut params = self.source.tree.params.iter();
         params.find(|param| param.items && param.name == *name)?;
-        self.handed.get(name).cloned()
+        self.closure_named(name)
     }
 
     /// An author's own `iter` of what is gone through: the adaptor is the iterator's own, as its name is.
-    fn own_items<'e>(
-        &mut self,
-        of: &'e tree::Expr,
-    ) -> Result<Option<(&'a tree::Function, &'e [tree::Expr])>> {
+    fn own_items<'e>(&mut self, of: &'e tree::Expr) -> Result<Option<Called<'a, 'e>>> {
         let is_place = matches!(of.kind, Tree::Local(_) | Tree::Field(..) | Tree::Index(..));
         let own = |it: &&&'a tree::Function| generates(it) && it.tree.name == ITER;
-        let own: Vec<_> = self.cx.expanded.values().filter(own).copied().collect();
+        if !is_place || self.holds_nothing(of) {
+            return Ok(None);
+        }
+        let own: Vec<_> = self.cx.all.values().filter(own).copied().collect();
         let other = |it: &&&'a tree::Function| generates(it) && it.tree.name == ITER_MUT;
-        let changed: Vec<_> = self.cx.expanded.values().filter(other).map(|it| &it.owner).collect();
-        if !is_place || own.is_empty() || self.holds_nothing(of) {
+        let changed: Vec<_> = self.cx.all.values().filter(other).map(|it| &it.owner).collect();
+        if own.is_empty() {
             return Ok(None);
         }
         let Type::Struct(id) = self.type_alone(of)? else { return Ok(None) };
@@ -112,8 +115,8 @@ impl<'a> Lowering<'a, '_> {
         let Generated { by, pattern, straight } = generated;
         let way = Way { order, counted: index.is_some() };
         let plain = match &by {
-            By::Argument(handed) => way.of(&handed.closure.body),
-            By::Call(..) => None,
+            By::Argument(closure) => way.of(&self.closures[*closure].text.body),
+            By::Call(_) => None,
         };
         if !straight || (order != Order::Up && plain.is_none()) || !cuts.is_empty() {
             return problem(
@@ -134,26 +137,22 @@ impl<'a> Lowering<'a, '_> {
             let body = tree::Expr { kind: Tree::Block(body), site, slot: None };
             let (name, parameters, body) = (None, vec![pattern], Box::new(body));
             let closure = tree::Closure { name, parameters, body };
-            let (captures, nothing) = (Vec::new(), Vec::new());
-            let source = inner.source;
             match by {
-                By::Call(function, arguments) => {
-                    let (bound, mut handed) = inner.given_to(function, arguments)?;
-                    let scope = Some(inner.scope());
-                    let each = Handed { closure, source, captures, nothing, scope };
-                    handed.insert(EACH.to_owned(), each);
+                By::Call((function, arguments)) => {
+                    let mut bound = inner.given_to(function, arguments)?;
+                    bound.push((EACH.to_owned(), inner.closure_here(closure)));
                     let mut text = function.tree.body.clone();
                     if let Some(Stmt::Expr(last)) = text.stmts.last_mut() {
                         stands_for(said, last);
                     }
-                    inner.inside(function, (bound, handed), site, |inner| inner.stmts(&text))
+                    inner.inside(function, bound, site, |inner| inner.stmts(&text))
                 }
-                By::Argument(handed) => {
-                    let scope = Some(inner.scope());
-                    let each = Handed { closure, source, captures, nothing, scope };
-                    let mut text = plain.unwrap_or_else(|| (*handed.closure.body).clone());
+                By::Argument(through) => {
+                    let each = inner.closure_here(closure);
+                    let through = Rc::clone(&inner.closures[through]);
+                    let mut text = plain.unwrap_or_else(|| (*through.text.body).clone());
                     stands_for(said, &mut text);
-                    inner.in_scope_of(&handed, Some(each), site, |inner| inner.effect(&text))
+                    inner.in_scope_of(&through, Some(each), site, |inner| inner.effect(&text))
                 }
             }
         })
@@ -165,15 +164,15 @@ impl<'a> Lowering<'a, '_> {
         &mut self,
         expr: &tree::Expr,
         taken: Option<&tree::Pattern>,
-    ) -> Result<Subject> {
+    ) -> Result<Value> {
         match &expr.kind {
             Tree::Tuple(parts) if expr.slot.is_none() => {
                 let parts = parts.iter().map(|part| self.item(part, None));
-                parts.collect::<Result<_>>().map(Subject::Parts)
+                Ok(Value::Tuple(parts.collect::<Result<_>>()?, None))
             }
             Tree::Local(name) => match self.lookup(name, expr.site)? {
-                Binding::Alias(place) => Ok(Subject::Place(place)),
-                Binding::Local(local) if !self.steady.contains(&local) => {
+                Value::Place(place) => Ok(Value::Place(place)),
+                Value::Local(local) if !self.steady.contains(&local) => {
                     // Nothing else writes to it: it was made to be handed on.
                     self.held.insert(local);
                     if let Some(tree::Pattern::Name { name, mutable: false, inner: None, .. }) =
@@ -191,11 +190,9 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The counter of a loop, if that is what is handed on: nothing else changes it.
-    pub(super) fn counted(&self, subject: &Subject) -> Option<Place> {
+    pub(super) fn counted(&self, subject: &Value) -> Option<Place> {
         match subject {
-            Subject::Place(place)
-                if place.steps.is_empty() && self.steady.contains(&place.root) =>
-            {
+            Value::Place(place) if place.steps.is_empty() && self.steady.contains(&place.root) => {
                 Some(place.clone())
             }
             _ => None,

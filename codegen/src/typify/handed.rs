@@ -3,16 +3,15 @@
 //! The copy takes, in the closure's place, what the closure uses: words that it only reads by value, everything
 //! else by reference. Where the function calls its closure, the closure's body stands.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
+use std::rc::Rc;
 
 use bessemer_ir::tree::visit::{Bound, Locals, Visit};
 use bessemer_ir::tree::{self, Site, Ty};
-use bessemer_ir::{
-    Argument, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type,
-};
+use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type};
 
-use super::lowering::{Binding, Capture, Handed, Lowering, Target, UNNAMED};
-use super::subject::Subject;
+use super::lowering::{Closure, Lowering, Scope, Target, UNNAMED};
+use super::value::Value;
 use super::{OUR_FAULT, Result, names, problem};
 use crate::effects;
 
@@ -24,34 +23,35 @@ impl<'a> Lowering<'a, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let mut handed = HashMap::new();
-        let mut plain = Vec::new();
+        let (mut closures, mut plain) = (Vec::new(), Vec::new());
         for (param, argument) in template.tree.params.iter().zip(arguments) {
             match param.closure {
-                true => drop(handed.insert(param.name.clone(), self.handed(argument)?)),
+                true => closures.push((param.name.as_str(), self.handed(argument)?)),
                 false => plain.push(argument.clone()),
             }
         }
-        let (id, captured) = self.specialised(template, handed, expr.site)?;
+        let (id, captured) = self.specialised(template, closures, expr.site)?;
         self.call_with(id, &plain, captured, expr)
     }
 
     /// The closure that an argument is, and what it uses.
-    fn handed(&mut self, argument: &tree::Expr) -> Result<Handed<'a>> {
+    fn handed(&mut self, argument: &tree::Expr) -> Result<Closure<'a>> {
         if let tree::ExprKind::Local(name) = &argument.kind
-            && let Some(handed) = self.handed.get(name).cloned()
+            && let Some(closure) = self.closure_named(name)
         {
-            let Some(scope) = &handed.scope else { return Ok(handed) };
+            let Closure { text, source, scope } = (*self.closures[closure]).clone();
+            if scope.locals.is_none() {
+                return Ok(Closure { text, source, scope });
+            }
             // It leaves the function that it was written in: what it uses goes with it.
-            let scopes = std::mem::replace(&mut self.scopes, scope.names.clone());
-            let captured = self.from(handed.source, argument.site, |inner| {
-                inner.captured(handed.closure.clone(), argument.site)
-            });
+            let scopes = std::mem::replace(&mut self.scopes, scope.names);
+            let captured =
+                self.from(source, argument.site, |inner| inner.captured(text, argument.site));
             self.scopes = scopes;
             return captured;
         }
-        let closure = self.closure_of(argument)?;
-        self.captured(closure, argument.site)
+        let text = self.closure_of(argument)?;
+        self.captured(text, argument.site)
     }
 
     /// The closure that is written as an argument.
@@ -68,128 +68,102 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// A closure with what it uses, each a place that can be passed.
-    fn captured(&mut self, closure: tree::Closure, site: Site) -> Result<Handed<'a>> {
-        let (mut captures, mut nothing) = (Vec::new(), Vec::new());
-        for name in names_in(&closure) {
-            let Ok(binding) = self.lookup(&name, site) else { continue };
+    fn captured(&mut self, text: tree::Closure, site: Site) -> Result<Closure<'a>> {
+        let mut captures = Vec::new();
+        for name in names_in(&text) {
+            let Ok(meaning) = self.lookup(&name, site) else { continue };
             let span = self.span(site);
-            let local = matches!(binding, Binding::Local(_));
-            let place = match binding {
-                Binding::Alias(place) => Some(place),
-                Binding::Slice(_) | Binding::Value(_) | Binding::Unmade(_) => None,
-                Binding::Nothing => {
-                    nothing.push(name);
-                    continue;
-                }
-                Binding::Local(root) => {
-                    let ty = self.locals[root.index()].ty.clone();
-                    Some(Place::local(root, ty, span))
-                }
-            };
             // Neither the parts of an array nor a parameter that is a slice.
             let plain = |place: &Place| {
                 !matches!(place.ty, Type::Slice(_)) && self.cx.slices_in(&place.ty).is_empty()
             };
-            let Some(place) = place.filter(plain) else {
-                return problem(
-                    site,
-                    "a closure that is handed to a function uses no slice in the DSL",
-                    "take what it needs of the slice before: `let first = values[0];`",
-                );
-            };
-            captures.push(Capture { name, place, local });
+            match (&meaning, self.place_of(&meaning, span)) {
+                (Value::Closure(_), _) => {}
+                (Value::Nothing, _) => captures.push((name, meaning)),
+                (_, Some(place)) if plain(&place) => captures.push((name, meaning)),
+                _ => {
+                    return problem(
+                        site,
+                        "a closure that is handed to a function uses no slice in the DSL",
+                        "take what it needs of the slice before: `let first = values[0];`",
+                    );
+                }
+            }
         }
-        Ok(Handed { closure, source: self.source, captures, nothing, scope: None })
+        let scope = Scope { names: vec![captures], expanding: Vec::new(), locals: None };
+        Ok(Closure { text, source: self.source, scope })
     }
 
     /// The copy of a function for closures; and what they use, as the arguments for it.
     fn specialised(
         &mut self,
         template: &'a tree::Function,
-        mut handed: HashMap<String, Handed<'a>>,
+        mut closures: Vec<(&str, Closure<'a>)>,
         site: Site,
     ) -> Result<(FunctionId, Vec<Argument>)> {
-        let given = handed.clone();
-        let home = self.source;
-        let owner = self.owner();
-        let is_inline = home.tree.role == tree::Role::Inline;
-        let mut outside: Vec<Place> = Vec::new();
+        closures.sort_by_key(|(param, _)| *param);
+        let mut given: Vec<_> =
+            closures.iter().filter_map(|(_, closure)| closure.text.name.clone()).collect();
+        given.sort();
+        let span = self.span(site);
+        let all = closures.iter().flat_map(|(_, closure)| closure.scope.names.iter().flatten());
+        let outside: Vec<(String, Place)> = all
+            .filter_map(|(name, meaning)| Some((name.clone(), self.place_of(meaning, span)?)))
+            .collect();
         let mut inner = Lowering::new(&mut *self.cx, template)?;
         inner.parameters()?;
         let first = inner.locals.len();
-        let mut order: Vec<_> = handed.keys().cloned().collect();
-        order.sort();
-        for param in order {
-            let Some(handed) = handed.get_mut(&param) else { continue };
-            for Capture { name, place, .. } in &mut handed.captures {
-                let root = LocalId(inner.locals.len() as u32);
-                let local = Local {
-                    name: name.clone(),
-                    ty: place.ty.clone(),
-                    mode: Mode::RefMut,
-                    span: place.span,
-                };
-                inner.locals.push(local);
-                outside.push(place.clone());
-                *place = Place { root, steps: Vec::new(), ty: place.ty.clone(), span: place.span };
-            }
-        }
+        inner.locals.extend(outside.iter().map(|(name, place)| Local {
+            name: name.clone(),
+            ty: place.ty.clone(),
+            mode: Mode::RefMut,
+            span: place.span,
+        }));
         let params = inner.locals.len();
-        inner.handed = handed;
+        let mut own = (first as u32..).map(LocalId);
+        for (param, mut closure) in closures {
+            for (_, meaning) in closure.scope.names.iter_mut().flatten() {
+                let is_local = matches!(meaning, Value::Local(_));
+                if !(is_local || matches!(meaning, Value::Place(_))) {
+                    continue;
+                }
+                let Some(root) = own.next() else { continue };
+                let Local { ty, span, .. } = inner.locals[root.index()].clone();
+                *meaning = match is_local {
+                    true => Value::Local(root),
+                    false => Value::Place(Place::local(root, ty, span)),
+                };
+            }
+            let closure = inner.closure(closure);
+            inner.bind(param, closure);
+        }
         inner.body(&template.tree.body)?;
-        let body = Block(std::mem::take(&mut inner.out));
-        inner.check_locals()?;
-        let given_back = inner.lent_out()?;
-        let mut locals = std::mem::take(&mut inner.locals);
-        let result = inner.result.clone();
-        let absent = std::mem::take(&mut inner.absent);
+        let mut lowered = inner.finished(params, span)?;
+        let function = &mut lowered.function;
         let mut captured = Vec::new();
-        for (index, place) in outside.into_iter().enumerate() {
-            let id = LocalId((first + index) as u32);
-            let local = &mut locals[id.index()];
-            let argument = match (effects::writes_local(&body, id), local.ty.is_word()) {
-                (true, _) => Argument::RefMut(place),
-                (false, true) => Argument::Value(place.load()),
-                (false, false) => Argument::Ref(place.load()),
+        for ((_, place), at) in outside.into_iter().zip(first..) {
+            let written = effects::writes_local(&function.body, LocalId(at as u32));
+            let (mode, argument) = match (written, place.ty.is_word()) {
+                (true, _) => (Mode::RefMut, Argument::RefMut(place)),
+                (false, true) => (Mode::Value, Argument::Value(place.load())),
+                (false, false) => (Mode::Ref, Argument::Ref(place.load())),
             };
-            local.mode = match &argument {
-                Argument::RefMut(_) => Mode::RefMut,
-                Argument::Value(_) => Mode::Value,
-                Argument::Ref(_) => Mode::Ref,
-            };
+            function.locals[at].mode = mode;
             captured.push(argument);
         }
         // Behind the body, in which another closure may be handed to the same function.
-        let called = self.copy_name(template, &given);
-        let attributes = self.cx.sizes_of(template, &locals, &result);
-        let function = bessemer_ir::Function {
-            name: called,
-            module: home.module.clone(),
-            owner,
-            role: if is_inline { Role::Inline } else { Role::Private },
-            attributes,
-            docs: template.tree.docs.clone(),
-            params: params as u32,
-            result_name: super::function::result_name(self.cx, &template.tree, &result),
-            body,
-            locals: locals.into_iter().map(super::function::without_marks).collect(),
-            result,
-            kernel: None,
-            span: self.cx.span(&home.file, site),
-        };
-        let id = FunctionId(self.cx.module.functions.len() as u32);
-        self.cx.module.functions.push(function);
-        self.cx.note_params(id, absent);
-        self.cx.given_back.insert(id, given_back);
-        Ok((id, captured))
+        function.name = self.copy_name(template, &given);
+        function.module.clone_from(&self.source.module);
+        function.owner = self.owner();
+        if self.source.tree.role == tree::Role::Inline {
+            function.role = Role::Inline;
+        }
+        Ok((self.cx.add(lowered), captured))
     }
 
     /// `bisect_error`, for the closure called `error`; else `bisect_in_step`, for the function that calls it. A copy for an
     /// instance is named for it, so that no other instance moves its name.
-    fn copy_name(&self, template: &tree::Function, handed: &HashMap<String, Handed<'a>>) -> String {
-        let mut given: Vec<_> =
-            handed.values().filter_map(|handed| handed.closure.name.clone()).collect();
-        given.sort();
+    fn copy_name(&self, template: &tree::Function, given: &[String]) -> String {
         let purpose = match given.is_empty() {
             true => format!("in_{}", names::snake(&self.source.tree.name)),
             false => given.join("_"),
@@ -253,7 +227,8 @@ impl<'a> Lowering<'a, '_> {
     /// True for a call of a closure that is inlined in the scope in which its author wrote it.
     pub(super) fn stands_here(&self, expr: &tree::Expr) -> bool {
         let tree::ExprKind::Apply(name, _) = &expr.kind else { return false };
-        name != tree::EACH && self.handed.get(name).is_some_and(|it| it.scope.is_some())
+        let closure = self.closure_named(name).filter(|_| name != tree::EACH);
+        closure.is_some_and(|it| self.closures[it].scope.locals.is_some())
     }
 
     fn applied<T>(
@@ -263,16 +238,16 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
         end: impl FnOnce(&mut Self, &tree::Closure) -> Result<T>,
     ) -> Result<T> {
-        let Some(handed) = self.handed.get(name).cloned() else {
+        let Some(handed) = self.closure_named(name).map(|it| Rc::clone(&self.closures[it])) else {
             return problem(
                 site,
                 "a closure that was handed on is not called in another closure in the DSL",
                 "call it before, and use its value",
             );
         };
-        let closure = &handed.closure;
+        let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
-        let stays = handed.scope.as_ref().filter(|_| name != tree::EACH).map(|it| it.locals);
+        let stays = handed.scope.locals.filter(|_| name != tree::EACH);
         let mut subjects = Vec::new();
         let parameters = closure.parameters.iter().map(Some).chain(std::iter::repeat(None));
         for (argument, parameter) in arguments.iter().zip(parameters) {
@@ -305,7 +280,7 @@ impl<'a> Lowering<'a, '_> {
                 let mut place = place.clone();
                 // Its indices are checked also where the body does not read it.
                 self.fix(&mut place);
-                subjects.push(Subject::Place(place));
+                subjects.push(Value::Place(place));
                 continue;
             }
             if !lent && value.ty != Type::Unit {
@@ -320,35 +295,22 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// Lowers what stands in a closure, where names and closures mean what they mean there; `each` is what items are handed to.
+    /// Lowers what stands in a closure, where names mean what they mean there; `each` is what items are handed to.
     pub(super) fn in_scope_of<T>(
         &mut self,
-        handed: &Handed<'a>,
-        each: Option<Handed<'a>>,
+        closure: &Closure<'a>,
+        each: Option<Value>,
         site: Site,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
-        let (mut names, mut known) = (Vec::new(), HashMap::new());
-        let mut expanding = self.expanding.clone();
-        if let Some(scope) = &handed.scope {
-            (names, known) = (scope.names.clone(), scope.handed.clone());
-            expanding.clone_from(&scope.expanding);
-        }
-        known.extend(each.map(|each| (tree::EACH.to_owned(), each)));
+        let Scope { names, expanding, locals } = &closure.scope;
+        let each = each.map(|each| (tree::EACH.to_owned(), each));
+        let names = names.iter().cloned().chain([each.into_iter().collect()]).collect();
+        let expanding = if locals.is_some() { expanding } else { &self.expanding }.clone();
         let expanding = std::mem::replace(&mut self.expanding, expanding);
-        names.push(Vec::new());
         let scopes = std::mem::replace(&mut self.scopes, names);
-        let outer = std::mem::replace(&mut self.handed, known);
-        handed.nothing.iter().for_each(|name| self.bind(name, Binding::Nothing));
-        for Capture { name, place, local } in &handed.captures {
-            match local {
-                true => self.bind(name, Binding::Local(place.root)),
-                false => self.alias_to(name, place.clone()),
-            }
-        }
-        let done = self.from(handed.source, site, lower);
+        let done = self.from(closure.source, site, lower);
         self.scopes = scopes;
-        self.handed = outer;
         self.expanding = expanding;
         done
     }
@@ -369,20 +331,20 @@ impl<'a> Lowering<'a, '_> {
     fn bind_arguments(
         &mut self,
         closure: &tree::Closure,
-        subjects: &[Subject],
+        subjects: &[Value],
         stays: Option<usize>,
     ) -> Result<()> {
         let mut names = Vec::new();
         for (pattern, subject) in closure.parameters.iter().zip(subjects) {
             let place = match (stays, subject) {
-                (Some(_), Subject::Place(place)) => Some(place.clone()),
+                (Some(_), Value::Place(place)) => Some(place.clone()),
                 _ => self.counted(subject),
             };
             if let (tree::Pattern::Name { name, mutable: false, inner: None, .. }, Some(place)) =
                 (pattern, place)
             {
-                self.name_own(pattern, &Subject::Place(place.clone()), stays);
-                self.alias_to(name, place);
+                self.name_own(pattern, &Value::Place(place.clone()), stays);
+                self.bind(name, Value::Place(place));
                 continue;
             }
             self.name_own(pattern, subject, stays);
@@ -392,16 +354,16 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Gives locals of what calls a closure the names that the closure's author gives them.
-    fn name_own(&mut self, pattern: &tree::Pattern, subject: &Subject, stays: Option<usize>) {
+    fn name_own(&mut self, pattern: &tree::Pattern, subject: &Value, stays: Option<usize>) {
         match (pattern, subject) {
-            (tree::Pattern::Tuple(patterns), Subject::Parts(parts)) => {
+            (tree::Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
                 for (pattern, part) in patterns.iter().zip(parts) {
                     self.name_own(pattern, part, stays);
                 }
             }
             (
                 tree::Pattern::Name { name, mutable: false, inner: None, .. },
-                Subject::Place(place),
+                Value::Place(place),
             ) if place.steps.is_empty() && stays.is_some_and(|own| place.root.index() >= own) => {
                 self.locals[place.root.index()].name.clone_from(name);
             }

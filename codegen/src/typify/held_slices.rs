@@ -11,12 +11,12 @@ use bessemer_ir::{Block, Expr, ExprKind, LocalId, Mode, Place, Step, StmtKind, S
 
 use super::borrowed::Borrowed;
 use super::elements::Slice;
-use super::lenders::{FROM, LENGTH, is_same};
+use super::lenders::{FROM, LENGTH};
 use super::lengths::plus;
-use super::lowering::{Binding, Lowering, UNNAMED};
+use super::lowering::{Lowering, UNNAMED};
 use super::regions::ENDS;
-use super::subject::Subject;
-use super::syntax::{control_with_value, is_changed_within, slots_of};
+use super::syntax::{Writes, control_with_value, slots_of};
+use super::value::Value;
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
@@ -138,7 +138,7 @@ impl Lowering<'_, '_> {
             && whole == rest
         {
             let of = Place { root: from.root, steps: whole.to_vec(), ty: Type::Struct(id), span };
-            if self.lender_of(&of).is_some_and(|it| is_same(&it, &slice.base)) {
+            if self.lender_of(&of).is_some_and(|it| effects::same_place(&it, &slice.base)) {
                 return of.load();
             }
         }
@@ -147,7 +147,7 @@ impl Lowering<'_, '_> {
         let known = self.lenders.made.iter().position(|(made, _)| *made == value);
         match known.map(|at| self.lenders.made[at].1.clone()) {
             None => self.lenders.made.push((value.clone(), slice.base)),
-            Some(base) if is_same(&base, &slice.base) => {}
+            Some(base) if effects::same_place(&base, &slice.base) => {}
             // Two that look alike are told apart by their names.
             Some(_) => return self.named_slice(value, slice.base),
         }
@@ -164,12 +164,12 @@ impl Lowering<'_, '_> {
     }
 
     /// What a method lends, as a value of a type.
-    pub(super) fn lent_value(&mut self, lent: Subject, ty: &Type, site: Site) -> Result<Expr> {
+    pub(super) fn lent_value(&mut self, lent: Value, ty: &Type, site: Site) -> Result<Expr> {
         let span = self.span(site);
         match (lent, ty) {
-            (Subject::Place(place), _) => Ok(place.load()),
-            (Subject::Slice(slice), Type::Struct(id)) => Ok(self.borrowed_value(*slice, *id, site)),
-            (Subject::Parts(parts), Type::Struct(id)) => {
+            (Value::Place(place), _) => Ok(place.load()),
+            (Value::Slice(slice), Type::Struct(id)) => Ok(self.borrowed_value(*slice, *id, site)),
+            (Value::Tuple(parts, _), Type::Struct(id)) => {
                 let fields = self.cx.module.structs[id.index()].fields.clone();
                 let mut values = Vec::new();
                 for (part, field) in parts.into_iter().zip(&fields) {
@@ -177,7 +177,7 @@ impl Lowering<'_, '_> {
                 }
                 self.node(ExprKind::Struct(values), ty.clone(), site)
             }
-            (Subject::Maybe(there, lent), Type::Struct(id)) => {
+            (Value::Maybe(there, lent), Type::Struct(id)) => {
                 let none = self.choice(*id, 0, None, site)?;
                 let held = self.temporary(super::slice::FOUND, none);
                 let ExprKind::Load(place) = held.kind.clone() else { return Ok(held) };
@@ -214,7 +214,7 @@ impl Lowering<'_, '_> {
         let local = tree::Expr { kind: tree::ExprKind::Local(name.to_owned()), site, slot: None };
         let (value, span) = (self.value(&local, Some(&ty))?, self.span(site));
         let local = self.declare(&format!("{name}_left"), ty, Mode::Value, span);
-        self.bind(name, Binding::Local(local));
+        self.bind(name, Value::Local(local));
         self.emit(StmtKind::Let { local, value: Some(value) }, span);
         Ok(())
     }
@@ -223,7 +223,7 @@ impl Lowering<'_, '_> {
     fn is_rebound_within(&self, local: LocalId) -> bool {
         let (tree, name) = (&self.source.tree, &self.locals[local.index()].name);
         let refers = |slot: u32| self.source.slots.get(slot as usize).is_some_and(refers_inside);
-        slots_of(tree, name).into_iter().any(refers) && is_changed_within(&tree.body, name)
+        slots_of(tree, name).into_iter().any(refers) && Writes::to(name, &tree.body).part
     }
 
     /// Whether a place is in what a value holds a reference to, of which it has a copy, and may come to hold another.
@@ -231,7 +231,7 @@ impl Lowering<'_, '_> {
         let local = &self.locals[place.root.index()];
         // What stands where it is called knows the value by another name.
         let changed =
-            !self.expanding.is_empty() || is_changed_within(&self.source.tree.body, &local.name);
+            !self.expanding.is_empty() || Writes::to(&local.name, &self.source.tree.body).part;
         changed && self.is_loaned(&local.ty, &place.steps)
     }
 

@@ -21,17 +21,23 @@ impl<'a> Context<'a> {
             let lowered = function::lower(self, function);
             self.underway.pop();
             match lowered {
-                Ok(function::Lowered { function: made, absent, given_back }) => {
-                    let id = FunctionId(self.module.functions.len() as u32);
-                    self.note_params(id, absent);
-                    self.given_back.insert(id, given_back);
-                    self.module.functions.push(made);
+                Ok(lowered) => {
+                    let id = self.add(lowered);
                     self.functions.insert(function.path.clone(), id);
                 }
                 Err(problem) => self.tell(&function.file, problem),
             }
         }
         self.functions.get(path).copied()
+    }
+
+    /// Adds a function to the module.
+    pub(super) fn add(&mut self, lowered: function::Lowered) -> FunctionId {
+        let id = FunctionId(self.module.functions.len() as u32);
+        self.note_params(id, lowered.absent);
+        self.given_back.insert(id, lowered.given_back);
+        self.module.functions.push(lowered.function);
+        id
     }
 
     /// Tells what is wrong; what uses something of which it has been told is refused silently.

@@ -5,13 +5,14 @@
 //!
 //! Must not know: how an iterator is gone through ([`generator`](super::generator)).
 
-use bessemer_ir::tree::visit::{Visit, walk_expr};
 use bessemer_ir::tree::{self, EACH, ExprKind as Tree, NO_SLOT, Order, Stmt, Ty};
 use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
 use super::generator::generates;
-use super::lowering::{Binding, Lowering};
+use super::lowering::Lowering;
+use super::syntax::Writes;
+use super::value::Value;
 
 /// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
 /// types to see what it is, a loop through it.
@@ -38,26 +39,6 @@ pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     let (order, cuts) = (Order::Up, Vec::new());
     let each = Tree::Each { label: None, index: None, parts: vec![part], order, cuts, body };
     tree::Closure { name: None, parameters: Vec::new(), body: Box::new(plain(each)) }
-}
-
-/// Whether a variable of that name is written to, or lent to be.
-fn is_changed(name: &str, body: &tree::Block) -> bool {
-    struct Changed<'n>(&'n str, bool);
-    impl Visit for Changed<'_> {
-        fn expr(&mut self, expr: &tree::Expr) {
-            let written = match &expr.kind {
-                Tree::Assign(_, place, _) | Tree::Ref(true, place) => Some(&**place),
-                Tree::AssignEach(..) => None,
-                _ => return walk_expr(self, expr),
-            };
-            // Of what several places are assigned to, any may be meant.
-            self.1 |= written.is_none_or(|it| matches!(&it.kind, Tree::Local(it) if it == self.0));
-            walk_expr(self, expr);
-        }
-    }
-    let mut changed = Changed(name, false);
-    changed.block(body);
-    changed.1
 }
 
 /// The type of a count.
@@ -114,7 +95,7 @@ impl Lowering<'_, '_> {
     fn settle_number(&mut self, number: &mut tree::Expr, name: &str, ty: &Ty) -> Result<()> {
         let stays = match &number.kind {
             Tree::Int(..) => true,
-            Tree::Local(name) => !is_changed(name, &self.source.tree.body),
+            Tree::Local(name) => !Writes::to(name, &self.source.tree.body).whole,
             _ => false,
         };
         if stays {
@@ -146,7 +127,7 @@ impl Lowering<'_, '_> {
                 return self.settle_number(&mut cut.count, "count%", &SIZE);
             }
             // Another iterator, or what is borrowed.
-            Tree::Local(name) if self.handed.contains_key(name) => return Ok(()),
+            Tree::Local(name) if self.closure_named(name).is_some() => return Ok(()),
             Tree::Local(name) if !owned || !self.is_changeable(name) => return Ok(()),
             Tree::Field(..) if !owned => return Ok(()),
             Tree::Ref(_, inner) if matches!(inner.kind, Tree::Local(_) | Tree::Field(..)) => {
@@ -155,13 +136,13 @@ impl Lowering<'_, '_> {
             _ => {}
         }
         let given = match self.slice(elements)? {
-            Some(slice) => Binding::Slice(Box::new(slice)),
+            Some(slice) => Value::Slice(Box::new(slice)),
             None => {
                 let mut place = self.base(elements)?;
                 self.fix(&mut place);
                 match owned && !self.held.contains(&place.root) {
                     true => self.own("items%", place.load(), false, elements.site)?,
-                    false => Binding::Alias(place),
+                    false => Value::Place(place),
                 }
             }
         };
@@ -173,7 +154,7 @@ impl Lowering<'_, '_> {
     fn is_changeable(&self, name: &str) -> bool {
         let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
         match found.find(|(known, _)| known == name) {
-            Some((_, Binding::Local(root))) => {
+            Some((_, Value::Local(root))) => {
                 self.locals[root.index()].mode == Mode::Value
                     && !self.steady.contains(root)
                     && !self.held.contains(root)
@@ -183,7 +164,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Puts a name in the place of an expression: one that nothing else has here, since a loop goes through several parts.
-    fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Binding) {
+    fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Value) {
         let known: usize = self.scopes.iter().map(|scope| scope.len()).sum();
         let name = format!("{name}{known}");
         self.bind(&name, given);

@@ -14,10 +14,11 @@ use bessemer_ir::{
 
 use super::borrowed::Borrowed;
 use super::elements::Slice;
-use super::lengths::{is_number, same};
+use super::lengths::is_number;
 use super::lowering::Lowering;
 use super::regions::Path;
 use super::{Problem, Result, problem};
+use crate::effects::same_place;
 
 /// The refusal of a slice with two lenders.
 const ONE_OR_OTHER: &str =
@@ -35,21 +36,6 @@ pub(super) fn path_of(place: &Place) -> Path {
         _ => None,
     };
     place.steps.iter().filter_map(field).collect()
-}
-
-/// Whether two places are the same.
-pub(super) fn is_same(one: &Place, other: &Place) -> bool {
-    let alike = |(one, other): (&Step, &Step)| match (one, other) {
-        (Step::Field(one), Step::Field(other)) => one == other,
-        (Step::Index(one), Step::Index(other)) | (Step::From(one), Step::From(other)) => {
-            same(one, other)
-        }
-        (Step::Element(a, b), Step::Element(c, d)) => same(a, c) && same(b, d),
-        _ => false,
-    };
-    one.root == other.root
-        && one.steps.len() == other.steps.len()
-        && one.steps.iter().zip(&other.steps).all(alike)
 }
 
 impl Lowering<'_, '_> {
@@ -218,7 +204,7 @@ impl Lowering<'_, '_> {
             let path = [at, path.as_slice()].concat();
             let mut known = self.lenders.known.iter();
             match known.find(|it| it.0 == root && it.1 == path).map(|it| it.2.clone()) {
-                Some(known) if is_same(&known, &lender) || self.join(&known, &lender) => {}
+                Some(known) if same_place(&known, &lender) || self.join(&known, &lender) => {}
                 Some(_) => self.refuse_lender(span, ONE_OR_OTHER, ONE_ARRAY),
                 None if lender.steps.iter().any(|step| mentions_from(step, root)) => {
                     self.refuse_lender(
@@ -244,7 +230,7 @@ impl Lowering<'_, '_> {
             return;
         }
         match self.lenders.result.iter().find(|it| it.0 == path).map(|it| it.1.clone()) {
-            Some(known) if is_same(&known, &lender) || self.join(&known, &lender) => {}
+            Some(known) if same_place(&known, &lender) || self.join(&known, &lender) => {}
             Some(_) => self.refuse_lender(span, ONE_OR_OTHER, ONE_ARRAY),
             None => self.lenders.result.push((path, lender)),
         }
@@ -275,7 +261,7 @@ impl Lowering<'_, '_> {
         for (paths, Borrowed { mutable, .. }) in groups {
             let mut lenders = known.iter().filter(|it| paths.contains(&it.0)).map(|it| &it.1);
             let lender = lenders.next().cloned();
-            if lenders.any(|it| lender.as_ref().is_some_and(|lender| !is_same(it, lender))) {
+            if lenders.any(|it| lender.as_ref().is_some_and(|lender| !same_place(it, lender))) {
                 return problem(
                     site,
                     "two slices in this value are parts of two arrays, and this function makes one a part of the other",

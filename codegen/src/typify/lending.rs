@@ -4,13 +4,13 @@
 //! and the place can be written. One that only lends to be read, and chooses between places, is a function that gives
 //! a copy; nothing writes to what is lent while it is.
 
-use std::collections::HashMap;
-
 use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
-use super::lowering::{Binding, Lowering};
+use super::lowering::Lowering;
+use super::rewrite::Placed;
+use super::value::Value;
 use super::{Context, OUR_FAULT, Problem, Result, problem};
 
 /// An author's own `[…]`.
@@ -29,37 +29,13 @@ pub(super) fn lends(function: &tree::Function) -> Option<bool> {
     }
 }
 
-/// Takes away where a tree stands, what rustc inferred of it, and whether it lends to be read or to be written.
-struct Bare;
+/// Lends to be read what is lent to be written.
+struct Read;
 
-impl VisitMut for Bare {
-    fn stmt(&mut self, stmt: &mut tree::Stmt) {
-        match stmt {
-            tree::Stmt::Let { site, slot, .. } => (*site, *slot) = (Site::default(), 0),
-            tree::Stmt::Apart { site, .. } => *site = Site::default(),
-            tree::Stmt::Expr(_) => {}
-        }
-        visit::walk_stmt_mut(self, stmt);
-    }
-
-    fn arm(&mut self, arm: &mut tree::Arm) {
-        arm.site = Site::default();
-        visit::walk_arm_mut(self, arm);
-    }
-
-    fn pattern(&mut self, pattern: &mut Pattern) {
-        if let Pattern::Name { slot, .. } = pattern {
-            *slot = 0;
-        }
-        visit::walk_pattern_mut(self, pattern);
-    }
-
+impl VisitMut for Read {
     fn expr(&mut self, expr: &mut tree::Expr) {
-        (expr.site, expr.slot) = (Site::default(), None);
-        match &mut expr.kind {
-            Tree::Ref(mutable, _) => *mutable = false,
-            Tree::For { slot, .. } => *slot = 0,
-            _ => {}
+        if let Tree::Ref(mutable, _) = &mut expr.kind {
+            *mutable = false;
         }
         visit::walk_expr_mut(self, expr);
     }
@@ -71,7 +47,8 @@ fn same_meaning(one: &tree::Function, other: &tree::Function) -> bool {
     let called = |it: &tree::Function| (it.callees.clone(), it.constants.clone());
     let bare = |it: &tree::Function| {
         let mut body = it.tree.body.clone();
-        Bare.block(&mut body);
+        Placed(Site::default()).block(&mut body);
+        Read.block(&mut body);
         body
     };
     let (one_names, other_names): (Vec<_>, Vec<_>) = (names(one), names(other));
@@ -125,7 +102,6 @@ impl<'a> Context<'a> {
 
     /// Notes the functions of which the place stands where they are called.
     pub(super) fn note_lending(&mut self, functions: &[&'a tree::Function]) {
-        self.all = functions.iter().map(|it| (it.path.as_str(), *it)).collect();
         let lends_more = |it: &&&tree::Function| {
             it.slots.get(it.tree.result as usize).is_some_and(|ty| !self.is_nothing(ty))
         };
@@ -147,7 +123,7 @@ impl<'a> Context<'a> {
                 };
                 self.tell(&function.file, problem);
             } else if stands {
-                self.lending.insert(&function.path, function);
+                self.lending.insert(&function.path);
             } else if lends(function) == Some(true) {
                 self.chosen_to_write(function);
             }
@@ -158,7 +134,7 @@ impl<'a> Context<'a> {
     pub(super) fn lends_place(&self, function: &tree::Function) -> bool {
         let lent = function.slots.get(function.tree.result as usize);
         let refused = lends(function) == Some(true) && !lent.is_some_and(|ty| self.is_nothing(ty));
-        refused || self.lending.contains_key(function.path.as_str())
+        refused || self.lending.contains(function.path.as_str())
     }
 
     fn chosen_to_write(&mut self, function: &tree::Function) {
@@ -202,18 +178,16 @@ impl<'a> Context<'a> {
 
     /// The function that is put where it is called; none if it gives a value.
     fn lending(&self, path: &str) -> Option<&'a tree::Function> {
-        self.lending.get(path).copied()
+        self.lending.contains(path).then(|| self.all.get(path).copied())?
     }
 }
 
 impl<'a> Lowering<'a, '_> {
     /// The place that a call lends; none if it gives a value.
     pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
-        let Tree::Call(callee, arguments) = &expr.kind else { return Ok(None) };
-        let source = self.source;
-        match source.callees.get(*callee as usize) {
-            Some(tree::Callee::Function(path)) => self.lent_by(path, arguments, expr),
-            _ => Ok(None),
+        match self.called(expr) {
+            Some((function, arguments)) => self.lent_by(&function.path, arguments, expr),
+            None => Ok(None),
         }
     }
 
@@ -296,7 +270,7 @@ impl<'a> Lowering<'a, '_> {
                 "write one and the same body in both, or methods with names",
             );
         }
-        Ok(Some(if self.cx.lending.contains_key(path) { path } else { other }))
+        Ok(Some(if self.cx.lending.contains(path) { path } else { other }))
     }
 
     /// Whether an index is of a type, of which rustc was not asked where it is written out.
@@ -334,7 +308,7 @@ impl<'a> Lowering<'a, '_> {
                 self.given((&param.name, param.mutable), &ty, argument)?,
             ));
         }
-        self.inside(function, (bound, HashMap::new()), site, |inner| inner.ends_in(function, &body))
+        self.inside(function, bound, site, |inner| inner.ends_in(function, &body))
     }
 
     fn ends_in(&mut self, function: &'a tree::Function, body: &tree::Block) -> Result<Place> {
@@ -362,20 +336,20 @@ impl<'a> Lowering<'a, '_> {
         (name, mutable): (&str, bool),
         ty: &Ty,
         argument: &tree::Expr,
-    ) -> Result<Binding> {
+    ) -> Result<Value> {
         if self.holds_nothing(argument) {
             self.effect(argument)?;
-            return Ok(Binding::Nothing);
+            return Ok(Value::Nothing);
         }
         if let Ty::Ref(inner, written) = ty {
             if let Ty::Slice(_) = **inner
                 && !mutable
             {
-                return Ok(Binding::Slice(Box::new(self.sliced(argument)?)));
+                return Ok(Value::Slice(Box::new(self.sliced(argument)?)));
             }
             if let Some(mut place) = self.place(argument)? {
                 self.fix(&mut place);
-                return Ok(Binding::Alias(place));
+                return Ok(Value::Place(place));
             }
             // A value of its own, `table.clone()` too.
             let value = self.value(argument, None)?;
@@ -387,8 +361,8 @@ impl<'a> Lowering<'a, '_> {
             _ if mutable || !(self.is_steady(&value) || is_constant(&value)) => {
                 self.own(name, value, mutable, argument.site)
             }
-            ExprKind::Load(place) => Ok(Binding::Alias(place)),
-            _ => Ok(Binding::Value(Box::new(value))),
+            ExprKind::Load(place) => Ok(Value::Place(place)),
+            _ => Ok(Value::Word(Box::new(value))),
         }
     }
 
@@ -399,7 +373,7 @@ impl<'a> Lowering<'a, '_> {
         value: Expr,
         mutable: bool,
         site: Site,
-    ) -> Result<Binding> {
+    ) -> Result<Value> {
         let naming = std::mem::take(&mut self.naming);
         let held = self.temporary(name, value);
         self.naming = naming;
@@ -409,7 +383,7 @@ impl<'a> Lowering<'a, '_> {
         if mutable {
             self.held.remove(&place.root);
         }
-        Ok(Binding::Alias(place))
+        Ok(Value::Place(place))
     }
 }
 

@@ -9,129 +9,106 @@ use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKin
 
 use super::elements::Slice;
 use super::lengths::{minus, plus};
-use super::lowering::{Binding, Lowering};
+use super::lowering::Lowering;
+use super::pattern::both;
 use super::regions::ENDS;
-use super::subject::{Named, Subject};
 use super::syntax::is_rest;
+use super::value::{Named, Value};
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
     /// The slice that a method of slices lends or that an expression is; none if it is neither.
-    pub(super) fn lent(&mut self, expr: &tree::Expr) -> Result<Option<Subject>> {
+    pub(super) fn lent(&mut self, expr: &tree::Expr) -> Result<Option<Value>> {
         if let Some(option) = self.option_lent(expr)? {
-            return Ok(Some(Subject::Place(option)));
+            return Ok(Some(Value::Place(option)));
         }
-        let tree::ExprKind::Call(callee, arguments) = &expr.kind else {
-            return Ok(self.slice(expr)?.map(|slice| Subject::Slice(Box::new(slice))));
-        };
-        let method = match self.builtin_of(*callee) {
-            Some(Builtin::Slice(SliceMethod::Whole)) => {
-                return Ok(self.slice(expr)?.map(|slice| Subject::Slice(Box::new(slice))));
-            }
-            Some(Builtin::Slice(method)) => method,
-            _ => return Ok(None),
-        };
         use SliceMethod as M;
+        let (method, array, at) = match self.builtin_call(expr) {
+            None | Some((Builtin::Slice(M::Whole), _)) => {
+                return Ok(self.slice(expr)?.map(|slice| Value::Slice(Box::new(slice))));
+            }
+            Some((Builtin::Slice(method), [array, at @ ..])) if lends(method) => {
+                (method, self.sliced(array)?, at)
+            }
+            Some(_) => return Ok(None),
+        };
         let span = self.span(expr.site);
         let (zero, one) = (Expr::usize(0, span), Expr::usize(1, span));
-        let slice = |slice: Slice| Subject::Slice(Box::new(slice));
-        Ok(Some(match (method, arguments.as_slice()) {
-            (M::Get | M::GetMut, [array, index]) => {
-                let array = self.sliced(array)?;
-                let index = self.value(index, Some(&Type::USIZE))?;
-                let index = self.steady("index", index);
-                let there =
-                    Expr::compare(CompareOp::Lt, index.clone(), array.length.clone()).at(span);
-                let place = array.at(plus(array.from.clone(), index));
-                Subject::Maybe(there, Box::new(Subject::Place(place)))
+        let slice = |slice: Slice| Value::Slice(Box::new(slice));
+        let pair = |one, other| Value::Tuple(vec![one, other], None);
+        let maybe = |there, lent| Value::Maybe(there, Box::new(lent));
+        let compared =
+            |op, one: &Expr, other: &Expr| Expr::compare(op, one.clone(), other.clone()).at(span);
+        let length = array.length.clone();
+        let has = |count: u64| match (&length.kind, count) {
+            (ExprKind::Literal(length), _) => Expr::bool(*length >= count, span),
+            (_, 1) => compared(CompareOp::Gt, &length, &zero),
+            _ => compared(CompareOp::Ge, &length, &Expr::usize(count, span)),
+        };
+        Ok(Some(match (method, at) {
+            (M::Get | M::GetMut, [index]) => {
+                let index = self.steady_index("index", index)?;
+                let there = compared(CompareOp::Lt, &index, &length);
+                maybe(there, Value::Place(array.at(plus(array.from.clone(), index))))
             }
-            (M::GetPart, [array, from, to]) => {
-                let array = self.sliced(array)?;
-                let from = self.value(from, Some(&Type::USIZE))?;
-                let from = self.steady(ENDS[0], from);
-                let to = self.value(to, Some(&Type::USIZE))?;
-                let to = self.steady("to", to);
-                let inside =
-                    Expr::compare(CompareOp::Le, to.clone(), array.length.clone()).at(span);
+            (M::GetPart, [from, to]) => {
+                let from = self.steady_index(ENDS[0], from)?;
+                let to = self.steady_index("to", to)?;
+                let inside = compared(CompareOp::Le, &to, &length);
                 let there = match from.kind {
                     ExprKind::Literal(0) => inside,
-                    _ => {
-                        let ordered =
-                            Expr::compare(CompareOp::Le, from.clone(), to.clone()).at(span);
-                        Expr::logic(LogicOp::And, ordered, inside)
-                    }
+                    _ => Expr::logic(LogicOp::And, compared(CompareOp::Le, &from, &to), inside),
                 };
-                Subject::Maybe(there, Box::new(slice(array.between(from, to))))
+                maybe(there, slice(array.between(from, to)))
             }
-            (M::GetFrom, [array, from]) => {
-                let array = self.sliced(array)?;
-                let from = self.value(from, Some(&Type::USIZE))?;
-                let from = self.steady(ENDS[0], from);
-                let there =
-                    Expr::compare(CompareOp::Le, from.clone(), array.length.clone()).at(span);
-                Subject::Maybe(there, Box::new(slice(array.behind(from))))
+            (M::GetFrom, [from]) => {
+                let from = self.steady_index(ENDS[0], from)?;
+                maybe(compared(CompareOp::Le, &from, &length), slice(array.behind(from)))
             }
-            (
-                M::First | M::FirstMut | M::Last | M::LastMut | M::SplitFirst | M::SplitLast,
-                [array],
-            ) => {
-                let array = self.sliced(array)?;
-                let there = match array.length.kind {
-                    ExprKind::Literal(length) => Expr::bool(length > 0, span),
-                    _ => Expr::compare(CompareOp::Gt, array.length.clone(), zero.clone()).at(span),
-                };
-                let less = minus(array.length.clone(), one.clone());
-                let last = minus(array.to.clone(), one.clone());
-                let lent = match method {
-                    M::First | M::FirstMut => Subject::Place(array.at(array.from.clone())),
-                    M::Last | M::LastMut => Subject::Place(array.at(last)),
-                    M::SplitFirst => {
-                        let first = array.at(array.from.clone());
-                        Subject::Parts(vec![Subject::Place(first), slice(array.behind(one))])
-                    }
-                    _ => {
-                        let rest = array.part(zero, less);
-                        Subject::Parts(vec![Subject::Place(array.at(last)), slice(rest)])
-                    }
-                };
-                Subject::Maybe(there, Box::new(lent))
-            }
-            (M::SplitFirstChunk(count) | M::SplitLastChunk(count), [array]) => {
-                let array = self.sliced(array)?;
-                let enough = u64::from(count);
-                let count = Expr::usize(enough, span);
-                let there = match array.length.kind {
-                    ExprKind::Literal(length) => Expr::bool(length >= enough, span),
-                    _ => Expr::compare(CompareOp::Ge, array.length.clone(), count.clone()).at(span),
-                };
-                let less = minus(array.length.clone(), count.clone());
-                let parts = match method {
-                    M::SplitFirstChunk(_) => [array.part(zero, count.clone()), array.behind(count)],
-                    _ => {
-                        let chunk = Slice { length: count, ..array.behind(less.clone()) };
-                        [array.part(zero, less), chunk]
-                    }
-                };
-                Subject::Maybe(there, Box::new(Subject::Parts(parts.map(slice).into())))
-            }
-            (M::SplitAt, [array, at]) => {
-                let array = self.sliced(array)?;
-                let at = self.value(at, Some(&Type::USIZE))?;
-                let at = self.steady("middle", at);
-                let there = Expr::compare(CompareOp::Le, at.clone(), array.length.clone()).at(span);
-                self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
+            (M::SplitAt, [at]) => {
+                let at = self.steady_index("middle", at)?;
+                let condition = compared(CompareOp::Le, &at, &length);
+                self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
                 let behind = slice(array.behind(at.clone()));
-                Subject::Parts(vec![slice(array.part(zero, at)), behind])
+                pair(slice(array.part(zero, at)), behind)
             }
-            _ => return Ok(None),
+            (M::SplitFirstChunk(count), _) => {
+                let begun = Expr::usize(u64::from(count), span);
+                let chunk = slice(array.part(zero.clone(), begun.clone()));
+                maybe(has(count.into()), pair(chunk, slice(array.behind(begun))))
+            }
+            (M::SplitLastChunk(count), _) => {
+                let count_of = Expr::usize(u64::from(count), span);
+                let less = minus(length.clone(), count_of.clone());
+                let chunk = Slice { length: count_of, ..array.behind(less.clone()) };
+                maybe(has(count.into()), pair(slice(array.part(zero.clone(), less)), slice(chunk)))
+            }
+            _ => {
+                let first = Value::Place(array.at(array.from.clone()));
+                let last = Value::Place(array.at(minus(array.to.clone(), one.clone())));
+                let less = minus(length.clone(), one.clone());
+                let lent = match method {
+                    M::First | M::FirstMut => first,
+                    M::Last | M::LastMut => last,
+                    M::SplitFirst => pair(first, slice(array.behind(one))),
+                    _ => pair(last, slice(array.part(zero.clone(), less))),
+                };
+                maybe(has(1), lent)
+            }
         }))
+    }
+
+    /// An index that is computed once.
+    pub(super) fn steady_index(&mut self, role: &str, index: &tree::Expr) -> Result<Expr> {
+        let index = self.value(index, Some(&Type::USIZE))?;
+        Ok(self.steady(role, index))
     }
 
     /// The condition for `pattern` to take what may be absent.
     pub(super) fn test_maybe(
         &mut self,
         pattern: &tree::Pattern,
-        (there, lent): (&Expr, &Subject),
+        (there, lent): (&Expr, &Value),
         site: Site,
         names: &mut Vec<Named>,
     ) -> Result<Option<Expr>> {
@@ -140,10 +117,7 @@ impl Lowering<'_, '_> {
                 let inner = self.test(&parts[0], lent, site, names)?;
                 // Of an array it is known.
                 let there = (there.kind != ExprKind::Literal(1)).then(|| there.clone());
-                Ok(match (there, inner) {
-                    (Some(there), Some(inner)) => Some(Expr::logic(LogicOp::And, there, inner)),
-                    (there, inner) => there.or(inner),
-                })
+                Ok(both(there, inner))
             }
             tree::Pattern::Constructor(name, _) if name == "None" => {
                 Ok(Some(there.clone().negated()))
@@ -162,7 +136,8 @@ impl Lowering<'_, '_> {
     ) -> Result<Option<Expr>> {
         let patterns = match pattern {
             tree::Pattern::Name { name, slot, inner: None, .. } => {
-                names.push(Named::part(name, *slot, slice.clone(), site));
+                let stands = Value::Slice(Box::new(slice.clone()));
+                names.push(Named::of(name, *slot, stands, site));
                 return Ok(None);
             }
             tree::Pattern::Array(patterns) => patterns,
@@ -197,17 +172,15 @@ impl Lowering<'_, '_> {
                     let begun = slice.behind(Expr::usize(before as u64, span));
                     let length = minus(begun.length.clone(), Expr::usize(behind as u64, span));
                     let part = begun.part(Expr::usize(0, span), length);
-                    names.push(Named::part(name, *slot, part, site));
+                    let stands = Value::Slice(Box::new(part));
+                    names.push(Named::of(name, *slot, stands, site));
                 }
                 continue;
             } else {
                 minus(slice.to.clone(), Expr::usize((patterns.len() - index) as u64, span))
             };
-            let next = self.test(pattern, &Subject::Place(slice.at(at)), site, names)?;
-            all = match (all, next) {
-                (Some(all), Some(next)) => Some(Expr::logic(LogicOp::And, all, next)),
-                (all, next) => all.or(next),
-            };
+            let next = self.test(pattern, &Value::Place(slice.at(at)), site, names)?;
+            all = both(all, next);
         }
         Ok(all)
     }
@@ -216,7 +189,7 @@ impl Lowering<'_, '_> {
     pub(super) fn is_part(&mut self, expr: &tree::Expr) -> bool {
         let tree::ExprKind::Local(name) = &expr.kind else { return false };
         let found = self.lookup(name, expr.site);
-        matches!(found, Ok(Binding::Slice(part)) if part.length.is_literal())
+        matches!(found, Ok(Value::Slice(part)) if part.length.is_literal())
     }
 
     /// `*part`: its elements as an array.
@@ -239,7 +212,7 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         if slot == NO_SLOT || self.slot_is_reference(slot, site)? {
             let part = self.kept_elements(part.clone());
-            self.bind(name, Binding::Slice(Box::new(part)));
+            self.bind(name, Value::Slice(Box::new(part)));
             return Ok(());
         }
         let ty = self.slot(slot, site)?;
@@ -252,6 +225,27 @@ impl Lowering<'_, '_> {
         self.emit(StmtKind::Let { local, value }, span);
         Ok(())
     }
+}
+
+/// Whether a method lends a part of its slice.
+fn lends(method: SliceMethod) -> bool {
+    use SliceMethod as M;
+    matches!(
+        method,
+        M::Get
+            | M::GetMut
+            | M::GetPart
+            | M::GetFrom
+            | M::First
+            | M::FirstMut
+            | M::Last
+            | M::LastMut
+            | M::SplitFirst
+            | M::SplitLast
+            | M::SplitFirstChunk(_)
+            | M::SplitLastChunk(_)
+            | M::SplitAt
+    )
 }
 
 /// A copy of the elements, of which there are as many as the type has.

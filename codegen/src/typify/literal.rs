@@ -3,7 +3,8 @@
 use bessemer_ir::tree::{self, BinaryOp, Builtin, MatrixMethod, Site};
 use bessemer_ir::{Expr, ExprKind, Float, Int, Scalar, Type};
 
-use super::lowering::{Binding, Lowering};
+use super::lowering::Lowering;
+use super::value::Value;
 use super::{OUR_FAULT, Result, problem};
 
 /// The word of an integer literal as a value of `scalar`.
@@ -99,7 +100,7 @@ impl Lowering<'_, '_> {
                 ))
             ),
             tree::ExprKind::Local(name) if !self.expanding.is_empty() => {
-                matches!(self.lookup(name, expr.site), Ok(Binding::Value(it)) if it.is_literal())
+                matches!(self.lookup(name, expr.site), Ok(Value::Word(it)) if it.is_literal())
             }
             tree::ExprKind::Binary(_, a, b) => self.is_of_instance(a) || self.is_of_instance(b),
             _ => false,

@@ -15,7 +15,7 @@ use crate::termination::{self, Loop, Proof};
 use super::conditions::has_let;
 use super::expr::{Operand, two};
 use super::lowering::{Behind, Frame, Leaving, Lowering, PASS, Said, Target};
-use super::subject::Named;
+use super::value::Named;
 use super::{OUR_FAULT, Result, labelled, problem};
 
 impl Lowering<'_, '_> {

@@ -3,16 +3,15 @@
 //! Must not know: how anything is lowered. Each form of the tree is lowered in a file of its own, as a method of
 //! [`Lowering`].
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::rc::Rc;
 
 use bessemer_ir::tree;
-use bessemer_ir::{Expr, Local, LocalId, Place, Stmt, Type};
+use bessemer_ir::{Local, LocalId, Place, Stmt, Type};
 
 use super::Context;
-use super::elements::Slice;
 use super::regions::Lenders;
-use super::subject::Unmade;
+use super::value::Value;
 
 /// The owner of temporaries where nothing has a name.
 pub(super) const UNNAMED: &str = "value";
@@ -28,7 +27,7 @@ pub(super) struct Lowering<'a, 'c> {
     pub source: &'a tree::Function,
     pub locals: Vec<Local>,
     /// Innermost scope last; in each, later bindings shadow.
-    pub scopes: Vec<Vec<(String, Binding)>>,
+    pub scopes: Vec<Vec<(String, Value)>>,
     /// The statements of the block being lowered, so far.
     pub out: Vec<Stmt>,
     /// A name for a value that the author left unnamed here.
@@ -46,29 +45,12 @@ pub(super) struct Lowering<'a, 'c> {
     pub frames: Vec<Frame>,
     /// The counters of the loops over elements around it, outermost first.
     pub counters: Vec<LocalId>,
-    /// The closures that were handed to it, by the names of its parameters.
-    pub handed: HashMap<String, Handed<'a>>,
+    /// The closures that names mean.
+    pub closures: Vec<Rc<Closure<'a>>>,
     /// Which of its parameters hold nothing.
     pub absent: Vec<bool>,
     /// The functions that lend whose bodies are being lowered, outermost first.
     pub expanding: Vec<&'a str>,
-}
-
-/// The meaning of a name.
-#[derive(Clone)]
-pub(super) enum Binding {
-    /// A local of its own.
-    Local(LocalId),
-    /// A reference to a place.
-    Alias(Place),
-    /// A slice.
-    Slice(Box<Slice>),
-    /// A literal or a constant.
-    Value(Box<Expr>),
-    /// A zero-sized value.
-    Nothing,
-    /// A tuple that is never made.
-    Unmade(Box<Unmade>),
 }
 
 /// Where a value goes.
@@ -96,11 +78,20 @@ pub(super) struct Frame {
 }
 
 impl<'a> Lowering<'a, '_> {
-    /// The meaning of names and closures here.
-    pub(super) fn scope(&self) -> Rc<Scope<'a>> {
-        let (names, handed) = (self.scopes.clone(), self.handed.clone());
-        let (expanding, locals) = (self.expanding.clone(), self.locals.len());
-        Rc::new(Scope { names, handed, expanding, locals })
+    /// A closure that is written here.
+    pub(super) fn closure_here(&mut self, text: tree::Closure) -> Value {
+        let scope = Scope {
+            names: self.scopes.clone(),
+            expanding: self.expanding.clone(),
+            locals: Some(self.locals.len()),
+        };
+        self.closure(Closure { text, source: self.source, scope })
+    }
+
+    /// A closure that a name can mean.
+    pub(super) fn closure(&mut self, closure: Closure<'a>) -> Value {
+        self.closures.push(Rc::new(closure));
+        Value::Closure(self.closures.len() - 1)
     }
 }
 
@@ -142,36 +133,22 @@ pub(super) enum Leaving {
     Continue,
 }
 
-/// A closure that was handed to the function that is being lowered.
+/// A closure that a name means in the function that is being lowered.
 #[derive(Clone)]
-pub(super) struct Handed<'a> {
-    pub closure: tree::Closure,
+pub(super) struct Closure<'a> {
+    pub text: tree::Closure,
     /// The function that its body stands in.
     pub source: &'a tree::Function,
-    pub captures: Vec<Capture>,
-    /// The names of what it uses that holds nothing.
-    pub nothing: Vec<String>,
-    /// Where it was written, if that is in the function that is being lowered: then all its names mean what they mean
-    /// there, and nothing has to be passed.
-    pub scope: Option<Rc<Scope<'a>>>,
+    pub scope: Scope<'a>,
 }
 
-/// The meaning of names and closures where a closure was written.
+/// The meaning of names in a closure.
+#[derive(Clone)]
 pub(super) struct Scope<'a> {
-    pub names: Vec<Vec<(String, Binding)>>,
-    pub handed: HashMap<String, Handed<'a>>,
+    pub names: Vec<Vec<(String, Value)>>,
     /// The functions around it whose bodies are being lowered.
     pub expanding: Vec<&'a str>,
-    /// How many locals there were.
-    pub locals: usize,
-}
-
-/// The captures of a closure.
-#[derive(Clone)]
-pub(super) struct Capture {
-    pub name: String,
-    /// Where that is here.
-    pub place: Place,
-    /// A local, which the closure may assign, rather than another name of a place.
-    pub local: bool,
+    /// How many locals there were where it was written. None in a copy of a function for it: there its names mean
+    /// parameters of the copy.
+    pub locals: Option<usize>,
 }

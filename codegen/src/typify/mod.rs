@@ -68,10 +68,10 @@ mod sizes;
 mod slice;
 mod spatial;
 mod stepped;
-mod subject;
 mod syntax;
 mod types;
 mod unmade;
+mod value;
 mod views;
 mod within;
 
@@ -142,15 +142,12 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<regions::Jo
             cx.told.push(diagnostic(&table.file, problem));
         }
     }
-    cx.note_rules(package.functions.iter());
-    let (templates, functions): (Vec<_>, Vec<_>) = package
-        .functions
-        .iter()
-        .filter(|function| function.tree.role != tree::Role::Rewritten)
-        .partition(|function| function.tree.params.iter().any(|param| param.closure));
-    cx.templates = templates.into_iter().map(|it| (it.path.as_str(), it)).collect();
+    cx.all = package.functions.iter().map(|it| (it.path.as_str(), it)).collect();
+    let whole = |it: &&tree::Function| {
+        it.tree.role != tree::Role::Rewritten && !function::takes_closures(it)
+    };
+    let functions: Vec<_> = package.functions.iter().filter(whole).collect();
     cx.note_implied(&package.implied);
-    cx.note_expanded(package.functions.iter());
     cx.note_lending(&functions);
     let in_the_c =
         |it: &&tree::Function| it.tree.role != tree::Role::Expanded && !cx.lends_place(it);
@@ -281,16 +278,10 @@ struct Context<'a> {
     /// The structs that stand for quaternions, and whether these are unit ones.
     quaternions: HashMap<StructId, bool>,
     functions: HashMap<String, FunctionId>,
-    /// The functions that take closures: each call has a copy of its own.
-    templates: HashMap<&'a str, &'a tree::Function>,
-    /// The functions that stand where they are called.
-    expanded: HashMap<&'a str, &'a tree::Function>,
-    /// Those of which a call stands for the body, whatever its types are.
-    rules: HashMap<&'a str, &'a tree::FunctionTree>,
-    /// All functions that take no closures.
+    /// All functions, by their paths.
     all: HashMap<&'a str, &'a tree::Function>,
-    /// Those of which the place that they lend stands where they are called.
-    lending: HashMap<&'a str, &'a tree::Function>,
+    /// Those that return references and are inlined: a reference lowers to a place, never to a pointer.
+    lending: HashSet<&'a str>,
     /// The authors' own `[…]`.
     indexing: Vec<lending::Indexing<'a>>,
     /// Functions that are still to be made.
@@ -341,11 +332,8 @@ impl<'a> Context<'a> {
             bounded: HashSet::new(),
             quaternions: HashMap::new(),
             functions: HashMap::new(),
-            templates: HashMap::new(),
-            expanded: HashMap::new(),
-            rules: HashMap::new(),
             all: HashMap::new(),
-            lending: HashMap::new(),
+            lending: HashSet::new(),
             indexing: Vec::new(),
             waiting: HashMap::new(),
             underway: Vec::new(),

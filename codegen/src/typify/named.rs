@@ -3,7 +3,8 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{ExprKind, Place};
 
-use super::lowering::{Binding, Lowering};
+use super::lowering::Lowering;
+use super::value::Value;
 use super::{Result, problem};
 
 /// Whether what `expr` refers to comes from a call, or is gathered: what a fold of references gives is held by itself.
@@ -47,7 +48,7 @@ impl Lowering<'_, '_> {
         if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
             let lent = self.value(lent, None)?;
             let place = self.hold(lent, site)?;
-            self.bind(name, Binding::Alias(place));
+            self.bind(name, Value::Place(place));
             return Ok(());
         }
         let Some(mut place) = place else {
@@ -65,7 +66,7 @@ impl Lowering<'_, '_> {
         }
         self.fix(&mut place);
         self.naming = naming;
-        self.bind(name, Binding::Alias(place));
+        self.bind(name, Value::Place(place));
         Ok(())
     }
 }

@@ -7,8 +7,8 @@ use bessemer_ir::tree::{self, Definition, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
 
 use super::generic::position;
-use super::lowering::{Binding, Lowering};
-use super::subject::Named;
+use super::lowering::Lowering;
+use super::value::{Named, Value};
 use super::{Context, Result, problem};
 
 /// The refusal of slices of zero-sized elements.
@@ -153,7 +153,7 @@ impl Lowering<'_, '_> {
     pub(super) fn holds_nothing(&mut self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             tree::ExprKind::Local(name) => {
-                matches!(self.lookup(name, expr.site), Ok(Binding::Nothing))
+                matches!(self.lookup(name, expr.site), Ok(Value::Nothing))
             }
             tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
                 self.holds_nothing(inner)
@@ -214,7 +214,7 @@ impl Lowering<'_, '_> {
     pub(super) fn take_nothing(pattern: &Pattern, site: Site, names: &mut Vec<Named>) {
         match pattern {
             Pattern::Name { name, inner, .. } => {
-                names.push(Named::nothing(name, site));
+                names.push(Named::of(name, NO_SLOT, Value::Nothing, site));
                 inner.iter().for_each(|inner| Self::take_nothing(inner, site, names));
             }
             Pattern::Tuple(parts) | Pattern::Constructor(_, parts) | Pattern::Array(parts) => {

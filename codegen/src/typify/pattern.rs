@@ -11,38 +11,23 @@ use bessemer_ir::{
     Type,
 };
 
-use super::elements::Slice;
 use super::generic::Case;
-use super::lowering::{Binding, Lowering};
+use super::lowering::Lowering;
 use super::nothing::At;
 use super::order::is_settled;
-use super::subject::{Named, Stands, Subject, Unmade};
 use super::syntax::is_rest;
+use super::value::{Named, Value};
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
-impl Named {
-    /// A name of several elements.
-    pub(super) fn part(name: &str, slot: u32, part: Slice, site: Site) -> Named {
-        let stands = Stands::Part(Box::new(part));
-        Named { name: name.to_owned(), slot, mutable: false, stands, site }
-    }
-
-    /// A name of what holds nothing.
-    pub(super) fn nothing(name: &str, site: Site) -> Named {
-        let (name, stands) = (name.to_owned(), Stands::Nothing);
-        Named { name, slot: NO_SLOT, mutable: false, stands, site }
-    }
-}
-
 impl Lowering<'_, '_> {
     /// The subject of a `match` or a `let`, computed once.
-    pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Subject> {
+    pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Value> {
         // One that rustc saw as a whole is matched by a name.
         if let (tree::ExprKind::Tuple(parts), None) = (&expr.kind, expr.slot)
             && !parts.is_empty()
         {
-            let mut subjects: Vec<Subject> = Vec::new();
+            let mut subjects: Vec<Value> = Vec::new();
             for part in parts {
                 let mark = self.out.len();
                 let next = self.subject(part)?;
@@ -53,7 +38,7 @@ impl Lowering<'_, '_> {
                 self.out.extend(later);
                 subjects.push(next);
             }
-            return Ok(Subject::Parts(subjects));
+            return Ok(Value::Tuple(subjects, None));
         }
         if let Some(parts) = self.parts_named(expr) {
             return Ok(parts);
@@ -75,7 +60,7 @@ impl Lowering<'_, '_> {
         &mut self,
         pattern: &tree::Pattern,
         expr: &tree::Expr,
-    ) -> Result<Subject> {
+    ) -> Result<Value> {
         let before = self.locals.len();
         let subject = self.subject(expr)?;
         self.name_held(&subject, before, std::iter::once(pattern));
@@ -85,11 +70,11 @@ impl Lowering<'_, '_> {
     /// Names the temporary that a subject is held in, if it is none of the locals `before`.
     pub(super) fn name_held<'t>(
         &mut self,
-        subject: &Subject,
+        subject: &Value,
         before: usize,
         mut patterns: impl Iterator<Item = &'t tree::Pattern>,
     ) {
-        if let Subject::Place(place) = subject
+        if let Value::Place(place) = subject
             && place.root.index() >= before
             && place.steps.is_empty()
             && self.held.contains(&place.root)
@@ -100,24 +85,24 @@ impl Lowering<'_, '_> {
     }
 
     /// The same, its value known.
-    pub(super) fn value_subject(&mut self, value: Expr, site: Site) -> Result<Subject> {
+    pub(super) fn value_subject(&mut self, value: Expr, site: Site) -> Result<Value> {
         if value.ty == Type::Unit {
             self.discard(value);
-            return Ok(Subject::Nothing);
+            return Ok(Value::Nothing);
         }
         let mut place = self.hold(value, site)?;
         // Its indices are checked also where no pattern comes to read it.
         self.fix(&mut place);
-        Ok(Subject::Place(place))
+        Ok(Value::Place(place))
     }
 
     /// Copies what the statements to come could change.
-    fn settle_subject(&mut self, subject: &mut Subject, later: &[Stmt]) {
+    fn settle_subject(&mut self, subject: &mut Value, later: &[Stmt]) {
         match subject {
-            Subject::Parts(parts) => {
+            Value::Tuple(parts, _) => {
                 parts.iter_mut().for_each(|part| self.settle_subject(part, later));
             }
-            Subject::Place(place) => {
+            Value::Place(place) => {
                 let value = place.load();
                 if !later.is_empty()
                     && !is_settled(&value, later)
@@ -127,7 +112,7 @@ impl Lowering<'_, '_> {
                 }
             }
             // Another name for what is there, whatever becomes of it.
-            Subject::Slice(_) | Subject::Maybe(..) | Subject::Nothing => {}
+            _ => {}
         }
     }
 
@@ -135,23 +120,21 @@ impl Lowering<'_, '_> {
     pub(super) fn test(
         &mut self,
         pattern: &tree::Pattern,
-        subject: &Subject,
+        subject: &Value,
         site: Site,
         names: &mut Vec<Named>,
     ) -> Result<Option<Expr>> {
         match (pattern, subject) {
             (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
-            (_, Subject::Nothing) => {
+            (_, Value::Nothing) => {
                 Self::take_nothing(pattern, site, names);
                 Ok(None)
             }
-            (_, Subject::Place(place)) => self.test_place(pattern, place, site, names),
+            (_, Value::Place(place)) => self.test_place(pattern, place, site, names),
             (tree::Pattern::Or(cases), _) => self.test_any(cases, subject, site, names),
-            (_, Subject::Slice(slice)) => self.test_slice(pattern, slice, site, names),
-            (_, Subject::Maybe(there, lent)) => {
-                self.test_maybe(pattern, (there, lent), site, names)
-            }
-            (tree::Pattern::Tuple(patterns), Subject::Parts(parts)) => {
+            (_, Value::Slice(slice)) => self.test_slice(pattern, slice, site, names),
+            (_, Value::Maybe(there, lent)) => self.test_maybe(pattern, (there, lent), site, names),
+            (tree::Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
                 let pairs = aligned(patterns, parts.len());
                 let mut all = None;
                 for (pattern, index) in pairs {
@@ -162,16 +145,11 @@ impl Lowering<'_, '_> {
             }
             (
                 tree::Pattern::Name { name, slot, mutable: false, inner: None },
-                Subject::Parts(_),
+                Value::Tuple(parts, _),
             ) if *slot != NO_SLOT && self.source.tree.role == tree::Role::Expanded => {
                 // One that lends to be changed has no type of its own, and is only taken apart.
-                let value = match self.slot(*slot, site) {
-                    Ok(ty) => self.whole(subject, &ty, site),
-                    Err(_) => None,
-                };
-                let parts = subject.clone();
-                let (name, stands) = (name.clone(), Stands::Whole(Unmade { parts, value }));
-                names.push(Named { name, slot: *slot, mutable: false, stands, site });
+                let stands = Value::Tuple(parts.clone(), self.slot(*slot, site).ok());
+                names.push(Named::of(name, *slot, stands, site));
                 Ok(None)
             }
             _ => problem(
@@ -185,7 +163,7 @@ impl Lowering<'_, '_> {
     fn test_any(
         &mut self,
         cases: &[tree::Pattern],
-        subject: &Subject,
+        subject: &Value,
         site: Site,
         names: &mut Vec<Named>,
     ) -> Result<Option<Expr>> {
@@ -254,7 +232,7 @@ impl Lowering<'_, '_> {
             }
             (tree::Pattern::Name { name, slot, mutable, inner }, _) => {
                 let (name, slot, mutable) = (name.clone(), *slot, *mutable);
-                let stands = Stands::Place(place.clone());
+                let stands = Value::Place(place.clone());
                 names.push(Named { name, slot, mutable, stands, site });
                 match inner {
                     Some(inner) => self.test_place(inner, place, site, names),
@@ -262,7 +240,7 @@ impl Lowering<'_, '_> {
                 }
             }
             (tree::Pattern::Or(cases), _) => {
-                self.test_any(cases, &Subject::Place(place.clone()), site, names)
+                self.test_any(cases, &Value::Place(place.clone()), site, names)
             }
             (tree::Pattern::Tuple(patterns), Type::Struct(id)) => {
                 let parts = self.fields_of(patterns, place, *id, site, names);
@@ -461,14 +439,7 @@ impl Lowering<'_, '_> {
     /// Makes names stand for their places, those of values too: only while nothing is written.
     pub(super) fn alias_names(&mut self, names: &[Named]) {
         for named in names {
-            match &named.stands {
-                Stands::Part(part) => self.bind(&named.name, Binding::Slice(part.clone())),
-                Stands::Place(place) => self.alias_to(&named.name, place.clone()),
-                Stands::Nothing => self.bind(&named.name, Binding::Nothing),
-                Stands::Whole(tuple) => {
-                    self.bind(&named.name, Binding::Unmade(Box::new(tuple.clone())));
-                }
-            }
+            self.bind(&named.name, named.stands.clone());
         }
     }
 
@@ -476,7 +447,7 @@ impl Lowering<'_, '_> {
     pub(super) fn keep_changeable(&mut self, names: &mut Vec<Named>) -> Result<()> {
         let mut kept = Vec::new();
         for named in std::mem::take(names) {
-            match named.mutable && matches!(named.stands, Stands::Place(_)) {
+            match named.mutable && matches!(named.stands, Value::Place(_)) {
                 true => self.bind_names(&[named])?,
                 false => kept.push(named),
             }
@@ -489,19 +460,15 @@ impl Lowering<'_, '_> {
     pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
         for named in names {
             let place = match &named.stands {
-                Stands::Part(part) => {
+                Value::Slice(part) => {
                     self.bind_part((&named.name, named.slot), part, named.site)?;
                     continue;
                 }
-                Stands::Nothing => {
-                    self.bind(&named.name, Binding::Nothing);
+                Value::Place(place) => place,
+                other => {
+                    self.bind(&named.name, other.clone());
                     continue;
                 }
-                Stands::Whole(tuple) => {
-                    self.bind(&named.name, Binding::Unmade(Box::new(tuple.clone())));
-                    continue;
-                }
-                Stands::Place(place) => place,
             };
             let unnamed = named.slot == NO_SLOT;
             // A slice in a value is a value, and so is what a value refers to.
@@ -517,7 +484,7 @@ impl Lowering<'_, '_> {
             }
             // What no author named is read at once.
             if reference || unnamed || !named.mutable && self.is_lasting(place) {
-                self.alias_to(&named.name, place.clone());
+                self.bind(&named.name, Value::Place(place.clone()));
                 continue;
             }
             let rustc = match borrowed {
@@ -566,7 +533,7 @@ fn taken_name(pattern: &tree::Pattern) -> Option<&str> {
 }
 
 /// Both conditions, as far as there are any.
-fn both(one: Option<Expr>, other: Option<Expr>) -> Option<Expr> {
+pub(super) fn both(one: Option<Expr>, other: Option<Expr>) -> Option<Expr> {
     match (one, other) {
         (Some(one), Some(other)) => Some(Expr::logic(LogicOp::And, one, other)),
         (one, other) => one.or(other),

@@ -4,7 +4,7 @@ use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 
 use super::expr::{Operand, two};
-use super::lowering::{Binding, Lowering, RESULT, UNNAMED};
+use super::lowering::{Lowering, RESULT, UNNAMED};
 use super::nothing::At;
 use super::{Result, problem};
 use crate::effects;
@@ -31,15 +31,10 @@ impl Lowering<'_, '_> {
             return Ok(None);
         }
         match &expr.kind {
-            tree::ExprKind::Local(name) => Ok(Some(match self.lookup(name, expr.site)? {
-                Binding::Alias(place) => place,
-                Binding::Slice(slice) => slice.place(),
-                Binding::Value(_) | Binding::Nothing | Binding::Unmade(_) => return Ok(None),
-                Binding::Local(root) => {
-                    let ty = self.locals[root.index()].ty.clone();
-                    Place::local(root, ty, span)
-                }
-            })),
+            tree::ExprKind::Local(name) => {
+                let meaning = self.lookup(name, expr.site)?;
+                Ok(self.place_of(&meaning, span))
+            }
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
             tree::ExprKind::Call(..) => match self.in_option(expr)? {
                 Some(place) => Ok(Some(place)),
@@ -236,14 +231,7 @@ impl Lowering<'_, '_> {
     /// The type at a place that is to be assigned, without computing its indices.
     pub(super) fn place_type(&mut self, expr: &tree::Expr) -> Result<Type> {
         match &expr.kind {
-            tree::ExprKind::Local(name) => Ok(match self.lookup(name, expr.site)? {
-                Binding::Alias(place) => place.ty,
-                Binding::Slice(slice) => slice.ty(),
-                Binding::Value(value) => value.ty,
-                Binding::Nothing => Type::Unit,
-                Binding::Unmade(tuple) => self.made(*tuple, expr.site)?.ty,
-                Binding::Local(root) => self.locals[root.index()].ty.clone(),
-            }),
+            tree::ExprKind::Local(name) => Ok(self.named(name, expr.site)?.ty),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place_type(inner),
             tree::ExprKind::Field(base, name) => {
                 let base = self.place_type(base)?;

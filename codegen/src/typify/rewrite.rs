@@ -18,25 +18,13 @@ use bessemer_ir::tree::{
     UnaryOp,
 };
 
-use super::Context;
 use super::lowering::Lowering;
-
-impl<'a> Context<'a> {
-    /// Notes the functions of which calls stand for their bodies.
-    pub(super) fn note_rules(&mut self, functions: impl Iterator<Item = &'a tree::Function>) {
-        let rules = functions.filter(|it| it.tree.role == Role::Rewritten);
-        self.rules = rules.map(|it| (it.path.as_str(), &it.tree)).collect();
-    }
-}
 
 impl<'a> Lowering<'a, '_> {
     /// The function of which `expr` is such a call, and its arguments; none if `expr` is something else.
     pub(super) fn rule<'e>(&self, expr: &'e Expr) -> Option<(&'a FunctionTree, &'e [Expr])> {
-        let ExprKind::Call(callee, arguments) = &expr.kind else { return None };
-        let tree::Callee::Function(path) = self.source.callees.get(*callee as usize)? else {
-            return None;
-        };
-        Some((self.cx.rules.get(path.as_str())?, arguments))
+        let (function, arguments) = self.called(expr)?;
+        (function.tree.role == Role::Rewritten).then_some((&function.tree, arguments))
     }
 }
 
@@ -68,18 +56,23 @@ fn hidden(name: &str) -> String {
     format!("%{name}")
 }
 
-/// Puts a rule where it is called: there its types are not known.
-struct Placed(Site);
+/// Says of a tree that it stands at a site. What rustc inferred of it where it did is not known there.
+pub(super) struct Placed(pub Site);
 
 impl VisitMut for Placed {
     fn expr(&mut self, expr: &mut Expr) {
         (expr.site, expr.slot) = (self.0, None);
+        if let ExprKind::For { slot, .. } = &mut expr.kind {
+            *slot = NO_SLOT;
+        }
         visit::walk_expr_mut(self, expr);
     }
 
     fn stmt(&mut self, stmt: &mut Stmt) {
-        if let Stmt::Let { slot, site, .. } = stmt {
-            (*slot, *site) = (NO_SLOT, self.0);
+        match stmt {
+            Stmt::Let { slot, site, .. } => (*slot, *site) = (NO_SLOT, self.0),
+            Stmt::Apart { site, .. } => *site = self.0,
+            Stmt::Expr(_) => {}
         }
         visit::walk_stmt_mut(self, stmt);
     }

@@ -12,9 +12,10 @@ use bessemer_ir::{
 
 use super::elements::Slice;
 use super::lengths::{is_number, least, minus, plus, same};
-use super::lowering::{Binding, Lowering};
-use super::syntax::{control_with_value, is_rebound};
-use super::{OUR_FAULT, Result, problem};
+use super::lowering::Lowering;
+use super::syntax::{Writes, control_with_value};
+use super::value::Value;
+use super::{Result, problem};
 
 /// The name of what is looked for.
 pub(super) const FOUND: &str = "found";
@@ -56,7 +57,7 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         let decided = control_with_value(value);
-        if decided || is_rebound(&self.source.tree.body, name) {
+        if decided || Writes::to(name, &self.source.tree.body).whole {
             let (ty, span) = (self.slot(slot, site)?, self.span(site));
             let naming = std::mem::replace(&mut self.naming, name.to_owned());
             match decided {
@@ -74,7 +75,7 @@ impl Lowering<'_, '_> {
         let slice = self.sliced(value)?;
         self.naming = naming;
         let slice = self.kept_elements(slice);
-        self.bind(name, Binding::Slice(Box::new(slice)));
+        self.bind(name, Value::Slice(Box::new(slice)));
         Ok(())
     }
 
@@ -120,8 +121,8 @@ impl Lowering<'_, '_> {
     pub(super) fn slice(&mut self, expr: &tree::Expr) -> Result<Option<Slice>> {
         match &expr.kind {
             tree::ExprKind::Local(name) => Ok(match self.lookup(name, expr.site)? {
-                Binding::Slice(slice) => Some(*slice),
-                Binding::Local(root) => match self.locals[root.index()].ty.clone() {
+                Value::Slice(slice) => Some(*slice),
+                Value::Local(root) => match self.locals[root.index()].ty.clone() {
                     Type::Slice(element) => {
                         let span = self.span(expr.site);
                         let ty = Type::Slice(element.clone());
@@ -135,8 +136,8 @@ impl Lowering<'_, '_> {
                         self.slice_at(Place::local(root, ty, span), expr.site)?
                     }
                 },
-                Binding::Alias(place) => self.slice_at(place, expr.site)?,
-                Binding::Value(_) | Binding::Nothing | Binding::Unmade(_) => None,
+                Value::Place(place) => self.slice_at(place, expr.site)?,
+                _ => None,
             }),
             tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.slice(inner),
             tree::ExprKind::Slice(base, from, to, inclusive) => {
@@ -278,7 +279,9 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         use SliceMethod as M;
         let span = self.span(expr.site);
-        if let Some(ty) = self.borrowing_type(expr)
+        let copied = matches!(method, M::First | M::Last | M::Get);
+        let ty = if copied { Some(self.slot_of(expr)?) } else { self.borrowing_type(expr) };
+        if let Some(ty) = ty
             && let Some(lent) = self.lent(expr)?
         {
             return self.lent_value(lent, &ty, expr.site);
@@ -288,17 +291,6 @@ impl Lowering<'_, '_> {
         match (method, arguments) {
             (M::Len, _) => Ok(slice.length),
             (M::IsEmpty, _) => Ok(Expr::compare(CompareOp::Eq, slice.length, zero).at(span)),
-            (M::First, _) => self.maybe(&slice, zero, expr),
-            (M::Last, _) => {
-                let there = Expr::compare(CompareOp::Gt, slice.length.clone(), zero).at(span);
-                let last = minus(slice.to.clone(), Expr::usize(1, span));
-                self.maybe_where(there, slice.at(last), expr)
-            }
-            (M::Get, [_, index]) => {
-                let index = self.value(index, Some(&Type::USIZE))?;
-                let index = self.steady("index", index);
-                self.maybe(&slice, index, expr)
-            }
             (M::ToArray, _) => self.as_array(true, &slice, expr),
             (M::FirstChunk, _) => self.as_array(false, &slice, expr),
             (M::Contains, [_, element]) => self.contains(&slice, element, expr.site),
@@ -307,28 +299,6 @@ impl Lowering<'_, '_> {
             }
             _ => problem(expr.site, super::lent::LENT, super::lent::TAKE_APART),
         }
-    }
-
-    /// `Some` of a copy of an element, if it is there.
-    fn maybe(&mut self, slice: &Slice, index: Expr, expr: &tree::Expr) -> Result<Expr> {
-        let span = self.span(expr.site);
-        let there = Expr::compare(CompareOp::Lt, index.clone(), slice.length.clone()).at(span);
-        self.maybe_where(there, slice.at(plus(slice.from.clone(), index)), expr)
-    }
-
-    fn maybe_where(&mut self, there: Expr, place: Place, expr: &tree::Expr) -> Result<Expr> {
-        let span = self.span(expr.site);
-        let Type::Struct(option) = self.slot_of(expr)? else {
-            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
-        };
-        let none = self.choice(option, 0, None, expr.site)?;
-        let held = self.temporary(FOUND, none);
-        let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
-        let value = self.choice(option, 1, Some(place.load()), expr.site)?;
-        let then = Block(vec![Stmt::new(StmtKind::Assign { place: target, value }, span)]);
-        let (condition, otherwise) = (there, Block::default());
-        self.emit(StmtKind::If { condition, then, otherwise }, span);
-        Ok(held)
     }
 
     fn contains(&mut self, slice: &Slice, element: &tree::Expr, site: Site) -> Result<Expr> {
@@ -391,11 +361,8 @@ impl Lowering<'_, '_> {
         match (method, arguments) {
             (SliceMethod::Swap, [array, one, other]) => {
                 let slice = self.sliced(array)?;
-                let mut index = |index: &tree::Expr, role| {
-                    let index = self.value(index, Some(&Type::USIZE))?;
-                    Ok(self.steady(role, index))
-                };
-                let (one, other) = (index(one, "one")?, index(other, "other")?);
+                let one = self.steady_index("one", one)?;
+                let other = self.steady_index("other", other)?;
                 let one = self.element_of(&slice, one, span);
                 let other = self.element_of(&slice, other, span);
                 self.exchange(one, other, span);

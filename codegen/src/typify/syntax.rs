@@ -50,79 +50,57 @@ pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
     }
 }
 
-/// Whether a name is assigned in a block, or lent to be.
-pub(super) fn is_rebound(block: &tree::Block, name: &str) -> bool {
-    struct Written<'n>(&'n str, bool);
-    impl Written<'_> {
-        fn note(&mut self, place: &tree::Expr) {
-            self.1 |= matches!(&place.kind, tree::ExprKind::Local(name) if name == self.0);
-        }
-
-        fn each(&mut self, places: &tree::Places) {
-            match places {
-                tree::Places::None => {}
-                tree::Places::One(place) => self.note(place),
-                tree::Places::Each(parts) => parts.iter().for_each(|part| self.each(part)),
-            }
-        }
-    }
-    impl visit::Visit for Written<'_> {
-        fn expr(&mut self, expr: &tree::Expr) {
-            match &expr.kind {
-                tree::ExprKind::Assign(None, place, _) | tree::ExprKind::Ref(true, place) => {
-                    self.note(place);
-                }
-                tree::ExprKind::AssignEach(places, _) => self.each(places),
-                _ => {}
-            }
-            visit::walk_expr(self, expr);
-        }
-    }
-    let mut written = Written(name, false);
-    visit::Visit::block(&mut written, block);
-    written.1
+/// The writes to a name in a block, as its syntax shows them.
+pub(super) struct Writes<'n> {
+    name: &'n str,
+    /// Whether all of it is assigned, or lent to be.
+    pub whole: bool,
+    /// Whether it or a part of it may be: each call on it counts.
+    pub part: bool,
 }
 
-/// Whether a part of a local may be written in a block: by an assignment, or by what it is lent to. Each call on it counts.
-pub(super) fn is_changed_within(block: &tree::Block, name: &str) -> bool {
-    struct Changed<'n>(&'n str, bool);
-    impl Changed<'_> {
-        fn is_part(&self, place: &tree::Expr) -> bool {
-            match &place.kind {
-                tree::ExprKind::Local(name) => name == self.0,
-                tree::ExprKind::Field(base, _)
-                | tree::ExprKind::Index(base, _)
-                | tree::ExprKind::Deref(base) => self.is_part(base),
-                _ => false,
-            }
-        }
+impl<'n> Writes<'n> {
+    pub(super) fn to(name: &'n str, block: &tree::Block) -> Writes<'n> {
+        let mut writes = Writes { name, whole: false, part: false };
+        visit::Visit::block(&mut writes, block);
+        writes
+    }
 
-        fn each(&self, places: &tree::Places) -> bool {
-            match places {
-                tree::Places::None => false,
-                tree::Places::One(place) => self.is_part(place),
-                tree::Places::Each(parts) => parts.iter().any(|part| self.each(part)),
+    fn note(&mut self, place: &tree::Expr, whole: bool) {
+        match &place.kind {
+            tree::ExprKind::Local(name) if name == self.name => {
+                (self.whole, self.part) = (self.whole || whole, true);
             }
+            tree::ExprKind::Field(base, _)
+            | tree::ExprKind::Index(base, _)
+            | tree::ExprKind::Deref(base) => self.note(base, false),
+            _ => {}
         }
     }
-    impl visit::Visit for Changed<'_> {
-        fn expr(&mut self, expr: &tree::Expr) {
-            self.1 |= match &expr.kind {
-                tree::ExprKind::Assign(_, place, _) | tree::ExprKind::Ref(true, place) => {
-                    self.is_part(place)
-                }
-                tree::ExprKind::AssignEach(places, _) => self.each(places),
-                tree::ExprKind::Call(_, arguments) => {
-                    arguments.first().is_some_and(|first| self.is_part(first))
-                }
-                _ => false,
-            };
-            visit::walk_expr(self, expr);
+
+    fn each(&mut self, places: &tree::Places) {
+        match places {
+            tree::Places::None => {}
+            tree::Places::One(place) => self.note(place, true),
+            tree::Places::Each(parts) => parts.iter().for_each(|part| self.each(part)),
         }
     }
-    let mut changed = Changed(name, false);
-    visit::Visit::block(&mut changed, block);
-    changed.1
+}
+
+impl visit::Visit for Writes<'_> {
+    fn expr(&mut self, expr: &tree::Expr) {
+        match &expr.kind {
+            tree::ExprKind::Assign(_, place, _) | tree::ExprKind::Ref(true, place) => {
+                self.note(place, true);
+            }
+            tree::ExprKind::AssignEach(places, _) => self.each(places),
+            tree::ExprKind::Call(_, arguments) => {
+                arguments.iter().take(1).for_each(|first| self.note(first, false));
+            }
+            _ => {}
+        }
+        visit::walk_expr(self, expr);
+    }
 }
 
 /// The slots of the locals of a name in a function, wherever they are declared.

@@ -4,16 +4,32 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Type};
 
-use super::lowering::{Binding, Lowering};
-use super::subject::{Subject, Unmade};
+use super::lowering::Lowering;
+use super::value::Value;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
-    /// The value of a tuple that is written out, if its parts are values.
-    pub(super) fn whole(&mut self, subject: &Subject, ty: &Type, site: Site) -> Option<Expr> {
-        match (subject, ty) {
-            (Subject::Place(place), _) => Some(place.load()),
-            (Subject::Parts(parts), Type::Struct(id)) => {
+    /// The value of one under its name.
+    pub(super) fn made(&mut self, tuple: &Value, site: Site) -> Result<Expr> {
+        let made = match tuple {
+            Value::Tuple(_, Some(ty)) => self.whole(tuple, ty, site),
+            _ => None,
+        };
+        let Some(made) = made else {
+            return problem(
+                site,
+                "a tuple with a slice in it, or with what may be changed, is not made in the DSL",
+                "take it apart where it is named: `|(a, b)| …`",
+            );
+        };
+        Ok(made)
+    }
+
+    /// The value of a tuple, if its parts are values.
+    fn whole(&mut self, tuple: &Value, ty: &Type, site: Site) -> Option<Expr> {
+        match (tuple, ty) {
+            (Value::Place(place), _) => Some(place.load()),
+            (Value::Tuple(parts, _), Type::Struct(id)) => {
                 let fields = self.cx.module.structs[id.index()].fields.clone();
                 let parts = parts.iter().zip(&fields);
                 let parts = parts.map(|(part, field)| self.whole(part, &field.ty, site));
@@ -24,25 +40,12 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The value of one under its name.
-    pub(super) fn made(&self, tuple: Unmade, site: Site) -> Result<Expr> {
-        match tuple.value {
-            Some(value) => Ok(value),
-            None => problem(
-                site,
-                "a tuple with a slice in it, or with what may be changed, is not made in the DSL",
-                "take it apart where it is named: `|(a, b)| …`",
-            ),
-        }
-    }
-
     /// The parts of one, if an expression names it.
-    pub(super) fn parts_named(&self, expr: &tree::Expr) -> Option<Subject> {
+    pub(super) fn parts_named(&self, expr: &tree::Expr) -> Option<Value> {
         match &expr.kind {
-            tree::ExprKind::Local(name) => match self.lookup(name, expr.site).ok()? {
-                Binding::Unmade(tuple) => Some(tuple.parts),
-                _ => None,
-            },
+            tree::ExprKind::Local(name) => {
+                self.lookup(name, expr.site).ok().filter(|it| matches!(it, Value::Tuple(..)))
+            }
             tree::ExprKind::Ref(_, inner) => self.parts_named(inner),
             _ => None,
         }
