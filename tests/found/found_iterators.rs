@@ -67,11 +67,6 @@ sum = sum.wrapping_mul(31).wrapping_add(z).wrapping_add(n as i64);
 }
 {
 let mut n = n0 as usize;
-let z = (n % 3..m % 5).zip(m % 4..n % 7).fold(3_i64, |c, (x, y)| c * 3 % 10007 + x as i64 * 5 + y as i64);
-sum = sum.wrapping_mul(31).wrapping_add(z).wrapping_add(n as i64);
-}
-{
-let mut n = n0 as usize;
 let z = b.iter().copied().filter(|x| *x < k).min_by(|x, y| y.cmp(x)).unwrap_or(4) as i64;
 sum = sum.wrapping_mul(31).wrapping_add(z).wrapping_add(n as i64);
 }

@@ -256,7 +256,10 @@ impl Lowering<'_, '_> {
         let kind = match constructor {
             Constructor::New => {
                 // The author writes rows; the IR, as nalgebra, stores columns.
-                let by_rows = self.uniform(arguments, Some(scalar))?;
+                let mut by_rows = self.uniform(arguments, Some(scalar))?;
+                if rows > 1 && cols > 1 {
+                    self.keep_order(&mut by_rows, "element");
+                }
                 let by_columns = (0..rows * cols)
                     .map(|index| by_rows[((index % rows) * cols + index / rows) as usize].clone())
                     .collect();

@@ -1,10 +1,11 @@
 //! Calls of functions: what is passed, in the order in which Rust computes it.
 
 use bessemer_ir::tree::{self, Builtin};
-use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Type};
+use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
 
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
+use crate::effects;
 
 /// A function, and what it is called with.
 pub(super) type Called<'a, 't> = (&'a tree::Function, &'t [tree::Expr]);
@@ -108,7 +109,33 @@ impl<'a> Lowering<'a, '_> {
             passed.extend(lenders);
         }
         passed.extend(more);
+        self.keep_copies(&mut passed);
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
         self.counted_from_lender(call, expr.site)
+    }
+    /// Makes the copies that are passed beside what they are copied from, where a call may write that: `v.axpy(a, &v.clone(), b)`.
+    fn keep_copies(&mut self, passed: &mut [Argument]) {
+        let lent: Vec<_> = passed.iter().filter_map(lent).cloned().collect();
+        for index in 0..passed.len() {
+            let (before, [argument, ..]) = passed.split_at_mut(index) else { break };
+            if let Argument::Ref(value) = argument
+                && !matches!(value.ty, Type::Slice(_))
+                && effects::reads(value, &lent)
+            {
+                let mark = self.out.len();
+                *value = self.temporary("argument", value.clone());
+                let later = self.later(mark);
+                self.settle_arguments(before, &later);
+                self.out.extend(later);
+            }
+        }
+    }
+}
+
+/// The place that an argument lends to be written.
+fn lent(argument: &Argument) -> Option<&Place> {
+    match argument {
+        Argument::RefMut(place) => Some(place),
+        _ => None,
     }
 }

@@ -10,6 +10,7 @@ use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
 use super::value::Value;
 use super::{OUR_FAULT, Result, order, problem};
+use crate::effects;
 
 impl Lowering<'_, '_> {
     /// Computes `expr` and sends its value to `target`.
@@ -508,7 +509,11 @@ impl Lowering<'_, '_> {
             let mut place = self.writable(place)?;
             let mut later = self.later(mark);
             let fixed = place.steps.iter().all(super::order::is_fixed);
-            if !fixed && !order::may_follow(&value, &place) {
+            // The place is read where the operand stands behind it, which must have been computed by then.
+            let written = effects::lent(&value);
+            if !fixed && !order::may_follow(&value, &place)
+                || effects::reads(&place.load(), &written)
+            {
                 value = self.temporary("operand", value);
             } else {
                 self.settle(&mut value, "operand", &later);

@@ -10,7 +10,7 @@ use super::function::takes_closures;
 use super::lengths::plus;
 use super::lowering::{Lowering, Target};
 use super::syntax::{control_with_value, is_question};
-use super::{OUR_FAULT, Result, literal, problem};
+use super::{OUR_FAULT, Result, literal, order, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
 pub(super) struct Operand<'e> {
@@ -347,7 +347,7 @@ impl Lowering<'_, '_> {
         self.node(kind, ty, site)
     }
 
-    fn matrix_binary(&mut self, op: Op, left: Expr, right: Expr, site: Site) -> Result<Expr> {
+    fn matrix_binary(&mut self, op: Op, mut left: Expr, right: Expr, site: Site) -> Result<Expr> {
         let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
         let (routine, arguments, ty) = match (op, &left_ty, &right_ty) {
             (Op::Add, Type::Matrix { .. }, _) => (Routine::Add, vec![left, right], left_ty),
@@ -357,7 +357,12 @@ impl Lowering<'_, '_> {
                 (Routine::Product, vec![left, right], ty)
             }
             (Op::Mul, Type::Matrix { .. }, _) => (Routine::Scale, vec![left, right], left_ty),
-            (Op::Mul, _, Type::Matrix { .. }) => (Routine::Scale, vec![right, left], right_ty),
+            (Op::Mul, _, Type::Matrix { .. }) => {
+                if !order::may_change_places(&left, &right) {
+                    left = self.temporary("operand", left);
+                }
+                (Routine::Scale, vec![right, left], right_ty)
+            }
             (Op::Div, Type::Matrix { .. }, Type::Scalar(_)) => {
                 (Routine::Unscale, vec![left, right], left_ty)
             }

@@ -168,7 +168,7 @@ impl Lowering<'_, '_> {
         // What holds nothing has been done.
         let kept: Vec<_> = places.iter().flatten().collect();
         let sorted = kept.is_sorted();
-        self.keep_order(&mut values, sorted, rest.is_some(), fields);
+        self.keep_order_of_fields(&mut values, sorted, rest.is_some(), fields);
         let mut ordered = Vec::new();
         for (at, field) in declared.iter().enumerate() {
             let index = places.iter().position(|place| *place == Some(at));
@@ -193,7 +193,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Computes the values of fields in the author's order, where that of the definition would show.
-    fn keep_order(
+    fn keep_order_of_fields(
         &mut self,
         values: &mut [Option<Expr>],
         sorted: bool,

@@ -48,6 +48,17 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// Computes values that will stand in another order now, one after the other, where that would show.
+    pub(super) fn keep_order(&mut self, values: &mut [Expr], role: &str) {
+        let (mut first, mut shows) = (values.iter(), false);
+        while let Some(one) = first.next() {
+            shows |= first.as_slice().iter().any(|other| !may_change_places(one, other));
+        }
+        for value in values.iter_mut().filter(|value| shows && !value.is_literal()) {
+            *value = self.temporary(role, value.clone());
+        }
+    }
+
     /// Makes a place one that stays the same: its indices are computed and checked now.
     pub(super) fn fix(&mut self, place: &mut Place) {
         let moves = |index: &Expr, steady: &HashSet<LocalId>| match &index.kind {
@@ -168,6 +179,13 @@ pub(super) fn may_follow(value: &Expr, place: &Place) -> bool {
     // An index out of bounds is the same fault, whichever of the two it is in.
     is_free(value) && !indices(place).any(has_effect)
         || is_quiet_but_for(value, simple) && simple(place)
+}
+
+/// Whether it is the same, result and fault, if `second` is computed before `first`.
+pub(super) fn may_change_places(first: &Expr, second: &Expr) -> bool {
+    let stays =
+        |one: &Expr, other: &Expr| is_free(one) && !effects::reads(one, &effects::lent(other));
+    stays(first, second) || stays(second, first)
 }
 
 fn indices(place: &Place) -> impl Iterator<Item = &Expr> {

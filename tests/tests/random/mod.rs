@@ -461,6 +461,9 @@ fn random_programs_agree() {
             }
         }
         let found = attack(&workspace, seed, &mut batch).differences;
+        let refused = batch.refused.iter().chain(&batch.mistaken);
+        let kept = refused.filter(|it| it.0.starts_with("found_"));
+        all.extend(kept.map(|(name, why)| format!("{name} says nothing any more: {why}")));
         all.extend(found.into_iter().map(|it| format!("seed {seed}: {}", it.text)));
     }
     assert!(all.is_empty(), "{}", all.join("\n\n"));

@@ -19,7 +19,8 @@ impl Lowering<'_> {
         let mut lowered = tree::Block::default();
         self.views_with_names(stmts);
         self.iterators_with_names(stmts);
-        let originals = std::mem::take(stmts);
+        let mut originals = std::mem::take(stmts);
+        originals.retain(|stmt| !is_empty(stmt));
         let last = originals.len().saturating_sub(1);
         let outermost = self.is_outermost();
         for (index, mut stmt) in originals.into_iter().enumerate() {
@@ -161,9 +162,31 @@ impl Lowering<'_> {
                 let parts = it.elems.iter_mut().map(|part| self.whole(part)).collect();
                 tree::Expr { kind: tree::ExprKind::Tuple(parts), site: site(it), slot: None }
             }
-            other => self.value(other),
+            other => self.matched(other),
         }
     }
+
+    /// A value that is matched: only its use may say of what type a number is.
+    fn matched(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        let mut value = self.value(expr);
+        let number = is_unsuffixed(&value);
+        value.slot = value.slot.or_else(|| number.then(|| self.see(expr)));
+        value
+    }
+}
+
+/// Whether a number stands there whose type does not.
+fn is_unsuffixed(value: &tree::Expr) -> bool {
+    match &value.kind {
+        tree::ExprKind::Int(_, None) | tree::ExprKind::Float(_, None) => true,
+        tree::ExprKind::Unary(_, operand) => is_unsuffixed(operand),
+        _ => false,
+    }
+}
+
+/// A semicolon with nothing before it.
+fn is_empty(stmt: &syn::Stmt) -> bool {
+    matches!(stmt, syn::Stmt::Expr(syn::Expr::Verbatim(tokens), Some(_)) if tokens.is_empty())
 }
 
 /// Whether a `let` takes its value apart.
