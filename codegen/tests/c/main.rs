@@ -13,6 +13,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use bessemer_codegen::c::{CFile, Options, emit, report};
+use bessemer_codegen::kernels::Tuning;
+use bessemer_codegen::passes;
 use bessemer_codegen::validate::validate;
 use bessemer_ir::Module;
 
@@ -26,8 +28,9 @@ fn load(path: &Path) -> Module {
 
 /// The module as the back end takes it.
 fn explicit(path: &Path) -> Module {
-    let passed = bessemer_codegen::passes::explicit(load(path));
-    passed.unwrap_or_else(|errors| panic!("{}: {errors:#?}", path.display())).0
+    let passed = passes::explicit(load(path));
+    let explicit = passed.unwrap_or_else(|errors| panic!("{}: {errors:#?}", path.display())).0;
+    passes::lend(explicit, &Tuning::default(), true)
 }
 
 fn modules() -> Vec<PathBuf> {
