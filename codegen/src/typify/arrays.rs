@@ -20,12 +20,10 @@ impl Lowering<'_, '_> {
         let (there, array) = self.elements_as(whole, slice, ty, expr)?;
         let span = self.span(expr.site);
         let none = self.choice(id, 0, None, expr.site)?;
-        let held = self.temporary("part", none);
-        let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
-        let value = self.choice(id, 1, Some(array), expr.site)?;
-        let then = Block(vec![Stmt::new(StmtKind::Assign { place: target, value }, span)]);
-        let otherwise = Block::default();
-        self.emit(StmtKind::If { condition: there, then, otherwise }, span);
+        let place = self.temporary_place("part", none);
+        let (held, value) = (place.load(), self.choice(id, 1, Some(array), expr.site)?);
+        let then = Block(vec![Stmt::new(StmtKind::Assign { place, value }, span)]);
+        self.emit_if(there, then, span);
         Ok(held)
     }
 

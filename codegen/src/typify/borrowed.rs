@@ -31,7 +31,7 @@ impl Context<'_> {
         }
         let element = self.value_type(element, site)?;
         if element == Type::Unit {
-            return problem(site, super::nothing::EMPTY_SLICE, super::nothing::COUNT);
+            return problem(site, super::zero_sized::EMPTY_SLICE, super::zero_sized::COUNT);
         }
         let id = self.borrowed_struct(&element, mutable, site)?;
         self.borrowed.insert(id, Borrowed { element, mutable });

@@ -3,8 +3,8 @@
 use bessemer_ir::tree::{self, Builtin};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
 
+use super::Result;
 use super::lowering::Lowering;
-use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
 /// A function, and what it is called with.
@@ -87,11 +87,7 @@ impl<'a> Lowering<'a, '_> {
                     None => {
                         self.not_coords(argument)?;
                         let value = self.value(argument, Some(&ty))?;
-                        let held = self.temporary("argument", value);
-                        let ExprKind::Load(place) = held.kind else {
-                            return problem(argument.site, "a temporary is not a place", OUR_FAULT);
-                        };
-                        Argument::RefMut(place)
+                        Argument::RefMut(self.temporary_place("argument", value))
                     }
                 },
                 Mode::Ref => {
@@ -111,14 +107,17 @@ impl<'a> Lowering<'a, '_> {
         passed.extend(more);
         self.keep_copies(&mut passed);
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
-        self.counted_from_lender(call, expr.site)
+        self.counted_from_lender(call)
     }
+
     /// Makes the copies that are passed beside what they are copied from, where a call may write that: `v.axpy(a, &v.clone(), b)`.
     fn keep_copies(&mut self, passed: &mut [Argument]) {
         let lent: Vec<_> = passed.iter().filter_map(lent).cloned().collect();
         for index in 0..passed.len() {
             let (before, [argument, ..]) = passed.split_at_mut(index) else { break };
+            // What is computed is held anyway; a place would be passed itself.
             if let Argument::Ref(value) = argument
+                && matches!(value.kind, ExprKind::Load(_))
                 && !matches!(value.ty, Type::Slice(_))
                 && effects::reads(value, &lent)
             {

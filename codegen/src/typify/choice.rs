@@ -47,7 +47,7 @@ impl Lowering<'_, '_> {
         let by_number = value.ty.is_word() && !matches!(value.ty, Type::Scalar(Scalar::Float(_)));
         if !by_number || self.lends_the_whole(arms)? {
             let before = self.locals.len();
-            let subject = self.value_subject(value, site)?;
+            let subject = self.value_subject(value);
             self.name_held(&subject, before, arms.iter().map(|arm| &arm.pattern));
             return self.subject_arms(&subject, arms, target, site);
         }

@@ -109,7 +109,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Option<Expr>> {
         let span = self.span(site);
         let value = self.value(operand, None)?;
-        let place = self.hold(value, site)?;
+        let place = self.hold(value);
         let target = self.left_by(label, site)?;
         let result = match &target {
             Target::Place(place) => place.ty.clone(),
@@ -342,9 +342,7 @@ impl Lowering<'_, '_> {
     fn return_stmt(&mut self, value: Option<&tree::Expr>, site: Site) -> Result<()> {
         match value {
             Some(value) if self.result != Type::Unit => {
-                let naming = std::mem::replace(&mut self.naming, RESULT.into());
-                self.into(value, &Target::Return)?;
-                self.naming = naming;
+                self.naming_as(RESULT, |inner| inner.into(value, &Target::Return))?;
             }
             Some(value) => {
                 self.effect(value)?;

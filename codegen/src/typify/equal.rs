@@ -38,8 +38,8 @@ impl Lowering<'_, '_> {
             }
             _ => {}
         }
-        let left = self.compared(left, site)?;
-        let right = self.compared(right, site)?;
+        let left = self.compared(left);
+        let right = self.compared(right);
         match left.ty {
             Type::Struct(id)
                 if self.is_flat(id) && !self.cx.own_equalities.contains_key(&left.ty) =>
@@ -51,10 +51,10 @@ impl Lowering<'_, '_> {
     }
 
     /// The place of a value that is compared; its indices are computed once.
-    fn compared(&mut self, value: Expr, site: Site) -> Result<Place> {
-        let mut place = self.hold(value, site)?;
+    pub(super) fn compared(&mut self, value: Expr) -> Place {
+        let mut place = self.hold(value);
         self.keep_indices(&mut place, |index| !index.is_literal());
-        Ok(place)
+        place
     }
 
     /// Whether a value is a variant that stands there: `Some(3)`.
@@ -75,7 +75,7 @@ impl Lowering<'_, '_> {
     fn equal_variant(&mut self, value: Expr, variant: Expr, site: Site) -> Result<Expr> {
         let span = self.span(site);
         self.check_equality(&value.ty, site)?;
-        let value = self.compared(value, site)?;
+        let value = self.compared(value);
         let (ExprKind::Struct(parts), Type::Struct(id)) = (variant.kind, variant.ty) else {
             return problem(site, "this is no variant", super::OUR_FAULT);
         };
@@ -98,7 +98,7 @@ impl Lowering<'_, '_> {
             let same = Expr::compare(CompareOp::Eq, own.load(), part).at(span);
             return Ok(Expr::logic(LogicOp::And, there, same));
         }
-        let part = self.compared(part, site)?;
+        let part = self.compared(part);
         self.and_then(there, |inner| inner.equal(&own, &part, site, span))
     }
 
@@ -290,14 +290,10 @@ impl Lowering<'_, '_> {
             return Ok(Expr::logic(LogicOp::Or, absent, right));
         }
         let span = right.span;
-        let held = self.temporary("equal", Expr::bool(true, span));
-        let mut inner = inner;
-        if let ExprKind::Load(place) = &held.kind {
-            let kind = StmtKind::Assign { place: place.clone(), value: right };
-            inner.push(Stmt { kind, span, comments: Vec::new() });
-        }
-        let (condition, then) = (absent.negated(), Block(inner));
-        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        let place = self.temporary_place("equal", Expr::bool(true, span));
+        let (held, mut inner) = (place.load(), inner);
+        inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
+        self.emit_if(absent.negated(), Block(inner), span);
         Ok(held)
     }
 
@@ -338,8 +334,8 @@ impl Lowering<'_, '_> {
         span: Span,
         equal: impl FnOnce(&mut Self, Expr) -> Result<Expr>,
     ) -> Result<Expr> {
-        let held = self.temporary("equal", Expr::bool(true, span));
-        let ExprKind::Load(flag) = held.kind.clone() else { return Ok(held) };
+        let flag = self.temporary_place("equal", Expr::bool(true, span));
+        let held = flag.load();
         let variable = self.counter("i", span);
         let body = self.scoped(|inner| {
             let place = Place::local(variable, Type::USIZE, span);

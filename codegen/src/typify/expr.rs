@@ -399,23 +399,15 @@ impl Lowering<'_, '_> {
             let kind = ExprKind::Logic(op, Box::new(left), Box::new(right));
             return self.node(kind, Type::BOOL, site);
         }
-        let held = self.temporary("holds", left);
-        let ExprKind::Load(place) = held.kind.clone() else {
-            return problem(site, "a temporary is not a place", OUR_FAULT);
-        };
-        let span = held.span;
+        let place = self.temporary_place("holds", left);
+        let (held, span) = (place.load(), place.span);
         let mut body = inner;
-        body.push(Stmt {
-            kind: StmtKind::Assign { place, value: right },
-            span,
-            comments: Vec::new(),
-        });
+        body.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
         let condition = match op {
             LogicOp::And => held.clone(),
             LogicOp::Or => held.clone().negated(),
         };
-        let (then, otherwise) = (bessemer_ir::Block(body), bessemer_ir::Block::default());
-        self.emit(StmtKind::If { condition, then, otherwise }, span);
+        self.emit_if(condition, bessemer_ir::Block(body), span);
         Ok(held)
     }
 

@@ -5,8 +5,8 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, Step, StmtKind, StructId, Type};
 
 use super::expr::Operand;
 use super::lowering::Lowering;
-use super::nothing::At;
 use super::order::{has_effect, is_free, is_settled};
+use super::zero_sized::At;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {

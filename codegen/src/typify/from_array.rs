@@ -36,9 +36,7 @@ impl Lowering<'_, '_> {
             return self.node(written_out(&source, &ty, (outer, inner), span), ty, expr.site);
         }
         let whole = self.zero(&ty, span);
-        let ExprKind::Load(result) = self.temporary("elements", whole).kind else {
-            return problem(expr.site, "a temporary is not a place", OUR_FAULT);
-        };
+        let result = self.temporary_place("elements", whole);
         let i = self.counter(if inner.is_some() { "col" } else { "i" }, span);
         let row = inner.map(|_| self.counter("row", span));
         let at = (local(i, span), row.map(|row| local(row, span)));

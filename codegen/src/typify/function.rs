@@ -10,7 +10,7 @@ use bessemer_ir::{
 
 use super::lowering::{Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
-use super::optional::there;
+use super::option_places::there;
 use super::regions::{Lenders, Path};
 use super::syntax::{Writes, control_with_value, ends_in_loop};
 use super::value::Value;
@@ -534,11 +534,33 @@ impl Lowering<'_, '_> {
 
     /// A temporary that holds `value`; named for what it is part of.
     pub(super) fn temporary(&mut self, role: &str, value: Expr) -> Expr {
+        self.temporary_place(role, value).load()
+    }
+
+    /// Its place.
+    pub(super) fn temporary_place(&mut self, role: &str, value: Expr) -> Place {
         let (ty, span) = (value.ty.clone(), value.span);
         let local = self.temporary_local(role, ty.clone(), span);
         self.held.insert(local);
         self.emit(StmtKind::Let { local, value: Some(value) }, span);
-        Expr::local(local, &ty, span)
+        Place::local(local, ty, span)
+    }
+
+    /// Lowers with a name for what its author left unnamed.
+    pub(super) fn naming_as<T>(
+        &mut self,
+        name: impl Into<String>,
+        lower: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let outer = std::mem::replace(&mut self.naming, name.into());
+        let done = lower(self);
+        self.naming = outer;
+        done
+    }
+
+    /// Emits an `if` without an `else`.
+    pub(super) fn emit_if(&mut self, condition: Expr, then: Block, span: Span) {
+        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
     }
 
     pub(super) fn temporary_local(&mut self, role: &str, ty: Type, span: Span) -> LocalId {

@@ -43,15 +43,12 @@ impl Lowering<'_, '_> {
                 Some(Step::Field(at)) => self.field_name(&place, *at),
                 _ => self.locals[place.root.index()].name.clone(),
             };
-            let naming = std::mem::replace(&mut self.naming, name);
-            from = self.temporary(ENDS[0], from);
-            length = self.temporary(ENDS[1], length);
-            for part in [&from, &length] {
-                if let ExprKind::Load(part) = &part.kind {
-                    self.lenders.taken.push(part.root);
-                }
+            for (part, role) in [&mut from, &mut length].into_iter().zip(ENDS) {
+                let held =
+                    self.naming_as(&*name, |inner| inner.temporary_place(role, part.clone()));
+                self.lenders.taken.push(held.root);
+                *part = held.load();
             }
-            self.naming = naming;
         }
         let to = plus(from.clone(), length.clone());
         Ok(Some(Slice { base, element, from, to, length, whole: false }))
@@ -80,7 +77,7 @@ impl Lowering<'_, '_> {
             }
             _ if self.gives_slice(expr) => {
                 let value = self.value(expr, None)?;
-                let place = self.hold(value, expr.site)?;
+                let place = self.hold(value);
                 self.slice_at(place, expr.site)
             }
             _ => Ok(None),
@@ -155,12 +152,10 @@ impl Lowering<'_, '_> {
     }
 
     fn named_slice(&mut self, value: Expr, base: Place) -> Expr {
-        let held = self.temporary(UNNAMED, value);
-        if let ExprKind::Load(place) = &held.kind {
-            self.lenders.known.retain(|it| it.0 != place.root);
-            self.lenders.known.push((place.root, Vec::new(), base));
-        }
-        held
+        let place = self.temporary_place(UNNAMED, value);
+        self.lenders.known.retain(|it| it.0 != place.root);
+        self.lenders.known.push((place.root, Vec::new(), base));
+        place.load()
     }
 
     /// What a method lends, as a value of a type.
@@ -179,8 +174,8 @@ impl Lowering<'_, '_> {
             }
             (Value::Maybe(there, lent), Type::Struct(id)) => {
                 let none = self.choice(*id, 0, None, site)?;
-                let held = self.temporary(super::slice::FOUND, none);
-                let ExprKind::Load(place) = held.kind.clone() else { return Ok(held) };
+                let place = self.temporary_place(super::slice::FOUND, none);
+                let held = place.load();
                 let payload =
                     self.cx.cases.get(id).and_then(|cases| cases.iter().find_map(|it| it.field));
                 let Some(payload) = payload else {
@@ -193,8 +188,7 @@ impl Lowering<'_, '_> {
                     it.emit(StmtKind::Assign { place, value }, span);
                     Ok(())
                 })?;
-                let otherwise = Block::default();
-                self.emit(StmtKind::If { condition: there, then, otherwise }, span);
+                self.emit_if(there, then, span);
                 Ok(held)
             }
             _ => problem(site, "this is not what a slice lends", OUR_FAULT),

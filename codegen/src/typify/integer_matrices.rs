@@ -60,7 +60,7 @@ impl Lowering<'_, '_> {
             operands.push(match value.is_literal() {
                 true => value,
                 false => {
-                    let mut place = self.hold(value, site)?;
+                    let mut place = self.hold(value);
                     self.keep_indices(&mut place, |index| !index.is_literal());
                     place.load()
                 }
@@ -70,9 +70,7 @@ impl Lowering<'_, '_> {
         let elements = Elements { operands, scalar: Type::Scalar(*element), span };
         let zero = Expr::literal(0, elements.scalar.clone(), span);
         let zeros = Expr { kind: ExprKind::Splat(Box::new(zero)), ty: ty.clone(), span };
-        let ExprKind::Load(result) = self.temporary(name, zeros).kind else {
-            return problem(site, "a temporary is not a place", OUR_FAULT);
-        };
+        let result = self.temporary_place(name, zeros);
         let row = self.counter_of(*rows, "row", span);
         let col = self.counter_of(*cols, "col", span);
         let mut counters = vec![(row, *rows), (col, *cols)];

@@ -141,7 +141,7 @@ impl Lowering<'_, '_> {
                 let mut place = self.base(elements)?;
                 self.fix(&mut place);
                 match owned && !self.held.contains(&place.root) {
-                    true => self.own("items%", place.load(), false, elements.site)?,
+                    true => self.own("items%", place.load(), false),
                     false => Value::Place(place),
                 }
             }

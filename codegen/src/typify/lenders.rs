@@ -9,7 +9,7 @@ use bessemer_ir::tree::{self, Site};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
     Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Span, Step,
-    Stmt, StmtKind, Type,
+    StmtKind, Type,
 };
 
 use super::borrowed::Borrowed;
@@ -164,11 +164,7 @@ impl Lowering<'_, '_> {
     fn lent_by_call(&self, id: FunctionId, arguments: &[Argument]) -> Vec<(Path, Place)> {
         let Some(given) = self.cx.given_back.get(&id) else { return Vec::new() };
         let mapped = |(path, lender): &(Path, Place)| {
-            let of = match arguments.get(lender.root.index())? {
-                Argument::RefMut(place) => place,
-                Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => place,
-                _ => return None,
-            };
+            let of = passed_for(lender, arguments)?;
             let mut steps = of.steps.clone();
             if let Some(Step::From(_)) = steps.last() {
                 steps.pop();
@@ -290,25 +286,19 @@ impl Lowering<'_, '_> {
     }
 
     /// The value of a call whose slices count from where its arguments begin, counted from where their lenders do.
-    pub(super) fn counted_from_lender(&mut self, call: Expr, site: Site) -> Result<Expr> {
+    pub(super) fn counted_from_lender(&mut self, call: Expr) -> Result<Expr> {
         let ExprKind::Call(id, arguments) = &call.kind else { return Ok(call) };
         let Some(given) = self.cx.given_back.get(id) else { return Ok(call) };
-        let begun = |(path, lender): &(Path, Place)| {
-            let place = match arguments.get(lender.root.index())? {
-                Argument::RefMut(place) => place,
-                Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => place,
-                _ => return None,
-            };
-            match place.steps.last() {
+        let begun =
+            |(path, lender): &(Path, Place)| match passed_for(lender, arguments)?.steps.last() {
                 Some(Step::From(from)) if !is_number(from, 0) => Some((path.clone(), from.clone())),
                 _ => None,
-            }
-        };
+            };
         let begun: Vec<(Path, Expr)> = given.iter().filter_map(begun).collect();
         if begun.is_empty() {
             return Ok(call);
         }
-        let place = self.hold(call, site)?;
+        let place = self.hold(call);
         for (path, from) in begun {
             let Block(stmts) = self.scoped(|inner| inner.shift(&place, &path, &from))?;
             self.out.extend(stmts);
@@ -336,8 +326,7 @@ impl Lowering<'_, '_> {
         match case {
             Some(word) => {
                 let condition = self.tag_is(place, id, word as u64);
-                let kind = StmtKind::If { condition, then, otherwise: Block::default() };
-                self.out.push(Stmt::new(kind, span));
+                self.emit_if(condition, then, span);
             }
             None => self.out.extend(then.0),
         }
@@ -358,6 +347,15 @@ impl Lowering<'_, '_> {
             Some(wrong) => Err(wrong),
             None => Ok(std::mem::take(&mut self.lenders.result)),
         }
+    }
+}
+
+/// The place that a call lends for a parameter.
+fn passed_for<'a>(lender: &Place, arguments: &'a [Argument]) -> Option<&'a Place> {
+    match arguments.get(lender.root.index())? {
+        Argument::RefMut(place) => Some(place),
+        Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => Some(place),
+        _ => None,
     }
 }
 

@@ -14,11 +14,7 @@ const MOST: u32 = 8;
 impl Lowering<'_, '_> {
     /// `left < right` and the like of two values of several words.
     pub(super) fn lexical(&mut self, op: Op, left: Expr, right: Expr, site: Site) -> Result<Expr> {
-        let mut left = self.hold(left, site)?;
-        let mut right = self.hold(right, site)?;
-        for place in [&mut left, &mut right] {
-            self.keep_indices(place, |index| !index.is_literal());
-        }
+        let [left, right] = [left, right].map(|operand| self.compared(operand));
         let Some(steps) = self.steps_to_parts(&left.ty, &left) else {
             return problem(
                 site,

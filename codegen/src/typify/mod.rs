@@ -7,18 +7,21 @@
 //! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
 //! from the operands comes from a slot.
 
-mod apart;
 mod arrays;
 mod atomic;
 mod borrowed;
+mod borrowed_slices;
 mod bounded;
 mod builtin;
 mod call;
 mod choice;
 mod closure;
+mod closure_args;
 mod conditions;
 mod control;
 mod counted;
+mod destructure;
+mod destructuring_assignment;
 mod each;
 mod elements;
 mod enums;
@@ -32,7 +35,6 @@ mod function;
 mod gather;
 mod generator;
 mod generic;
-mod handed;
 mod held_slices;
 mod implied;
 mod integer_matrices;
@@ -40,9 +42,7 @@ mod items;
 mod kernels;
 mod labelled;
 mod lenders;
-mod lending;
 mod lengths;
-mod lent;
 mod lexical;
 mod list;
 mod literal;
@@ -51,19 +51,18 @@ mod lowering;
 mod named;
 mod names;
 mod narrow;
-mod nothing;
 mod numbers;
 mod once;
 mod option;
-mod optional;
+mod option_places;
 mod order;
 mod paths;
 mod pattern;
 mod place;
+mod place_functions;
 mod ranges;
 mod regions;
 mod rewrite;
-mod several;
 mod sizes;
 mod slice;
 mod spatial;
@@ -74,6 +73,7 @@ mod unmade;
 mod value;
 mod views;
 mod within;
+mod zero_sized;
 
 use std::collections::{HashMap, HashSet};
 
@@ -233,7 +233,7 @@ struct Context<'a> {
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
     /// Zero-sized types, which are not in the C.
-    nothings: nothing::Nothings,
+    nothings: zero_sized::Nothings,
     /// The authors' types with which something is wrong, which has been told.
     undefined: HashSet<&'a str>,
     /// The constants of which their author says more than their value.
@@ -283,7 +283,7 @@ struct Context<'a> {
     /// Those that return references and are inlined: a reference lowers to a place, never to a pointer.
     lending: HashSet<&'a str>,
     /// The authors' own `[…]`.
-    indexing: Vec<lending::Indexing<'a>>,
+    indexing: Vec<place_functions::Indexing<'a>>,
     /// Functions that are still to be made.
     waiting: HashMap<&'a str, &'a tree::Function>,
     /// Functions that are being made, each for the one before.
@@ -308,7 +308,7 @@ impl<'a> Context<'a> {
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
-            nothings: nothing::Nothings::default(),
+            nothings: zero_sized::Nothings::default(),
             undefined: HashSet::new(),
             tables: &package.tables,
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),

@@ -1,7 +1,7 @@
 //! Names of references: other names for their places.
 
+use bessemer_ir::Place;
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{ExprKind, Place};
 
 use super::lowering::Lowering;
 use super::value::Value;
@@ -24,13 +24,7 @@ fn is_held(expr: &tree::Expr) -> bool {
 impl Lowering<'_, '_> {
     /// A copy of what is at a place, under a name that nothing writes to.
     pub(super) fn hold_copy(&mut self, name: &str, place: Place) -> Place {
-        let naming = std::mem::take(&mut self.naming);
-        let held = self.temporary(name, place.load());
-        self.naming = naming;
-        match held.kind {
-            ExprKind::Load(held) => held,
-            _ => place,
-        }
+        self.naming_as("", |inner| inner.temporary_place(name, place.load()))
     }
 
     /// `let name = &place`: another name for the place.
@@ -47,7 +41,7 @@ impl Lowering<'_, '_> {
         // What a call lends is not written while it is lent.
         if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
             let lent = self.value(lent, None)?;
-            let place = self.hold(lent, site)?;
+            let place = self.hold(lent);
             self.bind(name, Value::Place(place));
             return Ok(());
         }
@@ -58,14 +52,12 @@ impl Lowering<'_, '_> {
                 "copy the value: `let x = *place;`, or pass the reference as an argument",
             );
         };
-        let naming = std::mem::replace(&mut self.naming, name.trim_matches('_').to_owned());
         let moves = value.is_some_and(is_held) || self.may_come_to_refer(&place);
         if moves && !self.is_lasting(&place) {
             // A reference that a value holds is a copy there; the value may get another.
             place = self.hold_copy(name, place);
         }
-        self.fix(&mut place);
-        self.naming = naming;
+        self.naming_as(name.trim_matches('_'), |inner| inner.fix(&mut place));
         self.bind(name, Value::Place(place));
         Ok(())
     }

@@ -9,7 +9,7 @@ impl Lowering<'_, '_> {
     pub(super) fn if_it_fits(&mut self, argument: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
         let (result, span) = (self.slot_of(expr)?, self.span(expr.site));
         let value = self.value(argument, None)?;
-        let place = self.hold(value, expr.site)?;
+        let place = self.hold(value);
         let Type::Struct(id) = result else {
             return problem(expr.site, "this is no `Result`", OUR_FAULT);
         };

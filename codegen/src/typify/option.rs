@@ -40,7 +40,7 @@ impl Lowering<'_, '_> {
             }
             // A place is lent: each use of one that takes it has looked before.
             M::AsMut | M::Insert | M::GetOrInsert | M::GetOrInsertWith => {
-                return problem(expr.site, super::lent::LENT, LENT_BY_OPTION);
+                return problem(expr.site, super::borrowed_slices::LENT, LENT_BY_OPTION);
             }
         };
         let (place, id) = self.receiver(&arguments[0])?;
@@ -54,7 +54,7 @@ impl Lowering<'_, '_> {
     /// The place of an `Option` or a `Result`.
     fn receiver(&mut self, expr: &tree::Expr) -> Result<(Place, StructId)> {
         let value = self.value(expr, None)?;
-        let place = self.hold(value, expr.site)?;
+        let place = self.hold(value);
         match place.ty {
             Type::Struct(id) => Ok((place, id)),
             _ => problem(expr.site, "this is not an `Option`", OUR_FAULT),
@@ -150,7 +150,7 @@ impl Lowering<'_, '_> {
         if second.iter().any(|second| effects::reads(&first, &effects::lent(second))) {
             first = self.temporary("before", first);
         }
-        let mut place = self.hold(first, site)?;
+        let mut place = self.hold(first);
         if second.iter().any(|second| !is_free(second)) {
             self.fix(&mut place);
         }

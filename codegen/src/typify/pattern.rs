@@ -13,10 +13,10 @@ use bessemer_ir::{
 
 use super::generic::Case;
 use super::lowering::Lowering;
-use super::nothing::At;
 use super::order::is_settled;
 use super::syntax::is_rest;
 use super::value::{Named, Value};
+use super::zero_sized::At;
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
@@ -52,7 +52,7 @@ impl Lowering<'_, '_> {
             _ => None,
         };
         let value = self.value(expr, expected.as_ref())?;
-        self.value_subject(value, expr.site)
+        Ok(self.value_subject(value))
     }
 
     /// The same of a pattern; a value that has to be held has the name of what the pattern takes from it.
@@ -85,15 +85,15 @@ impl Lowering<'_, '_> {
     }
 
     /// The same, its value known.
-    pub(super) fn value_subject(&mut self, value: Expr, site: Site) -> Result<Value> {
+    pub(super) fn value_subject(&mut self, value: Expr) -> Value {
         if value.ty == Type::Unit {
             self.discard(value);
-            return Ok(Value::Nothing);
+            return Value::Nothing;
         }
-        let mut place = self.hold(value, site)?;
+        let mut place = self.hold(value);
         // Its indices are checked also where no pattern comes to read it.
         self.fix(&mut place);
-        Ok(Value::Place(place))
+        Value::Place(place)
     }
 
     /// Copies what the statements to come could change.
@@ -104,11 +104,8 @@ impl Lowering<'_, '_> {
             }
             Value::Place(place) => {
                 let value = place.load();
-                if !later.is_empty()
-                    && !is_settled(&value, later)
-                    && let ExprKind::Load(held) = self.temporary("selector", value).kind
-                {
-                    *place = held;
+                if !later.is_empty() && !is_settled(&value, later) {
+                    *place = self.temporary_place("selector", value);
                 }
             }
             // Another name for what is there, whatever becomes of it.

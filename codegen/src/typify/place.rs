@@ -1,11 +1,11 @@
 //! Places: where values are held.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree;
 use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 
 use super::expr::{Operand, two};
 use super::lowering::{Lowering, RESULT, UNNAMED};
-use super::nothing::At;
+use super::zero_sized::At;
 use super::{Result, problem};
 use crate::effects;
 
@@ -68,14 +68,14 @@ impl Lowering<'_, '_> {
             return Ok(place);
         }
         let value = self.value(expr, None)?;
-        self.hold(value, expr.site)
+        Ok(self.hold(value))
     }
 
     /// The place of a value: its own, or a temporary. An index that calls is computed here, once.
-    pub(super) fn hold(&mut self, value: Expr, site: Site) -> Result<Place> {
+    pub(super) fn hold(&mut self, value: Expr) -> Place {
         if let ExprKind::Load(mut place) = value.kind {
             self.keep_indices(&mut place, effects::calls);
-            return Ok(place);
+            return place;
         }
         let role = match &value.ty {
             Type::Struct(id)
@@ -97,13 +97,7 @@ impl Lowering<'_, '_> {
         let choice = matches!(&value.ty, Type::Struct(id) if shown(id))
             && ![UNNAMED, RESULT].contains(&self.naming.as_str());
         let naming = if choice { self.naming.clone() } else { String::new() };
-        let naming = std::mem::replace(&mut self.naming, naming);
-        let held = self.temporary(&role, value);
-        self.naming = naming;
-        match held.kind {
-            ExprKind::Load(place) => Ok(place),
-            _ => problem(site, "a temporary is not a place", super::OUR_FAULT),
-        }
+        self.naming_as(naming, |inner| inner.temporary_place(&role, value))
     }
 
     fn field(&mut self, mut base: Place, name: &str, expr: &tree::Expr) -> Result<Place> {

@@ -37,7 +37,7 @@ impl Lowering<'_, '_> {
         }
         let element = self.cx.value_type(element, param.site)?;
         if element == Type::Unit {
-            return problem(param.site, super::nothing::EMPTY_SLICE, super::nothing::COUNT);
+            return problem(param.site, super::zero_sized::EMPTY_SLICE, super::zero_sized::COUNT);
         }
         let mode = if mutable { Mode::RefMut } else { Mode::Ref };
         let span = self.span(param.site);
@@ -59,21 +59,17 @@ impl Lowering<'_, '_> {
         let decided = control_with_value(value);
         if decided || Writes::to(name, &self.source.tree.body).whole {
             let (ty, span) = (self.slot(slot, site)?, self.span(site));
-            let naming = std::mem::replace(&mut self.naming, name.to_owned());
-            match decided {
-                true => self.let_control(name, ty, Some(value), span)?,
-                false => {
-                    let value = self.value(value, Some(&ty))?;
-                    let local = self.declare(name, ty, Mode::Value, span);
-                    self.emit(StmtKind::Let { local, value: Some(value) }, span);
+            return self.naming_as(name, |inner| {
+                if decided {
+                    return inner.let_control(name, ty, Some(value), span);
                 }
-            }
-            self.naming = naming;
-            return Ok(());
+                let value = inner.value(value, Some(&ty))?;
+                let local = inner.declare(name, ty, Mode::Value, span);
+                inner.emit(StmtKind::Let { local, value: Some(value) }, span);
+                Ok(())
+            });
         }
-        let naming = std::mem::replace(&mut self.naming, name.to_owned());
-        let slice = self.sliced(value)?;
-        self.naming = naming;
+        let slice = self.naming_as(name, |inner| inner.sliced(value))?;
         let slice = self.kept_elements(slice);
         self.bind(name, Value::Slice(Box::new(slice)));
         Ok(())
@@ -297,7 +293,9 @@ impl Lowering<'_, '_> {
             (M::Swap | M::Fill | M::CopyFrom | M::Reverse, _) => {
                 problem(expr.site, "this has no value", "write it as a statement")
             }
-            _ => problem(expr.site, super::lent::LENT, super::lent::TAKE_APART),
+            _ => {
+                problem(expr.site, super::borrowed_slices::LENT, super::borrowed_slices::TAKE_APART)
+            }
         }
     }
 
@@ -309,9 +307,9 @@ impl Lowering<'_, '_> {
             true => self.temporary("wanted", value),
             false => value,
         };
-        let wanted = self.hold(wanted, site)?;
-        let held = self.temporary(FOUND, Expr::bool(false, span));
-        let ExprKind::Load(flag) = held.kind.clone() else { return Ok(held) };
+        let wanted = self.hold(wanted);
+        let flag = self.temporary_place(FOUND, Expr::bool(false, span));
+        let held = flag.load();
         self.each_index(slice, span, |inner, index| {
             let condition = inner.equal(&slice.at(index), &wanted, site, span)?;
             let then = Block(vec![

@@ -139,7 +139,7 @@ impl Lowering<'_, '_> {
         let Type::Struct(id) = value.ty else {
             return problem(site, "this is not a quaternion", OUR_FAULT);
         };
-        let place = self.hold(value, site)?;
+        let place = self.hold(value);
         Ok((0..4).map(|part| self.quaternion_part(&place, id, part).load()).collect())
     }
 

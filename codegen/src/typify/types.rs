@@ -218,7 +218,7 @@ impl<'a> Context<'a> {
                     return problem(
                         site,
                         "an array of what holds nothing is not in the DSL",
-                        super::nothing::COUNT,
+                        super::zero_sized::COUNT,
                     );
                 }
                 element if !self.slices_in(&element).is_empty() => {

@@ -13,6 +13,7 @@ use syn::parse_quote;
 use syn::visit::{self, Visit};
 
 use super::expr::is_unit_control;
+use super::syntax::{names, times_named};
 use super::view::{may_repeat, set, written};
 use super::walk::Lowering;
 
@@ -40,7 +41,7 @@ impl Lowering<'_> {
         if !is_named(&view.receiver) {
             return None;
         }
-        let names_it = |stmt: &syn::Stmt| any(stmt.to_token_stream(), &name.ident);
+        let names_it = |stmt: &syn::Stmt| names(stmt, &name.ident.to_string());
         let last = rest.iter().rposition(names_it)?;
         let live = &rest[..=last];
         let leaves = live.iter().any(may_leave);
@@ -115,26 +116,24 @@ impl Lowering<'_> {
                 through.expr = parse_quote! { #name.iter_mut() };
                 Some(parse_quote! { { let mut #name = #view; #through } })
             }
-            syn::Expr::Assign(it) => {
-                let (place, name) = (&it.left, self.fresh_in("part", expr));
-                let (view, place) = element(place, &name)?;
-                if matches!(*it.right, syn::Expr::Lit(_)) {
-                    let value = &it.right;
-                    return Some(parse_quote! { { let mut #name = #view; #place = #value; } });
+            syn::Expr::Assign(_) | syn::Expr::Binary(_) => {
+                let mut write = expr.clone();
+                let (place, value) = match &mut write {
+                    syn::Expr::Assign(it) => (&mut *it.left, &mut *it.right),
+                    syn::Expr::Binary(it) if super::expr::compound(&it.op).is_some() => {
+                        (&mut *it.left, &mut *it.right)
+                    }
+                    _ => return None,
+                };
+                let name = self.fresh_in("part", expr);
+                let view = element(place, &name)?;
+                let mut first: Option<syn::Stmt> = None;
+                if !matches!(value, syn::Expr::Lit(_)) {
+                    let new = self.fresh_in("value", expr);
+                    first = Some(parse_quote! { let #new = #value; });
+                    *value = parse_quote! { #new };
                 }
-                let (value, new) = (&it.right, self.fresh_in("value", expr));
-                Some(parse_quote! { { let #new = #value; let mut #name = #view; #place = #new; } })
-            }
-            syn::Expr::Binary(it) if super::expr::compound(&it.op).is_some() => {
-                let (place, name) = (&it.left, self.fresh_in("part", expr));
-                let (view, place) = element(place, &name)?;
-                let (op, value, new) = (&it.op, &it.right, self.fresh_in("value", expr));
-                if matches!(**value, syn::Expr::Lit(_)) {
-                    return Some(parse_quote! { { let mut #name = #view; #place #op #value; } });
-                }
-                Some(
-                    parse_quote! { { let #new = #value; let mut #name = #view; #place #op #new; } },
-                )
+                Some(parse_quote! { { #first let mut #name = #view; #write; } })
             }
             syn::Expr::MethodCall(it) => {
                 let mut receiver = (*it.receiver).clone();
@@ -176,22 +175,11 @@ impl Lowering<'_> {
     }
 }
 
-/// The view whose element a place is, and the place by the view's name.
-fn element(place: &syn::Expr, name: &syn::Ident) -> Option<(syn::Expr, syn::Expr)> {
+/// The view whose element a place is, which becomes that of the view's name.
+fn element(place: &mut syn::Expr, name: &syn::Ident) -> Option<syn::Expr> {
     let syn::Expr::Index(it) = place else { return None };
-    let mut view = (*it.expr).clone();
-    written(&mut view)?;
-    let index = &it.index;
-    Some((view, parse_quote! { #name[#index] }))
-}
-
-/// Whether a name stands somewhere.
-fn any(tokens: TokenStream, name: &syn::Ident) -> bool {
-    tokens.into_iter().any(|token| match token {
-        TokenTree::Ident(ident) => ident == *name,
-        TokenTree::Group(group) => any(group.stream(), name),
-        _ => false,
-    })
+    written(&mut it.expr)?;
+    Some(std::mem::replace(&mut *it.expr, parse_quote! { #name }))
 }
 
 /// Whether a receiver is made of names and fields alone: an index may mean another element later.
@@ -318,17 +306,7 @@ fn only_used(stmt: &syn::Stmt, name: &syn::Ident) -> bool {
             visit::visit_expr(self, expr);
         }
     }
-    fn total(tokens: TokenStream, name: &syn::Ident) -> usize {
-        tokens
-            .into_iter()
-            .map(|token| match token {
-                TokenTree::Ident(ident) => usize::from(ident == *name),
-                TokenTree::Group(group) => total(group.stream(), name),
-                _ => 0,
-            })
-            .sum()
-    }
     let mut uses = Uses(name, 0);
     uses.visit_stmt(stmt);
-    uses.1 == total(stmt.to_token_stream(), name)
+    uses.1 == times_named(stmt, &name.to_string())
 }

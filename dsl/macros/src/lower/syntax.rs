@@ -213,14 +213,20 @@ pub(super) fn is_linked(expr: &syn::Expr) -> bool {
 
 /// Whether a name stands somewhere in an expression. Answers yes too often rather than too rarely.
 pub(super) fn names(expr: &impl ToTokens, name: &str) -> bool {
-    fn any(tokens: proc_macro2::TokenStream, name: &str) -> bool {
-        tokens.into_iter().any(|token| match token {
-            proc_macro2::TokenTree::Ident(ident) => ident == name,
-            proc_macro2::TokenTree::Group(group) => any(group.stream(), name),
-            _ => false,
-        })
+    times_named(expr, name) > 0
+}
+
+/// How often a name stands in an expression, as what it may be.
+pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
+    fn count(tokens: proc_macro2::TokenStream, name: &str) -> usize {
+        let of = |token| match token {
+            proc_macro2::TokenTree::Ident(ident) => usize::from(ident == name),
+            proc_macro2::TokenTree::Group(group) => count(group.stream(), name),
+            _ => 0,
+        };
+        tokens.into_iter().map(of).sum()
     }
-    any(quote! { #expr }, name)
+    count(quote! { #expr }, name)
 }
 
 /// Whether a path is that of a variant: a constant has no small letters.

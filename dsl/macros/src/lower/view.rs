@@ -85,27 +85,28 @@ impl Lowering<'_> {
 /// Whether an expression comes to the same twice, and does nothing: arithmetic of names and numbers.
 pub(super) fn may_repeat(expr: &syn::Expr) -> bool {
     match expr {
-        syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
-        syn::Expr::Paren(it) => may_repeat(&it.expr),
-        syn::Expr::Field(it) => may_repeat(&it.base),
         syn::Expr::Index(it) => may_repeat(&it.expr) && may_repeat(&it.index),
         syn::Expr::Cast(it) => may_repeat(&it.expr),
         syn::Expr::Unary(it) => may_repeat(&it.expr),
-        syn::Expr::Reference(it) => it.mutability.is_none() && may_repeat(&it.expr),
         syn::Expr::Binary(it) => {
             super::expr::compound(&it.op).is_none() && may_repeat(&it.left) && may_repeat(&it.right)
         }
-        _ => false,
+        _ => of_names(expr, may_repeat),
     }
 }
 
 /// Whether computing an expression can have no fault.
 fn cannot_fault(expr: &syn::Expr) -> bool {
+    of_names(expr, cannot_fault)
+}
+
+/// Whether an expression is a name, a number, or a part of one for which `inner` holds.
+fn of_names(expr: &syn::Expr, inner: fn(&syn::Expr) -> bool) -> bool {
     match expr {
         syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
-        syn::Expr::Paren(it) => cannot_fault(&it.expr),
-        syn::Expr::Field(it) => cannot_fault(&it.base),
-        syn::Expr::Reference(it) => it.mutability.is_none() && cannot_fault(&it.expr),
+        syn::Expr::Paren(it) => inner(&it.expr),
+        syn::Expr::Field(it) => inner(&it.base),
+        syn::Expr::Reference(it) => it.mutability.is_none() && inner(&it.expr),
         _ => false,
     }
 }

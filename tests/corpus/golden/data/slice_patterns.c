@@ -69,7 +69,7 @@ bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values
         return BESSEMER_STATUS_OK;
     }
     option_i16_t result_found = {.is_some = false};
-    if (UINT64_C(0) < values_length) {
+    if (values_length > UINT64_C(0)) {
         result_found.is_some = true;
         result_found.value = values[0];
     }

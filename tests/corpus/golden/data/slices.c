@@ -52,7 +52,7 @@ bessemer_status_t programs_data_slices_peak(const list6_f64_t *values, uint64_t 
         return BESSEMER_STATUS_INDEX;
     }
     option_f64_t peak_found = {.is_some = false};
-    if (UINT64_C(0) < end) {
+    if (end > UINT64_C(0)) {
         peak_found.is_some = true;
         peak_found.value = values->items[0];
     }

@@ -2,7 +2,7 @@
 //! another name for the content.
 
 use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Ty};
-use bessemer_ir::{Block, Fault, Place, Stmt, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Fault, Place, StmtKind, StructId, Type};
 
 use super::lowering::Lowering;
 use super::rewrite::is_plain;
@@ -135,8 +135,7 @@ impl Lowering<'_, '_> {
         })?;
         if unless {
             let condition = self.tag_is(&place, id, word).negated();
-            let kind = StmtKind::If { condition, then: Block(put), otherwise: Block::default() };
-            self.out.push(Stmt::new(kind, span));
+            self.emit_if(condition, Block(put), span);
         } else {
             self.out.extend(put);
         }

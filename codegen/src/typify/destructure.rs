@@ -1,7 +1,7 @@
 //! `let` with a pattern: what is taken apart, and what of a tuple that is never made.
 
 use bessemer_ir::tree::{self, NO_SLOT};
-use bessemer_ir::{Block, Local, LocalId, Mode, StmtKind};
+use bessemer_ir::{Local, LocalId, Mode, StmtKind};
 
 use super::Result;
 use super::lowering::Lowering;
@@ -31,7 +31,7 @@ impl Lowering<'_, '_> {
             let span = condition.span;
             let then = self.block_effect(otherwise)?;
             let condition = condition.negated();
-            self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+            self.emit_if(condition, then, span);
         }
         self.bind_names(&names)
     }
@@ -80,9 +80,7 @@ impl Lowering<'_, '_> {
             (tree::Pattern::Name { name, slot, inner: None, .. }, _)
                 if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
             {
-                let naming = std::mem::replace(&mut self.naming, name.clone());
-                let slice = self.sliced(value)?;
-                self.naming = naming;
+                let slice = self.naming_as(&**name, |inner| inner.sliced(value))?;
                 let slice = self.kept_elements(slice);
                 bound.push((name.clone(), Value::Slice(Box::new(slice))));
                 Ok(())
@@ -91,9 +89,7 @@ impl Lowering<'_, '_> {
                 if !self.slot_is_reference(*slot, value.site)? =>
             {
                 let ty = self.slot(*slot, value.site)?;
-                let naming = std::mem::replace(&mut self.naming, name.clone());
-                let lowered = self.value(value, Some(&ty))?;
-                self.naming = naming;
+                let lowered = self.naming_as(&**name, |inner| inner.value(value, Some(&ty)))?;
                 self.agree(&lowered.ty, &ty, value.site)?;
                 let local = LocalId(self.locals.len() as u32);
                 let span = lowered.span;

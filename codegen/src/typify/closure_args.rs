@@ -195,10 +195,7 @@ impl<'a> Lowering<'a, '_> {
         if self.naming != UNNAMED {
             return Ok(self.temporary("value", value));
         }
-        self.naming = String::new();
-        let held = self.temporary(name, value);
-        self.naming = UNNAMED.into();
-        Ok(held)
+        Ok(self.naming_as("", |inner| inner.temporary(name, value)))
     }
 
     /// A condition: what a closure says that is inlined is looked at at once, and need not be held.
@@ -287,7 +284,7 @@ impl<'a> Lowering<'a, '_> {
                 // In a place of its own: the body may write to what it was computed from.
                 value = self.named_argument(parameter, value);
             }
-            subjects.push(self.value_subject(value, argument.site)?);
+            subjects.push(self.value_subject(value));
         }
         self.in_scope_of(&handed, None, site, |inner| {
             inner.bind_arguments(closure, &subjects, stays)?;
@@ -320,10 +317,7 @@ impl<'a> Lowering<'a, '_> {
         let Some(tree::Pattern::Name { name, .. }) = parameter else {
             return self.temporary("argument", value);
         };
-        let naming = std::mem::take(&mut self.naming);
-        let held = self.temporary(name, value);
-        self.naming = naming;
-        held
+        self.naming_as("", |inner| inner.temporary(name, value))
     }
 
     /// Binds the parameters of a closure; to the places themselves where they stay what they are. A local of what calls

@@ -1,8 +1,8 @@
-//! Functions that lend a place: `fn axis_mut(&mut self, i: usize) -> &mut Axis`, and an author's own `[…]`.
+//! Functions that return references, `fn axis_mut(&mut self, i: usize) -> &mut Axis`, and an author's own `[…]`.
 //!
-//! Where one is called stands the place that its body ends in, behind what the body does before: so nothing is copied,
-//! and the place can be written. One that only lends to be read, and chooses between places, is a function that gives
-//! a copy; nothing writes to what is lent while it is.
+//! They are inlined: a reference lowers to a place, never to a pointer, so nothing is copied and the place can be written.
+//! A function that chooses between places to be read is a function of the C that gives a copy: while a reference lives,
+//! nothing writes to what it refers to.
 
 use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
@@ -11,7 +11,7 @@ use bessemer_ir::{Expr, ExprKind, Place, Type};
 use super::lowering::Lowering;
 use super::rewrite::Placed;
 use super::value::Value;
-use super::{Context, OUR_FAULT, Problem, Result, problem};
+use super::{Context, Problem, Result, problem};
 
 /// An author's own `[…]`.
 pub(super) struct Indexing<'a> {
@@ -222,7 +222,7 @@ impl<'a> Lowering<'a, '_> {
                 let id = self.function_at(path, site)?;
                 let expr = tree::Expr { kind: Tree::Bool(false), site, slot: None };
                 let value = self.call_function(id, &operands, &expr)?;
-                self.hold(value, site).map(Some)
+                Ok(Some(self.hold(value)))
             }
         }
     }
@@ -353,13 +353,13 @@ impl<'a> Lowering<'a, '_> {
             }
             // A value of its own, `table.clone()` too.
             let value = self.value(argument, None)?;
-            return self.own(name, value, *written, argument.site);
+            return Ok(self.own(name, value, *written));
         }
         let ty = self.cx.value_type(ty, argument.site)?;
         let value = self.value(argument, Some(&ty))?;
         match value.kind {
             _ if mutable || !(self.is_steady(&value) || is_constant(&value)) => {
-                self.own(name, value, mutable, argument.site)
+                Ok(self.own(name, value, mutable))
             }
             ExprKind::Load(place) => Ok(Value::Place(place)),
             _ => Ok(Value::Word(Box::new(value))),
@@ -367,23 +367,12 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// A local with this value, which is written if `mutable`.
-    pub(super) fn own(
-        &mut self,
-        name: &str,
-        value: Expr,
-        mutable: bool,
-        site: Site,
-    ) -> Result<Value> {
-        let naming = std::mem::take(&mut self.naming);
-        let held = self.temporary(name, value);
-        self.naming = naming;
-        let ExprKind::Load(place) = held.kind else {
-            return problem(site, "a temporary is not a place", OUR_FAULT);
-        };
+    pub(super) fn own(&mut self, name: &str, value: Expr, mutable: bool) -> Value {
+        let place = self.naming_as("", |inner| inner.temporary_place(name, value));
         if mutable {
             self.held.remove(&place.root);
         }
-        Ok(Value::Place(place))
+        Value::Place(place)
     }
 }
 

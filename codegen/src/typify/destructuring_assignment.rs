@@ -4,7 +4,7 @@ use bessemer_ir::tree::{self, Places, Site};
 use bessemer_ir::{Expr, Place, Step, StmtKind, Type};
 
 use super::lowering::Lowering;
-use super::{OUR_FAULT, Result, problem};
+use super::{Result, problem};
 
 impl Lowering<'_, '_> {
     pub(super) fn assign_each(&mut self, places: &Places, value: &tree::Expr) -> Result<()> {
@@ -43,26 +43,17 @@ impl Lowering<'_, '_> {
                 self.keeps_what_it_refers_to(place, value)?;
                 let ty = self.place_type(place)?;
                 let name = self.name_of(place);
-                let naming = std::mem::replace(&mut self.naming, name);
-                let value = self.value(value, Some(&ty))?;
-                let value = match value.is_literal() {
-                    true => value,
-                    false => self.temporary("next", value),
-                };
-                self.naming = naming;
+                let value = self.naming_as(name, |inner| {
+                    let value = inner.value(value, Some(&ty))?;
+                    Ok(if value.is_literal() { value } else { inner.temporary("next", value) })
+                })?;
                 pairs.push((place, value));
                 Ok(())
             }
             _ => {
                 let whole = self.value(value, None)?;
-                let ty = whole.ty.clone();
-                let held = self.temporary("parts", whole);
-                match held.kind {
-                    bessemer_ir::ExprKind::Load(place) => {
-                        self.take_parts(places, &place, pairs, value.site)
-                    }
-                    _ => problem(value.site, format!("{ty:?} has no parts"), OUR_FAULT),
-                }
+                let place = self.temporary_place("parts", whole);
+                self.take_parts(places, &place, pairs, value.site)
             }
         }
     }
