@@ -9,6 +9,7 @@
  */
 #include "extremes.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -16,8 +17,6 @@
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "exponential.h"
-
-static const double F64_MAX = 1.7976931348623157e308;
 
 double extremes_power_of_negative(double value, double y)
 {
@@ -66,7 +65,7 @@ double extremes_special_power(double x, double y)
 
 double extremes_far_power(double x, double y, double high, double low)
 {
-    if (!(fabs(y) <= F64_MAX)) {
+    if (!(fabs(y) <= DBL_MAX)) {
         return extremes_special_power(x, y);
     }
     const double value = exponential_far(high, low, 0);

@@ -15,6 +15,7 @@
  */
 #include "reduction.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -23,8 +24,6 @@
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "pair.h"
-
-static const double F64_MAX = 1.7976931348623157e308;
 
 /** Up to here quarter turns are fewer than 2²⁰, rad. */
 static const double FEW_TURNS = 1600000.0;
@@ -143,7 +142,7 @@ void reduction_reduce(double x, reduced_angle_t *reduced_angle)
         reduced_angle->high = high;
         reduced_angle->low = rest - (high - third);
         reduced_angle->quadrant = raw_bits_of_f64(shifted) & UINT64_C(3);
-    } else if (size <= F64_MAX) {
+    } else if (size <= DBL_MAX) {
         reduction_reduce_huge(x, reduced_angle);
     } else {
         reduced_angle->high = (double)NAN;

@@ -8,13 +8,12 @@
  */
 #include "roots.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "bessemer_target.h"
-
-static const double F64_MAX = 1.7976931348623157e308;
 
 /**
  * √(x² + y²) for 2^−500 to 2^500, the larger first: the root of the sum, and what it is off by, from
@@ -36,12 +35,12 @@ static inline double roots_length(double large, double small)
 
 double roots_far_length(double large, double small)
 {
-    if (large > F64_MAX || small > F64_MAX) {
+    if (large > DBL_MAX || small > DBL_MAX) {
         return (double)INFINITY;
     }
 
     /* False for NaN. */
-    if (!(large <= F64_MAX && small <= F64_MAX)) {
+    if (!(large <= DBL_MAX && small <= DBL_MAX)) {
         return (double)NAN;
     }
 

@@ -347,16 +347,25 @@ narrow("EXPONENTIAL", lambda x: (exp(x) - 1 - x) / x**2, 6, -two / 2, two / 2 * 
        "(e^x − 1 − x)/x² in powers of x, to (ln 2)/2.")
 narrow("BINARY", lambda x: (mpf(2) ** x - 1) / x - 1, 6, mpf(-1) / 2, mpf("0.5001"),
        "(2^x − 1)/x − 1 in powers of x, to 1/2.")
-constant("NARROW_BINARY_FIRST", two - mpf(11) / 16, "ln 2 − 11/16.", "f32")
 most = mpf("0.1726") ** 2
 narrow("LOGARITHM", lambda z: log((1 + sqrt(z)) / (1 - sqrt(z))) / sqrt(z) / z - 2 / z, 3, 0, most,
        "(2·artanh s − 2s)/s³ in powers of s², to 0.1726.")
 narrow("SINH", odd(sinh), 4, 0, mpf("1.05") ** 2, "(sinh x − x)/x³ in powers of x², to 1.05.")
 narrow("TANH", odd(tanh), 7, 0, mpf("0.85") ** 2, "(tanh x − x)/x³ in powers of x², to 0.85.")
-factors = [mpf(1) if low < 1 < high else grid(2 / (low + high), -9) for low, high in map(cell, range(128))]
-logs = [-log(c) / two for c in factors]
-rows("NARROW_POWER_ROWS", [(c, grid(v, -15), v - grid(v, -15)) for c, v in zip(factors, logs)],
-     "A factor c of ten bits for a significand of the row; −log₂ c to a multiple of 2⁻¹⁵, and the rest.", "f32")
-narrow("CUBE_ROOT", lambda d: ((1 + d) ** (-mpf(1) / 3) - 1) / d, 5, mpf("-0.1046"), mpf("0.1047"),
-       "((1 + d)^(−1/3) − 1)/d in powers of d, −0.105 to 0.105.")
+
+
+def power_row(row):
+    """1/(c·ln 2) in two parts and log₂ c in two, of the middle c of a row of significands."""
+    centre = struct.unpack("<f", struct.pack("<I", 0x3F350000 + (row << 16)))[0]
+    slope, value = 1 / (mpf(centre) * two), log(mpf(centre)) / two
+    return rounded(slope, 9), slope - rounded(slope, 9), grid(value, -15), value - grid(value, -15)
+
+
+rows("NARROW_POWER_ROWS", [power_row(row) for row in range(128)],
+     "Of the middle c of a row of significands: 1/(c·ln 2) to nine bits and the rest; log₂ c to a multiple of 2⁻¹⁵ and the rest.", "f32")
+steps = [mpf(2) ** (mpf(j) / 32) for j in range(32)]
+rows("NARROW_BINARY_ROWS", [(v, v - rounded(v, 24)) for v in steps], "2^(j/32) to a float, and the rest.", "f32")
+# To 0.0375 is what there is: weighted with w³, points a third further out lose least.
+narrow("CUBE_ROOT", lambda w: (((1 + 2 * w) / (1 - w)) ** (mpf(1) / 3) - 1 - w) / w**3, 2, mpf("-0.0495"), mpf("0.0495"),
+       "(((1 + 2w)/(1 − w))^(1/3) − 1 − w)/w³ in powers of w, −0.0495 to 0.0495.")
 files.close()

@@ -1,9 +1,11 @@
 /* Prints the words of solutions, and of what else these kernels give. */
 #include "cholesky_f64_8.h"
+#include "cholesky_solve_f64_8.h"
 #include "inverse_f64_12.h"
 #include "product_tr_f64_6x6_6x6.h"
 #include "solve_f64_150.h"
 #include "solve_f64_17.h"
+#include "solve_f64_6.h"
 #include "tr_product_f64_6x6_6x6.h"
 
 #include <inttypes.h>
@@ -32,6 +34,7 @@ int main(void)
     static double a[22500], x[150], inverse[144], factor[64], product[36];
     static solve_f64_150_work_t large;
     static solve_f64_17_work_t small;
+    static solve_f64_6_work_t least;
     static inverse_f64_12_work_t work;
     uint64_t state = UINT64_C(88172645463325252);
     for (int index = 0; index < 22500; index++) {
@@ -56,6 +59,12 @@ int main(void)
     print(x, 17);
     print(inverse, 144);
     print(factor, 64);
+    cholesky_solve_f64_8(factor, &x[20]);
+    print(&x[20], 8);
+    if (!solve_f64_6(&a[60], &x[30], &least)) {
+        return 1;
+    }
+    print(&x[30], 6);
     product_tr_f64_6x6_6x6(a, &a[36], product);
     print(product, 36);
     tr_product_f64_6x6_6x6(a, &a[36], product);

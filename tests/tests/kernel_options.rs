@@ -116,6 +116,8 @@ fn solves(tuning: Tuning, flags: &[&str]) -> Option<Vec<u64>> {
         kernel(KernelRoutine::Solve, Float::F64, &[17, 1]),
         kernel(KernelRoutine::Inverse, Float::F64, &[12]),
         kernel(KernelRoutine::Cholesky, Float::F64, &[8]),
+        kernel(KernelRoutine::CholeskySolve, Float::F64, &[8, 1]),
+        kernel(KernelRoutine::Solve, Float::F64, &[6, 1]),
         kernel(KernelRoutine::ProductTr, Float::F64, &[6; 3]),
         kernel(KernelRoutine::TrProduct, Float::F64, &[6; 3]),
     ];
@@ -142,7 +144,7 @@ fn plain_kernels_are_c99_alone_and_change_no_bit() {
     let plain = Tuning { mode: Mode::Plain, ..Tuning::default() };
     let usual = solves(Tuning::default(), &[]);
     assert!(usual.is_none() || solves(plain, &["-march=native"]) == usual);
-    // The loop that a product's file opens with.
+    // The loops that the files open with.
     assert!(usual.is_none() || solves(Tuning::default(), &["-DBESSEMER_LOOPS"]) == usual);
     let of_three = [Product, ProductTr, TrProduct, TrMul].map(|it| (it, 3));
     let of_two =

@@ -21,12 +21,8 @@ pub struct Uses {
     pub consts: BTreeSet<ConstId>,
     /// Emitted headers.
     pub headers: BTreeSet<String>,
-    /// `math.h`.
-    pub math: bool,
-    /// `string.h`.
-    pub string: bool,
-    /// `stdlib.h`.
-    pub library: bool,
+    /// Headers of C's library.
+    pub system: BTreeSet<&'static str>,
     /// The macro that asks for a loop to be written out.
     pub unroll: bool,
 }

@@ -286,7 +286,7 @@ impl Writer<'_> {
             }
             let mut body = lowered.body;
             if let Some((fast, name)) = library::instruction(function) {
-                uses.math = true;
+                uses.system.insert("math.h");
                 body = by_instruction(fast, name, &head, body);
             }
             let item = Item::Function {
@@ -315,9 +315,7 @@ impl Writer<'_> {
         }
         includes.system.extend(["stdbool.h", "stdint.h"]);
         includes.own.insert(target::name(self.options));
-        includes.system.extend(uses.math.then_some("math.h"));
-        includes.system.extend(uses.string.then_some("string.h"));
-        includes.system.extend(uses.library.then_some("stdlib.h"));
+        includes.system.append(&mut uses.system);
         includes.own.append(&mut uses.headers);
         let calls_helpers = !uses.helpers.is_empty();
         includes.own.extend(calls_helpers.then(|| helpers_header::name(self.options)));

@@ -102,7 +102,7 @@ impl Writer<'_> {
         match ty {
             Type::Unit | Type::Slice(_) => {}
             Type::Scalar(_) | Type::Enum(_) => {
-                self.uses.math |= literal::needs_math(ty, words[0]);
+                self.uses.system.extend(literal::needs_math(ty, words[0]).then_some("math.h"));
                 let value = literal::word(self.context.names, ty, words[0]);
                 self.set(place, value);
             }
@@ -172,8 +172,9 @@ impl Writer<'_> {
         let size = Expr::call("sizeof", vec![Expr::name(&name)]);
         let copy = Expr::call("memcpy", vec![place, Expr::name(name), size]);
         self.body.push(plain(StmtKind::Expr(Expr::cast("void", copy))));
-        self.uses.string = true;
-        self.uses.math |= words.iter().any(|word| literal::needs_math(element, *word));
+        self.uses.system.insert("string.h");
+        let math = words.iter().any(|word| literal::needs_math(element, *word));
+        self.uses.system.extend(math.then_some("math.h"));
     }
 }
 

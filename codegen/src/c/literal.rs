@@ -54,12 +54,38 @@ pub fn needs_math(ty: &Type, word: u64) -> bool {
     }
 }
 
-/// Whether a constant is Rust's `f64::NAN`, `f64::INFINITY` or their like, for which C has words in `math.h`.
-pub fn is_word_of_c(item: &Const) -> bool {
-    let (ty, name) = item.name.split_once('_').unwrap_or_default();
-    let of_rust =
-        ["F64", "F32"].contains(&ty) && ["NAN", "INFINITY", "NEG_INFINITY"].contains(&name);
-    of_rust && item.docs.is_empty() && item.words.iter().any(|word| needs_math(&item.ty, *word))
+/// What C calls a constant of Rust's floats, such as `f64::NAN` or `f64::MAX`, and the header that says so.
+///
+/// An author's own of that name and value means the same.
+pub fn word_of_c(item: &Const) -> Option<(Expr, &'static str)> {
+    let (ty, name) = item.name.split_once('_').filter(|_| item.docs.is_empty())?;
+    let float = item.ty.as_float()?;
+    let (of_rust, kind, limits) = match float {
+        Float::F64 => ("F64", "DBL", [f64::MAX, f64::MIN_POSITIVE, f64::EPSILON].map(f64::to_bits)),
+        Float::F32 => {
+            let limits = [f32::MAX, f32::MIN_POSITIVE, f32::EPSILON];
+            ("F32", "FLT", limits.map(|limit| u64::from(limit.to_bits())))
+        }
+    };
+    let [word] = item.words[..] else { return None };
+    if ty != of_rust {
+        return None;
+    }
+    let sign = 1 << (float.bits_type().bits() - 1);
+    let limit = |of: &str| Expr::name(format!("{kind}_{of}"));
+    let [most, least_normal, epsilon] = limits;
+    // C's least is the least above zero.
+    let (bits, expr) = match name {
+        "MAX" => (most, limit("MAX")),
+        "MIN" => (most | sign, Expr::unary("-", limit("MAX"))),
+        "MIN_POSITIVE" => (least_normal, limit("MIN")),
+        "EPSILON" => (epsilon, limit("EPSILON")),
+        "NAN" | "INFINITY" | "NEG_INFINITY" => {
+            return needs_math(&item.ty, word).then(|| (number(float, word), "math.h"));
+        }
+        _ => return None,
+    };
+    (bits == word).then_some((expr, "float.h"))
 }
 
 /// Whether a number is read by its bits, and not by its size.

@@ -24,6 +24,7 @@
 
 mod cholesky;
 pub mod fast;
+mod loops;
 pub mod plain;
 mod product;
 pub mod replace;
@@ -127,6 +128,9 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
         });
     }
     let mut source = of_routine(kernel, tuning);
+    if tuning.mode == Mode::Exact && has_loops(kernel) {
+        source = loops::before(kernel, source, &buffers(kernel, tuning));
+    }
     // What stands in a header is compiled as its callers are; tiles are stored as they are loaded.
     let tiled =
         matches!(kernel.routine, LuSolve | Solve | Inverse) && way(kernel, tuning) == Way::Tiles;
@@ -175,6 +179,13 @@ fn of_routine(kernel: &Kernel, tuning: &Tuning) -> Source {
             }
         }
     }
+}
+
+/// Whether the file of a kernel opens with its loops: where other ways may follow.
+fn has_loops(kernel: &Kernel) -> bool {
+    use KernelRoutine::{Cholesky, CholeskyLower};
+    // Of Cholesky's factor the loops are one of the ways.
+    !stands_in_header(kernel) && !matches!(kernel.routine, Cholesky | CholeskyLower)
 }
 
 /// Whether a kernel goes by rows where there are vectors.

@@ -5,6 +5,7 @@
 //! `BESSEMER_RANDOM_FROM`, instead of a smaller one. `cargo xtask fuzz` runs many that aim at the proofs.
 
 mod aimed;
+mod beside;
 mod bounded;
 mod calls;
 mod chains;
@@ -49,6 +50,8 @@ const PROGRAMS: usize = 36;
 const FEWER: usize = 20;
 /// Texts that aim at the proofs, of a seed that stays and of one that does not, and the instances of each.
 const AIMED: usize = 4;
+/// Small bodies of a seed whose operands write.
+const BESIDE: usize = 48;
 const INSTANCES: usize = 4;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
@@ -95,6 +98,15 @@ impl Batch {
         Batch::of((0..texts).map(program).collect())
     }
 
+    /// Of small bodies whose operands write what stands beside them.
+    fn beside(seed: u64, bodies: usize) -> Batch {
+        let program = |index| {
+            let mut random = Random(seed.rotate_left(32) ^ (3 << 62) ^ index as u64);
+            beside::program(&mut random, &format!("beside{index}"))
+        };
+        Batch::of((0..bodies).map(program).collect())
+    }
+
     fn of(programs: Vec<Program>) -> Batch {
         Batch {
             programs,
@@ -110,6 +122,11 @@ impl Batch {
     /// Whether its programs aim at the proofs: small ones, of which there are many.
     fn is_aimed(&self) -> bool {
         self.programs.iter().all(|program| program.instances.is_some())
+    }
+
+    /// Whether its programs are small, and there are many of them.
+    fn is_small(&self) -> bool {
+        self.is_aimed() || self.programs.iter().all(|it| it.name.starts_with("beside"))
     }
 
     /// The programs that nobody has refused.
@@ -138,6 +155,7 @@ impl Batch {
         text += &TICK.replace("TYPE", "bool").replace("WORD", "x as u64");
         text += &TICK.replace("TYPE", "f64").replace("WORD", "x.to_bits()");
         text += &TICK.replace("TYPE", "f32").replace("WORD", "x.to_bits() as u64");
+        text += beside::GIVEN;
         let mut lines = Vec::new();
         for program in self.left() {
             lines.push((text.lines().count() + 1, program.name.clone()));
@@ -350,7 +368,7 @@ fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
     all.extend(interpreted("explicit", &compiled.explicit, &cases));
     all.extend(interpreted("what was proved", &kept.explicit, &cases));
     // What is dear, small programs do by turns, and more rarely where there are many of them.
-    let by_turn = |few: u64, many: u64| match (batch.is_aimed(), batch.is_of_many) {
+    let by_turn = |few: u64, many: u64| match (batch.is_small(), batch.is_of_many) {
         (false, _) => true,
         (true, false) => seed.is_multiple_of(few),
         (true, true) => seed.is_multiple_of(many),
@@ -441,13 +459,29 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
     }
 }
 
-#[test]
-fn random_programs_agree() {
+/// How many seeds there are, and the first.
+fn seeds() -> (u64, u64) {
     let number = |name: &str, default: u64| {
         std::env::var(name).ok().and_then(|it| it.parse().ok()).unwrap_or(default)
     };
-    let turn = turn::turn() as u64;
-    let (seeds, from) = (number("BESSEMER_RANDOM", 1), number("BESSEMER_RANDOM_FROM", turn));
+    (number("BESSEMER_RANDOM", 1), number("BESSEMER_RANDOM_FROM", turn::turn() as u64))
+}
+
+#[test]
+fn random_bodies_agree() {
+    let (seeds, from) = seeds();
+    let workspace = Workspace::with_source("").expect("a workspace");
+    let mut all = Vec::new();
+    for seed in from..from + seeds {
+        let found = attack(&workspace, seed, &mut Batch::beside(seed, BESIDE)).differences;
+        all.extend(found.into_iter().map(|it| format!("seed {seed}: {}", it.text)));
+    }
+    assert!(all.is_empty(), "{}", all.join("\n\n"));
+}
+
+#[test]
+fn random_programs_agree() {
+    let (seeds, from) = seeds();
     let chosen = std::env::var_os("BESSEMER_RANDOM").is_some();
     let programs = if chosen || turn::is_full() { PROGRAMS } else { FEWER };
     let workspace = Workspace::with_source("").expect("a workspace");

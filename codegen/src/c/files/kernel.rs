@@ -37,7 +37,7 @@ impl Writer<'_> {
             }
         }
         includes.system.extend(["float.h", "stdint.h"]);
-        includes.system.extend(uses.math.then_some("math.h"));
+        includes.system.append(&mut uses.system);
         items
     }
 
@@ -50,8 +50,8 @@ impl Writer<'_> {
             Some(replacement) => replacement.replace(kernel, own, lends),
             None => own,
         };
-        uses.math |= source.math;
-        uses.string |= source.string;
+        uses.system.extend(source.math.then_some("math.h"));
+        uses.system.extend(source.string.then_some("string.h"));
         uses.helpers.extend(source.dot.then_some(Helper::Dot(kernel.element)));
         let before = (!source.before.is_empty()).then_some(Item::Verbatim(source.before));
         let body = vec![plain(StmtKind::Verbatim(source.body))];

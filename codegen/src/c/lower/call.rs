@@ -134,7 +134,9 @@ impl Lower<'_> {
         let signature = self.context.names.signature(callee);
         match signature.storage {
             Storage::Inline => {}
-            Storage::Library => self.uses.math = true,
+            Storage::Library => {
+                self.uses.system.insert("math.h");
+            }
             Storage::Extern | Storage::Static | Storage::Foreign => {
                 self.uses.headers.insert(signature.header.clone());
             }

@@ -298,7 +298,7 @@ impl Lower<'_> {
             }
             return;
         }
-        self.uses.string = true;
+        self.uses.system.insert("string.h");
         let (element, dimensions) = self.context.names.type_parts(ty);
         let size = Expr::call("sizeof", vec![Expr::name(format!("{element}{dimensions}"))]);
         let function = if shared { "memmove" } else { "memcpy" };

@@ -360,7 +360,7 @@ impl<'a> Lower<'a> {
             self.declare(ty, name, None, false);
         } else if self.signature.storage == Storage::Inline {
             // In a header, which is C++ too: there, zero is no value of an enum.
-            self.uses.string = true;
+            self.uses.system.insert("string.h");
             self.declare(ty, name, None, false);
             let (start, size) = (Expr::name(name).address(), Expr::name(name));
             let arguments = vec![start, Expr::name("0"), Expr::call("sizeof", vec![size])];

@@ -243,7 +243,7 @@ impl Lower<'_> {
 
     /// A macro of `math.h` that says whether a float is of a kind, as a condition.
     fn classified(&mut self, name: &str, values: Vec<Expr>) -> Expr {
-        self.uses.math = true;
+        self.uses.system.insert("math.h");
         let zero = literal::integer(Int::I32, 0);
         Expr::binary("!=", Expr::call(name.to_owned(), values), zero)
     }
@@ -296,7 +296,7 @@ impl Lower<'_> {
 
     /// A function of `math.h`.
     pub(super) fn math(&mut self, name: &str, float: Float, values: Vec<Expr>) -> Expr {
-        self.uses.math = true;
+        self.uses.system.insert("math.h");
         Expr::call(if float == Float::F32 { format!("{name}f") } else { name.to_owned() }, values)
     }
 }

@@ -262,7 +262,7 @@ impl Lower<'_> {
     fn check(&mut self, condition: &Ir, fault: Fault) {
         let then = self.scope(|lower| match fault {
             Fault::LeftOut => {
-                lower.uses.library = true;
+                lower.uses.system.insert("stdlib.h");
                 lower.emit(StmtKind::Expr(Expr::call("abort", Vec::new())));
             }
             _ => lower.fail(Expr::name(lower.context.names.status.fault(fault))),

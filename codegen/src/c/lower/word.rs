@@ -4,7 +4,7 @@
 //! and for comparisons, which C makes `int`.
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr as Ir, ExprKind, LogicOp, Routine, Scalar, Type, UnaryOp,
+    BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, LogicOp, Routine, Scalar, Type, UnaryOp,
 };
 
 use super::super::literal;
@@ -26,24 +26,13 @@ impl Lower<'_> {
         }
         match &expr.kind {
             ExprKind::Literal(word) => {
-                self.uses.math |= literal::needs_math(&expr.ty, *word);
+                self.uses.system.extend(literal::needs_math(&expr.ty, *word).then_some("math.h"));
                 match expr.ty.as_int().filter(|_| self.is_hexadecimal(expr, *word)) {
                     Some(int) => literal::hexadecimal(int, int.from_word(*word)),
                     None => literal::word(self.context.names, &expr.ty, *word),
                 }
             }
-            // C has words of its own for a NaN and for infinity.
-            ExprKind::Const(id)
-                if literal::is_word_of_c(&self.context.module.consts[id.index()]) =>
-            {
-                self.uses.math = true;
-                let item = &self.context.module.consts[id.index()];
-                literal::word(self.context.names, &item.ty, item.words[0])
-            }
-            ExprKind::Const(id) => {
-                self.uses.consts.insert(*id);
-                Expr::name(self.constant(*id))
-            }
+            ExprKind::Const(id) => self.constant_or_word_of_c(*id),
             ExprKind::Load(place) => self.load(place),
             ExprKind::Unary(op, operand) => self.unary(*op, operand),
             ExprKind::Binary(op, left, right) => self.binary(*op, left, right),
@@ -63,6 +52,19 @@ impl Lower<'_> {
             ExprKind::Routine(routine, operands) => self.scalar_routine(*routine, operands),
             ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Splat(_) | ExprKind::Matrix(_) => {
                 unreachable!("no word: {expr:?}")
+            }
+        }
+    }
+
+    fn constant_or_word_of_c(&mut self, id: ConstId) -> Expr {
+        match literal::word_of_c(&self.context.module.consts[id.index()]) {
+            Some((word, header)) => {
+                self.uses.system.insert(header);
+                word
+            }
+            None => {
+                self.uses.consts.insert(id);
+                Expr::name(self.constant(id))
             }
         }
     }
@@ -184,7 +186,7 @@ impl Lower<'_> {
             Routine::Norm => {
                 let float = operands[0].ty.clone();
                 let square = self.norm_squared(&operands[0]);
-                self.uses.math = true;
+                self.uses.system.insert("math.h");
                 let single = matches!(
                     float,
                     Type::Matrix { element: Scalar::Float(bessemer_ir::Float::F32), .. }

@@ -4,7 +4,7 @@
 //! nalgebra's does; a block only decides which elements go side by side.
 //!
 //! [`vectors`] has the blocks of targets with vectors, as [`bands`] plans them, [`numbers`] those of all others; [`small`]
-//! the products that stand in their header. Before them all stands the plain loop that they are held to.
+//! the products that stand in their header.
 
 mod bands;
 mod beside;
@@ -16,9 +16,9 @@ mod vectors;
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 
-use super::text::{fill, indented};
+use super::text::indented;
 use super::threads::Work;
-use super::{Mode, Source, Tuning, fast, plain};
+use super::{Mode, Source, Tuning, fast};
 
 /// From this size on, in each dimension, threads are worth their start.
 const THREADED: u32 = 64;
@@ -73,18 +73,6 @@ fn times(stride: u32, counter: &str) -> String {
     }
 }
 
-/// The head of a product's file: the plain loop, which a reviewer reads or certifies, before the ways that are faster.
-const LOOPS: &str = "\
-/* What this kernel computes; with -DBESSEMER_LOOPS, how it does. Every other way below gives the same bits: it takes other
-   elements side by side, each of them in this order. */
-#if defined(BESSEMER_LOOPS)
-static void by_loops(const $real *a, const $real *b, $real *result)
-{
-$loops}
-#else
-$ways
-#endif";
-
 /// The C of a product in so many bytes of code, if they are enough for blocks.
 pub(super) fn source(
     kernel: &Kernel,
@@ -111,29 +99,10 @@ pub(super) fn source(
             )
         }
     };
-    let ways = match shares {
+    Some(match shares {
         true => shared(real(kernel.element), &before, &body),
         false => Source { before, body, ..Source::default() },
-    };
-    Some(match tuning.mode {
-        Mode::Fast => ways,
-        Mode::Exact | Mode::Plain => with_loops(kernel, ways),
     })
-}
-
-/// The ways of a product, behind the loop that they compute.
-fn with_loops(kernel: &Kernel, ways: Source) -> Source {
-    let values = [
-        ("real", real(kernel.element).to_owned()),
-        ("loops", indented(&plain::source(kernel).body)),
-        ("ways", ways.before),
-    ];
-    let other = match ways.body.strip_prefix("#if") {
-        Some(rest) => format!("#elif{rest}"),
-        None => format!("#else\n{}#endif\n", ways.body),
-    };
-    let body = format!("#if defined(BESSEMER_LOOPS)\nby_loops(a, b, result);\n{other}");
-    Source { before: fill(LOOPS, &values), body, ..Source::default() }
 }
 
 /// The same for threads: a function does a share of the columns.

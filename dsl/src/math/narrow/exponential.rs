@@ -87,12 +87,12 @@ pub fn expf(x: f32) -> f32 {
     }
 }
 
-/// What 2^r has beyond 1 + r, for −1/2 to 1/2; or beyond 1 + r · 11/16, if `first` is the coefficient for that.
+/// What 2^r has beyond 1 + r, for −1/2 to 1/2.
 #[inline]
 #[function]
-pub fn beyond_binary(r: f32, first: f32) -> f32 {
+pub fn beyond_binary(r: f32) -> f32 {
     let upper = NARROW_BINARY[3] + r * (NARROW_BINARY[4] + r * NARROW_BINARY[5]);
-    r * (first + r * (NARROW_BINARY[1] + r * (NARROW_BINARY[2] + r * upper)))
+    r * (NARROW_BINARY[0] + r * (NARROW_BINARY[1] + r * (NARROW_BINARY[2] + r * upper)))
 }
 
 /// 2^x where it is no normal number, and next to the largest.
@@ -108,7 +108,7 @@ pub fn far_binary(x: f32) -> f32 {
         let shifted = x + TO_INTEGER;
         let steps = shifted.raw_bits().wrapping_sub(0x4b40_0000) as i32;
         let r = x - (shifted - TO_INTEGER);
-        far_scaled(1.0 + (r + beyond_binary(r, NARROW_BINARY[0])), steps)
+        far_scaled(1.0 + (r + beyond_binary(r)), steps)
     }
 }
 
@@ -118,7 +118,7 @@ pub fn exp2f(x: f32) -> f32 {
     if x.abs() < 126.0 {
         let shifted = x + TO_INTEGER;
         let r = x - (shifted - TO_INTEGER);
-        scaled(1.0 + (r + beyond_binary(r, NARROW_BINARY[0])), shifted.raw_bits())
+        scaled(1.0 + (r + beyond_binary(r)), shifted.raw_bits())
     } else {
         far_binary(x)
     }

@@ -46,15 +46,6 @@ pub struct PairF32 {
     pub low: f32,
 }
 
-/// The sum and its rounding error (D. E. Knuth).
-#[inline]
-#[function]
-pub fn sum(a: f32, b: f32) -> PairF32 {
-    let high = a + b;
-    let back = high - a;
-    PairF32 { high, low: (a - (high - back)) + (b - back) }
-}
-
 /// The sum and its rounding error, where |`a`| ≥ |`b`| or nothing is lost (T. J. Dekker).
 #[inline]
 #[function]

@@ -1,37 +1,39 @@
 //! Powers: x^y = 2^(y · log₂ x) with the logarithm and the product as sums of two floats.
 //!
-//! A significand m times a c of nine bits from a table is next to 1, and what it has beyond is exact as a sum of two. Special
-//! values are those of C99, Annex F.
+//! A table has the logarithm of the middle c of each row of significands. With d the way of a significand from there, which is
+//! exact, and q = d/(c·ln 2), the rest is the series of log₂(1 + q·ln 2); its first two terms are sums of an exact part and a small
+//! one. The power of two takes 32nds from a table. Special values are those of C99, Annex F.
+
+use core::f32::consts::LN_2;
 
 use super::super::RawBits as _;
-use super::super::tables::{
-    NARROW_BINARY_FIRST, NARROW_LOG2_E_HIGH, NARROW_LOG2_E_LOW, NARROW_POWER_ROWS,
-};
-use super::exponential::{beyond_binary, far_scaled, scaled};
-use super::{PairF32, TO_INTEGER, leading, ordered_sum, sum};
+use super::super::tables::{NARROW_BINARY_ROWS, NARROW_POWER_ROWS};
+use super::exponential::far_scaled;
+use super::logarithm::is_subnormal;
+use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
 
-/// Of the Taylor series of ln(1 + x), x³: to |x| = 1/128 the terms behind the fifth power are below 2⁻³⁷ of it.
+/// Of the Taylor series of log₂(1 + q·ln 2), q², which is taken off: to |q| = 2⁻⁷ the terms behind the fourth power are below 2⁻³²
+/// of it.
 #[crate::data]
-const THIRD: f32 = 1.0 / 3.0;
-/// The same, x⁴, which is taken off.
+const SECOND: f32 = LN_2 / 2.0;
+/// The same, q³.
 #[crate::data]
-const QUARTER: f32 = 1.0 / 4.0;
-/// The same, x⁵.
+const THIRD: f32 = LN_2 * LN_2 / 3.0;
+/// The same, q⁴, which is taken off.
 #[crate::data]
-const FIFTH: f32 = 1.0 / 5.0;
+const FOURTH: f32 = LN_2 * LN_2 * LN_2 / 4.0;
 
-/// ln(1 + `high` + `low`) for −1/128 to 1/128.
-#[inline]
-#[function]
-pub fn near_logarithm(r: PairF32) -> PairF32 {
-    let upper = leading(r.high);
-    let lower = r.high - upper;
-    let lead = ordered_sum(r.high, -0.5 * upper * upper);
-    let cubes = r.high * r.high * r.high * (THIRD - r.high * (QUARTER - r.high * FIFTH));
-    let squares = lower * (upper + 0.5 * lower) + r.low * r.high;
-    PairF32 { high: lead.high, low: lead.low + (r.low + (cubes - squares)) }
-}
+/// Of the Taylor series of 2^s, s²: to |s| = 1/64 the terms behind the third power are below 2⁻³⁰.
+#[crate::data]
+const SQUARE: f32 = LN_2 * LN_2 / 2.0;
+/// The same, s³.
+#[crate::data]
+const CUBE: f32 = LN_2 * LN_2 * LN_2 / 6.0;
+
+/// 1.5 · 2¹⁸: added to a smaller number it leaves the nearest 32nd in the last bits.
+#[crate::data]
+const TO_THIRTY_SECONDS: f32 = 393_216.0;
 
 /// The logarithm to base 2 of a positive, normal number; of its exponent, `less` is taken off.
 #[inline]
@@ -43,17 +45,20 @@ pub fn logarithm(x: f32, less: i32) -> PairF32 {
     let exponent = above as i32 >> 23;
     let row = ((above >> 16) & 127) as usize;
     let significand = f32::from_bits(bits.wrapping_sub((exponent as u32) << 23));
-    let factor = NARROW_POWER_ROWS[row][0];
-    let upper = leading(significand);
-    let r = ordered_sum(upper * factor - 1.0, (significand - upper) * factor);
+    // From the middle of the row it has at most 15 bits, whose product with nine is exact.
+    let way = significand - f32::from_bits((above & 0x007f_0000).wrapping_add(0x3f35_0000));
+    let high = way * NARROW_POWER_ROWS[row][0];
+    let low = way * NARROW_POWER_ROWS[row][1];
 
-    let ln = near_logarithm(r);
-    let upper = leading(ln.high);
-    let lower = (ln.high - upper) + ln.low;
-    let whole = exponent.wrapping_sub(less) as f32 + NARROW_POWER_ROWS[row][1];
-    let lead = ordered_sum(whole, upper * NARROW_LOG2_E_HIGH);
-    let small = upper * NARROW_LOG2_E_LOW + lower * (NARROW_LOG2_E_HIGH + NARROW_LOG2_E_LOW);
-    ordered_sum(lead.high, lead.low + (NARROW_POWER_ROWS[row][2] + small))
+    let upper = leading(high);
+    let lower = (high - upper) + low;
+    let q = high + low;
+    let whole = exponent.wrapping_sub(less) as f32 + NARROW_POWER_ROWS[row][2];
+    let lead = ordered_sum(whole, high);
+    let cubes = q * q * q * (THIRD - q * FOURTH);
+    let small = NARROW_POWER_ROWS[row][3] + (low + (cubes - SECOND * (lower * (upper + q))));
+    let squared = ordered_sum(lead.high, -SECOND * (upper * upper));
+    ordered_sum(squared.high, lead.low + (squared.low + small))
 }
 
 /// What x^y is for a negative x of which `value` is |x|^y.
@@ -91,26 +96,34 @@ pub fn special_power(x: f32, y: f32) -> f32 {
     if odd && 1.0_f32.copysign(x) < 0.0 { -value } else { value }
 }
 
+/// 2^`exponent`/32 times a `value` next to 1, where the exponent `high` of the power is far from zero.
+#[function]
+pub fn far_power(value: f32, exponent: i32, high: f32) -> f32 {
+    if high > 130.0 {
+        f32::INFINITY
+    } else if high < -152.0 {
+        0.0
+    } else {
+        far_scaled(value, exponent >> 5)
+    }
+}
+
 /// 2^(`high` + `low`), of any size.
 #[inline]
 #[function]
 pub fn binary_of_pair(high: f32, low: f32) -> f32 {
-    if high > 130.0 {
-        return f32::INFINITY;
+    let shifted = (high + low) + TO_THIRTY_SECONDS;
+    let s = (high - (shifted - TO_THIRTY_SECONDS)) + low;
+    let steps = shifted.raw_bits().wrapping_sub(0x48c0_0000);
+    let row = (steps & 31) as usize;
+    let base = NARROW_BINARY_ROWS[row][0];
+    let beyond = s * (LN_2 + s * (SQUARE + s * CUBE));
+    let value = base + (NARROW_BINARY_ROWS[row][1] + base * beyond);
+    if high.abs() < 125.0 {
+        f32::from_bits(value.raw_bits().wrapping_add((steps & 0xffff_ffe0) << 18))
+    } else {
+        far_power(value, steps as i32, high)
     }
-    if high < -152.0 {
-        return 0.0;
-    }
-    let shifted = (high + low) + TO_INTEGER;
-    let rest = sum(high - (shifted - TO_INTEGER), low);
-    // A product of 12 and 4 bits is exact.
-    let upper = leading(rest.high);
-    let lead = ordered_sum(1.0, upper * 0.6875);
-    let lower = ((rest.high - upper) + rest.low) * 0.6875;
-    let beyond = beyond_binary(rest.high, NARROW_BINARY_FIRST);
-    let value = lead.high + (lead.low + (lower + beyond));
-    let steps = shifted.raw_bits().wrapping_sub(0x4b40_0000) as i32;
-    if high.abs() < 125.0 { scaled(value, steps as u32) } else { far_scaled(value, steps) }
 }
 
 /// x^y; within 1 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is whole; the rest
@@ -119,7 +132,7 @@ pub fn binary_of_pair(high: f32, low: f32) -> f32 {
 pub fn powff(x: f32, y: f32) -> f32 {
     let size = x.abs();
     if size > 0.0 && size <= f32::MAX && y.abs() <= f32::MAX {
-        let small = size < f32::MIN_POSITIVE;
+        let small = is_subnormal(size);
         let logarithm = if small { logarithm(size * 16_777_216.0, 24) } else { logarithm(size, 0) };
         // 12 bits each: their product is exact.
         let upper = leading(logarithm.high);

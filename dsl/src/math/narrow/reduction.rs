@@ -5,7 +5,7 @@
 //! 96 bits are taken from where they no longer make whole turns of the angle's last bit. The angle's 24 bits and two bits of
 //! the quadrant leave 70 behind the point; no float is nearer than 2⁻³⁰ to a multiple of π/2.
 
-use core::f32::consts::{FRAC_2_PI, FRAC_PI_4};
+use core::f32::consts::FRAC_2_PI;
 
 use super::super::RawBits as _;
 use super::super::tables::{
@@ -46,19 +46,21 @@ pub fn reduced_moderate(x: f32) -> ReducedF32 {
     ReducedF32 { high, low: (lead - high) + lost, quadrant: shifted.raw_bits() }
 }
 
-/// Takes whole quarter turns off `x`, rad.
+/// Takes whole quarter turns off `x`, rad, of more than [`FEW_TURNS`], or no number.
 #[function]
-pub fn reduced_angle(x: f32) -> ReducedF32 {
-    let size = x.abs();
-    if size <= FRAC_PI_4 {
-        ReducedF32 { high: x, low: 0.0, quadrant: 0 }
-    } else if size <= FEW_TURNS {
-        reduced_moderate(x)
-    } else if size <= f32::MAX {
+pub fn reduced_far(x: f32) -> ReducedF32 {
+    if x.abs() <= f32::MAX {
         reduced_huge(x)
     } else {
         ReducedF32 { high: f32::NAN, low: 0.0, quadrant: 0 }
     }
+}
+
+/// Takes whole quarter turns off `x`, rad; of −0 it makes 0.
+#[inline]
+#[function]
+pub fn reduced_angle(x: f32) -> ReducedF32 {
+    if x.abs() <= FEW_TURNS { reduced_moderate(x) } else { reduced_far(x) }
 }
 
 /// The upper 32 bits of a product.

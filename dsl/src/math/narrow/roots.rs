@@ -8,9 +8,9 @@ use crate::prelude::*;
 #[crate::data]
 const COARSE: u32 = 0x2a51_3000;
 
-/// The cube root of a normal number; the exponent of the result is `less` below that. The first guess is a third of the
-/// exponent, and of the significand as if it went on from it, cut to eight bits so that its cube is exact. Of the ratio of
-/// that to `x`, which is next to 1, a polynomial says what is left out.
+/// The cube root of a normal number of 2⁻¹²⁵ or more; the exponent of the result is `less` below that. The first guess g is a third
+/// of the exponent, and of the significand as if it went on from it, cut to eight bits so that its cube is exact. With
+/// w = (x − g³)/(x + 2g³), Halley's step is g + g·w; what that leaves out is a polynomial's.
 #[inline]
 #[function]
 pub fn plain_root(x: f32, less: u32) -> f32 {
@@ -18,20 +18,20 @@ pub fn plain_root(x: f32, less: u32) -> f32 {
     // A third of the upper half, in the upper half.
     let third = ((raw >> 16) & 0x7fff).wrapping_mul(0x5556);
     let bits = (third.wrapping_add(COARSE) & 0xffff_0000) | (raw & 0x8000_0000);
-    let coarse = f32::from_bits(bits);
-    let off = coarse * coarse * coarse / x - 1.0;
-    let tail = NARROW_CUBE_ROOT[2] + off * (NARROW_CUBE_ROOT[3] + off * NARROW_CUBE_ROOT[4]);
-    let factor = off * (NARROW_CUBE_ROOT[0] + off * (NARROW_CUBE_ROOT[1] + off * tail));
+    let guess = f32::from_bits(bits);
+    let cube = guess * guess * guess;
+    let w = (x - cube) / (x + (cube + cube));
     let lead = f32::from_bits(bits.wrapping_sub(less << 23));
-    lead + lead * factor
+    let step = lead * w;
+    lead + (step + step * (w * w * (NARROW_CUBE_ROOT[0] + w * NARROW_CUBE_ROOT[1])))
 }
 
-/// The cube root of what is below the normal numbers, next to the largest, zero or no number.
+/// The cube root of what is next to the subnormal numbers or below, next to the largest, zero or no number.
 #[function]
 pub fn far_root(x: f32) -> f32 {
     let size = x.abs();
     // By 2^±24 and back, a third of which is 8.
-    if size > 0.0 && size < f32::MIN_POSITIVE {
+    if size > 0.0 && size < 1.0 {
         plain_root(x * 16_777_216.0, 8)
     } else if size > 1.0 && size <= f32::MAX {
         plain_root(x * 5.9604645e-8, 0xffff_fff8)
@@ -43,8 +43,8 @@ pub fn far_root(x: f32) -> f32 {
 /// The cube root; within 1 ulp. ±0 and ±∞ give themselves, NaN gives NaN.
 #[function]
 pub fn cbrtf(x: f32) -> f32 {
-    // Normal, and below 2¹²⁶.
-    let plain = ((x.raw_bits() >> 16) & 0x7fff).wrapping_sub(0x80) < 0x7e00;
+    // From 2⁻¹²⁵, and below 2¹²⁶.
+    let plain = ((x.raw_bits() >> 16) & 0x7fff).wrapping_sub(0x100) < 0x7d80;
     if plain { plain_root(x, 0) } else { far_root(x) }
 }
 

@@ -1,7 +1,6 @@
 //! Sine and cosine: the angle reduced to a quarter turn, and a short polynomial.
 
-use core::f32::consts::FRAC_PI_4;
-
+use super::super::RawBits as _;
 use super::super::tables::{NARROW_COSINE, NARROW_SINE};
 use super::reduction::{ReducedF32, reduced_angle};
 use crate::prelude::*;
@@ -41,25 +40,21 @@ pub fn turned(angle: ReducedF32, quarter_turns: u32) -> f32 {
     } else {
         near_cosine(angle.high, angle.low)
     };
-    if (quadrant & 2) == 0 { value } else { -value }
+    // The second bit of the quadrant is the sign.
+    f32::from_bits(value.raw_bits() ^ ((quadrant & 2) << 30))
 }
 
 /// Sine of an angle in rad, however large; within 1 ulp. ±0 gives ±0; ±∞ and NaN give NaN.
 #[function]
 pub fn sinf(x: f32) -> f32 {
-    let size = x.abs();
-    if size <= FRAC_PI_4 {
-        // −0 stays what it is.
-        if size < TINY { x } else { near_sine(x, 0.0) }
-    } else {
-        turned(reduced_angle(x), 0)
-    }
+    // −0 stays what it is.
+    if x.abs() < TINY { x } else { turned(reduced_angle(x), 0) }
 }
 
 /// Cosine of an angle in rad, however large; within 1 ulp. ±0 gives 1; ±∞ and NaN give NaN.
 #[function]
 pub fn cosf(x: f32) -> f32 {
-    if x.abs() <= FRAC_PI_4 { near_cosine(x, 0.0) } else { turned(reduced_angle(x), 1) }
+    turned(reduced_angle(x), 1)
 }
 
 /// Sine and cosine of an angle in rad: the bits of [`sinf`] and of [`cosf`], with one reduction.

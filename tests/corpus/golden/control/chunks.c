@@ -2,11 +2,9 @@
 
 /* chunks.c */
 
-static const double F64_MIN = -1.7976931348623157e308;
-
 double chunks_busiest(const double values[8])
 {
-    double most = F64_MIN;
+    double most = -DBL_MAX;
     for (uint32_t i = 0U; i < 3U; i++) {
         const uint32_t value_end = (uint32_t)min_u64((uint64_t)(i * 3U + 3U), UINT64_C(8));
         double sum = -0.0;

@@ -2,8 +2,6 @@
 
 /* leaving_closures.c */
 
-static const float F32_MIN = -3.4028235e38F;
-
 void leaving_closures_root(double x, option_f64_t *result)
 {
     const double x_2 = x;
@@ -121,7 +119,7 @@ bessemer_status_t leaving_closures_by_name(const float values[4], float k, float
         const float sum_choice = k * x;
         halves += sum_choice;
     }
-    float most = F32_MIN;
+    float most = -FLT_MAX;
     for (uint32_t i = 0U; i < 4U; i++) {
         most = max_f32(most, values[i]);
     }

@@ -1,0 +1,208 @@
+//! Random bodies whose operands, indices and closures write what stands beside them: small, and many of them.
+//!
+//! The grammar is data (`beside/grammar.txt`), and so is what the bodies call (`beside/given.txt`). A loan is kept as long as
+//! the production lasts that makes it, so that rustc takes what comes out; what it refuses all the same is counted.
+
+use bessemer_tests::random::Random;
+
+use super::writer::{Entry, Program};
+
+/// What every body may call.
+pub const GIVEN: &str = include_str!("beside/given.txt");
+const GRAMMAR: &str = include_str!("beside/grammar.txt");
+
+/// How many parts lie inside each other at most.
+const DEPTH: usize = 4;
+
+/// The variables: the name, what it begins as, and how `t` is told of it.
+const VARIABLES: [(char, &str, &str); 11] = [
+    ('n', "n0 as usize % 3", "beside_tells_k(n as i16, t);"),
+    ('k', "k0", "beside_tells_k(k, t);"),
+    ('f', "f0", "beside_tells_f(f, t);"),
+    ('a', "a0", "for x in a { beside_tells_k(x, t); }"),
+    ('o', "if n0 & 1 == 0 { Some(k0) } else { None }", "beside_tells_k(o.unwrap_or(99), t);"),
+    (
+        's',
+        "BesideTwo { a: k0 ^ 5, b: a0 }",
+        "beside_tells_k(s.a, t); for x in s.b { beside_tells_k(x, t); }",
+    ),
+    (
+        'r',
+        "[BesideTwo { a: 7, b: a0 }, BesideTwo { a: a0[1], b: [k0, 2, a0[0]] }]",
+        "for y in r { beside_tells_k(y.a, t); for x in y.b { beside_tells_k(x, t); } }",
+    ),
+    (
+        'w',
+        "if n0 & 2 == 0 { BesideWay::On(k0) } else { BesideWay::Both { low: 3, high: k0 } }",
+        "beside_tells_w(&w, t);",
+    ),
+    ('p', "(a0[2], (n0 & 1) as usize)", "beside_tells_k(p.0, t); beside_tells_k(p.1 as i16, t);"),
+    ('v', "Vector3::new(f0, 0.5, a0[0] as f64)", "for x in v.iter() { beside_tells_f(*x, t); }"),
+    (
+        'm',
+        "Matrix3::new(1.0, f0, 0.5, -3.0, 0.75, 2.0, a0[0] as f64, -1.5, 4.0)",
+        "for x in m.iter() { beside_tells_f(*x, t); }",
+    ),
+];
+
+/// A line of the grammar.
+struct Production {
+    kind: char,
+    leaves: bool,
+    /// What its parts may not write (`false`) or mention (`true`).
+    loans: Vec<(char, bool)>,
+    text: &'static str,
+}
+
+fn grammar() -> Vec<Production> {
+    let lines = GRAMMAR.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
+    lines.map(production).collect()
+}
+
+fn production(line: &'static str) -> Production {
+    let (kind, mut text) = line.split_once(": ").expect("a kind, and what it is");
+    let leaves = text.starts_with('^');
+    text = text.trim_start_matches('^');
+    let mut loans = Vec::new();
+    if let Some((before, rest)) = text.split_once(';')
+        && let [mode @ ('&' | '!'), name] = before.chars().collect::<Vec<_>>()[..]
+    {
+        loans.push((name, mode == '!'));
+        text = rest;
+    }
+    Production { kind: kind.chars().next().unwrap_or('K'), leaves, loans, text }
+}
+
+/// What a text mentions, and whether it writes it.
+fn mentions(text: &str) -> impl Iterator<Item = (char, bool)> {
+    let next = text.chars().skip(1);
+    text.chars().zip(next).filter(|it| matches!(it.0, '$' | '~')).map(|it| (it.1, it.0 == '~'))
+}
+
+struct Body<'r> {
+    random: &'r mut Random,
+    grammar: Vec<Production>,
+    /// What is lent, and whether to be written.
+    loans: Vec<(char, bool)>,
+    closures: usize,
+}
+
+impl Body<'_> {
+    fn fits(&self, production: &Production) -> bool {
+        let free = |(name, writes): (char, bool)| {
+            !self.loans.iter().any(|(lent, whole)| *lent == name && (*whole || writes))
+        };
+        let outside = |it: &char| !matches!(it, '<' | '>');
+        let own: String = production.text.chars().filter(outside).collect();
+        (self.closures == 0 || !production.leaves)
+            && mentions(&own).all(free)
+            && production.loans.iter().all(|loan| free((loan.0, true)))
+    }
+
+    /// A text of the kind; what its closures and places hold stays lent.
+    fn part(&mut self, kind: char, depth: usize) -> String {
+        let fit: Vec<usize> = (0..self.grammar.len())
+            .filter(|at| self.grammar[*at].kind == kind && self.fits(&self.grammar[*at]))
+            .collect();
+        let ends = |at: &usize| !self.grammar[*at].text.contains('<') || kind == 'X';
+        let short: Vec<usize> = fit.iter().copied().filter(ends).collect();
+        let few = depth == 0 || self.random.one_in(4);
+        let among = match (few, short.is_empty()) {
+            (true, false) => &short,
+            _ => &fit,
+        };
+        // Beyond its depth an iterator begins, and does not go on.
+        let among: Vec<usize> = match kind == 'X' && depth == 0 {
+            true => among
+                .iter()
+                .copied()
+                .filter(|at| !self.grammar[*at].text.contains("<+X>"))
+                .collect(),
+            false => among.clone(),
+        };
+        if among.is_empty() {
+            return "unfit".to_owned();
+        }
+        let at = self.random.of(&among);
+        let (text, own) = (self.grammar[at].text, self.grammar[at].loans.clone());
+        let before = self.loans.len();
+        self.loans.extend(own);
+        let (mut out, mut rest) = (String::new(), text);
+        while let Some((head, hole)) = rest.split_once('<') {
+            out += head;
+            let Some((mode, kind, behind)) = hole_of(hole) else {
+                out.push('<');
+                rest = hole;
+                continue;
+            };
+            rest = behind;
+            out += &self.hole(mode, kind, depth.saturating_sub(1));
+        }
+        out += rest;
+        // What an iterator holds it holds as long as it is gone through.
+        match kind {
+            'X' => {
+                self.loans.extend(mentions(&text.replace(['<', '>'], "")).filter(|it| it.0 == 't'))
+            }
+            _ => self.loans.truncate(before),
+        }
+        out
+    }
+
+    fn hole(&mut self, mode: char, kind: char, depth: usize) -> String {
+        let before = self.loans.len();
+        self.closures += usize::from(mode == '|');
+        let text = self.part(kind, depth);
+        self.closures -= usize::from(mode == '|');
+        match mode {
+            '+' => {}
+            '|' => self.loans.extend(mentions(&text)),
+            _ => self.loans.truncate(before),
+        }
+        if matches!(mode, '&' | '!') && text.starts_with(['$', '~', '*']) {
+            self.loans.extend(mentions(&text).take(1).map(|(name, _)| (name, mode == '!')));
+        }
+        text
+    }
+}
+
+/// The mode and the kind of a hole, and what stands behind it.
+fn hole_of(text: &str) -> Option<(char, char, &str)> {
+    let (inside, behind) = text.split_once('>')?;
+    match inside.chars().collect::<Vec<_>>()[..] {
+        [kind] if kind.is_ascii_uppercase() => Some((' ', kind, behind)),
+        [mode @ ('&' | '!' | '|' | '+'), kind] => Some((mode, kind, behind)),
+        _ => None,
+    }
+}
+
+/// A body of a statement or two and a value.
+pub fn program(random: &mut Random, name: &str) -> Program {
+    let mut body = Body { random, grammar: grammar(), loans: Vec::new(), closures: 0 };
+    let mut text = String::new();
+    for _ in 0..body.random.below(3) {
+        text += &body.part('S', DEPTH);
+        text.push('\n');
+    }
+    let (kind, tells) = body.random.of(&[
+        ('K', "beside_tells_k"),
+        ('K', "beside_tells_k"),
+        ('F', "beside_tells_f"),
+    ]);
+    let value = body.part(kind, DEPTH);
+    text += &format!("let z = {value};\n{tells}(z, t);\n");
+    let used = |name: char| mentions(&text).any(|it| it.0 == name);
+    let all = VARIABLES.iter().filter(|it| used(it.0));
+    let declared: String =
+        all.clone().map(|it| format!("let mut {} = {};\n", it.0, it.1)).collect();
+    let told: String = all.map(|it| format!("{}\n", it.2)).collect();
+    let text = text.replace(['$', '~'], "");
+    let text = format!(
+        "#[function]\npub fn {name}(a0: [i16; 3], n0: u8, k0: i16, f0: f64, t: &mut u64) -> Option<i64> {{\n\
+         {declared}{text}{told}Some(*t as i64)\n}}\n"
+    );
+    let params = [("", "[i16; 3]"), ("", "u8"), ("", "i16"), ("", "f64"), ("&mut ", "u64")];
+    let params = params.map(|(passing, ty)| (passing, ty.to_owned())).to_vec();
+    let entry = Entry { name: name.to_owned(), params, atomic: false, stops: false };
+    Program { name: name.to_owned(), text, unit: None, entries: vec![entry], instances: None }
+}
