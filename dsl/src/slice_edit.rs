@@ -1,6 +1,40 @@
-//! Functions of the DSL that move the elements of slices and compare their ends.
+//! Functions of the DSL that write, move and compare the elements of slices.
+//!
+//! Those that are loops or a few assignments are put where they are called.
+
+// They are what they would be written with.
+#![allow(clippy::manual_swap, clippy::manual_slice_fill, clippy::manual_contains)]
 
 use crate::function;
+
+/// Exchanges two elements. Both are read before one is written.
+#[function(expand)]
+pub fn swap<T: Copy>(values: &mut [T], one: usize, other: usize) {
+    let before = values[one];
+    values[one] = values[other];
+    values[other] = before;
+}
+
+/// Makes all elements this one.
+#[function(expand)]
+pub fn fill<T: Copy>(values: &mut [T], element: T) {
+    for value in values.iter_mut() {
+        *value = element;
+    }
+}
+
+/// Whether an element is among them.
+#[function(expand)]
+pub fn contains<T: PartialEq>(values: &[T], element: &T) -> bool {
+    let mut found = false;
+    for value in values {
+        if value == element {
+            found = true;
+            break;
+        }
+    }
+    found
+}
 
 /// Moves the first `by` elements behind the others.
 #[function]
@@ -53,4 +87,32 @@ pub fn starts_with<T: Copy + PartialEq>(values: &[T], start: &[T]) -> bool {
 #[function]
 pub fn ends_with<T: Copy + PartialEq>(values: &[T], end: &[T]) -> bool {
     end.len() <= values.len() && values[values.len() - end.len()..] == *end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn each_does_what_core_does(
+            values in prop::collection::vec(0_u8..5, 0..7),
+            one in 0_usize..7,
+            other in 0_usize..7,
+            element in 0_u8..6,
+        ) {
+            prop_assert_eq!(contains(&values, &element), values.contains(&element));
+            let (mut mine, mut theirs) = (values.clone(), values.clone());
+            fill(&mut mine, element);
+            theirs.fill(element);
+            prop_assert_eq!(&mine, &theirs);
+            if one.max(other) < values.len() {
+                let (mut mine, mut theirs) = (values.clone(), values);
+                swap(&mut mine, one, other);
+                theirs.swap(one, other);
+                prop_assert_eq!(mine, theirs);
+            }
+        }
+    }
 }

@@ -258,7 +258,7 @@ impl Lowering<'_, '_> {
                 // The author writes rows; the IR, as nalgebra, stores columns.
                 let mut by_rows = self.uniform(arguments, Some(scalar))?;
                 if rows > 1 && cols > 1 {
-                    self.keep_order(&mut by_rows, "element");
+                    self.keep_order(&mut by_rows);
                 }
                 let by_columns = (0..rows * cols)
                     .map(|index| by_rows[((index % rows) * cols + index / rows) as usize].clone())

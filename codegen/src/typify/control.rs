@@ -461,7 +461,7 @@ impl Lowering<'_, '_> {
                 let mark = self.out.len();
                 let place = self.writable(place)?;
                 let later = self.later(mark);
-                self.settle(&mut value, "operand", &later);
+                self.settle(&mut value, order::OPERAND, &later);
                 self.out.extend(later);
                 self.emit(StmtKind::Assign { place, value }, span);
             }
@@ -512,9 +512,9 @@ impl Lowering<'_, '_> {
             if !fixed && !order::may_follow(&value, &place)
                 || effects::reads(&place.load(), &written)
             {
-                value = self.temporary("operand", value);
+                value = self.temporary(order::OPERAND, value);
             } else {
-                self.settle(&mut value, "operand", &later);
+                self.settle(&mut value, order::OPERAND, &later);
             }
             self.out.append(&mut later);
             self.keep_indices(&mut place, order::has_effect);

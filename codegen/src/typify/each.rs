@@ -173,8 +173,9 @@ impl Lowering<'_, '_> {
 
     /// All elements of what a loop goes through.
     fn elements_of(&mut self, expr: &tree::Expr) -> Result<Slice> {
-        let place = self.base(expr)?;
-        let place = self.held_still(place);
+        let mut place = self.base(expr)?;
+        // Whether there is a pass or not.
+        self.fix(&mut place);
         let bounded = self.bounded_type(&place.ty).is_some();
         match self.all_of(place) {
             Some(slice) => Ok(slice),

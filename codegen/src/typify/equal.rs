@@ -53,7 +53,7 @@ impl Lowering<'_, '_> {
     /// The place of a value that is compared; its indices are computed once.
     pub(super) fn compared(&mut self, value: Expr) -> Place {
         let mut place = self.hold(value);
-        self.keep_indices(&mut place, |index| !index.is_literal());
+        self.keep_moving(&mut place);
         place
     }
 

@@ -359,7 +359,7 @@ impl Lowering<'_, '_> {
             (Op::Mul, Type::Matrix { .. }, _) => (Routine::Scale, vec![left, right], left_ty),
             (Op::Mul, _, Type::Matrix { .. }) => {
                 if !order::may_change_places(&left, &right) {
-                    left = self.temporary("operand", left);
+                    left = self.temporary(order::OPERAND, left);
                 }
                 (Routine::Scale, vec![right, left], right_ty)
             }

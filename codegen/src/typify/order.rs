@@ -14,6 +14,10 @@ use bessemer_ir::{
 use super::lowering::Lowering;
 use crate::effects;
 
+/// What temporaries for operands and for arguments are called.
+pub(super) const OPERAND: &str = "operand";
+pub(super) const ARGUMENT: &str = "argument";
+
 impl Lowering<'_, '_> {
     /// The statements since `mark`, taken out; what comes before them can still be emitted.
     pub(super) fn later(&mut self, mark: usize) -> Vec<Stmt> {
@@ -42,33 +46,26 @@ impl Lowering<'_, '_> {
                 Ok(Expr { kind: ExprKind::Load(place), ty: Type::Slice(_), .. }) => {
                     self.settle_place(place, later);
                 }
-                Ok(value) => self.settle(value, "argument", later),
+                Ok(value) => self.settle(value, ARGUMENT, later),
                 Err(place) => self.settle_place(place, later),
             }
         }
     }
 
     /// Computes values that will stand in another order now, one after the other, where that would show.
-    pub(super) fn keep_order(&mut self, values: &mut [Expr], role: &str) {
+    pub(super) fn keep_order(&mut self, values: &mut [Expr]) {
         let (mut first, mut shows) = (values.iter(), false);
         while let Some(one) = first.next() {
             shows |= first.as_slice().iter().any(|other| !may_change_places(one, other));
         }
         for value in values.iter_mut().filter(|value| shows && !value.is_literal()) {
-            *value = self.temporary(role, value.clone());
+            *value = self.temporary(OPERAND, value.clone());
         }
     }
 
     /// Makes a place one that stays the same: its indices are computed and checked now.
     pub(super) fn fix(&mut self, place: &mut Place) {
-        let moves = |index: &Expr, steady: &HashSet<LocalId>| match &index.kind {
-            ExprKind::Literal(_) | ExprKind::Const(_) => false,
-            ExprKind::Load(of) => !(of.steps.is_empty() && steady.contains(&of.root)),
-            _ => true,
-        };
-        let mut steady: HashSet<LocalId> = self.steady.union(&self.held).copied().collect();
-        steady.extend(&self.counters);
-        self.keep_indices(place, |index| moves(index, &steady));
+        self.keep_moving(place);
         let mut ty = self.locals[place.root.index()].ty.clone();
         for step in place.steps.clone() {
             let (indices, inner) = match (step, ty) {
@@ -99,6 +96,17 @@ impl Lowering<'_, '_> {
             }
             ty = inner;
         }
+    }
+
+    /// Computes now the indices of `place` that something may change: not those that are written once.
+    pub(super) fn keep_moving(&mut self, place: &mut Place) {
+        let mut steady: HashSet<LocalId> = self.steady.union(&self.held).copied().collect();
+        steady.extend(&self.counters);
+        self.keep_indices(place, |index| match &index.kind {
+            ExprKind::Literal(_) | ExprKind::Const(_) => false,
+            ExprKind::Load(of) => !(of.steps.is_empty() && steady.contains(&of.root)),
+            _ => true,
+        });
     }
 
     /// Computes now the indices of `place` that are to be kept.

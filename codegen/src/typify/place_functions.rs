@@ -352,7 +352,8 @@ impl<'a> Lowering<'a, '_> {
                 return Ok(Value::Place(place));
             }
             // A value of its own, `table.clone()` too.
-            let value = self.value(argument, None)?;
+            let ty = self.cx.value_type(inner, argument.site)?;
+            let value = self.value(argument, Some(&ty))?;
             return Ok(self.own(name, value, *written));
         }
         let ty = self.cx.value_type(ty, argument.site)?;

@@ -6,8 +6,7 @@
 
 use bessemer_ir::tree::{self, Builtin, Site, SliceMethod, Ty};
 use bessemer_ir::{
-    BinaryOp, Block, CompareOp, Expr, ExprKind, Fault, Local, LogicOp, Mode, Place, Span, Stmt,
-    StmtKind, Type,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Local, LogicOp, Mode, Place, Span, StmtKind, Type,
 };
 
 use super::elements::Slice;
@@ -80,8 +79,9 @@ impl Lowering<'_, '_> {
         if let Some(slice) = self.slice(expr)? {
             return Ok(slice);
         }
-        let place = self.base(expr)?;
-        let place = self.held_still(place);
+        let mut place = self.base(expr)?;
+        // Whether anything is asked of the elements or not.
+        self.fix(&mut place);
         match self.all_of(place) {
             Some(slice) => Ok(slice),
             None => problem(
@@ -289,37 +289,13 @@ impl Lowering<'_, '_> {
             (M::IsEmpty, _) => Ok(Expr::compare(CompareOp::Eq, slice.length, zero).at(span)),
             (M::ToArray, _) => self.as_array(true, &slice, expr),
             (M::FirstChunk, _) => self.as_array(false, &slice, expr),
-            (M::Contains, [_, element]) => self.contains(&slice, element, expr.site),
-            (M::Swap | M::Fill | M::CopyFrom | M::Reverse, _) => {
+            (M::CopyFrom | M::Reverse, _) => {
                 problem(expr.site, "this has no value", "write it as a statement")
             }
             _ => {
                 problem(expr.site, super::borrowed_slices::LENT, super::borrowed_slices::TAKE_APART)
             }
         }
-    }
-
-    fn contains(&mut self, slice: &Slice, element: &tree::Expr, site: Site) -> Result<Expr> {
-        let span = self.span(site);
-        let value = self.value(element, Some(&slice.element))?;
-        self.agree(&value.ty, &slice.element, element.site)?;
-        let wanted = match value.is_literal() {
-            true => self.temporary("wanted", value),
-            false => value,
-        };
-        let wanted = self.hold(wanted);
-        let flag = self.temporary_place(FOUND, Expr::bool(false, span));
-        let held = flag.load();
-        self.each_index(slice, span, |inner, index| {
-            let condition = inner.equal(&slice.at(index), &wanted, site, span)?;
-            let then = Block(vec![
-                Stmt::new(StmtKind::Assign { place: flag, value: Expr::bool(true, span) }, span),
-                Stmt::new(StmtKind::Break, span),
-            ]);
-            inner.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
-            Ok(())
-        })?;
-        Ok(held)
     }
 
     /// A loop over the indices of the base.
@@ -357,24 +333,6 @@ impl Lowering<'_, '_> {
         };
         let span = self.span(expr.site);
         match (method, arguments) {
-            (SliceMethod::Swap, [array, one, other]) => {
-                let slice = self.sliced(array)?;
-                let one = self.steady_index("one", one)?;
-                let other = self.steady_index("other", other)?;
-                let one = self.element_of(&slice, one, span);
-                let other = self.element_of(&slice, other, span);
-                self.exchange(one, other, span);
-            }
-            (SliceMethod::Fill, [array, element]) => {
-                let slice = self.sliced(array)?;
-                let value = self.value(element, Some(&slice.element))?;
-                self.agree(&value.ty, &slice.element, element.site)?;
-                let value = self.steady("element", value);
-                self.each_index(&slice, span, |inner, index| {
-                    inner.emit(StmtKind::Assign { place: slice.at(index), value }, span);
-                    Ok(())
-                })?;
-            }
             (SliceMethod::Reverse, [array]) => {
                 let slice = self.sliced(array)?;
                 let half = Expr::binary(BinaryOp::Div, slice.length.clone(), Expr::usize(2, span));

@@ -58,6 +58,10 @@ fn marked(
         refusals.add(receiver.self_token.span, refuse::METHOD_ALONE);
         return with_errors(refusals, item);
     }
+    if bessemer_ir::Scalar::from_name(&function.sig.ident.to_string()).is_some() {
+        refusals.add(&function.sig.ident, refuse::RUST_TYPE);
+        return with_errors(refusals, item);
+    }
     let more = more(&function, &mut refusals);
     let mut asked = attributes::of_function(&mut function, &mut refusals);
     if more.attributes.external.is_some() {

@@ -103,8 +103,9 @@ pub mod prelude {
     pub use super::range::{ClosedBuiltins as _, RangeBuiltins as _};
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{
-        SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceOrder as _,
-        SliceSearches as _, SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,
+        SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceEquals as _,
+        SliceOrder as _, SliceSearches as _, SliceSorts as _, TotalOrder as _,
+        VectorSliceBuiltins as _,
     };
     pub use super::slot::{
         __any, __glance, __look, __next, __pass, __result, __see, __take, __unreached, Through as _,

@@ -2,6 +2,7 @@
 
 use core::array::TryFromSliceError;
 use core::cmp::Ordering;
+use core::marker::PhantomData;
 
 use bessemer_ir::tree::{self, SliceMethod, Ty};
 use nalgebra::SVector;
@@ -10,9 +11,9 @@ use super::builder::{Builder, Callee};
 use super::builtin::{markers, signatures};
 use super::matrices::told;
 use super::numbers::TryFromBuiltin;
-use super::slot::{Called, DslType, Seen, Value};
+use super::slot::{Called, Companion, DslType, Seen, Value};
 use crate::math::Real;
-use crate::{Number, search, slice_edit, sort};
+use crate::{Number, Plain, search, slice_edit, sort};
 
 markers! {
     AsSlice: Slice(SliceMethod::Whole);
@@ -21,11 +22,8 @@ markers! {
     First: Slice(SliceMethod::First);
     Last: Slice(SliceMethod::Last);
     Get: Slice(SliceMethod::Get);
-    Swap: Slice(SliceMethod::Swap);
-    Fill: Slice(SliceMethod::Fill);
     CopyFrom: Slice(SliceMethod::CopyFrom);
     Reverse: Slice(SliceMethod::Reverse);
-    Contains: Slice(SliceMethod::Contains);
     GetMut: Slice(SliceMethod::GetMut);
     GetPart: Slice(SliceMethod::GetPart);
     GetFrom: Slice(SliceMethod::GetFrom);
@@ -49,11 +47,10 @@ pub trait SliceBuiltins<T> {
         fn __b_first(&self) -> Called<First, Option<&T>>;
         fn __b_last(&self) -> Called<Last, Option<&T>>;
         fn __b_get(&self, _index: usize) -> Called<Get, Option<&T>>;
-        fn __b_swap(&mut self, _one: usize, _other: usize) -> Called<Swap, ()>;
-        fn __b_fill(&mut self, _element: T) -> Called<Fill, ()>;
+        fn __b_swap(&mut self, _one: usize, _other: usize) -> Called<Swap<T>, ()>;
+        fn __b_fill(&mut self, _element: T) -> Called<Fill<T>, ()>;
         fn __b_copy_from_slice(&mut self, _from: &[T]) -> Called<CopyFrom, ()>;
         fn __b_reverse(&mut self) -> Called<Reverse, ()>;
-        fn __b_contains(&self, _element: &T) -> Called<Contains, bool>;
         fn __b_get_mut(&mut self, _index: usize) -> Called<GetMut, Option<&mut T>>;
         fn __b_slice_get_part(&self, _from: usize, _to: usize) -> Called<GetPart, Option<&[T]>>;
         fn __b_slice_get_part_mut(
@@ -73,6 +70,54 @@ pub trait SliceBuiltins<T> {
 }
 
 impl<T> SliceBuiltins<T> for [T] {}
+
+/// Stands for an element that need not be `Copy` in Rust: the C copies it.
+pub struct Copied<T>(PhantomData<T>);
+
+impl<T> Clone for Copied<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Copied<T> {}
+
+impl<T: DslType> DslType for Copied<T> {
+    fn ty(cx: &mut Builder) -> Ty {
+        T::ty(cx)
+    }
+}
+
+impl<T> Seen for Copied<T> {
+    type Slot = Copied<T>;
+}
+
+impl<T> Plain for Copied<T> {
+    const WORDS: usize = 0;
+    fn store(&self, _: &mut dyn FnMut(u64)) {}
+    fn load(_: &mut dyn FnMut() -> u64) -> Self {
+        unreachable!("a witness copy is never run")
+    }
+}
+
+/// The markers of functions of such elements.
+macro_rules! of_any {
+    ($($marker:ident: $function:ident($($parameter:ty),*);)*) => {$(
+        #[doc = concat!("The marker of `", stringify!($function), "`.")]
+        pub struct $marker<T>(PhantomData<T>);
+        impl<T: DslType + 'static> Callee for $marker<T> {
+            fn callee(cx: &mut Builder) -> tree::Callee {
+                let function = slice_edit::$function::__call as fn($($parameter),*) -> _;
+                Companion::callee(function, cx)
+            }
+        }
+    )*};
+}
+
+of_any! {
+    Swap: swap(&'static mut [Copied<T>], usize, usize);
+    Fill: fill(&'static mut [Copied<T>], Copied<T>);
+}
 
 impl<T, const N: usize> TryFromBuiltin<&[T]> for [T; N] {
     type Marker = ToArray;
@@ -241,6 +286,18 @@ impl<T: Value + Copy> SliceSearches<T> for [T] {
     }
     fn __b_partition_point<F: Fn(&T) -> bool>(&self, is_first: F) -> told!([T] + F => usize) {
         search::partition_point::__call(self, is_first)
+    }
+}
+
+/// Methods of slices whose elements have `==`.
+#[allow(missing_docs)]
+pub trait SliceEquals<T> {
+    fn __b_contains(&self, element: &T) -> told!([Self, T] => bool);
+}
+
+impl<T: Value + PartialEq> SliceEquals<T> for [T] {
+    fn __b_contains(&self, element: &T) -> told!([T] => bool) {
+        slice_edit::contains::__call(self, element)
     }
 }
 

@@ -27,8 +27,10 @@ pub fn innermost(ty: &str) -> &str {
 
 /// Whether a type is the DSL's, nalgebra's or Rust's, whose methods no author marks.
 pub fn is_known(ty: &str) -> bool {
-    const KNOWN: [&str; 16] = [
+    const KNOWN: [&str; 18] = [
         "SMatrix",
+        "SVector",
+        "RowSVector",
         "List",
         "BoundedMatrix",
         "Text",

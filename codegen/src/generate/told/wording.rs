@@ -143,7 +143,7 @@ fn global(message: &Message<'_>) -> Option<Words> {
 
 /// Other messages with names that no author has written.
 fn unnamed(message: &Message<'_>) -> Option<Words> {
-    const INTERNAL: [&str; 4] = ["__", "dsl_", "bessemer::generate", "ScalarType"];
+    const INTERNAL: [&str; 4] = ["__", OWNED, "bessemer::generate", "ScalarType"];
     let label = message.mark().map_or("", |mark| mark.label);
     let shows = |text: &str| INTERNAL.iter().any(|it| text.contains(it));
     (shows(message.title) || shows(label)).then(|| {
@@ -210,10 +210,16 @@ const TAKEN_MACROS: [&str; 8] = [
     "unreachable",
 ];
 
+/// What stands before the name of a method that the DSL owns.
+const OWNED: &str = "dsl_";
+
 /// rustc's messages about the builders' own names.
 fn builders(message: &Message<'_>) -> Option<Words> {
     let (title, quoted) = (message.title, message.quoted());
-    let method = quoted.iter().find_map(|name| name.strip_prefix("__b_"));
+    // The builders ask for the one, what is simulated for the other, of the methods that the DSL owns.
+    let owned = |name: &&str| message.code == "E0599" && name.starts_with(OWNED);
+    let owned = quoted.iter().find(|name| owned(name)).and_then(|name| name.strip_prefix(OWNED));
+    let method = quoted.iter().find_map(|name| name.strip_prefix("__b_")).or(owned);
     let owner = types::written(quoted.last().copied().unwrap_or_default());
     if let Some(method) = method {
         let help = if let Some(help) = instead(method, &owner).or_else(|| types::instead(&owner)) {

@@ -121,7 +121,7 @@ builtins! {
         SplitFirstChunk(u32),
         /// All but the last so many elements, and these as an array.
         SplitLastChunk(u32),
-        Swap, Fill, CopyFrom, Reverse, Contains, ToArray, FirstChunk,
+        CopyFrom, Reverse, ToArray, FirstChunk,
     }
 
     /// Methods of `Option` and `Result` without a closure.

@@ -226,6 +226,7 @@ reasons! {
     EXTERNAL_ARGUMENT: "an external function names its header", "write `#[external(header = \"board.h\")]`, with `name = \"…\"` if it is called otherwise in the C";
     EXTERNAL_GENERIC: "an external function has one type", "write one function for each type";
     ENTRY_ALONE: "`#[entry]` stands on a method inside an `impl` block marked `#[component]`", "write `#[component]` above the `impl` block; a free function is called from an entry point";
+    RUST_TYPE: "a function of the DSL that is named as one of Rust's types hides that type", "give it another name, `to_f64`";
     ENTRY_OF_DATA: "plain data has no entry points", "mark the struct and this block `#[component]`";
     MACRO: "this macro is not part of the DSL", "write the expression out, or a function marked `#[function]`";
 }

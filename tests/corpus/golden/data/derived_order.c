@@ -206,21 +206,17 @@ void derived_order_place_of(const derived_order_key_t keys[4], const derived_ord
     result->is_some = false;
     result->value = UINT64_C(0);
     for (uint32_t i = 4U; i-- > 0U;) {
-        const uint32_t result_index = i;
-        const uint32_t result_index_2 = result_index;
-        const uint32_t result_index_3 = result_index;
-        const uint32_t result_index_4 = result_index;
-        if (keys[result_index].source < limit->source
-                || (keys[result_index].source == limit->source
-                && (keys[result_index_3].version.major < limit->version.major
-                || (keys[result_index_3].version.major == limit->version.major
-                && (keys[result_index_3].version.minor < limit->version.minor
-                || (keys[result_index_3].version.minor == limit->version.minor && keys[result_index_3].version.patch < limit->version.patch)))
-                || (keys[result_index_4].version.major == limit->version.major
-                && keys[result_index_4].version.minor == limit->version.minor
-                && keys[result_index_4].version.patch == limit->version.patch
-                && (keys[result_index_2].numbers[0] < limit->numbers[0]
-                || (keys[result_index_2].numbers[0] == limit->numbers[0] && keys[result_index_2].numbers[1] <= limit->numbers[1])))))) {
+        if (keys[i].source < limit->source
+                || (keys[i].source == limit->source
+                && (keys[i].version.major < limit->version.major
+                || (keys[i].version.major == limit->version.major
+                && (keys[i].version.minor < limit->version.minor
+                || (keys[i].version.minor == limit->version.minor && keys[i].version.patch < limit->version.patch)))
+                || (keys[i].version.major == limit->version.major
+                && keys[i].version.minor == limit->version.minor
+                && keys[i].version.patch == limit->version.patch
+                && (keys[i].numbers[0] < limit->numbers[0]
+                || (keys[i].numbers[0] == limit->numbers[0] && keys[i].numbers[1] <= limit->numbers[1])))))) {
             result->is_some = true;
             result->value = i;
             break;

@@ -92,8 +92,7 @@ uint32_t nested_equality_count(const route_t *route, const route_point_t *point)
 {
     uint32_t count = 0U;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const uint32_t value_index = i;
-        if (route_point_equal(&route->points[value_index], point)) {
+        if (route_point_equal(&route->points[i], point)) {
             count += 1U;
         }
     }

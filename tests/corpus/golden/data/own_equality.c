@@ -90,8 +90,7 @@ void own_equality_place_of(const bearing_t bearings[3], const bearing_t *wanted,
     result->is_some = false;
     result->value = UINT64_C(0);
     for (uint32_t i = 0U; i < 3U; i++) {
-        const uint32_t result_index = i;
-        if (bearing_eq(&bearings[result_index], wanted)) {
+        if (bearing_eq(&bearings[i], wanted)) {
             result->is_some = true;
             result->value = i;
             break;

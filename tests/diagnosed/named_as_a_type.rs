@@ -1,0 +1,15 @@
+//! A case.
+#![no_std]
+use bessemer::prelude::*;
+
+/// What stands for it in the C would hide the type.
+#[function]
+pub fn f64(count: u8) -> u8 {
+    count / 2
+}
+
+/// The type is Rust's.
+#[function]
+pub fn caller(x: f64) -> f64 {
+    2.0 * x
+}
