@@ -63,6 +63,22 @@ pub fn find<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(&T) -> bool) ->
     find
 }
 
+/// What `f` makes of the first of which it makes something.
+#[function(expand)]
+pub fn find_map<T, U>(
+    items: impl Iterator<Item = T>,
+    mut f: impl FnMut(T) -> Option<U>,
+) -> Option<U> {
+    let mut found = None;
+    for item in items {
+        found = f(item);
+        if found.is_some() {
+            break;
+        }
+    }
+    found
+}
+
 /// The last.
 #[function(expand)]
 pub fn last<T>(items: impl Iterator<Item = T>) -> Option<T> {
@@ -104,7 +120,7 @@ pub fn nth<T>(items: impl Iterator<Item = T>, n: usize) -> Option<T> {
 #[function(expand)]
 pub fn position<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> Option<usize> {
     let mut position = None;
-    for (i, item) in items.enumerate() {
+    for (i, item) in items.into_iter().enumerate() {
         if f(item) {
             position = Some(i);
             break;
@@ -120,7 +136,7 @@ pub fn rposition<T>(
     mut f: impl FnMut(T) -> bool,
 ) -> Option<usize> {
     let mut rposition = None;
-    for (i, item) in items.enumerate().rev() {
+    for (i, item) in items.into_iter().enumerate().rev() {
         if f(item) {
             rposition = Some(i);
             break;
@@ -209,6 +225,8 @@ mod tests {
                 assert_eq!(any(items(), above), items().any(above));
                 assert_eq!(all(items(), above), items().all(above));
                 assert_eq!(find(items(), |x| above(*x)), items().find(|x| above(*x)));
+                let half = |x: u8| above(x).then_some(x / 2);
+                assert_eq!(find_map(items(), half), items().find_map(half));
                 assert_eq!(position(items(), above), items().position(above));
                 assert_eq!(rposition(items(), above), items().rposition(above));
                 let n = usize::from(limit);

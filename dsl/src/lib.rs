@@ -62,6 +62,8 @@ pub use nalgebra;
 pub use plain::Plain;
 pub use text::Text;
 
+#[doc(hidden)]
+pub mod adapt;
 mod bounded;
 mod bounded_arithmetic;
 #[doc(hidden)]

@@ -16,8 +16,7 @@ pub fn iterator(samples: &[f64; 4]) -> f64 {
     for i in (0..4).rev().step_by(2) {
         sum += samples[i];
     }
-    sum += samples.iter().map(|x| x * x).take(2).sum::<f64>();
-    sum + samples.iter().scan(sum.sqrt(), |sum, x| Some(*sum + x)).sum::<f64>()
+    sum
 }
 
 fn main() {}

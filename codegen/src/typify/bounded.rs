@@ -8,7 +8,7 @@ use bessemer_ir::{
 
 use super::expr::{Operand, two};
 use super::lengths::least;
-use super::lowering::{Lowering, Said};
+use super::lowering::Lowering;
 use super::value::Value;
 use super::{Result, problem};
 
@@ -93,7 +93,7 @@ impl Lowering<'_, '_> {
     pub(super) fn each_of_bounded(
         &mut self,
         site: Site,
-        Said { label, joined }: Said<'_>,
+        label: Option<&str>,
         (part, matrix): (&tree::Part, Place),
         body: &tree::Block,
     ) -> Result<()> {
@@ -108,8 +108,8 @@ impl Lowering<'_, '_> {
         };
         let (end_rows, end_columns) = (size("rows", 0, rows), size("columns", 1, columns));
         let at = |root| Place::local(root, Type::USIZE, span).load();
-        let (outer, inner) = (Said { label: None, joined }, Said { label, joined: true });
-        self.repeated(outer, None, span, |walk| {
+        let outermost = self.frames.len();
+        self.repeated(None, None, span, |walk| {
             let column = walk.counter("column", span);
             walk.counters.push(column);
             let through = |walk: &mut Self| {
@@ -122,12 +122,12 @@ impl Lowering<'_, '_> {
                     let mut names = Vec::new();
                     walk.test(&part.pattern, &Value::Place(place), site, &mut names)?;
                     walk.bind_names(&names)?;
-                    walk.statements(body)
+                    walk.pass_of(label, outermost, |walk| walk.statements(body))
                 })?;
                 walk.counters.pop();
                 Ok(up_to(row, end_rows, block))
             };
-            let block = walk.scoped(|walk| walk.repeated(inner, None, span, through))?;
+            let block = walk.scoped(|walk| walk.repeated(None, None, span, through))?;
             walk.counters.pop();
             Ok(up_to(column, end_columns, block))
         })

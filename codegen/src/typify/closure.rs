@@ -19,6 +19,7 @@ impl Lowering<'_, '_> {
         }
         let (Builtin::Desugared(method), arguments) = self.builtin_call(expr)? else { return None };
         match method {
+            Desugared::Together(Together::Tried) => tried(arguments, expr),
             Desugared::Together(how) => Some(together(how, arguments.first()?, expr)),
             Desugared::ArrayMap => mapped(&arguments[0], arguments.get(1)?, expr),
             // What is lent stands where it stands.
@@ -68,8 +69,8 @@ fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
 fn together(how: Together, items: &Expr, expr: &Expr) -> Expr {
     let plain = |kind| Expr { kind, site: expr.site, slot: None };
     let (name, start, op) = match how {
-        Together::Sum => ("%sum", Start::Sum, tree::BinaryOp::Add),
         Together::Product => ("%product", Start::Product, tree::BinaryOp::Mul),
+        _ => ("%sum", Start::Sum, tree::BinaryOp::Add),
     };
     let mut each = handing(items).body;
     Taken(&|item| {
@@ -78,6 +79,36 @@ fn together(how: Together, items: &Expr, expr: &Expr) -> Expr {
     })
     .expr(&mut each);
     Expr { slot: expr.slot, ..plain(ExprKind::Fold { name: name.into(), start, each }) }
+}
+
+/// `items.try_fold(start, |so_far, item| …)`: what comes of what was gathered so far and of the item, until nothing does.
+fn tried(arguments: &[Expr], expr: &Expr) -> Option<Expr> {
+    let [items, start, Expr { kind: ExprKind::Closure(closure), .. }] = arguments else {
+        return None;
+    };
+    let [so_far, taken] = closure.parameters.as_slice() else { return None };
+    let site = expr.site;
+    let plain = |kind| Expr { kind, site, slot: None };
+    let name = "%tried";
+    let gathered = || plain(ExprKind::Local(name.into()));
+    let goes_on = |part| Box::new(Pattern::Constructor(tree::GOES_ON.into(), vec![part]));
+    let stop = Stmt::Expr(plain(ExprKind::Break(None, None)));
+    let stop = Block { stmts: vec![stop], tail: None };
+    let apart = |pattern, value, otherwise| Stmt::Apart { pattern, value, otherwise, site };
+    let mut each = handing(items).body;
+    Taken(&|item| {
+        let next = ExprKind::Assign(None, Box::new(gathered()), closure.body.clone());
+        let stmts = vec![
+            apart(goes_on(so_far.clone()), gathered(), None),
+            apart(Box::new(taken.clone()), item, None),
+            Stmt::Expr(plain(next)),
+            apart(goes_on(Pattern::Any), gathered(), Some(stop.clone())),
+        ];
+        ExprKind::Block(Block { stmts, tail: None })
+    })
+    .expr(&mut each);
+    let start = Start::Tried(Box::new(start.clone()));
+    Some(Expr { slot: expr.slot, ..plain(ExprKind::Fold { name: name.into(), start, each }) })
 }
 
 /// Puts what is done with an item in the place of handing it on.
@@ -91,6 +122,8 @@ impl VisitMut for Taken<'_> {
                     expr.kind = (self.0)(item);
                 }
             }
+            // What another iterator hands on.
+            ExprKind::Closure(_) => {}
             _ => walk_expr_mut(self, expr),
         }
     }

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use bessemer_ir::tree::visit::{Bound, Locals, Visit};
-use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type};
 
 use super::lowering::{Closure, Lowering, Scope, Target, UNNAMED};
@@ -39,10 +39,11 @@ impl<'a> Lowering<'a, '_> {
         if let tree::ExprKind::Local(name) = &argument.kind
             && let Some(closure) = self.closure_named(name)
         {
-            let Closure { text, source, scope } = (*self.closures[closure]).clone();
-            if scope.locals.is_none() {
-                return Ok(Closure { text, source, scope });
+            let known = (*self.closures[closure]).clone();
+            if known.scope.locals.is_none() {
+                return Ok(known);
             }
+            let Closure { text, source, scope, .. } = known;
             // It leaves the function that it was written in: what it uses goes with it.
             let scopes = std::mem::replace(&mut self.scopes, scope.names);
             let captured =
@@ -91,7 +92,7 @@ impl<'a> Lowering<'a, '_> {
             }
         }
         let scope = Scope { names: vec![captures], expanding: Vec::new(), locals: None };
-        Ok(Closure { text, source: self.source, scope })
+        Ok(Closure { text, source: self.source, scope, outermost: None })
     }
 
     /// The copy of a function for closures; and what they use, as the arguments for it.
@@ -228,7 +229,7 @@ impl<'a> Lowering<'a, '_> {
         closure.is_some_and(|it| self.closures[it].scope.locals.is_some())
     }
 
-    fn applied<T>(
+    pub(super) fn applied<T>(
         &mut self,
         name: &str,
         arguments: &[tree::Expr],
@@ -245,7 +246,7 @@ impl<'a> Lowering<'a, '_> {
         let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);
-        let mut subjects = Vec::new();
+        let (mut subjects, mut computed) = (Vec::new(), None);
         let parameters = closure.parameters.iter().map(Some).chain(std::iter::repeat(None));
         for (argument, parameter) in arguments.iter().zip(parameters) {
             let taken = match parameter {
@@ -253,17 +254,33 @@ impl<'a> Lowering<'a, '_> {
                 _ => None,
             };
             // An item is what it is where it comes from; but a pair that has one name is a value.
-            let whole = matches!(parameter, Some(tree::Pattern::Name { .. }))
+            let whole = matches!(parameter, Some(tree::Pattern::Name { name, .. }) if !is_hidden(name))
                 && matches!(argument.kind, tree::ExprKind::Tuple(_))
                 && handed.source.tree.role != tree::Role::Expanded;
             if name == tree::EACH && !whole {
-                subjects.push(self.item(argument, parameter)?);
+                let before = self.locals.len();
+                let item = self.item(argument, parameter)?;
+                if let (Some(locals), Some(parameter)) = (handed.scope.locals, parameter)
+                    && handed.source.tree.role != tree::Role::Expanded
+                {
+                    self.name_own(parameter, &item, Some(locals));
+                }
+                if let Some(tree::Pattern::Name { name, slot: NO_SLOT, .. }) = parameter
+                    && let Some(value) = self.just_computed(&item, before)
+                {
+                    computed = Some((name.clone(), value));
+                }
+                subjects.push(item);
                 continue;
             }
             if let (Some(tree::Pattern::Tuple(_)), Some(parts)) =
                 (parameter, self.parts_named(argument))
             {
                 subjects.push(parts);
+                continue;
+            }
+            if let Some(slice) = self.slice_named(argument)? {
+                subjects.push(slice);
                 continue;
             }
             let (lent, expected) = match taken {
@@ -287,9 +304,29 @@ impl<'a> Lowering<'a, '_> {
             subjects.push(self.value_subject(value));
         }
         self.in_scope_of(&handed, None, site, |inner| {
-            inner.bind_arguments(closure, &subjects, stays)?;
-            end(inner, closure)
+            match computed {
+                Some((name, value)) => inner.bind(&name, Value::Word(Box::new(value))),
+                None => inner.bind_arguments(closure, &subjects, stays)?,
+            }
+            match &handed.outermost {
+                Some((label, outermost)) => {
+                    inner.pass_of(label.as_deref(), *outermost, |inner| end(inner, closure))
+                }
+                None => end(inner, closure),
+            }
         })
+    }
+
+    /// The slice that an argument names.
+    fn slice_named(&self, argument: &tree::Expr) -> Result<Option<Value>> {
+        match &argument.kind {
+            tree::ExprKind::Local(name) => {
+                let meaning = self.lookup(name, argument.site)?;
+                Ok(Some(meaning).filter(|it| matches!(it, Value::Slice(_))))
+            }
+            tree::ExprKind::Ref(_, inner) => self.slice_named(inner),
+            _ => Ok(None),
+        }
     }
 
     /// Lowers what stands in a closure, where names mean what they mean there; `each` is what items are handed to.
@@ -358,7 +395,10 @@ impl<'a> Lowering<'a, '_> {
             (
                 tree::Pattern::Name { name, mutable: false, inner: None, .. },
                 Value::Place(place),
-            ) if place.steps.is_empty() && stays.is_some_and(|own| place.root.index() >= own) => {
+            ) if place.steps.is_empty()
+                && !is_hidden(name)
+                && stays.is_some_and(|own| place.root.index() >= own) =>
+            {
                 self.locals[place.root.index()].name.clone_from(name);
             }
             _ => {}
@@ -382,6 +422,11 @@ impl<'a> Lowering<'a, '_> {
         }
         self.value(&closure.body, ty.as_ref())
     }
+}
+
+/// Whether no author wrote a name.
+pub(super) fn is_hidden(name: &str) -> bool {
+    name.contains('%')
 }
 
 /// The names that stand in a closure's body, as far as they are not its own parameters.

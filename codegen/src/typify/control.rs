@@ -242,8 +242,7 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             tree::ExprKind::Labelled(label, body) => self.labelled(label, body, None, expr),
-            tree::ExprKind::For { .. } | tree::ExprKind::Each { .. } => self.through(expr, false),
-            tree::ExprKind::Joined(inner) => self.through(inner, true),
+            tree::ExprKind::For { .. } | tree::ExprKind::Each { .. } => self.through(expr),
             tree::ExprKind::While { label, condition, bound, body } => match condition {
                 Some(condition) => {
                     let bound = bound.as_deref();

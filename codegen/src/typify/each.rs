@@ -2,6 +2,8 @@
 //!
 //! A name for a reference is another name for the element; a name for a value is a local of its own.
 
+use std::rc::Rc;
+
 use bessemer_ir::tree::{self, Grouping, Order, Site};
 use bessemer_ir::{
     BinaryOp, Block, CompareOp, Expr, ExprKind, Fault, Intrinsic, Local, LocalId, Mode, Place,
@@ -10,7 +12,7 @@ use bessemer_ir::{
 
 use super::elements::Slice;
 use super::lengths::{divided, greatest, least, lesser, minus, plus, same, times};
-use super::lowering::{Lowering, Said};
+use super::lowering::Lowering;
 use super::value::Value;
 use super::{Result, problem};
 use crate::effects;
@@ -19,37 +21,53 @@ impl Lowering<'_, '_> {
     pub(super) fn each_stmt(
         &mut self,
         site: Site,
-        (said, index): (Said<'_>, Option<&str>),
+        (label, index): (Option<&str>, Option<&str>),
         parts: &[tree::Part],
         (order, cuts): (Order, &[tree::Cut]),
         body: &tree::Block,
     ) -> Result<()> {
         let span = self.span(site);
         if let Some(generated) = self.generated(parts)? {
-            return self.generated_stmt(site, (said, index), generated, (order, cuts), body);
+            return self.generated_stmt(site, (label, index), generated, (order, cuts), body);
         }
         if let ([part], None, Order::Up, []) = (parts, index, order, cuts) {
             if let Some(matrix) = self.bounded_place(&part.array) {
-                return self.each_of_bounded(site, said, (part, matrix), body);
+                return self.each_of_bounded(site, label, (part, matrix), body);
             }
             if part.group.is_none() && self.may_be_there(&part.array) {
-                return self.one_pass(site, said, part, body);
+                return self.one_pass(site, label, part, body);
             }
         }
-        let mut slices = Vec::new();
+        let (mut slices, mut variables) = (Vec::new(), Vec::new());
         for part in parts {
-            let mut chained = self.chained(&part.array)?.into_iter();
-            let Some(slice) = chained.next() else { continue };
-            let passed = Passed::of(slice, self.group_size(part.group.as_ref())?);
-            slices.push(passed.and(chained.collect()));
+            let (passed, variable) = match self.iterator_named(&part.array) {
+                Some(named) => {
+                    let named = Rc::clone(&self.closures[named]);
+                    let own = elements_through(&named.text).unwrap_or(part).clone();
+                    self.in_scope_of(&named, None, site, |inner| {
+                        Ok((inner.passed(&own)?, inner.variable(&own.array)))
+                    })?
+                }
+                None => (self.passed(part)?, self.variable(&part.array)),
+            };
+            if let Some(passed) = passed {
+                slices.push(passed);
+                variables.push(variable);
+            }
         }
         let around = |it: &Passed| matches!(it.group, Some((Grouping::Around, _)));
         if let Some(at) = slices.iter().position(around) {
             // Then both end with the other sequence, and neither is empty where the other is not.
-            let is_same = |(part, it): (&tree::Part, &Passed)| {
-                same(&it.count, &slices[at].count) || is_same_place(&part.array, &parts[at].array)
+            let (around_it, its_variable) = (&slices[at], &variables[at]);
+            let is_same = |(it, variable): (&Passed, &Option<_>)| {
+                let (one, other) = (&it.slice, &around_it.slice);
+                let is_same_slice = effects::same_place(&one.base, &other.base)
+                    && same(&one.from, &other.from)
+                    && same(&one.to, &other.to);
+                let is_same_variable = variable.is_some() && variable == its_variable;
+                same(&it.count, &around_it.count) || is_same_slice || is_same_variable
             };
-            let mut others = parts.iter().zip(&slices).filter(|(_, it)| !around(it));
+            let mut others = slices.iter().zip(&variables).filter(|(it, _)| !around(it));
             if !others.any(is_same) {
                 return problem(
                     parts[at].array.site,
@@ -113,9 +131,34 @@ impl Lowering<'_, '_> {
             })
         };
         let mark = self.out.len();
-        self.repeated(said, None, span, &mut lowered)?;
+        self.repeated(label, None, span, &mut lowered)?;
         self.out.splice(mark..mark, copies);
         Ok(())
+    }
+
+    /// The variable that a sequence is, or is a field of: a local, and the fields on the way.
+    fn variable(&self, array: &tree::Expr) -> Option<(LocalId, Vec<String>)> {
+        match &array.kind {
+            tree::ExprKind::Local(name) => match self.lookup(name, array.site).ok()? {
+                Value::Local(root) => Some((root, Vec::new())),
+                Value::Place(place) if place.steps.is_empty() => Some((place.root, Vec::new())),
+                _ => None,
+            },
+            tree::ExprKind::Field(base, name) => {
+                let (root, mut fields) = self.variable(base)?;
+                fields.push(name.clone());
+                Some((root, fields))
+            }
+            _ => None,
+        }
+    }
+
+    /// What passes get of a part.
+    fn passed(&mut self, part: &tree::Part) -> Result<Option<Passed>> {
+        let mut chained = self.chained(&part.array)?.into_iter();
+        let Some(slice) = chained.next() else { return Ok(None) };
+        let passed = Passed::of(slice, self.group_size(part.group.as_ref())?);
+        Ok(Some(passed.and(chained.collect())))
     }
 
     /// The sequences of a loop, one after the other.
@@ -408,6 +451,18 @@ impl Lowering<'_, '_> {
     }
 }
 
+/// The elements that an iterator goes through, if it does nothing else.
+pub(super) fn elements_through(iterator: &tree::Closure) -> Option<&tree::Part> {
+    let tree::ExprKind::Each { index: None, parts, order: Order::Up, cuts, .. } =
+        &iterator.body.kind
+    else {
+        return None;
+    };
+    let [part @ tree::Part { array, reversed: false, .. }] = parts.as_slice() else { return None };
+    let of_elements = !matches!(array.kind, tree::ExprKind::Call(..)) && cuts.is_empty();
+    of_elements.then_some(part)
+}
+
 /// The items of a loop: elements, or so many of them at a time.
 struct Passed {
     slice: Slice,
@@ -473,17 +528,6 @@ impl Passed {
     fn and(self, behind: Vec<Slice>) -> Passed {
         let count = behind.iter().fold(self.count, |count, it| plus(count, it.length.clone()));
         Passed { count, behind, ..self }
-    }
-}
-
-/// Whether two expressions are one variable, or one part of it.
-fn is_same_place(one: &tree::Expr, other: &tree::Expr) -> bool {
-    match (&one.kind, &other.kind) {
-        (tree::ExprKind::Local(one), tree::ExprKind::Local(other)) => one == other,
-        (tree::ExprKind::Field(one, name), tree::ExprKind::Field(other, part)) => {
-            name == part && is_same_place(one, other)
-        }
-        _ => false,
     }
 }
 

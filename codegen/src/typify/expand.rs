@@ -12,10 +12,14 @@ use bessemer_ir::tree::{self, ExprKind as Tree, Role, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Type};
 
 use super::call::Called;
-use super::generator::generates;
+use super::items::begins_at_once;
 use super::lowering::Lowering;
+use super::syntax::generates;
 use super::value::Value;
 use super::{Problem, Result, diagnostic, problem};
+
+/// The crate whose functions no author reads.
+const DSL: &str = "bessemer";
 
 impl<'a> Lowering<'a, '_> {
     /// The function that stands where `expr` calls it, and its arguments; none if `expr` is something else.
@@ -83,7 +87,7 @@ impl<'a> Lowering<'a, '_> {
         argument: &tree::Expr,
     ) -> Result<(String, Value)> {
         let given = match param.closure {
-            true => self.closure_given(param, argument)?,
+            true => self.closure_given(function, param, argument)?,
             false => {
                 let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
                 self.given((&param.name, param.mutable), &ty, argument)?
@@ -93,16 +97,24 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The closure that an argument is, in the scope that it was written in.
-    fn closure_given(&mut self, param: &tree::Param, argument: &tree::Expr) -> Result<Value> {
+    fn closure_given(
+        &mut self,
+        function: &tree::Function,
+        param: &tree::Param,
+        argument: &tree::Expr,
+    ) -> Result<Value> {
+        if param.items {
+            return match begins_at_once(function) {
+                true => Ok(self.gone_through_at_once(argument)),
+                false => self.gone_through(argument),
+            };
+        }
         if let Tree::Local(name) = &argument.kind
             && let Some(closure) = self.closure_named(name)
         {
             return Ok(Value::Closure(closure));
         }
-        let text = match param.items {
-            true => self.items(argument)?,
-            false => self.closure_of(argument)?,
-        };
+        let text = self.closure_of(argument)?;
         Ok(self.closure_here(text))
     }
 
@@ -126,7 +138,7 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Lowers what stands in another function. What is wrong there is told in that function's file, once; at `site`
-    /// nothing is left to say.
+    /// nothing is left to say. What is wrong in a function of the DSL's is told where the author calls it.
     pub(super) fn from<T>(
         &mut self,
         function: &'a tree::Function,
@@ -138,6 +150,9 @@ impl<'a> Lowering<'a, '_> {
         let done = lower(self);
         self.source = source;
         done.or_else(|Problem { site: at, message, help }| {
+            if function.module.split("::").next() == Some(DSL) {
+                return problem(site, message, help);
+            }
             let known = diagnostic(&function.file, Problem { site: at, message, help });
             let is_new = told == self.cx.told.len()
                 && !known.message.is_empty()

@@ -341,15 +341,6 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The closure that a name means.
-    pub(super) fn closure_named(&self, name: &str) -> Option<usize> {
-        let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
-        found.find_map(|(known, meaning)| match meaning {
-            Value::Closure(closure) if known == name => Some(*closure),
-            _ => None,
-        })
-    }
-
     pub(super) fn emit(&mut self, kind: StmtKind, span: Span) {
         self.follow(&kind);
         self.out.push(Stmt { kind, span, comments: Vec::new() });
@@ -435,6 +426,12 @@ impl Lowering<'_, '_> {
         value: Option<&tree::Expr>,
         site: Site,
     ) -> Result<()> {
+        if let Some(value) = value
+            && let Some(iterator) = self.iterator(value)?
+        {
+            self.bind(name, iterator);
+            return Ok(());
+        }
         let lent = match slot {
             NO_SLOT => None,
             slot => slice_of(slot_type(self.source, slot, site)?),

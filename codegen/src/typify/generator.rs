@@ -9,12 +9,16 @@
 
 use std::rc::Rc;
 
-use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
+use bessemer_ir::tree::visit::{Visit, walk_expr};
 use bessemer_ir::tree::{self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt};
-use bessemer_ir::{Place, Type};
+use bessemer_ir::{Expr, Place, StmtKind, Type};
 
 use super::call::Called;
-use super::lowering::{Lowering, Said};
+use super::closure_args::is_hidden;
+use super::each::elements_through;
+use super::items::handing;
+use super::lowering::{Closure, Lowering};
+use super::syntax::generates;
 use super::value::Value;
 use super::{Result, problem};
 
@@ -31,12 +35,9 @@ enum By<'a, 'e> {
     /// A call of a function.
     Call(Called<'a, 'e>),
     /// An iterator that is an argument.
-    Argument(usize),
-}
-
-/// Whether a function gives an iterator.
-pub(super) fn generates(function: &tree::Function) -> bool {
-    function.tree.params.last().is_some_and(|param| param.name == EACH)
+    Argument(Rc<Closure<'a>>),
+    /// A closure that gives an iterator.
+    Closure(&'e str, &'e [tree::Expr]),
 }
 
 impl<'a> Lowering<'a, '_> {
@@ -50,8 +51,14 @@ impl<'a> Lowering<'a, '_> {
             let called = self.expansion(&part.array).filter(|(it, _)| generates(it));
             let by = match called {
                 Some(called) => Some(By::Call(called)),
-                None if let Some(closure) = self.items_given(&part.array) => {
-                    Some(By::Argument(closure))
+                None if let Tree::Apply(name, arguments) = &part.array.kind => {
+                    Some(By::Closure(name, arguments))
+                }
+                None if let Some(closure) = self.iterator_named(&part.array) => {
+                    let through = Rc::clone(&self.closures[closure]);
+                    // Elements stand beside others.
+                    let beside = parts.len() > 1 && elements_through(&through.text).is_some();
+                    (!beside).then_some(By::Argument(through))
                 }
                 // What is gone through by value is what `into_iter` gives, which may be something else.
                 None if part.owned => None,
@@ -72,14 +79,6 @@ impl<'a> Lowering<'a, '_> {
             found = Some(Generated { by, pattern: &part.pattern, straight });
         }
         Ok(found)
-    }
-
-    /// The iterator that a parameter is.
-    fn items_given(&self, of: &tree::Expr) -> Option<usize> {
-        let Tree::Local(name) = &of.kind else { return None };
-        let mut params = self.source.tree.params.iter();
-        params.find(|param| param.items && param.name == *name)?;
-        self.closure_named(name)
     }
 
     /// An author's own `iter` of what is gone through: the adaptor is the iterator's own, as its name is.
@@ -107,18 +106,30 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn generated_stmt(
         &mut self,
         site: Site,
-        (said, index): (Said<'_>, Option<&str>),
+        (label, index): (Option<&str>, Option<&str>),
         generated: Generated<'a, '_>,
         (order, cuts): (Order, &[tree::Cut]),
         body: &tree::Block,
     ) -> Result<()> {
         let Generated { by, pattern, straight } = generated;
-        let way = Way { order, counted: index.is_some() };
-        let plain = match &by {
-            By::Argument(closure) => way.of(&self.closures[*closure].text.body),
-            By::Call(_) => None,
+        let text = match &by {
+            By::Argument(through) => Some(&*through.text.body),
+            // What is counted before a loop is counted from the first item on.
+            By::Call((function, _)) => match &function.tree.body.stmts[..] {
+                [Stmt::Expr(through)] => Some(through),
+                _ => None,
+            },
+            By::Closure(..) => None,
         };
-        if !straight || (order != Order::Up && plain.is_none()) || !cuts.is_empty() {
+        let going = |way: Way| text.and_then(|it| way.of(it));
+        let counted = going(Way { order, counted: index.is_some() });
+        let indexed = counted.is_some();
+        // From the last on with an index that goes up, a number beside it is the index.
+        let itself = counted.or_else(|| match (order, index) {
+            (Order::Mirrored, Some(_)) => going(Way { order: Order::Down, counted: false }),
+            _ => None,
+        });
+        if !straight || (order != Order::Up && itself.is_none()) || !cuts.is_empty() {
             return problem(
                 site,
                 "what a function gives is gone through one by one in the DSL, and from the first on",
@@ -129,30 +140,39 @@ impl<'a> Lowering<'a, '_> {
             let mut body = body.clone();
             let mut pattern = pattern.clone();
             if let Some(index) = index {
-                match plain {
-                    Some(_) => pattern = tree::Pattern::Tuple(vec![named(index), pattern]),
-                    None => inner.count_items(index, &mut body, site)?,
+                match indexed {
+                    true => pattern = tree::Pattern::Tuple(vec![named(index), pattern]),
+                    false => inner.count_items(index, &mut body, site)?,
                 }
             }
             let body = tree::Expr { kind: Tree::Block(body), site, slot: None };
             let (name, parameters, body) = (None, vec![pattern], Box::new(body));
             let closure = tree::Closure { name, parameters, body };
+            let outermost = Some((label.map(str::to_owned), inner.frames.len()));
+            let each = Closure { outermost, ..inner.written_here(closure) };
+            let each = inner.closure(each);
             match by {
                 By::Call((function, arguments)) => {
                     let mut bound = inner.given_to(function, arguments)?;
-                    bound.push((EACH.to_owned(), inner.closure_here(closure)));
+                    bound.push((EACH.to_owned(), each));
                     let mut text = function.tree.body.clone();
-                    if let Some(Stmt::Expr(last)) = text.stmts.last_mut() {
-                        stands_for(said, last);
+                    if let (Some(itself), Some(last)) = (itself, text.stmts.last_mut()) {
+                        *last = Stmt::Expr(itself);
                     }
-                    inner.inside(function, bound, site, |inner| inner.stmts(&text))
+                    inner.inside(function, bound, site, |inner| {
+                        inner.stmts(&text)?;
+                        text.tail.as_ref().map_or(Ok(()), |tail| inner.effect(tail))
+                    })
                 }
-                By::Argument(through) => {
-                    let each = inner.closure_here(closure);
-                    let through = Rc::clone(&inner.closures[through]);
-                    let mut text = plain.unwrap_or_else(|| (*through.text.body).clone());
-                    stands_for(said, &mut text);
-                    inner.in_scope_of(&through, Some(each), site, |inner| inner.effect(&text))
+                By::Argument(handed) => {
+                    let text = itself.unwrap_or_else(|| (*handed.text.body).clone());
+                    inner.in_scope_of(&handed, Some(each), site, |inner| inner.effect(&text))
+                }
+                By::Closure(name, arguments) => {
+                    inner.applied(name, arguments, site, |inner, closure| {
+                        inner.bind(EACH, each);
+                        inner.effect(&through(&closure.body))
+                    })
                 }
             }
         })
@@ -177,15 +197,43 @@ impl<'a> Lowering<'a, '_> {
                     self.held.insert(local);
                     if let Some(tree::Pattern::Name { name, mutable: false, inner: None, .. }) =
                         taken
-                        && !name.contains('%')
+                        && !is_hidden(name)
                     {
                         self.locals[local.index()].name.clone_from(name);
                     }
                     self.subject(expr)
                 }
+                Value::Slice(slice) => Ok(Value::Slice(slice)),
                 _ => self.subject(expr),
             },
-            _ => self.subject(expr),
+            _ => {
+                let before = self.locals.len();
+                let subject = self.subject(expr)?;
+                if let (Value::Place(place), Some(tree::Pattern::Name { name, .. })) =
+                    (&subject, taken)
+                    && place.steps.is_empty()
+                    && place.root.index() >= before
+                    && self.held.contains(&place.root)
+                {
+                    self.locals[place.root.index()].name.clone_from(name);
+                }
+                Ok(subject)
+            }
+        }
+    }
+
+    /// What a subject holds that was computed last, where it is read once, and next.
+    pub(super) fn just_computed(&mut self, subject: &Value, before: usize) -> Option<Expr> {
+        let Value::Place(place) = subject else { return None };
+        let last = self.out.last()?;
+        match &last.kind {
+            StmtKind::Let { local, value: Some(_) }
+                if *local == place.root && place.steps.is_empty() && local.index() >= before => {}
+            _ => return None,
+        }
+        match self.out.pop()?.kind {
+            StmtKind::Let { value, .. } => value,
+            _ => None,
         }
     }
 
@@ -232,6 +280,12 @@ impl Way {
         let Tree::Each { index: own @ None, order, cuts, body, .. } = &mut text.kind else {
             return None;
         };
+        let mut hands = Hands { each: 0, ends: false };
+        hands.block(body);
+        // What ends early, or hands on in loops of its own, has no other way.
+        if hands.each != 1 || (hands.ends && self.order != Order::Up) {
+            return None;
+        }
         *order = match (*order, self.order, self.counted) {
             (own, Order::Up, false) => own,
             (own, Order::Down, false) if own != Order::Mirrored => match own {
@@ -243,11 +297,14 @@ impl Way {
             _ => return None,
         };
         if self.counted {
-            let [Stmt::Expr(tree::Expr { kind: Tree::Apply(_, items), site, .. })] =
-                body.stmts.as_mut_slice()
+            let Some(Stmt::Expr(tree::Expr { kind: Tree::Apply(name, items), site, .. })) =
+                body.stmts.last_mut().filter(|_| body.tail.is_none())
             else {
                 return None;
             };
+            if name != EACH {
+                return None;
+            }
             let of = |kind| tree::Expr { kind, site: *site, slot: None };
             let counter = of(Tree::Local(COUNTER.into()));
             let pair = std::iter::once(counter).chain(std::mem::take(items)).collect();
@@ -255,6 +312,29 @@ impl Way {
             *own = Some(COUNTER.into());
         }
         Some(text)
+    }
+}
+
+/// How a pass of a loop hands on items.
+struct Hands {
+    /// In how many places; in a loop of its own, in more than one.
+    each: usize,
+    /// Whether it may end the loop.
+    ends: bool,
+}
+
+impl Visit for Hands {
+    fn expr(&mut self, expr: &tree::Expr) {
+        match &expr.kind {
+            Tree::Apply(name, _) if name == EACH => self.each += 1,
+            Tree::Break(..) => self.ends = true,
+            Tree::For { .. } | Tree::Each { .. } | Tree::While { .. } => {
+                let mut inner = Hands { each: 0, ends: false };
+                walk_expr(&mut inner, expr);
+                self.each += 2 * inner.each;
+            }
+            _ => walk_expr(self, expr),
+        }
     }
 }
 
@@ -269,64 +349,15 @@ fn named(name: &str) -> tree::Pattern {
 /// The number of the next item.
 const NEXT: &str = "next%";
 
-/// Says of the loop that gives items what its author says of the loop through them.
-fn stands_for(said: Said<'_>, given: &mut tree::Expr) {
-    if let Some(label) = said.label {
-        Labels(label).expr(given);
-    }
-    if said.joined {
-        join(given);
-    }
-}
-
-/// Gives a loop, and all loops that are one with it, a label: what goes on with one goes on with the innermost.
-struct Labels<'l>(&'l str);
-
-impl VisitMut for Labels<'_> {
-    fn expr(&mut self, expr: &mut tree::Expr) {
-        match &mut expr.kind {
-            Tree::For { label, body, .. } | Tree::Each { label, body, .. } => {
-                *label = Some(self.0.to_owned());
-                body.stmts.iter_mut().for_each(|stmt| Parts(self.0).stmt(stmt));
-            }
-            Tree::Joined(inner) => self.expr(inner),
-            Tree::Block(block) | Tree::Labelled(_, block) => {
-                for stmt in &mut block.stmts {
-                    if let Stmt::Expr(part) = stmt {
-                        self.expr(part);
-                    }
-                }
-            }
-            _ => {}
+/// A loop through what a closure's body gives.
+fn through(body: &tree::Expr) -> tree::Expr {
+    match &body.kind {
+        Tree::Block(tree::Block { stmts, tail: Some(tail) }) => {
+            let mut stmts = stmts.clone();
+            stmts.push(Stmt::Expr(through(tail)));
+            let block = tree::Block { stmts, tail: None };
+            tree::Expr { kind: Tree::Block(block), site: body.site, slot: None }
         }
-    }
-}
-
-/// The loops within one that are one with it.
-struct Parts<'l>(&'l str);
-
-impl VisitMut for Parts<'_> {
-    fn expr(&mut self, expr: &mut tree::Expr) {
-        match &mut expr.kind {
-            Tree::Joined(inner) => Labels(self.0).expr(inner),
-            _ => walk_expr_mut(self, expr),
-        }
-    }
-}
-
-/// Makes a loop one with what stands around the loop through its items.
-fn join(given: &mut tree::Expr) {
-    match &mut given.kind {
-        Tree::For { .. } | Tree::Each { .. } => {
-            let (site, whole) = (given.site, given.clone());
-            *given = tree::Expr { kind: Tree::Joined(Box::new(whole)), site, slot: None };
-        }
-        Tree::Labelled(_, block) => given.kind = Tree::Block(std::mem::take(block)),
-        Tree::Block(block) => {
-            if let Some(Stmt::Expr(last)) = block.stmts.last_mut() {
-                join(last);
-            }
-        }
-        _ => {}
+        _ => *handing(body).body,
     }
 }

@@ -5,13 +5,14 @@
 //!
 //! Must not know: how an iterator is gone through ([`generator`](super::generator)).
 
-use bessemer_ir::tree::{self, EACH, ExprKind as Tree, NO_SLOT, Order, Stmt, Ty};
+use bessemer_ir::tree::{
+    self, Builtin, Desugared, EACH, ExprKind as Tree, NO_SLOT, Order, Stmt, Ty,
+};
 use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
-use super::generator::generates;
 use super::lowering::Lowering;
-use super::syntax::Writes;
+use super::syntax::{Writes, generates};
 use super::value::Value;
 
 /// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
@@ -41,21 +42,62 @@ pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     tree::Closure { name: None, parameters: Vec::new(), body: Box::new(plain(each)) }
 }
 
+/// Whether a function goes through the one iterator that it takes before anything else that it takes is looked at.
+pub(super) fn begins_at_once(function: &tree::Function) -> bool {
+    let params = &function.tree.params;
+    let Some((_, before)) = function.tree.body.stmts.split_last() else { return false };
+    let is_literal = |stmt: &Stmt| matches!(stmt, Stmt::Let { value: Some(value), .. } if matches!(value.kind, Tree::Bool(_)));
+    generates(function)
+        && params.iter().filter(|param| param.items).count() == 1
+        && params.iter().all(|param| param.closure)
+        && before.iter().all(is_literal)
+}
+
 /// The type of a count.
 const SIZE: Ty = Ty::Scalar(Scalar::Int(Int::Usize));
 
-impl Lowering<'_, '_> {
-    /// The closure that an argument is which is gone through.
-    pub(super) fn items(&mut self, argument: &tree::Expr) -> Result<tree::Closure> {
+impl<'a> Lowering<'a, '_> {
+    /// What goes through an argument.
+    pub(super) fn gone_through(&mut self, argument: &tree::Expr) -> Result<Value> {
+        if let Some(known) = self.iterator_named(argument) {
+            return Ok(Value::Closure(known));
+        }
         let mut closure = handing(argument);
         self.settle_items(&mut closure.body)?;
-        Ok(closure)
+        Ok(self.closure_here(closure))
+    }
+
+    /// The same of the only argument but closures of a function that goes through it before anything else.
+    pub(super) fn gone_through_at_once(&mut self, argument: &tree::Expr) -> Value {
+        match self.iterator_named(argument) {
+            Some(known) => Value::Closure(known),
+            None => self.closure_here(handing(argument)),
+        }
+    }
+
+    /// What goes through a value, if that is an iterator.
+    pub(super) fn iterator(&mut self, value: &tree::Expr) -> Result<Option<Value>> {
+        let is_iterator = matches!(value.kind, Tree::Closure(_))
+            || self.expansion(value).is_some_and(|(it, _)| generates(it))
+            || self.iterator_named(value).is_some();
+        is_iterator.then(|| self.gone_through(value)).transpose()
+    }
+
+    /// The iterator that an expression names, or is a copy of.
+    pub(super) fn iterator_named(&self, expr: &tree::Expr) -> Option<usize> {
+        if let Some((Builtin::Desugared(Desugared::AsRef), of)) = self.builtin_call(expr) {
+            return self.iterator_named(of.first()?);
+        }
+        let Tree::Local(name) = &expr.kind else { return None };
+        match self.lookup(name, expr.site) {
+            Ok(Value::Closure(through)) => Some(through),
+            _ => None,
+        }
     }
 
     /// Computes what a loop copies that begins later.
     fn settle_items(&mut self, through: &mut tree::Expr) -> Result<()> {
         match &mut through.kind {
-            Tree::Joined(inner) => self.settle_items(inner)?,
             Tree::Block(block) | Tree::Labelled(_, block) => {
                 let stmts = std::mem::take(&mut block.stmts);
                 for mut stmt in stmts {
@@ -110,11 +152,20 @@ impl Lowering<'_, '_> {
         if let Some((function, _)) = self.expansion(elements).filter(|(it, _)| generates(it)) {
             let Tree::Call(_, arguments) = &mut elements.kind else { return Ok(()) };
             for (param, argument) in function.tree.params.iter().zip(arguments) {
-                if !param.closure {
+                if param.items {
+                    let owned = !matches!(argument.kind, Tree::Ref(..));
+                    match &mut argument.kind {
+                        Tree::Closure(closure) => self.settle_items(&mut closure.body)?,
+                        _ => self.settle_elements(argument, owned)?,
+                    }
+                } else if !param.closure {
                     let (_, given) = self.given_as(function, param, argument)?;
                     self.stand_in(argument, &format!("{}%", param.name), given);
                 }
             }
+            return Ok(());
+        }
+        if self.iterator_named(elements).is_some() {
             return Ok(());
         }
         match &mut elements.kind {
@@ -126,8 +177,7 @@ impl Lowering<'_, '_> {
                 self.settle_elements(base, owned)?;
                 return self.settle_number(&mut cut.count, "count%", &SIZE);
             }
-            // Another iterator, or what is borrowed.
-            Tree::Local(name) if self.closure_named(name).is_some() => return Ok(()),
+            // What is borrowed.
             Tree::Local(name) if !owned || !self.is_changeable(name) => return Ok(()),
             Tree::Field(..) if !owned => return Ok(()),
             Tree::Ref(_, inner) if matches!(inner.kind, Tree::Local(_) | Tree::Field(..)) => {

@@ -14,21 +14,20 @@ use crate::termination::{self, Loop, Proof};
 
 use super::conditions::has_let;
 use super::expr::{Operand, two};
-use super::lowering::{Behind, Frame, Leaving, Lowering, PASS, Said, Target};
+use super::lowering::{Behind, Frame, Leaving, Lowering, PASS, Target};
 use super::value::Named;
 use super::{OUR_FAULT, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
     /// A loop through a range, or through elements.
-    pub(super) fn through(&mut self, expr: &tree::Expr, joined: bool) -> Result<()> {
+    pub(super) fn through(&mut self, expr: &tree::Expr) -> Result<()> {
         match &expr.kind {
             tree::ExprKind::For { label, name, slot, range, body } => {
-                let said = Said { label: label.as_deref(), joined };
-                self.for_stmt(expr.site, said, (name, *slot), range, body)
+                self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }
             tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
-                let said = Said { label: label.as_deref(), joined };
-                self.each_stmt(expr.site, (said, index.as_deref()), parts, (*order, cuts), body)
+                let said = (label.as_deref(), index.as_deref());
+                self.each_stmt(expr.site, said, parts, (*order, cuts), body)
             }
             _ => self.effect(expr),
         }
@@ -37,7 +36,7 @@ impl Lowering<'_, '_> {
     pub(super) fn for_stmt(
         &mut self,
         site: Site,
-        said: Said<'_>,
+        label: Option<&str>,
         (name, slot): (&str, u32),
         range: &tree::Range,
         body: &tree::Block,
@@ -50,9 +49,9 @@ impl Lowering<'_, '_> {
         let [from, to] = two(bounds, site)?;
         let name = if name.starts_with('_') { PASS } else { name };
         if range.step.is_some() {
-            return self.stepped(site, said, (name, ty), range, [from, to], body);
+            return self.stepped(site, label, (name, ty), range, [from, to], body);
         }
-        self.repeated(said, None, span, |inner| {
+        self.repeated(label, None, span, |inner| {
             let mut variable = LocalId(0);
             let body = inner.scoped(|inner| {
                 variable = inner.declare(name, ty, Mode::Value, span);
@@ -85,7 +84,7 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
         let length = self.popped_length(condition)?;
-        self.repeated(Said::label(label), None, span, |inner| {
+        self.repeated(label, None, span, |inner| {
             let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
             let mut heads = Vec::new();
             let body = inner.scoped(|inner| {
@@ -125,7 +124,7 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
         let (mut endless, mut behind) = (false, Vec::new());
-        self.repeated(Said::label(label), target, span, |inner| {
+        self.repeated(label, target, span, |inner| {
             let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
             let mut body = inner.scoped(|inner| inner.statements(body))?;
             let Some((pass, bound)) = declared else {
@@ -322,7 +321,7 @@ impl Lowering<'_, '_> {
     /// Lowers a loop and emits it, with the flags of what leaves it from within.
     pub(super) fn repeated(
         &mut self,
-        Said { label, joined }: Said<'_>,
+        label: Option<&str>,
         target: Option<&Target>,
         span: Span,
         lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
@@ -332,7 +331,7 @@ impl Lowering<'_, '_> {
             label: label.map(str::to_owned),
             target: target.cloned(),
             mark: None,
-            joined,
+            outermost: None,
             pass: false,
             behind: Vec::new(),
         });
@@ -360,6 +359,19 @@ impl Lowering<'_, '_> {
             self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
         }
         Ok(())
+    }
+
+    /// Lowers a pass of a loop that several are, the outermost of them at `outermost`.
+    pub(super) fn pass_of<T>(
+        &mut self,
+        label: Option<&str>,
+        outermost: usize,
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<T> {
+        self.frames.push(Frame { outermost: Some(outermost), ..Frame::block(label, None) });
+        let done = lower(self);
+        self.frames.pop();
+        done
     }
 
     /// `break`, with its value if it has one.
@@ -404,10 +416,13 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let span = self.span(site);
         let mut depth = self.depth(label, site)?;
-        if leaving == Leaving::Break && label != Some(tree::ALONE) {
-            while depth > 0 && self.frames[depth].joined {
-                depth -= 1;
-            }
+        let named = self.frames[depth].label.clone();
+        if let Some(outermost) = self.frames[depth].outermost {
+            let innermost = self.frames[..depth].iter().rposition(|it| it.is_loop() || it.pass);
+            depth = match leaving {
+                Leaving::Break => outermost,
+                Leaving::Continue => innermost.unwrap_or(outermost),
+            };
         }
         if self.is_outermost(depth, self.frames.len()) {
             let kind = match (leaving, self.frames[depth].mark) {
@@ -418,7 +433,7 @@ impl Lowering<'_, '_> {
             self.emit(kind, span);
             return Ok(());
         }
-        let flag = self.flag(depth, leaving, span);
+        let flag = self.flag((depth, named), leaving, span);
         let place = Place::local(flag, Type::BOOL, span);
         let value = Expr::bool(true, span);
         self.emit(StmtKind::Assign { place, value }, span);
@@ -428,14 +443,12 @@ impl Lowering<'_, '_> {
 
     /// Whether no loop stands between the frame that is left and the one at `depth`.
     fn is_outermost(&self, left: usize, depth: usize) -> bool {
-        self.frames[left + 1..depth].iter().all(|frame| frame.mark.is_some())
+        !self.frames[left + 1..depth].iter().any(Frame::is_loop)
     }
 
     fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
         let found = match label {
-            None | Some(tree::ALONE) => {
-                self.frames.iter().rposition(|frame| frame.mark.is_none() || frame.pass)
-            }
+            None => self.frames.iter().rposition(|frame| frame.mark.is_none() || frame.pass),
             Some(_) => self.frames.iter().rposition(|frame| frame.label.as_deref() == label),
         };
         match found {
@@ -445,15 +458,20 @@ impl Lowering<'_, '_> {
     }
 
     /// The flag that leaves the loop at `depth`; each loop in between looks at it.
-    fn flag(&mut self, depth: usize, leaving: Leaving, span: Span) -> LocalId {
-        let inner = self.frames[depth + 1..].iter().find(|frame| frame.mark.is_none());
+    fn flag(
+        &mut self,
+        (depth, named): (usize, Option<String>),
+        leaving: Leaving,
+        span: Span,
+    ) -> LocalId {
+        let inner = self.frames[depth + 1..].iter().find(|frame| frame.is_loop());
         let behind = inner.into_iter().flat_map(|frame| &frame.behind);
         let known = self.frames[depth].mark.or_else(|| {
             let mut same = behind.filter(|it| it.left == depth && it.leaving == leaving);
             same.next().map(|behind| behind.flag)
         });
         let flag = known.unwrap_or_else(|| {
-            let label = self.frames[depth].label.clone().unwrap_or_else(|| "loop".into());
+            let label = named.unwrap_or_else(|| "loop".into());
             let role = match leaving {
                 Leaving::Break => "done",
                 Leaving::Continue => "next",
@@ -464,7 +482,7 @@ impl Lowering<'_, '_> {
             id
         });
         for frame in &mut self.frames[depth + 1..] {
-            if frame.mark.is_none() && !frame.behind.iter().any(|behind| behind.flag == flag) {
+            if frame.is_loop() && !frame.behind.iter().any(|behind| behind.flag == flag) {
                 frame.behind.push(Behind { flag, left: depth, leaving });
             }
         }

@@ -62,15 +62,15 @@ pub(super) enum Target {
     Return,
 }
 
-/// A loop, or a block with a label, that is being lowered.
+/// A loop, a block with a label, or the pass of several loops that are one, that is being lowered.
 pub(super) struct Frame {
     pub label: Option<String>,
     /// Where the value of a `break` goes.
     pub target: Option<Target>,
     /// Of a block: the local whose declaration marks where it is left ([`labelled`](super::labelled)).
     pub mark: Option<LocalId>,
-    /// Whether it is one loop with the one around it: what leaves it leaves both.
-    pub joined: bool,
+    /// Of the pass of a loop that several are: the outermost of these, which what leaves the loop leaves.
+    pub outermost: Option<usize>,
     /// Whether it is the pass of what is gone through at most once: what leaves a loop leaves it as well.
     pub pass: bool,
     /// The flags that are tested behind the loop.
@@ -80,12 +80,27 @@ pub(super) struct Frame {
 impl<'a> Lowering<'a, '_> {
     /// A closure that is written here.
     pub(super) fn closure_here(&mut self, text: tree::Closure) -> Value {
+        let closure = self.written_here(text);
+        self.closure(closure)
+    }
+
+    /// The same, before a name means it.
+    pub(super) fn written_here(&self, text: tree::Closure) -> Closure<'a> {
         let scope = Scope {
             names: self.scopes.clone(),
             expanding: self.expanding.clone(),
             locals: Some(self.locals.len()),
         };
-        self.closure(Closure { text, source: self.source, scope })
+        Closure { text, source: self.source, scope, outermost: None }
+    }
+
+    /// The closure that a name means.
+    pub(super) fn closure_named(&self, name: &str) -> Option<usize> {
+        let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
+        found.find_map(|(known, meaning)| match meaning {
+            Value::Closure(closure) if known == name => Some(*closure),
+            _ => None,
+        })
     }
 
     /// A closure that a name can mean.
@@ -96,25 +111,15 @@ impl<'a> Lowering<'a, '_> {
 }
 
 impl Frame {
+    /// Whether it is a loop of the C.
+    pub(super) fn is_loop(&self) -> bool {
+        self.mark.is_none() && self.outermost.is_none()
+    }
+
     /// That of a block, which is left where its mark is declared.
     pub(super) fn block(label: Option<&str>, target: Option<&Target>) -> Frame {
         let (label, target) = (label.map(str::to_owned), target.cloned());
-        Frame { label, target, mark: None, joined: false, pass: false, behind: Vec::new() }
-    }
-}
-
-/// What its author says of a loop.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Said<'l> {
-    pub label: Option<&'l str>,
-    /// Whether he wrote it as one with what stands around it.
-    pub joined: bool,
-}
-
-impl<'l> Said<'l> {
-    /// The label of a loop that stands for itself.
-    pub(super) fn label(label: Option<&'l str>) -> Said<'l> {
-        Said { label, joined: false }
+        Frame { label, target, mark: None, outermost: None, pass: false, behind: Vec::new() }
     }
 }
 
@@ -140,6 +145,8 @@ pub(super) struct Closure<'a> {
     /// The function that its body stands in.
     pub source: &'a tree::Function,
     pub scope: Scope<'a>,
+    /// Of the pass of a loop through what a function gives: the loop's label, and the frame that what leaves it leaves.
+    pub outermost: Option<(Option<String>, usize)>,
 }
 
 /// The meaning of names in a closure.

@@ -4,7 +4,7 @@ use bessemer_ir::Type;
 use bessemer_ir::tree::{self, Site};
 
 use super::Result;
-use super::lowering::{Frame, Lowering, PASS, Said};
+use super::lowering::{Frame, Lowering, PASS};
 
 impl Lowering<'_, '_> {
     /// Whether what is gone through is an `Option`.
@@ -31,7 +31,7 @@ impl Lowering<'_, '_> {
     pub(super) fn one_pass(
         &mut self,
         site: Site,
-        Said { label, joined }: Said<'_>,
+        label: Option<&str>,
         part: &tree::Part,
         body: &tree::Block,
     ) -> Result<()> {
@@ -39,7 +39,7 @@ impl Lowering<'_, '_> {
         let pattern = tree::Pattern::Constructor("Some".into(), vec![part.pattern.clone()]);
         let there = tree::ExprKind::Let(Box::new(pattern), Box::new(part.array.clone()));
         let then = tree::ExprKind::If(Box::new(of(there)), body.clone(), None);
-        let frame = Frame { pass: true, joined, ..Frame::block(label, None) };
+        let frame = Frame { pass: true, ..Frame::block(label, None) };
         let then = tree::Block { stmts: vec![tree::Stmt::Expr(of(then))], tail: None };
         let span = self.span(site);
         self.left(PASS, frame, span, |inner| inner.block_effect(&then))

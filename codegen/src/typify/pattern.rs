@@ -11,6 +11,7 @@ use bessemer_ir::{
     Type,
 };
 
+use super::closure_args::is_hidden;
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::is_settled;
@@ -39,6 +40,13 @@ impl Lowering<'_, '_> {
                 subjects.push(next);
             }
             return Ok(Value::Tuple(subjects, None));
+        }
+        if let tree::ExprKind::Apply(name, arguments) = &expr.kind
+            && self.stands_here(expr)
+        {
+            return self.applied(name, arguments, expr.site, |inner, closure| {
+                inner.subject(&closure.body)
+            });
         }
         if let Some(parts) = self.parts_named(expr) {
             return Ok(parts);
@@ -143,10 +151,10 @@ impl Lowering<'_, '_> {
             (
                 tree::Pattern::Name { name, slot, mutable: false, inner: None },
                 Value::Tuple(parts, _),
-            ) if *slot != NO_SLOT && self.source.tree.role == tree::Role::Expanded => {
+            ) if is_hidden(name) || self.source.tree.role == tree::Role::Expanded => {
                 // One that lends to be changed has no type of its own, and is only taken apart.
-                let stands = Value::Tuple(parts.clone(), self.slot(*slot, site).ok());
-                names.push(Named::of(name, *slot, stands, site));
+                let ty = if *slot == NO_SLOT { None } else { self.slot(*slot, site).ok() };
+                names.push(Named::of(name, *slot, Value::Tuple(parts.clone(), ty), site));
                 Ok(None)
             }
             _ => problem(
@@ -321,11 +329,6 @@ impl Lowering<'_, '_> {
                     .map(|range| super::within::test(&value, range, place.span))
                     .reduce(|one, other| Expr::logic(LogicOp::Or, one, other)))
             }
-            (tree::Pattern::Constructor(..), Type::Array { .. } | Type::Matrix { .. }) => problem(
-                site,
-                "`flatten` goes through `Option`s in the DSL, and through nothing else",
-                "write a loop in a loop: `for row in &rows { for x in row { … } }`",
-            ),
             _ => problem(
                 site,
                 "this pattern does not fit what the DSL takes apart",

@@ -6,7 +6,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::lowering::{Lowering, PASS, Said};
+use super::lowering::{Lowering, PASS};
 use super::{OUR_FAULT, Result, problem};
 
 /// Where a stepped range begins, and what it takes to get on.
@@ -22,7 +22,7 @@ impl Lowering<'_, '_> {
     pub(super) fn stepped(
         &mut self,
         site: Site,
-        said: Said<'_>,
+        label: Option<&str>,
         (name, ty): (&str, Type),
         range: &tree::Range,
         bounds: [Expr; 2],
@@ -37,7 +37,7 @@ impl Lowering<'_, '_> {
         let steps = self.steps(site, int, range, bounds);
         self.naming = naming;
         let steps = steps?;
-        self.repeated(said, None, span, |inner| {
+        self.repeated(label, None, span, |inner| {
             let pass = LocalId(inner.locals.len() as u32);
             let passes = steps.passes.clone();
             let counted = passes.ty.clone();

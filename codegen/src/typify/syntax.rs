@@ -134,3 +134,8 @@ pub(super) fn slots_of(tree: &tree::FunctionTree, name: &str) -> Vec<u32> {
     visit::Visit::block(&mut declared, &tree.body);
     declared.slots
 }
+
+/// Whether a function gives an iterator.
+pub(super) fn generates(function: &tree::Function) -> bool {
+    function.tree.params.last().is_some_and(|param| param.name == tree::EACH)
+}

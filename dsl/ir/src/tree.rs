@@ -430,8 +430,6 @@ pub enum ExprKind {
         /// The body.
         body: Block,
     },
-    /// A loop that its author wrote as one with what stands around it, `rows.iter().flat_map(…)`: what leaves it leaves that.
-    Joined(Box<Expr>),
     /// `#[unroll(4)]` above a `for`; 1: `#[keep]`.
     Unroll(u32, Box<Expr>),
     /// `return value`.
@@ -497,9 +495,6 @@ pub struct Closure {
 
 /// The slot of a name that no author wrote: its type is that of what it stands for.
 pub const NO_SLOT: u32 = u32::MAX;
-
-/// The label of what leaves the innermost loop alone, also where that is one with what stands around it.
-pub const ALONE: &str = "%alone";
 
 /// The variant that `?` goes on with, in a pattern: `Some`, or `Ok`.
 pub const GOES_ON: &str = "?";

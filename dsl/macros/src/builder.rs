@@ -222,7 +222,6 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         refusals.add(&subject.signature.generics, refuse::ENTRY_GENERIC);
     }
     let parameters = lower::parameters(signature, refusals);
-    lower::as_iterators(&parameters, &mut copy);
     let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
     walk.mutable = lower::mutable_names(signature, &copy);
     let mut params = Vec::new();

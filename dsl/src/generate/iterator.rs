@@ -10,6 +10,7 @@ use bessemer_ir::tree::{self, Desugared, Together, Ty};
 
 use super::builder::{Builder, Callee};
 use super::builtin::markers;
+use super::option;
 use super::slot::{Called, Companion, DslType, Exclusive, Seen, Shared, Value};
 use crate::Plain;
 use crate::iterate;
@@ -20,6 +21,13 @@ pub struct Items<T>(PhantomData<T>);
 impl<T> Clone for Items<T> {
     fn clone(&self) -> Self {
         Items(PhantomData)
+    }
+}
+
+#[allow(clippy::unused_self)]
+impl<T> Items<T> {
+    pub fn __b_clone(&self) -> Called<option::AsRef, Self> {
+        unreachable!("a witness copy is never run")
     }
 }
 
@@ -67,8 +75,16 @@ impl<T> DslType for Items<T> {
     }
 }
 
-impl<T> Seen for Items<T> {
-    type Slot = Items<()>;
+impl<T: Seen> Seen for Items<T> {
+    type Slot = Items<T::Slot>;
+}
+
+impl<T> Plain for Items<T> {
+    const WORDS: usize = 0;
+    fn store(&self, _: &mut dyn FnMut(u64)) {}
+    fn load(_: &mut dyn FnMut() -> u64) -> Self {
+        unreachable!("a witness copy is never run")
+    }
 }
 
 /// A reference is a value where a function stands in place: it is what it refers to.
@@ -103,28 +119,32 @@ macro_rules! references {
 references! { Shared Exclusive }
 
 /// The type of an item in a slot.
-type Item<I> = <<I as Iterator>::Item as Seen>::Slot;
+pub(super) type Item<I> = <<I as Iterator>::Item as Seen>::Slot;
 
-/// The marker of a function of what an iterator ends in, by what it is generic over.
-macro_rules! ends {
-    ($($marker:ident<$($of:ident $(: $bound:path)?),+>: $function:ident($($parameter:ty),*);)*) => {$(
+/// The marker of a function that takes an iterator, by what it is generic over.
+macro_rules! takes_items {
+    ($module:ident: $(
+        $marker:ident<$($of:ident $(: $bound:path)?),+>: $function:ident($($parameter:ty),*);
+    )*) => {$(
         #[doc = concat!("The marker of `", stringify!($function), "`.")]
         pub struct $marker<$($of),+>(PhantomData<($($of,)+)>);
         impl<$($of: Value $(+ $bound)?),+> Callee for $marker<$($of),+> {
             fn callee(cx: &mut Builder) -> tree::Callee {
-                let function = iterate::$function::__call as fn($($parameter),*) -> _;
+                let function = $module::$function::__call as fn($($parameter),*) -> _;
                 Companion::callee(function, cx)
             }
         }
     )*};
 }
+pub(super) use takes_items;
 
-ends! {
+takes_items! { iterate:
     Count<T>: count(Items<T>);
     Fold<T, A>: fold(Items<T>, A, fn(A, T) -> A);
     Any<T>: any(Items<T>, fn(T) -> bool);
     All<T>: all(Items<T>, fn(T) -> bool);
     Find<T>: find(Items<T>, fn(&T) -> bool);
+    FindMap<T, U>: find_map(Items<T>, fn(T) -> Option<U>);
     Last<T>: last(Items<T>);
     Next<T>: next(Items<T>);
     Nth<T>: nth(Items<T>, usize);
@@ -139,7 +159,14 @@ ends! {
 markers! {
     Sum: Desugared(Desugared::Together(Together::Sum));
     Product: Desugared(Desugared::Together(Together::Product));
+    TryFold: Desugared(Desugared::Together(Together::Tried));
 }
+
+/// What a `try_fold` gives.
+pub trait Tried<A> {}
+
+impl<A> Tried<A> for Option<A> {}
+impl<A, E> Tried<A> for Result<A, E> {}
 
 /// What iterators end in.
 pub trait Ends: Iterator<Item: Seen> + Sized {
@@ -198,6 +225,13 @@ pub trait Ends: Iterator<Item: Seen> + Sized {
     ) -> Called<Fold<Item<Self>, A::Slot>, A> {
         unreachable!()
     }
+    fn __b_try_fold<A, R: Tried<A>, F: FnMut(A, Self::Item) -> R>(
+        self,
+        _: A,
+        _: F,
+    ) -> Called<TryFold, R> {
+        unreachable!()
+    }
     fn __b_any<F: FnMut(Self::Item) -> bool>(self, _: F) -> Called<Any<Item<Self>>, bool> {
         unreachable!()
     }
@@ -208,6 +242,12 @@ pub trait Ends: Iterator<Item: Seen> + Sized {
         self,
         _: F,
     ) -> Called<Find<Item<Self>>, Option<Self::Item>> {
+        unreachable!()
+    }
+    fn __b_find_map<U: Seen, F: FnMut(Self::Item) -> Option<U>>(
+        self,
+        _: F,
+    ) -> Called<FindMap<Item<Self>, U::Slot>, Option<U>> {
         unreachable!()
     }
     fn __b_last(self) -> Called<Last<Item<Self>>, Option<Self::Item>> {

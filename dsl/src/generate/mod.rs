@@ -3,6 +3,7 @@
 //! A builder's slots tell what rustc decided ([`slot`]); companions tell which function a call means,
 //! the DSL's own operations among them ([`builtin`]); [`Builder`] collects the package.
 
+mod adapters;
 pub mod ascii;
 mod builder;
 pub mod builtin;
@@ -53,6 +54,7 @@ pub use slot::{
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.
 pub mod prelude {
+    pub use super::adapters::{__items, Adapters as _};
     pub use super::ascii::{ByteBuiltins as _, CharBuiltins as _};
     pub use super::builtin::{AxisBuiltins as _, CrossBuiltin as _, IdentityBuiltin as _};
     pub use super::builtin::{

@@ -390,4 +390,4 @@ macro_rules! companions_of {
     )*};
 }
 
-companions_of! { ; A; A, B; A, B, C; }
+companions_of! { ; A; A, B; A, B, C; A, B, C, D; }

@@ -234,6 +234,12 @@ fn builders(message: &Message<'_>) -> Option<Words> {
             "mark the `impl` block that has it `#[data]` or `#[component]`"
         };
         let owner = types::within_modules(&owner);
+        if owner.starts_with("Items<") {
+            return words(
+                format!("`{method}` behind a link of a chain is not part of the DSL"),
+                "write a `for` through what stands before it: its body leaves out, and ends by `break`",
+            );
+        }
         return words(format!("`{method}` of `{owner}` is not part of the DSL"), help);
     }
     if title.starts_with("`core::cmp::max` and") {

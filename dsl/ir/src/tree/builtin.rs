@@ -140,7 +140,7 @@ builtins! {
     }
 
     /// What becomes of numbers or matrices together.
-    Together { Sum, Product, }
+    Together { Sum, Product, Tried, }
 }
 
 impl Parts {

@@ -128,7 +128,6 @@ macro_rules! visitor {
                 | ExprKind::Deref(x)
                 | ExprKind::Cast(x)
                 | ExprKind::Try(_, x)
-                | ExprKind::Joined(x)
                 | ExprKind::Unroll(_, x)
                 | ExprKind::Assert(x, _) => visitor.expr(x),
                 ExprKind::Binary(_, a, b)

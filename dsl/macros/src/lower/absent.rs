@@ -28,7 +28,7 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ),
     ("to_be to_le to_ne_bytes", 0, BYTES),
     ("from_be from_le from_ne_bytes", 0, BYTES),
-    ("inspect inspect_err", 1, "look at the value with `if let`"),
+    ("inspect_err", 1, "look at the value with `if let`"),
     ("try_inverse_mut", 0, "call `bessemer::inverse_mut`"),
     ("symmetric_eigen symmetric_eigenvalues", 0, "call `bessemer::linear::symmetric_eigen(&a)`"),
     ("svd svd_unordered", 2, "call `bessemer::linear::svd(&a)`"),

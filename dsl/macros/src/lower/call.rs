@@ -7,11 +7,12 @@
 //!
 //! A companion returns what the function returns, and beside it, in a slot, which function it was.
 
-use bessemer_ir::tree::{EACH, ExprKind};
+use bessemer_ir::tree::{self, EACH, ExprKind};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
-use super::made::UNIT;
+use super::each::is_range;
+use super::made::{UNIT, plain};
 use super::names::{GENERATING, callee_name, text};
 use super::syntax::last_segment;
 use super::walk::Lowering;
@@ -82,11 +83,8 @@ impl Lowering<'_> {
         if let Some(lines) = self.chained_lines(it) {
             *it = lines;
         }
-        if let Some(kind) = self.chain(it) {
-            return kind;
-        }
         self.functions_as_closures(it);
-        let mut arguments = vec![self.value(&mut it.receiver)];
+        let mut arguments = vec![self.receiver(&mut it.receiver)];
         // What a panic would say stays in the Rust.
         let message = ["expect", "expect_err"].iter().any(|name| it.method == name)
             && matches!(it.args.first(), Some(syn::Expr::Lit(it)) if matches!(it.lit, syn::Lit::Str(_)));
@@ -105,6 +103,14 @@ impl Lowering<'_> {
         }
         it.method = companion_name(&it.method);
         ExprKind::Call(self.take(it), arguments)
+    }
+
+    /// The receiver of a method: a range is gone through there.
+    fn receiver(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        match is_range(expr) {
+            true => plain(self.handing(expr), &expr.clone()),
+            false => self.value(expr),
+        }
     }
 
     /// Whether `path` names the function that is being lowered.

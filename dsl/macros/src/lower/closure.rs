@@ -11,12 +11,12 @@ use syn::visit::{self, Visit};
 use super::made::plain;
 use super::names::{site, text};
 use super::refuse::Refusals;
-use super::syntax::{is_handed, names};
+use super::syntax::names;
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
 
 /// Methods whose last argument could be a function: how many arguments they have, and how many it takes.
-const TAKES_FUNCTION: [(&str, usize, usize); 10] = [
+const TAKES_FUNCTION: [(&str, usize, usize); 25] = [
     ("map", 1, 1),
     ("map_err", 1, 1),
     ("and_then", 1, 1),
@@ -27,6 +27,21 @@ const TAKES_FUNCTION: [(&str, usize, usize); 10] = [
     ("map_with_location", 1, 3),
     ("fold", 2, 2),
     ("zip_fold", 3, 3),
+    ("filter", 1, 1),
+    ("filter_map", 1, 1),
+    ("map_while", 1, 1),
+    ("take_while", 1, 1),
+    ("skip_while", 1, 1),
+    ("flat_map", 1, 1),
+    ("inspect", 1, 1),
+    ("for_each", 1, 1),
+    ("any", 1, 1),
+    ("all", 1, 1),
+    ("find", 1, 1),
+    ("position", 1, 1),
+    ("rposition", 1, 1),
+    ("reduce", 1, 2),
+    ("try_fold", 2, 2),
 ];
 
 /// The label of a body that is left early.
@@ -143,7 +158,6 @@ impl Lowering<'_> {
                 in_full(expr, true);
                 self.argument(expr)
             }
-            other if is_handed(other) => self.items_argument(other),
             other => self.value(other),
         }
     }
@@ -186,7 +200,11 @@ impl Lowering<'_> {
         if function.path.get_ident().is_some_and(|name| self.is_local(&text(name))) {
             return;
         }
-        let names = ["value", "second", "third"].into_iter().take(taken);
+        let names = match taken {
+            2 if method != "zip_map" => ["gathered", "value", ""],
+            _ => ["value", "second", "third"],
+        };
+        let names = names.into_iter().take(taken);
         let names: Vec<_> = names.map(|it| syn::Ident::new(it, Span::mixed_site())).collect();
         let closure = quote_spanned! { function.span() => |#(#names),*| #function(#(#names),*) };
         if let (Ok(closure), Some(last)) = (syn::parse2(closure), it.args.last_mut()) {

@@ -6,7 +6,7 @@ use syn::spanned::Spanned;
 
 use super::names::{GENERATING, place, site, span, text};
 use super::walk::Lowering;
-use super::{bound, each, item, pattern, refuse};
+use super::{bound, each, pattern, refuse};
 
 impl Lowering<'_> {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
@@ -111,11 +111,10 @@ impl Lowering<'_> {
                 return None;
             };
             let slot = walk.slot();
-            let name = text(&ident);
-            walk.bind(&name);
+            let name = walk.bind_here(&text(&ident));
             let mut body = walk.branch(&mut it.body, false);
-            if item::is_mutable(&it.pat) {
-                body.stmts.insert(0, item::copied(name.clone(), &name, slot, &ident));
+            if each::is_mutable(&it.pat) {
+                body.stmts.insert(0, each::copied(name.clone(), &name, slot, &ident));
             }
             pattern::name_wild(&mut it.pat);
             it.body.stmts.insert(0, walk.look(slot, &ident));

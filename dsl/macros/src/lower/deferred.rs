@@ -1,21 +1,19 @@
-//! Iterators and ranges with a name: `let squares = values.iter().map(|x| x * x);`.
+//! Ranges with a name: `let middle = 1..n - 1;`.
 //!
-//! An iterator does nothing before it is gone through, so it stands where that is, in the tree and in the copy, and its
-//! name is nothing there. What it refers to Rust lets nobody change in between.
+//! A range does nothing before it is gone through, so it stands where that is, in the tree and in the copy, and its name is
+//! nothing there.
 //!
-//! Invariants: what is copied when the iterator is made cannot change before it is gone through, so a number that may, or
-//! that may fault, gets a name of its own where the iterator is made; no name in it means something else later. Any other
-//! iterator keeps its refusal.
+//! Invariants: what is copied when the range is made cannot change before it is gone through, so a number that may, or that
+//! may fault, gets a name of its own where the range is made; no name in it means something else later. Any other range
+//! keeps its refusal.
 
-use bessemer_ir::tree::EACH;
-use proc_macro2::Span;
 use syn::parse_quote;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 
-use super::each::{grouping, is_cut, is_range};
+use super::each::is_range;
 use super::names::text;
-use super::syntax::{bare, gives_references, is_iterator, is_plain, names};
+use super::syntax::{bare, is_plain, names};
 use super::walk::Lowering;
 
 impl Lowering<'_> {
@@ -48,9 +46,10 @@ impl Lowering<'_> {
         let plain = name.mutability.is_none() && name.by_ref.is_none() && name.subpat.is_none();
         let mut made = Made { name: &name.ident, stmts: Vec::new(), names: Vec::new() };
         let mut iterator = (*init.expr).clone();
-        if !plain || !is_iterator(&iterator) || !self.settle(&mut iterator, &mut made) {
+        if !plain || !is_range(&iterator) {
             return None;
         }
+        self.settle(&mut iterator, &mut made);
         let mut free = Free { bound: Vec::new(), names: vec![text(&name.ident)] };
         free.visit_expr(&iterator);
         let mut hides = Hides { name: text(&name.ident), free: free.names, found: false };
@@ -59,44 +58,21 @@ impl Lowering<'_> {
         (!hides.found).then(|| (Named { name: name.ident.clone(), iterator }, made.stmts))
     }
 
-    /// Whether an iterator can stand elsewhere: what is copied where it is made stays as it is, or gets a name there.
-    fn settle(&self, expr: &mut syn::Expr, made: &mut Made<'_>) -> bool {
-        let lent = |it: &syn::ExprMethodCall| gives_references(expr) && is_plain(&it.receiver);
-        if matches!(bare(expr), syn::Expr::MethodCall(it) if lent(it)) {
-            return true;
-        }
-        let is_iterator = is_iterator(expr);
-        match expr {
+    /// Gives what is copied where a range is made a name there, unless it stays as it is.
+    fn settle(&self, range: &mut syn::Expr, made: &mut Made<'_>) {
+        match range {
             syn::Expr::Paren(it) => self.settle(&mut it.expr, made),
             syn::Expr::Range(it) => {
                 for (end, role) in [(&mut it.start, "start"), (&mut it.end, "end")] {
                     end.iter_mut().for_each(|end| self.settle_number(end, made, (role, false)));
                 }
-                true
             }
-            syn::Expr::MethodCall(it) if is_iterator => {
-                let (groups, cuts) = (grouping(&it.method).is_some(), is_cut(it));
-                let lent = groups && is_plain(&it.receiver);
-                let counts = groups || cuts || it.method == "step_by";
-                if !lent && !self.settle(&mut it.receiver, made) {
-                    return false;
-                }
-                it.args.iter_mut().all(|it| {
-                    if counts {
-                        self.settle_number(it, made, ("count", !cuts));
-                    }
-                    counts || self.is_settled(it) || self.settle(it, made)
-                })
+            syn::Expr::MethodCall(it) => {
+                self.settle(&mut it.receiver, made);
+                it.args.iter_mut().for_each(|it| self.settle_number(it, made, ("count", true)));
             }
-            other => self.is_settled(other),
+            _ => {}
         }
-    }
-
-    /// Whether an iterator, or what is gone through as one, is the same later, with nothing to compute before.
-    pub(super) fn stays(&self, iterator: &syn::Expr) -> bool {
-        let name = syn::Ident::new(EACH, Span::call_site());
-        let mut made = Made { name: &name, stmts: Vec::new(), names: Vec::new() };
-        self.settle(&mut iterator.clone(), &mut made) && made.stmts.is_empty()
     }
 
     /// Gives a number a name where the iterator is made, unless it is the same later. A size of zero `faults` there.

@@ -5,30 +5,32 @@
 use bessemer_ir::tree::{self, ExprKind, Order};
 use bessemer_ir::{Int, Scalar};
 
-use super::flow::Source;
 use super::made::plain;
 use super::names::{site, text};
-use super::syntax::{gives_references, is_linked, shared};
+use super::refuse;
+use super::syntax::{gives_references, is_source, shared};
 use super::walk::Lowering;
-use super::{item, refuse};
 
 /// The type of a count.
 const SIZE: Option<Scalar> = Some(Scalar::Int(Int::Usize));
 
+/// The sequence of a loop.
+enum Source {
+    One { array: Box<tree::Expr>, owned: bool, group: Option<tree::Group>, reversed: bool },
+    Zip(Box<Source>, Box<Source>),
+}
+
 /// The sequence of a loop, and how it goes through it.
-pub(super) struct Way {
-    pub source: Source,
-    pub indexed: bool,
-    pub order: tree::Order,
-    pub cuts: Vec<tree::Cut>,
+struct Way {
+    source: Source,
+    indexed: bool,
+    order: tree::Order,
+    cuts: Vec<tree::Cut>,
 }
 
 impl Lowering<'_> {
     pub(super) fn each_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
-        if is_linked(&it.expr) {
-            return self.linked_loop(it, label);
-        }
         let before = self.refusals.len();
         let Way { source, indexed, order, cuts } = self.way(&mut it.expr);
         let refused = self.refusals.len();
@@ -44,9 +46,8 @@ impl Lowering<'_> {
             let mut own = None;
             let index = match index {
                 Some(syn::Pat::Ident(it)) if it.by_ref.is_none() && it.subpat.is_none() => {
-                    let name = text(&it.ident);
-                    walk.bind(&name);
-                    let copy = || item::copied(name.clone(), &name, tree::NO_SLOT, &it.ident);
+                    let name = walk.bind_here(&text(&it.ident));
+                    let copy = || copied(name.clone(), &name, tree::NO_SLOT, &it.ident);
                     own = it.mutability.map(|_| copy());
                     Some(name)
                 }
@@ -72,7 +73,10 @@ impl Lowering<'_> {
     }
 
     /// The adaptors behind the source: `.enumerate()`, `.rev()`, `.skip(n)`, `.take(n)`.
-    pub(super) fn way(&mut self, expr: &mut syn::Expr) -> Way {
+    fn way(&mut self, expr: &mut syn::Expr) -> Way {
+        if !is_source(expr) {
+            return self.plain_way(expr);
+        }
         match expr {
             syn::Expr::Paren(it) if !is_range(&it.expr) => self.way(&mut it.expr),
             syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
@@ -151,7 +155,10 @@ impl Lowering<'_> {
         }
     }
 
-    pub(super) fn source(&mut self, expr: &mut syn::Expr) -> Source {
+    fn source(&mut self, expr: &mut syn::Expr) -> Source {
+        if !is_source(expr) {
+            return self.whole_source(expr);
+        }
         match expr {
             syn::Expr::Paren(it) if !matches!(&*it.expr, syn::Expr::Range(_)) => {
                 self.source(&mut it.expr)
@@ -230,17 +237,18 @@ impl Lowering<'_> {
                 }
                 source
             }
-            other => {
-                let (owned, range) = (!matches!(other, syn::Expr::Reference(_)), is_range(other));
-                let before = self.refusals.len();
-                let array = Box::new(self.value(other));
-                if range {
-                    self.refusals.forget_since(before);
-                    self.refusals.add(&other, refuse::LINKED_RANGE);
-                }
-                Source::One { array, owned, group: None, reversed: false }
-            }
+            other => self.whole_source(other),
         }
+    }
+
+    /// All that is in an array, or what a call gives.
+    fn whole_source(&mut self, expr: &mut syn::Expr) -> Source {
+        let (owned, range) = (!matches!(expr, syn::Expr::Reference(_)), is_range(expr));
+        if range {
+            self.refusals.add(&expr, refuse::LINKED_RANGE);
+        }
+        let array = Box::new(self.value(expr));
+        Source::One { array, owned, group: None, reversed: false }
     }
 
     /// `a.iter().chain(b)`, of elements that are read.
@@ -264,7 +272,7 @@ impl Lowering<'_> {
         }
     }
 
-    pub(super) fn elements(
+    fn elements(
         &mut self,
         pattern: &syn::Pat,
         source: Source,
@@ -282,6 +290,23 @@ impl Lowering<'_> {
             }
             (other, _) => self.refusals.add(other, refuse::DESTRUCTURING),
         }
+    }
+}
+
+/// `let name = known;`, where one may be changed and the other is a place or a counter.
+pub(super) fn copied(name: String, known: &str, slot: u32, node: &syn::Ident) -> tree::Stmt {
+    let value = plain(ExprKind::Local(known.to_owned()), node);
+    tree::Stmt::Let { name, slot, site: value.site, value: Some(value) }
+}
+
+/// Whether what a pattern names may be changed.
+pub(super) fn is_mutable(pattern: &syn::Pat) -> bool {
+    match pattern {
+        syn::Pat::Ident(it) => it.mutability.is_some(),
+        syn::Pat::Reference(it) => is_mutable(&it.pat),
+        syn::Pat::Paren(it) => is_mutable(&it.pat),
+        syn::Pat::Type(it) => is_mutable(&it.pat),
+        _ => false,
     }
 }
 

@@ -7,7 +7,7 @@ use quote::ToTokens;
 use super::made::UNIT;
 use super::names::{place, site, text};
 use super::operator::Side;
-use super::syntax::{is_variant, last_segment};
+use super::syntax::{is_source, is_variant, last_segment};
 use super::walk::Lowering;
 use super::{bound, call, macros, operator, pattern, refuse, signature, unroll};
 
@@ -51,6 +51,9 @@ impl Lowering<'_> {
         }
         if let Some(other) = self.rewritten(expr) {
             *expr = other;
+        }
+        if is_source(expr) {
+            return (self.handing(expr), false);
         }
         match expr {
             syn::Expr::Lit(it) => (self.literal(&it.lit), false),

@@ -10,6 +10,7 @@ use proc_macro2::Span;
 use syn::parse_quote;
 
 use super::closure::without_returns;
+use super::each::is_range;
 use super::refuse::{self, Refusals};
 use super::syntax::pairs;
 use crate::closures;
@@ -54,19 +55,21 @@ struct Names {
 impl Names {
     /// A pattern for an item, and the item by the names in it: pairs have no name of their own.
     fn of(&mut self, iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
-        let Some((first, second)) = pairs(iterator) else { return self.one("item") };
+        let Some((first, second)) = pairs(iterator) else {
+            return self.one(if is_range(iterator) { "i" } else { "item" });
+        };
         let left = match first {
             Some(first) => self.of(first),
-            None => self.one("index"),
+            None => self.one("i"),
         };
         pair(left, self.of(second))
     }
 
     fn one(&mut self, name: &str) -> (syn::Pat, syn::Expr) {
         self.given += 1;
-        let name = match self.given {
-            1 => name.to_owned(),
-            more => format!("{name}_{more}"),
+        let name = match (name, self.given) {
+            ("i", _) | (_, 1) => name.to_owned(),
+            (name, more) => format!("{name}_{more}"),
         };
         let name = syn::Ident::new(&name, Span::mixed_site());
         (parse_quote! { #name }, parse_quote! { #name })

@@ -147,7 +147,6 @@ reasons! {
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
     ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`, `.skip(n)`, `.take(n)`, `.windows(n)`, `.chunks(n)`, `.chunks_exact(n)`, `.step_by(n)`, `.chain(…)`; or through a range";
     CHAINED: "of these two, one is not read element by element by reference", "write `a.iter().chain(b.iter())` of arrays, slices, lists or vectors; two loops otherwise";
-    CHAINED_LATER: "what comes second in `.chain(…)` is made before the first is gone through, and may change until then", "give it a name without `mut` before the chain";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
     CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
@@ -156,8 +155,6 @@ reasons! {
     EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
     STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";
-    CHAIN: "this chain of iterators is not in the DSL", "begin with an array, a slice, a vector or a range; `.enumerate .zip .chain .rev .skip .take .step_by`, then `.map .filter .filter_map .flat_map .chain .take_while .skip_while .map_while .scan .flatten .copied`; end with `.collect .sum .product .fold .try_fold .any .all .count .min .max .min_by_key .max_by_key .min_by .max_by .next .nth .last .find .position .rposition`";
-    SCAN: "this is computed before the chain begins in the DSL", "write a number or a name: `let start = …;` before it";
     SORTING: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, or `a.cmp(b)`, of parts of both if need be; or `sort_by_key`";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
     UNSAFE: "`unsafe` has no meaning that the C could keep", "state is a field of the component; the firmware's functions are `#[external(header = \"board.h\")]`; elements have indices, floats `to_bits`";

@@ -10,7 +10,7 @@ use syn::visit::Visit;
 use super::each::writes;
 use super::names::text;
 use super::sort::Leg;
-use super::syntax::{bare, compared, gives_pairs, is_ended, is_plain, names};
+use super::syntax::{bare, compared, gives_pairs, is_plain, names};
 use super::walk::Lowering;
 use super::{refuse, sort};
 
@@ -31,7 +31,9 @@ impl Lowering<'_> {
         };
         match (text(&it.method).as_str(), it.args.len()) {
             ("contains", 1) => self.contained(it),
-            ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1) if is_ended(it, true) => {
+            ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1)
+                if self.is_iterator(&it.receiver) =>
+            {
                 self.extreme(it)
             }
             ("get" | "get_mut", 1) => gotten(it),
@@ -45,6 +47,17 @@ impl Lowering<'_> {
             }
             ("sort_by_key" | "sort_unstable_by_key", 1) => sort::sorted(it, Leg::Tree),
             _ => None,
+        }
+    }
+
+    /// Whether an expression is an iterator if it has a method that only these have, as far as its syntax shows.
+    fn is_iterator(&self, expr: &syn::Expr) -> bool {
+        match bare(expr) {
+            syn::Expr::MethodCall(_) | syn::Expr::Call(_) | syn::Expr::Range(_) => true,
+            syn::Expr::Path(it) => {
+                it.path.get_ident().is_some_and(|name| self.is_called(&text(name)))
+            }
+            _ => false,
         }
     }
 

@@ -6,6 +6,7 @@ use quote::quote;
 use super::expr::is_unit_control;
 use super::made::UNIT;
 use super::names::{site, slot_name, text};
+use super::syntax::bare;
 use super::walk::Lowering;
 use super::{pattern, refuse, signature};
 
@@ -102,6 +103,13 @@ impl Lowering<'_> {
         local: &mut syn::Local,
     ) -> (Option<tree::Stmt>, Option<syn::Stmt>) {
         let site = site(&local.let_token);
+        if let Some(init) = &local.init
+            && let syn::Expr::Range(syn::ExprRange {
+                limits: syn::RangeLimits::HalfOpen(_), ..
+            }) = bare(&init.expr)
+        {
+            self.refusals.add(&init.expr, refuse::RANGE_VALUE);
+        }
         let value = local.init.as_mut().map(|init| self.value(&mut init.expr));
         if let syn::Pat::Type(typed) = &local.pat {
             signature::check_type(&typed.ty, self.refusals);
@@ -111,11 +119,7 @@ impl Lowering<'_> {
         };
         let slot = self.slot();
         pattern::name_wild(&mut local.pat);
-        let mut name = text(&ident);
-        match self.apart {
-            Some(_) => name = self.bind_apart(&name),
-            None => self.bind(&name),
-        }
+        let name = self.bind_here(&text(&ident));
         let look = if local.init.is_some() {
             Some(self.look(slot, &ident))
         } else {

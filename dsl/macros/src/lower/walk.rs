@@ -135,6 +135,17 @@ impl<'a> Lowering<'a> {
         apart
     }
 
+    /// Makes `name` a local, kept apart where those of patterns are; gives its name in the tree.
+    pub(super) fn bind_here(&mut self, name: &str) -> String {
+        match self.apart {
+            Some(_) => self.bind_apart(name),
+            None => {
+                self.bind(name);
+                name.to_owned()
+            }
+        }
+    }
+
     /// A name in the tree for what the author has none for.
     pub(super) fn hidden(&mut self, name: &str) -> String {
         let mut hidden = name.to_owned();
@@ -208,17 +219,6 @@ impl<'a> Lowering<'a> {
         let name = slot_name(slot);
         syn::Stmt::Expr(
             syn::Expr::Verbatim(quote_spanned! { place.span() => __look(&#name, &#place) }),
-            Some(Default::default()),
-        )
-    }
-
-    /// The same for what a reference refers to.
-    pub(super) fn look_behind(&self, slot: u32, reference: &syn::Ident) -> syn::Stmt {
-        let name = slot_name(slot);
-        syn::Stmt::Expr(
-            syn::Expr::Verbatim(
-                quote_spanned! { reference.span() => __look(&#name, &*#reference) },
-            ),
             Some(Default::default()),
         )
     }

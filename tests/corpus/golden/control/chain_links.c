@@ -51,8 +51,8 @@ bessemer_status_t chain_links_leading_number(const uint8_t text[6], uint32_t *re
 
 bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start, option_i32_t *result)
 {
-    int32_t level = start;
     option_i32_t max = {.is_some = false};
+    int32_t level = start;
     for (uint32_t i = 0U; i < 6U; i++) {
         option_i32_t result_choice;
         if ((int64_t)level + (int64_t)flows[i] < INT32_MIN

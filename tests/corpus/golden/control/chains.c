@@ -62,12 +62,12 @@ bessemer_status_t programs_control_chains_factorial(uint64_t n, uint64_t *result
     {
         const uint64_t end = min_u64(n, UINT64_C(25));
         bool more = UINT64_C(1) <= end;
-        for (uint64_t item = UINT64_C(1); more; item = more ? item + 1U : item) {
-            more = item < end;
-            if (product > UINT64_MAX / item) {
+        for (uint64_t i = UINT64_C(1); more; i = more ? i + 1U : i) {
+            more = i < end;
+            if (product > UINT64_MAX / i) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            product *= item;
+            product *= i;
         }
     }
     *result = product;

@@ -84,7 +84,7 @@ bessemer_status_t chunks_first_run(const int32_t values[8], int32_t limit, int32
 {
     int32_t sum = 0;
     for (uint32_t i = 0U; i < 8U; i++) {
-        if (!(values[i] > limit)) {
+        if (values[i] <= limit) {
             break;
         }
         if (values[i] <= 100) {

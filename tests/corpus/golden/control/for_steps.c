@@ -130,13 +130,13 @@ bessemer_status_t for_steps_negative(int32_t from, uint8_t width, int32_t *resul
         sum += x;
     }
     int32_t sum_2 = 0;
-    const int32_t x_start = from_2;
-    const int32_t x_end = from_2 + (int32_t)width;
-    const uint64_t x_length = (uint64_t)max_i64((int64_t)x_end - (int64_t)x_start, INT64_C(0));
-    const uint64_t x_passes = x_length / UINT64_C(5)
-        + (uint64_t)(x_length % UINT64_C(5) != UINT64_C(0));
-    for (uint64_t pass = UINT64_C(0); pass < x_passes; pass++) {
-        const int32_t x = wrap_i32((uint32_t)((uint64_t)x_start + pass * UINT64_C(5)));
+    const int32_t i_start = from_2;
+    const int32_t i_end = from_2 + (int32_t)width;
+    const uint64_t i_length = (uint64_t)max_i64((int64_t)i_end - (int64_t)i_start, INT64_C(0));
+    const uint64_t i_passes = i_length / UINT64_C(5)
+        + (uint64_t)(i_length % UINT64_C(5) != UINT64_C(0));
+    for (uint64_t pass = UINT64_C(0); pass < i_passes; pass++) {
+        const int32_t x = wrap_i32((uint32_t)((uint64_t)i_start + pass * UINT64_C(5)));
         if ((int64_t)sum_2 + (int64_t)(x % 7) < INT32_MIN
                 || (int64_t)sum_2 + (int64_t)(x % 7) > INT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;

@@ -58,14 +58,14 @@ bessemer_status_t held_iterators_changed_since(const int32_t samples[6], uint64_
     int32_t *sum)
 {
     uint32_t left = (uint32_t)(first & UINT64_C(3));
-    const uint32_t rest_count = left;
-    const uint32_t rest_count_ = left + 2U;
+    const uint32_t count = left;
+    const uint32_t count_2 = left + 2U;
     left += 3U;
     const uint32_t numbers_start = left;
     left = 0U;
     int32_t sum_value = (int32_t)left;
-    const uint32_t value_count = (uint32_t)min_u64((uint64_t)rest_count, UINT64_C(6));
-    const uint32_t value_count_2 = (uint32_t)min_u64((uint64_t)rest_count_,
+    const uint32_t value_count = (uint32_t)min_u64((uint64_t)count, UINT64_C(6));
+    const uint32_t value_count_2 = (uint32_t)min_u64((uint64_t)count_2,
         (uint64_t)(6U - value_count));
     for (uint32_t i = value_count; i < value_count + value_count_2; i++) {
         if (i >= 6U) {

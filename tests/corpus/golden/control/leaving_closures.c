@@ -114,10 +114,8 @@ bessemer_status_t leaving_closures_by_name(const float values[4], float k, float
 {
     float halves = -0.0F;
     for (uint32_t i = 0U; i < 4U; i++) {
-        const float value = leaving_closures_halved(values[i]);
-        const float x = value;
-        const float sum_choice = k * x;
-        halves += sum_choice;
+        const float selector = leaving_closures_halved(values[i]);
+        halves += k * selector;
     }
     float most = -FLT_MAX;
     for (uint32_t i = 0U; i < 4U; i++) {

@@ -23,9 +23,9 @@ float bin_take(bin_t *self)
 void numbered_strongest(bin_t bins[4], option_pair_usize_f32_t *result)
 {
     *result = (option_pair_usize_f32_t){.is_some = false};
-    for (uint32_t i = 0U; i < 4U; i++) {
-        const float item = bin_take(&bins[i]);
-        const pair_usize_f32_t pair = {.first = i, .second = item};
+    for (uint32_t at = 0U; at < 4U; at++) {
+        const float item = bin_take(&bins[at]);
+        const pair_usize_f32_t pair = {.first = at, .second = item};
         const option_pair_usize_f32_t before = *result;
         result->is_some = true;
         result->value = pair;
@@ -47,9 +47,9 @@ bessemer_status_t numbered_weighted(const int16_t values[6], int16_t least, int6
     uint32_t next = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {
         if (values[i] > least) {
-            const uint32_t i_2 = next;
+            const uint32_t rank = next;
             next += 1U;
-            const int64_t sum_product = ((int64_t)i_2 + INT64_C(1)) * (int64_t)values[i];
+            const int64_t sum_product = ((int64_t)rank + INT64_C(1)) * (int64_t)values[i];
             if ((sum_product >= INT64_C(0) && sum_value > INT64_MAX - sum_product)
                     || (sum_product <= INT64_C(0) && sum_value < INT64_MIN - sum_product)) {
                 return BESSEMER_STATUS_OVERFLOW;
@@ -63,14 +63,14 @@ bessemer_status_t numbered_weighted(const int16_t values[6], int16_t least, int6
 
 uint32_t numbered_every_second(uint8_t count)
 {
-    const uint32_t squares_end = (uint32_t)count;
-    uint32_t next = 0U;
+    const uint32_t end = (uint32_t)count;
     uint32_t a = 0U;
-    for (uint32_t x = 0U; x < squares_end; x++) {
-        const uint32_t b = x * x;
-        const uint32_t i = next;
+    uint32_t next = 0U;
+    for (uint32_t x = 0U; x < end; x++) {
+        const uint32_t at = next;
         next += 1U;
-        if (i % 2U == 1U) {
+        const uint32_t b = x * x;
+        if (at % 2U == 1U) {
             a ^= b;
         }
     }

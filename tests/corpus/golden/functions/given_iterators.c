@@ -114,9 +114,9 @@ void readings_before(const readings_t *self, double limit, option_usize_t *resul
     const uint32_t value_end = most;
     for (uint32_t i = 0U; i < value_end; i++) {
         if (self->values[i] < self->most) {
-            const double value = self->values[i] * 1.5;
             const uint32_t at = next;
             next += 1U;
+            const double value = self->values[i] * 1.5;
             if (value > limit) {
                 result->is_some = true;
                 result->value = at;
@@ -146,24 +146,24 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
             sum += (uint32_t)n;
         }
     }
-    for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
-        if (inputs_contains(inputs, n)) {
+    for (uint16_t one = 0U; one < (uint16_t)U16_BITS; one++) {
+        if (inputs_contains(inputs, one)) {
             bool outer_next = false;
             bool outer_done = false;
-            for (uint16_t n_2 = 0U; n_2 < (uint16_t)U16_BITS; n_2++) {
-                if (inputs_contains(more, n_2)) {
-                    if (n_2 > n) {
+            for (uint16_t other = 0U; other < (uint16_t)U16_BITS; other++) {
+                if (inputs_contains(more, other)) {
+                    if (other > one) {
                         outer_next = true;
                         break;
                     }
-                    if (n_2 == 11U) {
+                    if (other == 11U) {
                         outer_done = true;
                         break;
                     }
-                    if ((int64_t)sum + (int64_t)(uint32_t)(uint16_t)(n - n_2) > UINT32_MAX) {
+                    if ((int64_t)sum + (int64_t)(uint32_t)(uint16_t)(one - other) > UINT32_MAX) {
                         return BESSEMER_STATUS_OVERFLOW;
                     }
-                    sum += (uint32_t)(uint16_t)(n - n_2);
+                    sum += (uint32_t)(uint16_t)(one - other);
                 }
             }
             if (outer_next) {

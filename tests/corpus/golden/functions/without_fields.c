@@ -78,8 +78,8 @@ double without_fields_areas_rectangle(const double samples[4])
 {
     double sum = -0.0;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const double sum_argument = samples[i];
-        sum += without_fields_rectangle_area(sum_argument, samples[i + 1U], 0.5);
+        const double result_argument = samples[i];
+        sum += without_fields_rectangle_area(result_argument, samples[i + 1U], 0.5);
     }
     return sum;
 }
@@ -88,8 +88,8 @@ double without_fields_areas_trapezoid(const double samples[4])
 {
     double sum = -0.0;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const double sum_argument = samples[i];
-        sum += without_fields_trapezoid_area(sum_argument, samples[i + 1U], 0.5);
+        const double result_argument = samples[i];
+        sum += without_fields_trapezoid_area(result_argument, samples[i + 1U], 0.5);
     }
     return sum;
 }

@@ -1,6 +1,6 @@
 //! Random bodies whose operands, indices and closures write what stands beside them: small, and many of them.
 //!
-//! The grammar is data (`beside/grammar.txt`), and so is what the bodies call (`beside/given.txt`). A loan is kept as long as
+//! The grammar is data (`grammar.txt`), and so is what the bodies call (`given.txt`). A loan is kept as long as
 //! the production lasts that makes it, so that rustc takes what comes out; what it refuses all the same is counted.
 
 use bessemer_tests::random::Random;
@@ -8,8 +8,8 @@ use bessemer_tests::random::Random;
 use super::writer::{Entry, Program};
 
 /// What every body may call.
-pub const GIVEN: &str = include_str!("beside/given.txt");
-const GRAMMAR: &str = include_str!("beside/grammar.txt");
+pub const GIVEN: &str = include_str!("given.txt");
+const GRAMMAR: &str = include_str!("grammar.txt");
 
 /// How many parts lie inside each other at most.
 const DEPTH: usize = 4;
