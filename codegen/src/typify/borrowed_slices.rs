@@ -156,8 +156,11 @@ impl Lowering<'_, '_> {
         let fixed = (before + behind) as u64;
         let wanted = Expr::usize(fixed, span);
         let mut all = match (rest, &slice.length.kind) {
-            // rustc has counted the elements of an array.
-            (_, ExprKind::Literal(_)) => None,
+            // rustc has counted the elements of an array, and not those of `&values[3..]`.
+            (rest, ExprKind::Literal(length)) => {
+                let fits = if rest.is_some() { *length >= fixed } else { *length == fixed };
+                (!fits).then(|| Expr::bool(false, span))
+            }
             (Some(_), _) if fixed == 0 => None,
             (Some(_), _) => {
                 Some(Expr::compare(CompareOp::Ge, slice.length.clone(), wanted).at(span))

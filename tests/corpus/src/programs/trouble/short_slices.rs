@@ -1,0 +1,55 @@
+//! Patterns that are longer or shorter than a slice whose ends are numbers: rustc counts the elements of an array, and not
+//! those of a slice.
+
+use bessemer::prelude::*;
+
+/// An arm that reaches beyond the end of a slice of one element.
+#[function]
+pub fn beyond(rows: &[[i16; 4]; 2], row: u8) -> i16 {
+    match &rows[usize::from(row) % 2][3..] {
+        [x, y, ..] => x ^ y,
+        [x] => *x,
+        [] => 7,
+    }
+}
+
+/// Arms that are too short and too long before the one that fits.
+#[function]
+pub fn fitting(values: &[i16; 4]) -> i16 {
+    match &values[..2] {
+        [x] => *x,
+        [x, y, z, ..] => x ^ y ^ z,
+        [x, rest @ ..] => x ^ rest[0] ^ 1,
+        [] => 3,
+    }
+}
+
+/// An `if let` whose pattern is longer than its slice.
+#[function]
+pub fn longer(values: &[i16; 4]) -> i16 {
+    if let [x, y, .., z] = &values[2..] {
+        return x ^ y ^ z;
+    }
+    values[0]
+}
+
+/// A `let … else` whose pattern is longer than its slice.
+#[function]
+pub fn otherwise(values: &[i16; 4]) -> i16 {
+    let [x, _, y] = &values[1..3] else { return values[3] };
+    x ^ y
+}
+
+/// The same of a slice with a name.
+#[function]
+pub fn named(values: &[i16; 4]) -> i16 {
+    let part = &values[1..2];
+    let mut found = 1;
+    if let [x, y] = part {
+        found = x ^ y;
+    }
+    if let [.., last] = part {
+        found ^= *last;
+    }
+    if matches!(part, [_, _, ..]) { 0 } else { found }
+}
