@@ -280,7 +280,7 @@ impl Lowering<'_, '_> {
             Some(condition) => {
                 let otherwise =
                     self.scoped(|inner| inner.subject_chain(subject, rest, target, site))?;
-                self.emit(StmtKind::If { condition, then, otherwise }, span);
+                self.branch(condition, then, otherwise, span);
             }
         }
         Ok(())

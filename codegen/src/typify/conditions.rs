@@ -1,7 +1,9 @@
 //! Conditions with patterns in them (`if let Some(x) = … && x > 0`), and `&&` whose right side needs statements.
 
 use bessemer_ir::tree;
-use bessemer_ir::{Block, Expr, ExprKind, LogicOp, Place, Stmt, StmtKind, Type};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, LogicOp, Place, Span, Stmt, StmtKind, Type, UnaryOp,
+};
 
 use super::Result;
 use super::lowering::Lowering;
@@ -33,6 +35,15 @@ impl Lowering<'_, '_> {
                 })
             }
             _ => self.value(expr, Some(&Type::BOOL)),
+        }
+    }
+
+    /// Emits the branches of a pattern, or the one that is taken where the lengths alone decide.
+    pub(super) fn branch(&mut self, condition: Expr, then: Block, otherwise: Block, span: Span) {
+        match decided(&condition) {
+            Some(true) => self.out.extend(then.0),
+            Some(false) => self.out.extend(otherwise.0),
+            None => self.emit(StmtKind::If { condition, then, otherwise }, span),
         }
     }
 
@@ -88,5 +99,37 @@ pub(super) fn has_let(expr: &tree::Expr) -> bool {
             has_let(left) || has_let(right)
         }
         _ => false,
+    }
+}
+
+/// Whether a condition holds, where its literals alone say so.
+pub(super) fn decided(condition: &Expr) -> Option<bool> {
+    let number = |expr: &Expr| match (&expr.kind, expr.ty.as_int()) {
+        (ExprKind::Literal(word), Some(int)) => Some(int.from_word(*word)),
+        _ => None,
+    };
+    match &condition.kind {
+        ExprKind::Literal(word) => Some(*word != 0),
+        ExprKind::Unary(UnaryOp::Not, operand) => decided(operand).map(|holds| !holds),
+        ExprKind::Logic(LogicOp::And, left, right) => match decided(left)? {
+            true => decided(right),
+            false => Some(false),
+        },
+        ExprKind::Logic(LogicOp::Or, left, right) => match decided(left)? {
+            true => Some(true),
+            false => decided(right),
+        },
+        ExprKind::Compare(op, left, right) => {
+            let order = number(left)?.cmp(&number(right)?);
+            Some(match op {
+                CompareOp::Eq => order.is_eq(),
+                CompareOp::Ne => order.is_ne(),
+                CompareOp::Lt => order.is_lt(),
+                CompareOp::Le => order.is_le(),
+                CompareOp::Gt => order.is_gt(),
+                CompareOp::Ge => order.is_ge(),
+            })
+        }
+        _ => None,
     }
 }

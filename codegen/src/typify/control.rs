@@ -1,11 +1,9 @@
 //! Control flow: statements, and values that control flow decides.
 
 use bessemer_ir::tree::{self, Builtin, OptionMethod, Site};
-use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Place, StmtKind, Type, UnaryOp,
-};
+use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, StmtKind, Type};
 
-use super::conditions::has_let;
+use super::conditions::{decided, has_let};
 use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
 use super::value::Value;
@@ -47,7 +45,7 @@ impl Lowering<'_, '_> {
                 let (condition, then) =
                     self.guarded(condition, |inner| inner.block_into(then, target))?;
                 let otherwise = self.branch_into(otherwise, target)?;
-                self.emit(StmtKind::If { condition, then, otherwise }, span);
+                self.branch(condition, then, otherwise, span);
                 Ok(())
             }
             tree::ExprKind::Match(scrutinee, arms) if control_with_value(expr) => {
@@ -230,7 +228,7 @@ impl Lowering<'_, '_> {
                 let (condition, then) =
                     self.guarded(condition, |inner| inner.block_effect(then))?;
                 let otherwise = self.else_effect(otherwise.as_deref())?;
-                self.emit(StmtKind::If { condition, then, otherwise }, span);
+                self.branch(condition, then, otherwise, span);
                 Ok(())
             }
             tree::ExprKind::Match(scrutinee, arms) => {
@@ -561,36 +559,5 @@ impl Lowering<'_, '_> {
                 problem(expr.site, "this is not a place to assign", "assign a variable or a field")
             }
         }
-    }
-}
-
-fn decided(condition: &Expr) -> Option<bool> {
-    let number = |expr: &Expr| match (&expr.kind, expr.ty.as_int()) {
-        (ExprKind::Literal(word), Some(int)) => Some(int.from_word(*word)),
-        _ => None,
-    };
-    match &condition.kind {
-        ExprKind::Literal(word) => Some(*word != 0),
-        ExprKind::Unary(UnaryOp::Not, operand) => decided(operand).map(|holds| !holds),
-        ExprKind::Logic(LogicOp::And, left, right) => match decided(left)? {
-            true => decided(right),
-            false => Some(false),
-        },
-        ExprKind::Logic(LogicOp::Or, left, right) => match decided(left)? {
-            true => Some(true),
-            false => decided(right),
-        },
-        ExprKind::Compare(op, left, right) => {
-            let order = number(left)?.cmp(&number(right)?);
-            Some(match op {
-                CompareOp::Eq => order.is_eq(),
-                CompareOp::Ne => order.is_ne(),
-                CompareOp::Lt => order.is_lt(),
-                CompareOp::Le => order.is_le(),
-                CompareOp::Gt => order.is_gt(),
-                CompareOp::Ge => order.is_ge(),
-            })
-        }
-        _ => None,
     }
 }

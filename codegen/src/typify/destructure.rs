@@ -1,7 +1,7 @@
 //! `let` with a pattern: what is taken apart, and what of a tuple that is never made.
 
 use bessemer_ir::tree::{self, NO_SLOT};
-use bessemer_ir::{Local, LocalId, Mode, StmtKind};
+use bessemer_ir::{Block, Local, LocalId, Mode, StmtKind};
 
 use super::Result;
 use super::lowering::Lowering;
@@ -31,7 +31,7 @@ impl Lowering<'_, '_> {
             let span = condition.span;
             let then = self.block_effect(otherwise)?;
             let condition = condition.negated();
-            self.emit_if(condition, then, span);
+            self.branch(condition, then, Block::default(), span);
         }
         self.bind_names(&names)
     }

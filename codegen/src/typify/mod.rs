@@ -70,6 +70,7 @@ mod stepped;
 mod syntax;
 mod types;
 mod unmade;
+mod unreached;
 mod value;
 mod views;
 mod within;

@@ -532,9 +532,13 @@ fn taken_name(pattern: &tree::Pattern) -> Option<&str> {
     }
 }
 
-/// Both conditions, as far as there are any.
+/// Both conditions, as far as there are any. Neither has an effect, so one that is false is the whole.
 pub(super) fn both(one: Option<Expr>, other: Option<Expr>) -> Option<Expr> {
+    let fails =
+        |test: &Option<Expr>| test.as_ref().is_some_and(|it| it.kind == ExprKind::Literal(0));
     match (one, other) {
+        (one, _) if fails(&one) => one,
+        (_, other) if fails(&other) => other,
         (Some(one), Some(other)) => Some(Expr::logic(LogicOp::And, one, other)),
         (one, other) => one.or(other),
     }

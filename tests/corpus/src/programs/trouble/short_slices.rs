@@ -53,3 +53,17 @@ pub fn named(values: &[i16; 4]) -> i16 {
     }
     if matches!(part, [_, _, ..]) { 0 } else { found }
 }
+
+/// Header and payload of a frame.
+#[function]
+pub fn frame(bytes: &[u8; 8]) -> u16 {
+    let [low, high] = &bytes[2..4] else { return 0 };
+    if let [a, .., b] = &bytes[4..] {
+        return u16::from(*a) ^ u16::from(*b) ^ u16::from(*low);
+    }
+    match (&bytes[..2], bytes[7]) {
+        ([1, x], 3) => u16::from(*x),
+        ([_, _, _], 4) => 7,
+        _ => u16::from(*high),
+    }
+}
