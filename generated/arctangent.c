@@ -232,7 +232,7 @@ double arctangent_far_atan2(double y, double x)
         return (double)NAN;
     }
     pair_t angle;
-    if (width == height) {
+    if (width <= height && height <= width) {
         if (width > 0.0) {
             angle.high = 0.5 * ANGLES_HALF_PI_HIGH;
             angle.low = 0.5 * ANGLES_HALF_PI_LOW;

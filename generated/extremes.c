@@ -34,7 +34,7 @@ double extremes_power_of_negative(double value, double y)
 
 double extremes_special_power(double x, double y)
 {
-    if (y == 0.0 || x == 1.0) {
+    if (fabs(y) <= 0.0 || fabs(x - 1.0) <= 0.0) {
         return 1.0;
     }
     const double size = fabs(x);
@@ -43,7 +43,7 @@ double extremes_special_power(double x, double y)
     if (!(size <= (double)INFINITY && fabs(y) <= (double)INFINITY)) {
         return (double)NAN;
     }
-    if (size == 1.0) {
+    if (fabs(size - 1.0) <= 0.0) {
         return 1.0;
     }
     double value;

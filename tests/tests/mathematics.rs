@@ -150,6 +150,20 @@ fn no_call_slips_past_to_the_platform() {
     }
 }
 
+/// Some teams' compilers take `==` of floats for an error: the functions have none, whatever their callers do.
+#[test]
+fn no_floats_are_compared_for_equality() {
+    let compiled = compiled();
+    let folder = lay_out(&compiled).expect("the C");
+    for toolchain in toolchain::host().iter().filter(|it| it.level == 0) {
+        for source in folder.sources().iter().filter(|it| !it.ends_with("models.c")) {
+            let mut command = toolchain.command();
+            command.args(["-fsyntax-only", "-Wfloat-equal", "-Werror"]).arg(source);
+            run(&mut command).unwrap_or_else(|said| panic!("{}: {said}", toolchain.name()));
+        }
+    }
+}
+
 /// Firmware often tells its compiler to know no library. With `-fbuiltin` behind that, as the build files have it, a function takes
 /// at most a twentieth more instructions on the Cortex-A9; without, where `fabs` and its like are calls, a quarter. In a full
 /// run, since each of the three compiles all of them.

@@ -140,7 +140,7 @@ pub fn far_atan2(y: f64, x: f64) -> f64 {
     if !(width <= f64::INFINITY && height <= f64::INFINITY) {
         return f64::NAN;
     }
-    let angle = if width == height {
+    let angle = if width <= height && height <= width {
         // Both zero, both infinite, or on the diagonal.
         if width > 0.0 {
             Pair { high: 0.5 * HALF_PI_HIGH, low: 0.5 * HALF_PI_LOW }
@@ -227,7 +227,7 @@ pub fn asin(x: f64) -> f64 {
         let lost = (HALF_PI_HIGH - lead) - 2.0 * half.high;
         let value = lead + (lost + (HALF_PI_LOW - 2.0 * half.low));
         if x < 0.0 { -value } else { value }
-    } else if size == 1.0 {
+    } else if size <= 1.0 {
         HALF_PI_HIGH * x
     } else {
         f64::NAN
@@ -254,7 +254,7 @@ pub fn acos(x: f64) -> f64 {
             let lost = (WHOLE_PI_HIGH - lead) - 2.0 * half.high;
             lead + (lost + (WHOLE_PI_LOW - 2.0 * half.low))
         }
-    } else if size == 1.0 {
+    } else if size <= 1.0 {
         if x > 0.0 { 0.0 } else { WHOLE_PI_HIGH }
     } else {
         f64::NAN

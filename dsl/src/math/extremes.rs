@@ -25,7 +25,7 @@ pub fn power_of_negative(value: f64, y: f64) -> f64 {
 /// x^y where x is zero, infinite or NaN, or y is infinite or NaN.
 #[function]
 pub fn special_power(x: f64, y: f64) -> f64 {
-    if y == 0.0 || x == 1.0 {
+    if y.abs() <= 0.0 || (x - 1.0).abs() <= 0.0 {
         return 1.0;
     }
     let size = x.abs();
@@ -33,7 +33,7 @@ pub fn special_power(x: f64, y: f64) -> f64 {
     if !(size <= f64::INFINITY && y.abs() <= f64::INFINITY) {
         return f64::NAN;
     }
-    if size == 1.0 {
+    if (size - 1.0).abs() <= 0.0 {
         return 1.0;
     }
     let value = if (size > 1.0) == (y > 0.0) { f64::INFINITY } else { 0.0 };

@@ -20,7 +20,7 @@ use crate::prelude::*;
 pub fn odd_sum(a: f64, b: f64) -> f64 {
     let near = sum(a, b);
     let bits = near.high.raw_bits();
-    if near.low == 0.0 || (bits & 1) == 1 {
+    if near.low.abs() <= 0.0 || (bits & 1) == 1 {
         near.high
     } else if (near.low > 0.0) == (near.high > 0.0) {
         f64::from_bits(bits.wrapping_add(1))
@@ -147,10 +147,10 @@ pub fn far_mul_add(x: f64, a: f64, b: f64) -> f64 {
     if finite && !(b.abs() <= f64::MAX) {
         return b;
     }
-    if !finite || x == 0.0 || a == 0.0 {
+    if !finite || x.abs() <= 0.0 || a.abs() <= 0.0 {
         return x * a + b;
     }
-    if b == 0.0 {
+    if b.abs() <= 0.0 {
         return x * a;
     }
     let first = whole(x);

@@ -106,7 +106,7 @@ pub fn ln_of_offset(row: usize, exponent: f64, offset: f64) -> f64 {
 /// The logarithm where its argument is zero, negative, infinite or NaN.
 #[function]
 pub fn at_limit(x: f64) -> f64 {
-    if x == 0.0 {
+    if x.abs() <= 0.0 {
         -f64::INFINITY
     } else if x > 0.0 {
         f64::INFINITY

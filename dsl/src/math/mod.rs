@@ -8,6 +8,9 @@
 //! Defined here where Rust leaves room: `min` and `max` take −0 for less than +0, and a NaN gives the
 //! other operand; a NaN has a positive sign and canonical bits for `copysign` and `to_bits`.
 //!
+//! No float is compared by `==`, here and in the C: some teams' compilers take that for an error (`-Wfloat-equal`). `x <= 0.0` of
+//! what is not negative says the same.
+//!
 //! Accuracy: `docs/mathematics.md` has the worst point found of each function.
 
 pub mod arctangent;

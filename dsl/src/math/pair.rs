@@ -86,5 +86,5 @@ pub fn root(a: Pair) -> Pair {
     let back = product(high, high);
     let rest = ((a.high - back.high) - back.low) + a.low;
     // Of nothing the root is nothing.
-    if high == 0.0 { Pair { high, low: 0.0 } } else { Pair { high, low: rest / (2.0 * high) } }
+    if high <= 0.0 { Pair { high, low: 0.0 } } else { Pair { high, low: rest / (2.0 * high) } }
 }

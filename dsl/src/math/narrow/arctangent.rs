@@ -119,9 +119,9 @@ pub fn far_atan2(y: f32, x: f32) -> f32 {
     if width.is_nan() || height.is_nan() {
         return f32::NAN;
     }
-    let angle = if width == height {
+    let angle = if width <= height && height <= width {
         // Both zero, both infinite, or on the diagonal.
-        if width == 0.0 {
+        if width <= 0.0 {
             PairF32 { high: 0.0, low: 0.0 }
         } else {
             PairF32 { high: 0.5 * NARROW_HALF_PI_HIGH, low: 0.5 * NARROW_HALF_PI_LOW }

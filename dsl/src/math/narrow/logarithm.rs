@@ -73,7 +73,7 @@ pub fn is_plain(x: f32) -> bool {
 #[inline]
 #[function]
 pub fn limit(x: f32) -> f32 {
-    if x == 0.0 {
+    if x.abs() <= 0.0 {
         f32::NEG_INFINITY
     } else if x > 0.0 {
         x

@@ -67,9 +67,9 @@ pub fn power_of_negative(value: f32, y: f32) -> f32 {
     // From 2²⁴ on, every number is even.
     if y.abs() >= 16_777_216.0 {
         value
-    } else if y.floor() != y {
+    } else if y.floor() < y {
         f32::NAN
-    } else if (0.5 * y).floor() == 0.5 * y {
+    } else if (0.5 * y).floor() >= 0.5 * y {
         value
     } else {
         -value
@@ -79,20 +79,20 @@ pub fn power_of_negative(value: f32, y: f32) -> f32 {
 /// x^y where x is zero, infinite or NaN, or y is infinite or NaN.
 #[function]
 pub fn special_power(x: f32, y: f32) -> f32 {
-    if y == 0.0 || x == 1.0 {
+    if y.abs() <= 0.0 || (x - 1.0).abs() <= 0.0 {
         return 1.0;
     }
     let size = x.abs();
     if size.is_nan() || y.is_nan() {
         return f32::NAN;
     }
-    if size == 1.0 {
+    if (size - 1.0).abs() <= 0.0 {
         return 1.0;
     }
     let value = if (size > 1.0) == (y > 0.0) { f32::INFINITY } else { 0.0 };
     // Of zero and infinity, an uneven power keeps the sign; others are positive, whole or not.
     let half = 0.5 * y;
-    let odd = y.abs() < 16_777_216.0 && y.floor() == y && half.floor() != half;
+    let odd = y.abs() < 16_777_216.0 && y.floor() >= y && half.floor() < half;
     if odd && 1.0_f32.copysign(x) < 0.0 { -value } else { value }
 }
 
