@@ -66,9 +66,40 @@ const SUBJECTS: &[Subject] = &[
     three("mul_add", "fma", [-10.0, 10.0], [-10.0, 10.0]),
 ];
 
-/// What was measured of one function in one format.
+/// How a function is computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Form {
+    /// On `f64`.
+    #[default]
+    Double,
+    /// On `f32`, in double.
+    Single,
+    /// On `f32`, in `f32` alone.
+    Alone,
+}
+
+impl Form {
+    const ALL: [Form; 3] = [Form::Double, Form::Single, Form::Alone];
+
+    fn suffix(self) -> &'static str {
+        if self == Form::Double { "" } else { "f" }
+    }
+
+    /// What C calls its numbers.
+    fn c_type(self) -> &'static str {
+        if self == Form::Double { "double" } else { "float" }
+    }
+
+    /// Whether a function of the mathematics, in this module, is of this form.
+    fn is_of(self, module: &str) -> bool {
+        module.contains("::math::") && module.contains("::math::narrow") == (self == Form::Alone)
+    }
+}
+
+/// What was measured of one function in one form.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
+    form: Form,
     /// `sin`, `sinf`.
     pub name: String,
     /// Our time over glibc's on this machine, in each round.
@@ -102,6 +133,9 @@ impl Row {
 
 /// For machines.
 pub fn json(rows: &[Row]) -> Value {
+    let of = |wanted: &dyn Fn(Form) -> bool| -> Vec<Value> {
+        rows.iter().filter(|row| wanted(row.form)).map(Row::json).collect()
+    };
     json!({
         "command": "cargo xtask bench",
         "host_flags": HOST_FLAGS.join(" "),
@@ -110,7 +144,8 @@ pub fn json(rows: &[Row]) -> Value {
         "host_nanoseconds": "ours, glibc",
         "a9_instructions": "a call: ours, glibc, newlib",
         "a9_bytes": "code and tables with callees: ours, glibc, newlib",
-        "functions": rows.iter().map(Row::json).collect::<Vec<_>>(),
+        "functions": of(&|form| form != Form::Alone),
+        "f32_alone": of(&|form| form == Form::Alone),
     })
 }
 
@@ -124,8 +159,9 @@ pub fn table(rows: &[Row]) -> String {
         let ([ours, theirs], [a, b, c], [d, e, f]) = (row.nanoseconds, row.instructions, row.bytes);
         let _ = writeln!(
             text,
-            "| `{}` | {:.2} | {ours:.1}, {theirs:.1} | {a:.0}, {b:.0}, {c:.0} | {d}, {e}, {f} |",
+            "| `{}`{} | {:.2} | {ours:.1}, {theirs:.1} | {a:.0}, {b:.0}, {c:.0} | {d}, {e}, {f} |",
             row.name,
+            if row.form == Form::Alone { " alone" } else { "" },
             row.ratio()
         );
     }
@@ -159,27 +195,27 @@ pub fn measure(rounds: u32) -> Result<Vec<Row>, String> {
     fs::write(here.join("subjects.h"), headers).map_err(failed)?;
     let mut lines = String::new();
     let mut rows = Vec::new();
-    for (subject, single) in formats() {
-        let ours = emission.name(&rust_name(subject, single))?;
-        let theirs = c_name(subject, single);
+    for (subject, form) in formats() {
+        let ours = emission.of_form(&rust_name(subject, form), form)?;
+        let theirs = c_name(subject, form);
         let kind = ["U", "B", "T"][subject.takes - 1];
-        let ty = if single { "float" } else { "double" };
+        let ty = form.c_type();
         let [low, high] = subject.x;
         let ranges = subject.y.map_or(String::new(), |[low, high]| format!(", {low:?}, {high:?}"));
         let _ = writeln!(
             lines,
             "{kind}(\"{theirs}\", {ty}, {ours}, {theirs}, newlib_{theirs}, {low:?}, {high:?}{ranges})"
         );
-        rows.push(Row { name: rust_name(subject, single), ..Row::default() });
+        rows.push(Row { form, name: rust_name(subject, form), ..Row::default() });
     }
     fs::write(here.join("functions.inc"), lines).map_err(failed)?;
 
     time(here, emission.sources(), &driver, rounds, &mut rows)?;
     let objects = Objects::new(here, emission.sources())?;
     instructions(here, &objects, &driver, &mut rows)?;
-    for ((subject, single), row) in formats().zip(&mut rows) {
-        let ours = emission.name(&rust_name(subject, single))?;
-        let theirs = c_name(subject, single);
+    for ((subject, form), row) in formats().zip(&mut rows) {
+        let ours = emission.of_form(&rust_name(subject, form), form)?;
+        let theirs = c_name(subject, form);
         row.bytes = [
             objects.bytes(&ours, &[])?,
             objects.bytes(&theirs, &["-lm"])?,
@@ -189,30 +225,34 @@ pub fn measure(rounds: u32) -> Result<Vec<Row>, String> {
     Ok(rows)
 }
 
-fn formats() -> impl Iterator<Item = (&'static Subject, bool)> {
-    let single = |single| SUBJECTS.iter().map(move |subject| (subject, single));
-    single(false).chain(single(true))
+fn formats() -> impl Iterator<Item = (&'static Subject, Form)> {
+    let all = Form::ALL.into_iter();
+    let all = all.flat_map(|form| SUBJECTS.iter().map(move |subject| (subject, form)));
+    // A fused multiply-add has one form on `f32`.
+    all.filter(|(subject, form)| *form != Form::Alone || subject.takes < 3)
 }
 
-fn rust_name(subject: &Subject, single: bool) -> String {
-    format!("{}{}", subject.rust, if single { "f" } else { "" })
+fn rust_name(subject: &Subject, form: Form) -> String {
+    format!("{}{}", subject.rust, form.suffix())
 }
 
-fn c_name(subject: &Subject, single: bool) -> String {
-    format!("{}{}", subject.c, if single { "f" } else { "" })
+fn c_name(subject: &Subject, form: Form) -> String {
+    format!("{}{}", subject.c, form.suffix())
 }
 
 /// A model that calls everything.
 fn model() -> String {
     let mut text = String::from("//! Everything.\n#![no_std]\nuse bessemer::prelude::*;\n");
-    for (subject, single) in formats() {
-        let ty = if single { "f32" } else { "f64" };
-        let argument = ["", "y", "y, x"][subject.takes - 1];
+    for (subject, form) in formats() {
+        let (ty, name) = (if form == Form::Double { "f64" } else { "f32" }, subject.rust);
+        let called = match (form, subject.takes) {
+            (Form::Alone, 1) => format!("bessemer::math::narrow::{name}f(x)"),
+            (Form::Alone, _) => format!("bessemer::math::narrow::{name}f(x, y)"),
+            (_, takes) => format!("x.{name}({})", ["", "y", "y, x"][takes - 1]),
+        };
         let _ = writeln!(
             text,
-            "\n/// Calls it.\n#[function]\npub fn call_{}(x: {ty}, y: {ty}) -> {ty} {{\n    x.{}({argument}) + y\n}}",
-            rust_name(subject, single),
-            subject.rust
+            "\n/// Calls it.\n#[function]\npub fn call_{name}_{form:?}(x: {ty}, y: {ty}) -> {ty} {{\n    {called} + y\n}}",
         );
     }
     text
@@ -259,20 +299,24 @@ impl Emission {
     /// # Errors
     /// For a function that was not emitted.
     pub fn name(&self, name: &str) -> Result<String, String> {
+        self.of_form(name, Form::Double)
+    }
+
+    fn of_form(&self, name: &str, form: Form) -> Result<String, String> {
         let functions = self.compiled.explicit.functions.iter();
         let index = functions
             .zip(&self.names.functions)
-            .find(|(function, _)| function.module.contains("::math::") && function.name == name);
+            .find(|(function, _)| form.is_of(&function.module) && function.name == name);
         index.map(|(_, signature)| signature.name.clone()).ok_or(format!("no `{name}` was emitted"))
     }
 }
 
 fn newlib_prototypes() -> String {
     let mut text = String::new();
-    for (subject, single) in formats() {
-        let ty = if single { "float" } else { "double" };
+    for (subject, form) in formats() {
+        let ty = form.c_type();
         let arguments = vec![ty; subject.takes].join(", ");
-        let _ = writeln!(text, "{ty} newlib_{}({arguments});", c_name(subject, single));
+        let _ = writeln!(text, "{ty} newlib_{}({arguments});", c_name(subject, form));
     }
     text
 }

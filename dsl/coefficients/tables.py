@@ -330,7 +330,7 @@ narrow_parts("QUARTER", quarter, "π/2 in 12, 12 and 24 bits", 12, 12)
 narrow_parts("HALF_PI", quarter, "π/2 in 24 and 24 bits", 24)
 narrow_parts("LN_2", log(mpf(2)), "ln 2 in 16 and 24 bits: a multiple of the first by up to 2⁸ is exact", 16)
 narrow_parts("LOG10_2", log(mpf(2)) / log(mpf(10)), "log₁₀ 2 in 16 and 24 bits", 16)
-narrow_parts("LOG2_E", 1 / log(mpf(2)), "log₂ e in 12 and 24 bits", 12)
+narrow_parts("LOG2_E", 1 / log(mpf(2)), "log₂ e in 24 and 24 bits", 24)
 narrow_parts("LOG10_E", 1 / log(mpf(10)), "log₁₀ e in 12 and 24 bits", 12)
 words = [0] + [(int(floor(2 / pi * mpf(2) ** 320)) >> (32 * (9 - i))) & (2**32 - 1) for i in range(10)]
 table("TWO_OVER_PI_WORDS", words, "The bits of 2/π after 32 zeros, most significant first.", "u32")
@@ -354,17 +354,23 @@ narrow("SINH", odd(sinh), 4, 0, mpf("1.05") ** 2, "(sinh x − x)/x³ in powers 
 narrow("TANH", odd(tanh), 7, 0, mpf("0.85") ** 2, "(tanh x − x)/x³ in powers of x², to 0.85.")
 
 
-def power_row(row):
-    """1/(c·ln 2) in two parts and log₂ c in two, of the middle c of a row of significands."""
-    centre = struct.unpack("<f", struct.pack("<I", 0x3F350000 + (row << 16)))[0]
-    slope, value = 1 / (mpf(centre) * two), log(mpf(centre)) / two
-    return rounded(slope, 9), slope - rounded(slope, 9), grid(value, -15), value - grid(value, -15)
+def log2_row(row):
+    """A factor c that brings a row of significands next to 1, and −log₂ c in two parts."""
+    first, last = (struct.unpack("<f", struct.pack("<I", 0x3F348000 + (row << 16) + more))[0] for more in (0, 0xFFFF))
+    # What is left is below 2⁻⁷ and a multiple of 2⁻³¹, so that it is a float. A logarithm next to 0 must not be a difference.
+    if max(abs(first - 1), abs(last - 1)) < 2**-7:
+        factor = mpf(1)
+    else:
+        factor = grid(2 / (mpf(first) + mpf(last)), -7 if last < 1 else -8)
+    assert max(abs(first * factor - 1), abs(last * factor - 1)) < 2**-7
+    value = -log(factor) / two
+    return factor, rounded(value, 24), value - rounded(value, 24)
 
 
-rows("NARROW_POWER_ROWS", [power_row(row) for row in range(128)],
-     "Of the middle c of a row of significands: 1/(c·ln 2) to nine bits and the rest; log₂ c to a multiple of 2⁻¹⁵ and the rest.", "f32")
-steps = [mpf(2) ** (mpf(j) / 32) for j in range(32)]
-rows("NARROW_BINARY_ROWS", [(v, v - rounded(v, 24)) for v in steps], "2^(j/32) to a float, and the rest.", "f32")
+rows("NARROW_LOG2_ROWS", [log2_row(row) for row in range(128)],
+     "A factor c of at most nine bits for a row of significands; −log₂ c to a float, and the rest.", "f32")
+steps = [mpf(2) ** (mpf(j) / 128) for j in range(128)]
+rows("NARROW_BINARY_ROWS", [(v, v - rounded(v, 24)) for v in steps], "2^(j/128) to a float, and the rest.", "f32")
 # To 0.0375 is what there is: weighted with w³, points a third further out lose least.
 narrow("CUBE_ROOT", lambda w: (((1 + 2 * w) / (1 - w)) ** (mpf(1) / 3) - 1 - w) / w**3, 2, mpf("-0.0495"), mpf("0.0495"),
        "(((1 + 2w)/(1 − w))^(1/3) − 1 − w)/w³ in powers of w, −0.0495 to 0.0495.")

@@ -542,10 +542,13 @@ impl Includes {
     }
 }
 
-/// The processor's instruction where it has one; elsewhere the body.
+/// The processor's instruction where it has one, of which newlib's `math.h` does not tell, but gcc; elsewhere the body.
 fn by_instruction(fast: &str, name: &str, head: &Head, body: Vec<Stmt>) -> Vec<Stmt> {
     let arguments: Vec<&str> = head.params.iter().map(|param| param.name.as_str()).collect();
-    let direct = format!("#if defined({fast})\nreturn {name}({});\n#else", arguments.join(", "));
+    let direct = format!(
+        "#if defined({fast}) || defined(__{fast})\nreturn {name}({});\n#else",
+        arguments.join(", ")
+    );
     let direct = plain(StmtKind::Verbatim(direct));
     let end = plain(StmtKind::Verbatim("#endif".into()));
     [vec![direct], body, vec![end]].concat()

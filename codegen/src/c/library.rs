@@ -40,7 +40,7 @@ pub fn instruction(function: &Function) -> Option<(&'static str, &'static str)> 
     }
     match function.name.as_str() {
         "mul_add" => Some(("FP_FAST_FMA", "fma")),
-        "mul_addf" => Some(("FP_FAST_FMAF", "fmaf")),
+        "mul_addf" | "exact_mul_addf" => Some(("FP_FAST_FMAF", "fmaf")),
         _ => None,
     }
 }

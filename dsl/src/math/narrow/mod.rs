@@ -1,8 +1,9 @@
 //! The elementary functions of `f32` in `f32` arithmetic alone: for processors that have no other in hardware.
 //!
 //! The feature `single` of this crate puts them in the place of [`super::single`]'s, which compute in double:
-//! `docs/design/numbers.md`. No `f64` and no integer of 64 bits takes part, nor a fused multiply-add. At most one unit in the
-//! last place is lost; where a plain sum would lose more, its rest is kept beside it.
+//! `docs/design/numbers.md`. No `f64` and no integer of 64 bits takes part, and a fused multiply-add only where nothing is
+//! rounded, so that halves of the factors give the same. At most one unit in the last place is lost; where a plain sum would
+//! lose more, its rest is kept beside it.
 
 pub mod arctangent;
 pub mod exponential;
@@ -52,4 +53,16 @@ pub struct PairF32 {
 pub fn ordered_sum(a: f32, b: f32) -> PairF32 {
     let high = a + b;
     PairF32 { high, low: b - (high - a) }
+}
+
+/// `x * a + b` where that is a float: what the rounding of a product leaves out, say. From halves of the factors (T. J. Dekker),
+/// or by a processor's own instruction, which has nothing to round. Next to the largest and smallest floats it is close.
+#[inline]
+#[function]
+pub fn exact_mul_addf(x: f32, a: f32, b: f32) -> f32 {
+    let x_upper = leading(x);
+    let x_lower = x - x_upper;
+    let a_upper = leading(a);
+    let a_lower = a - a_upper;
+    ((x_upper * a_upper + b) + x_upper * a_lower + x_lower * a_upper) + x_lower * a_lower
 }

@@ -1,65 +1,26 @@
 //! Powers: x^y = 2^(y · log₂ x) with the logarithm and the product as sums of two floats.
 //!
-//! A table has the logarithm of the middle c of each row of significands. With d the way of a significand from there, which is
-//! exact, and q = d/(c·ln 2), the rest is the series of log₂(1 + q·ln 2); its first two terms are sums of an exact part and a small
-//! one. The power of two takes 32nds from a table. Special values are those of C99, Annex F.
+//! The power of two takes 128ths from a table. Special values are those of C99, Annex F.
 
 use core::f32::consts::LN_2;
 
 use super::super::RawBits as _;
-use super::super::tables::{NARROW_BINARY_ROWS, NARROW_POWER_ROWS};
-use super::exponential::far_scaled;
-use super::logarithm::is_subnormal;
-use super::{PairF32, leading, ordered_sum};
+use super::super::tables::NARROW_BINARY_ROWS;
+use super::exponential::{far_scaled, scaled};
+use super::logarithm::{binary_pair, is_plain, is_subnormal};
+use super::{PairF32, exact_mul_addf};
 use crate::prelude::*;
 
-/// Of the Taylor series of log₂(1 + q·ln 2), q², which is taken off: to |q| = 2⁻⁷ the terms behind the fourth power are below 2⁻³²
-/// of it.
+/// Of the Taylor series of 2^s, s, with what the third power comes to on the average: to |s| = 1/256 this leaves less than 2⁻³⁰.
 #[crate::data]
-const SECOND: f32 = LN_2 / 2.0;
-/// The same, q³.
+const FIRST: f32 = LN_2 + LN_2 * LN_2 * LN_2 / 8.0 / 65_536.0;
+/// The same, s².
 #[crate::data]
-const THIRD: f32 = LN_2 * LN_2 / 3.0;
-/// The same, q⁴, which is taken off.
-#[crate::data]
-const FOURTH: f32 = LN_2 * LN_2 * LN_2 / 4.0;
+const SECOND: f32 = LN_2 * LN_2 / 2.0;
 
-/// Of the Taylor series of 2^s, s²: to |s| = 1/64 the terms behind the third power are below 2⁻³⁰.
+/// 1.5 · 2¹⁶: added to a smaller number it leaves the nearest 128th in the last bits.
 #[crate::data]
-const SQUARE: f32 = LN_2 * LN_2 / 2.0;
-/// The same, s³.
-#[crate::data]
-const CUBE: f32 = LN_2 * LN_2 * LN_2 / 6.0;
-
-/// 1.5 · 2¹⁸: added to a smaller number it leaves the nearest 32nd in the last bits.
-#[crate::data]
-const TO_THIRTY_SECONDS: f32 = 393_216.0;
-
-/// The logarithm to base 2 of a positive, normal number; of its exponent, `less` is taken off.
-#[inline]
-#[function]
-pub fn logarithm(x: f32, less: i32) -> PairF32 {
-    let bits = x.raw_bits();
-    // Above 1 + 52.5/128 a significand is halved.
-    let above = bits.wrapping_sub(0x3f34_8000);
-    let exponent = above as i32 >> 23;
-    let row = ((above >> 16) & 127) as usize;
-    let significand = f32::from_bits(bits.wrapping_sub((exponent as u32) << 23));
-    // From the middle of the row it has at most 15 bits, whose product with nine is exact.
-    let way = significand - f32::from_bits((above & 0x007f_0000).wrapping_add(0x3f35_0000));
-    let high = way * NARROW_POWER_ROWS[row][0];
-    let low = way * NARROW_POWER_ROWS[row][1];
-
-    let upper = leading(high);
-    let lower = (high - upper) + low;
-    let q = high + low;
-    let whole = exponent.wrapping_sub(less) as f32 + NARROW_POWER_ROWS[row][2];
-    let lead = ordered_sum(whole, high);
-    let cubes = q * q * q * (THIRD - q * FOURTH);
-    let small = NARROW_POWER_ROWS[row][3] + (low + (cubes - SECOND * (lower * (upper + q))));
-    let squared = ordered_sum(lead.high, -SECOND * (upper * upper));
-    ordered_sum(squared.high, lead.low + (squared.low + small))
-}
+const TO_STEPS: f32 = 98_304.0;
 
 /// What x^y is for a negative x of which `value` is |x|^y.
 #[function]
@@ -96,52 +57,80 @@ pub fn special_power(x: f32, y: f32) -> f32 {
     if odd && 1.0_f32.copysign(x) < 0.0 { -value } else { value }
 }
 
-/// 2^`exponent`/32 times a `value` next to 1, where the exponent `high` of the power is far from zero.
-#[function]
-pub fn far_power(value: f32, exponent: i32, high: f32) -> f32 {
-    if high > 130.0 {
-        f32::INFINITY
-    } else if high < -152.0 {
-        0.0
-    } else {
-        far_scaled(value, exponent >> 5)
-    }
+/// An exponent of two as 128ths and what is left of it.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepsF32 {
+    /// The bits of the number of 128ths with [`TO_STEPS`] added: the last seven choose a row, the rest is whole powers of two.
+    pub bits: u32,
+    /// What is left, −1/256 to 1/256.
+    pub rest: f32,
 }
 
-/// 2^(`high` + `low`), of any size.
+/// The parts of an exponent that is less than 2¹⁵ in magnitude.
 #[inline]
 #[function]
-pub fn binary_of_pair(high: f32, low: f32) -> f32 {
-    let shifted = (high + low) + TO_THIRTY_SECONDS;
-    let s = (high - (shifted - TO_THIRTY_SECONDS)) + low;
-    let steps = shifted.raw_bits().wrapping_sub(0x48c0_0000);
-    let row = (steps & 31) as usize;
-    let base = NARROW_BINARY_ROWS[row][0];
-    let beyond = s * (LN_2 + s * (SQUARE + s * CUBE));
-    let value = base + (NARROW_BINARY_ROWS[row][1] + base * beyond);
-    if high.abs() < 125.0 {
-        f32::from_bits(value.raw_bits().wrapping_add((steps & 0xffff_ffe0) << 18))
-    } else {
-        far_power(value, steps as i32, high)
+pub fn steps_of(power: PairF32) -> StepsF32 {
+    let shifted = power.high + TO_STEPS;
+    StepsF32 { bits: shifted.raw_bits(), rest: (power.high - (shifted - TO_STEPS)) + power.low }
+}
+
+/// `scale` · 2^s, of whole powers of two in s nothing.
+#[inline]
+#[function]
+pub fn binary(exponent: StepsF32, scale: f32) -> f32 {
+    let row = (exponent.bits & 127) as usize;
+    let base = NARROW_BINARY_ROWS[row][0] * scale;
+    let beyond = (base * exponent.rest) * (FIRST + exponent.rest * SECOND);
+    base + (NARROW_BINARY_ROWS[row][1] * scale + beyond)
+}
+
+/// y · log₂ x of a positive, normal x; of its exponent, `less` is taken off.
+#[inline]
+#[function]
+pub fn binary_power(x: f32, less: i32, y: f32) -> PairF32 {
+    let logarithm = binary_pair(x, less);
+    let high = y * logarithm.high;
+    PairF32 { high, low: exact_mul_addf(y, logarithm.high, -high) + y * logarithm.low }
+}
+
+/// x^y of any two numbers: next to the largest and the smallest powers, of a subnormal or negative x, and special values.
+#[function]
+pub fn far_powff(x: f32, y: f32) -> f32 {
+    let size = x.abs();
+    if size > 0.0 && size <= f32::MAX && y.abs() <= f32::MAX {
+        let power = if is_subnormal(size) {
+            binary_power(size * 16_777_216.0, 24, y)
+        } else {
+            binary_power(size, 0, y)
+        };
+        let value = if power.high > 130.0 {
+            f32::INFINITY
+        } else if power.high < -152.0 {
+            0.0
+        } else {
+            let exponent = steps_of(power);
+            let whole = exponent.bits.wrapping_sub(0x47c0_0000) as i32 >> 7;
+            far_scaled(binary(exponent, 1.0), whole)
+        };
+        return if x > 0.0 { value } else { power_of_negative(value, y) };
     }
+    special_power(x, y)
 }
 
 /// x^y; within 1 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is whole; the rest
 /// as in C99, F.9.4.4.
 #[function]
 pub fn powff(x: f32, y: f32) -> f32 {
-    let size = x.abs();
-    if size > 0.0 && size <= f32::MAX && y.abs() <= f32::MAX {
-        let small = is_subnormal(size);
-        let logarithm = if small { logarithm(size * 16_777_216.0, 24) } else { logarithm(size, 0) };
-        // 12 bits each: their product is exact.
-        let upper = leading(logarithm.high);
-        let lower = (logarithm.high - upper) + logarithm.low;
-        let y_upper = leading(y);
-        let value = binary_of_pair(y_upper * upper, (y - y_upper) * upper + y * lower);
-        return if x > 0.0 { value } else { power_of_negative(value, y) };
+    if is_plain(x) {
+        let power = binary_power(x, 0, y);
+        // What the row adds to a power this far from the smallest number loses nothing that counts.
+        if power.high.abs() < 110.0 {
+            let exponent = steps_of(power);
+            return binary(exponent, scaled(1.0, exponent.bits >> 7));
+        }
     }
-    special_power(x, y)
+    far_powff(x, y)
 }
 
 /// x^n by squaring, in the order of [`super::super::power::powi`].
