@@ -79,15 +79,17 @@ impl Visit for Wanted {
         walk_stmt(self, stmt);
     }
 
-    // In 32 bits, gcc takes what it is compared with for a complement that was promoted, and warns.
+    // In 32 bits, gcc takes a difference that it is compared with for a complement that was promoted, and warns; and it warns
+    // of a number that no 32 bits reach.
     fn expr(&mut self, expr: &Expr) {
         if let ExprKind::Compare(_, a, b) = &expr.kind {
             for (one, other) in [(a, b), (b, a)] {
-                if let (ExprKind::Load(place), ExprKind::Binary(BinaryOp::Sub, most, _)) =
-                    (&one.kind, &other.kind)
-                {
-                    self.found[place.root.index()].refused |= most.is_literal();
-                }
+                let ExprKind::Load(place) = &one.kind else { continue };
+                self.found[place.root.index()].refused |= match &other.kind {
+                    ExprKind::Binary(BinaryOp::Sub, most, _) => most.is_literal(),
+                    ExprKind::Literal(most) => i128::from(*most) > LIMIT,
+                    _ => false,
+                };
             }
         }
         walk_expr(self, expr);
