@@ -129,6 +129,11 @@ impl<T, const N: usize> List<T, N> {
         self.length == 0
     }
 
+    /// Whether there is no room for one more.
+    pub fn is_full(&self) -> bool {
+        self.length == N
+    }
+
     /// How many there may be.
     pub fn capacity(&self) -> usize {
         N

@@ -5,6 +5,12 @@
 
 use crate::{List, function};
 
+/// Whether there is no room for one more.
+#[function(expand)]
+pub fn is_full<T: Copy + Default, const N: usize>(list: &List<T, N>) -> bool {
+    list.len() >= N
+}
+
 /// Puts an element before the one at `index`, or at the end.
 #[function]
 pub fn insert<T: Copy + Default, const N: usize>(list: &mut List<T, N>, index: usize, element: T) {

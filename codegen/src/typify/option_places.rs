@@ -1,12 +1,15 @@
 //! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference is
 //! another name for the content.
 
-use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Ty};
+use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, NO_SLOT, OptionMethod, Ty};
 use bessemer_ir::{Block, Fault, Place, StmtKind, StructId, Type};
 
 use super::lowering::Lowering;
 use super::rewrite::is_plain;
 use super::{OUR_FAULT, Result, order, problem};
+
+/// What `lent?` leads to, which has no name of its author's.
+const TRIED: &str = "__tried";
 
 impl Lowering<'_, '_> {
     /// The place in an `Option` that a call lends; none if the call is something else.
@@ -79,6 +82,20 @@ impl Lowering<'_, '_> {
         };
         let stmts = vec![tree::Stmt::Expr(plain(left))];
         Some((lent.clone(), tree::Block { stmts, tail: None }))
+    }
+
+    /// The place that `lent?` leads to; none if `tried` is something else.
+    pub(super) fn tried_place(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
+        let Some((lent, otherwise)) = self.tried_lent(tried) else { return Ok(None) };
+        let name =
+            tree::Pattern::Name { name: TRIED.into(), slot: NO_SLOT, mutable: false, inner: None };
+        self.take_apart(&there(name), &lent, Some(&otherwise))?;
+        let (meaning, span) = (self.lookup(TRIED, tried.site)?, self.span(tried.site));
+        let mut place = self.place_of(&meaning, span);
+        if let Some(place) = &mut place {
+            self.keep_moving(place);
+        }
+        Ok(place)
     }
 
     /// A place that stays the same whatever comes; its indices have been looked at.

@@ -40,6 +40,7 @@ impl Lowering<'_, '_> {
                 Some(place) => Ok(Some(place)),
                 None => self.lent_place(expr),
             },
+            tree::ExprKind::Try(..) => self.tried_place(expr),
             tree::ExprKind::Field(_, name) if name == "coords" && self.in_coords(expr)? => Ok(None),
             tree::ExprKind::Field(base, name) => {
                 let base = self.base(base)?;
@@ -249,7 +250,7 @@ impl Lowering<'_, '_> {
                 }),
             },
             tree::ExprKind::Slice(base, ..) => self.place_type(base),
-            tree::ExprKind::Call(..) if expr.slot.is_some() => {
+            tree::ExprKind::Call(..) | tree::ExprKind::Try(..) if expr.slot.is_some() => {
                 self.refers_to(expr.slot.unwrap_or_default(), expr.site)
             }
             _ => {

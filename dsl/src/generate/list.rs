@@ -41,6 +41,7 @@ impl<T, const N: usize> ListBuiltins<T> for List<T, N> {}
 /// Methods of lists that are functions of the DSL in the C.
 #[allow(missing_docs)]
 pub trait ListEdits<T, const N: usize>: Sized {
+    fn __b_is_full(&self) -> told!([Self, T, N] => bool);
     fn __b_insert(&mut self, index: usize, element: T) -> told!([Self, T, N] => ());
     fn __b_remove(&mut self, index: usize) -> told!([Self, T, N] => T);
     fn __b_swap_remove(&mut self, index: usize) -> told!([Self, T, N] => T);
@@ -49,6 +50,9 @@ pub trait ListEdits<T, const N: usize>: Sized {
 }
 
 impl<T: Value + Copy + Default, const N: usize> ListEdits<T, N> for List<T, N> {
+    fn __b_is_full(&self) -> told!([T, N] => bool) {
+        list_edit::is_full::__call(self)
+    }
     fn __b_insert(&mut self, index: usize, element: T) -> told!([T, N] => ()) {
         list_edit::insert::__call(self, index, element)
     }

@@ -11,24 +11,17 @@ static const uint32_t KEYS[4][3] = {
 
 void characters_key(uint64_t row, uint64_t column, option_u32_t *result)
 {
-    option_u32x3_t result_found = {.is_some = false};
-    if (row < UINT64_C(4)) {
-        result_found.is_some = true;
-        result_found.value[0] = KEYS[row][0];
-        result_found.value[1] = KEYS[row][1];
-        result_found.value[2] = KEYS[row][2];
-    }
-    if (!result_found.is_some) {
+    if (row >= UINT64_C(4)) {
         result->is_some = false;
         result->value = 0U;
         return;
     }
-    option_u32_t result_found_2 = {.is_some = false};
+    option_u32_t result_found = {.is_some = false};
     if (column < UINT64_C(3)) {
-        result_found_2.is_some = true;
-        result_found_2.value = result_found.value[column];
+        result_found.is_some = true;
+        result_found.value = KEYS[row][column];
     }
-    *result = result_found_2;
+    *result = result_found;
 }
 
 uint8_t characters_class(uint32_t code)

@@ -51,20 +51,12 @@ bessemer_status_t programs_data_slices_peak(const list6_f64_t *values, uint64_t 
     if (end > min_u64(values->length, UINT64_C(6))) {
         return BESSEMER_STATUS_INDEX;
     }
-    option_f64_t peak_found = {.is_some = false};
-    if (end > UINT64_C(0)) {
-        peak_found.is_some = true;
-        peak_found.value = values->items[0];
-    }
-    if (!peak_found.is_some) {
+    if (end <= UINT64_C(0)) {
         result->is_some = false;
         result->value = 0.0;
         return BESSEMER_STATUS_OK;
     }
-    double peak = peak_found.value;
-    if (UINT64_C(1) > end) {
-        return BESSEMER_STATUS_INDEX;
-    }
+    double peak = values->items[0];
     for (uint64_t i = UINT64_C(1); i < end; i++) {
         peak = max_f64(peak, values->items[i]);
     }

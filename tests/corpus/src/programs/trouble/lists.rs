@@ -48,6 +48,14 @@ impl Stacks {
         self.numbers.len()
     }
 
+    #[entry(infallible)]
+    pub fn pushed_where_there_is_room(&mut self, x: i16) -> bool {
+        if !self.numbers.is_full() {
+            self.numbers.push(x);
+        }
+        self.numbers.is_full() || self.rows.iter().any(|row| row.is_full())
+    }
+
     #[entry]
     pub fn indexed(&mut self, i: usize, j: usize) -> i16 {
         self.numbers[i] += self.numbers[j];
