@@ -32,3 +32,15 @@ pub fn half(x: f64) -> f64 {
 }
 
 fn main() {}
+
+/// A call in a body that is rewritten.
+#[function(rewrite)]
+pub fn fourfold(x: f64) -> f64 {
+    doubled(doubled(x))
+}
+
+/// Called by it.
+#[function]
+pub fn doubled(x: f64) -> f64 {
+    2.0 * x
+}

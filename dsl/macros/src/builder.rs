@@ -254,7 +254,12 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         true => walk.expanded_body(&mut copy, (signature, result)),
         false => walk.block(&mut copy),
     };
-    walk.begins.push(walk.here(copy.stmts.len()));
+    let end = walk.here(copy.stmts.len());
+    walk.begins.push(end);
+    if subject.asked.role == Role::Rewritten && end.callees > 0 {
+        // What it calls is known by numbers of its own, which mean others where it stands.
+        walk.refusals.add(&subject.signature.ident, refuse::REWRITTEN_CALL);
+    }
     if signature_refused > before {
         // What the signature does not take, the body goes on with.
         walk.refusals.forget_since(signature_refused);

@@ -119,6 +119,7 @@ reasons! {
     SYNTAX: "this syntax is not part of the DSL", "write it with `let`, `if`, `match`, `for`, calls and arithmetic";
     ARGUMENTS: "this attribute takes no arguments", "leave them out";
     NOT_A_FUNCTION: "`#[function]` stands on a free function", "a struct, an enum and an `impl` block take `#[data]`, or `#[component]`";
+    REWRITTEN_CALL: "a function that is rewritten calls nothing but its own closures", "`#[function(expand)]` also stands where it is called, and may";
     METHOD_ALONE: "a method is part of its `impl` block", "mark the `impl` block `#[data]` or `#[component]`, and leave `#[function]` out";
     NOT_DATA: "this attribute stands on a struct, an enum, an `impl` block or a constant", "a free function takes `#[function]`";
     EMPTY_COMPONENT: "a component without fields has no state to keep", "mark it and its `impl` blocks `#[data]`, or give it a field";
