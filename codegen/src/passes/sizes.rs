@@ -80,14 +80,14 @@ impl Visit for Wanted {
     }
 
     // In 32 bits, gcc takes a difference that it is compared with for a complement that was promoted, and warns; and it warns
-    // of a number that no 32 bits reach.
+    // of a number that 32 bits never exceed.
     fn expr(&mut self, expr: &Expr) {
         if let ExprKind::Compare(_, a, b) = &expr.kind {
             for (one, other) in [(a, b), (b, a)] {
                 let ExprKind::Load(place) = &one.kind else { continue };
                 self.found[place.root.index()].refused |= match &other.kind {
                     ExprKind::Binary(BinaryOp::Sub, most, _) => most.is_literal(),
-                    ExprKind::Literal(most) => i128::from(*most) > LIMIT,
+                    ExprKind::Literal(most) => *most >= u64::from(u32::MAX),
                     _ => false,
                 };
             }
