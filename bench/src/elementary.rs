@@ -85,18 +85,18 @@ impl Form {
         if self == Form::Double { "" } else { "f" }
     }
 
-    /// What C calls its numbers.
+    /// The C type of its arguments and its result.
     fn c_type(self) -> &'static str {
         if self == Form::Double { "double" } else { "float" }
     }
 
-    /// Whether a function of the mathematics, in this module, is of this form.
+    /// True if `module` holds the mathematics in this form.
     fn is_of(self, module: &str) -> bool {
         module.contains("::math::") && module.contains("::math::narrow") == (self == Form::Alone)
     }
 }
 
-/// What was measured of one function in one form.
+/// The measurements of one function in one form.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
     form: Form,

@@ -129,7 +129,7 @@ impl<T, const N: usize> List<T, N> {
         self.length == 0
     }
 
-    /// Whether there is no room for one more.
+    /// True if no element can be added.
     pub fn is_full(&self) -> bool {
         self.length == N
     }

@@ -5,7 +5,7 @@
 
 use crate::{List, function};
 
-/// Whether there is no room for one more.
+/// True if no element can be added. The comparison is the one by which the proofs know that a push has room.
 #[function(expand)]
 pub fn is_full<T: Copy + Default, const N: usize>(list: &List<T, N>) -> bool {
     list.len() >= N

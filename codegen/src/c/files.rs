@@ -542,7 +542,7 @@ impl Includes {
     }
 }
 
-/// The processor's instruction where it has one, of which newlib's `math.h` does not tell, but gcc; elsewhere the body.
+/// The processor's instruction where it has one, elsewhere the body. gcc defines its own macro, too: newlib's `math.h` lacks C99's.
 fn by_instruction(fast: &str, name: &str, head: &Head, body: Vec<Stmt>) -> Vec<Stmt> {
     let arguments: Vec<&str> = head.params.iter().map(|param| param.name.as_str()).collect();
     let direct = format!(

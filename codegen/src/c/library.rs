@@ -33,7 +33,7 @@ fn is_of_f32(module: &str) -> bool {
 }
 
 /// The macro of C99's `math.h` that says that the processor computes a function in an instruction, and that
-/// function, where one rounding leaves it no choice of bits.
+/// function, where one rounding, or none, leaves it no choice of bits.
 pub fn instruction(function: &Function) -> Option<(&'static str, &'static str)> {
     if function.owner.is_some() || !is_mathematics(&function.module) {
         return None;

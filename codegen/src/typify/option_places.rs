@@ -8,7 +8,7 @@ use super::lowering::Lowering;
 use super::rewrite::is_plain;
 use super::{OUR_FAULT, Result, order, problem};
 
-/// What `lent?` leads to, which has no name of its author's.
+/// The hidden name of the place that `lent?` leads to.
 const TRIED: &str = "__tried";
 
 impl Lowering<'_, '_> {

@@ -55,8 +55,9 @@ pub fn ordered_sum(a: f32, b: f32) -> PairF32 {
     PairF32 { high, low: b - (high - a) }
 }
 
-/// `x * a + b` where that is a float: what the rounding of a product leaves out, say. From halves of the factors (T. J. Dekker),
-/// or by a processor's own instruction, which has nothing to round. Next to the largest and smallest floats it is close.
+/// `x * a + b` where that is a float, such as the rounding error of a product. It comes from halves of the factors (T. J. Dekker),
+/// or from a processor's fused instruction, which has nothing to round there. Below 2⁻¹⁰⁰ and beyond 2¹²⁷ the two may differ: a
+/// caller lets no bit of its result depend on that.
 #[inline]
 #[function]
 pub fn exact_mul_addf(x: f32, a: f32, b: f32) -> f32 {

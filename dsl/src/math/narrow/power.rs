@@ -11,7 +11,7 @@ use super::logarithm::{binary_pair, is_plain, is_subnormal};
 use super::{PairF32, exact_mul_addf};
 use crate::prelude::*;
 
-/// Of the Taylor series of 2^s, s, with what the third power comes to on the average: to |s| = 1/256 this leaves less than 2⁻³⁰.
+/// Of the Taylor series of 2^s, s, with the share of s³ that a multiple of s takes best: to |s| = 1/256 less than 2⁻³⁰ is left.
 #[crate::data]
 const FIRST: f32 = LN_2 + LN_2 * LN_2 * LN_2 / 8.0 / 65_536.0;
 /// The same, s².
@@ -60,7 +60,7 @@ pub fn special_power(x: f32, y: f32) -> f32 {
 /// An exponent of two as 128ths and what is left of it.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StepsF32 {
+pub struct ExponentF32 {
     /// The bits of the number of 128ths with [`TO_STEPS`] added: the last seven choose a row, the rest is whole powers of two.
     pub bits: u32,
     /// What is left, −1/256 to 1/256.
@@ -70,15 +70,15 @@ pub struct StepsF32 {
 /// The parts of an exponent that is less than 2¹⁵ in magnitude.
 #[inline]
 #[function]
-pub fn steps_of(power: PairF32) -> StepsF32 {
+pub fn exponent_of(power: PairF32) -> ExponentF32 {
     let shifted = power.high + TO_STEPS;
-    StepsF32 { bits: shifted.raw_bits(), rest: (power.high - (shifted - TO_STEPS)) + power.low }
+    ExponentF32 { bits: shifted.raw_bits(), rest: (power.high - (shifted - TO_STEPS)) + power.low }
 }
 
-/// `scale` · 2^s, of whole powers of two in s nothing.
+/// `scale` · 2^s for the exponent s less its whole powers of two.
 #[inline]
 #[function]
-pub fn binary(exponent: StepsF32, scale: f32) -> f32 {
+pub fn binary(exponent: ExponentF32, scale: f32) -> f32 {
     let row = (exponent.bits & 127) as usize;
     let base = NARROW_BINARY_ROWS[row][0] * scale;
     let beyond = (base * exponent.rest) * (FIRST + exponent.rest * SECOND);
@@ -109,7 +109,7 @@ pub fn far_powff(x: f32, y: f32) -> f32 {
         } else if power.high < -152.0 {
             0.0
         } else {
-            let exponent = steps_of(power);
+            let exponent = exponent_of(power);
             let whole = exponent.bits.wrapping_sub(0x47c0_0000) as i32 >> 7;
             far_scaled(binary(exponent, 1.0), whole)
         };
@@ -124,9 +124,9 @@ pub fn far_powff(x: f32, y: f32) -> f32 {
 pub fn powff(x: f32, y: f32) -> f32 {
     if is_plain(x) {
         let power = binary_power(x, 0, y);
-        // What the row adds to a power this far from the smallest number loses nothing that counts.
+        // The low part of a row is still a normal number after scaling, or so small that it does not count.
         if power.high.abs() < 110.0 {
-            let exponent = steps_of(power);
+            let exponent = exponent_of(power);
             return binary(exponent, scaled(1.0, exponent.bits >> 7));
         }
     }
