@@ -2,15 +2,22 @@
 
 mod defaults;
 
-use std::cell::RefCell;
-use std::collections::HashMap;
+use std::cell::{OnceCell, RefCell};
+use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
 use std::rc::Rc;
 
 /// Source files below a root, each read once.
 pub struct Sources {
     root: PathBuf,
-    files: RefCell<HashMap<String, Rc<[String]>>>,
+    files: RefCell<HashMap<String, Rc<File>>>,
+}
+
+/// A file, and what is asked of it for name after name.
+struct File {
+    lines: Vec<String>,
+    /// The names that its `use`s give to something else.
+    renamed: OnceCell<BTreeSet<String>>,
 }
 
 impl Sources {
@@ -19,21 +26,22 @@ impl Sources {
         Sources { root: root.into(), files: RefCell::default() }
     }
 
-    /// The lines of `file`; none if it cannot be read.
-    fn lines(&self, file: &str) -> Rc<[String]> {
+    /// A file; without lines if it cannot be read.
+    fn file(&self, file: &str) -> Rc<File> {
         let mut files = self.files.borrow_mut();
         files
             .entry(file.to_owned())
             .or_insert_with(|| {
                 let text = std::fs::read_to_string(self.root.join(file)).unwrap_or_default();
-                text.lines().map(str::to_owned).collect()
+                let lines = text.lines().map(str::to_owned).collect();
+                Rc::new(File { lines, renamed: OnceCell::new() })
             })
             .clone()
     }
 
     /// A line, counted from 1.
     pub fn line(&self, file: &str, line: u32) -> Option<String> {
-        self.lines(file).get((line as usize).checked_sub(1)?).cloned()
+        self.file(file).lines.get((line as usize).checked_sub(1)?).cloned()
     }
 
     /// A whole file; empty if it cannot be read.
@@ -50,8 +58,8 @@ impl Sources {
 
     /// The `//` lines right above `line`, without the slashes.
     pub fn comments_above(&self, file: &str, line: u32) -> Vec<String> {
-        let lines = self.lines(file);
-        let above = lines.get(..(line as usize).saturating_sub(1)).unwrap_or_default();
+        let file = self.file(file);
+        let above = file.lines.get(..(line as usize).saturating_sub(1)).unwrap_or_default();
         let mut comments: Vec<String> =
             above.iter().rev().map_while(|line| comment(line)).map(str::to_owned).collect();
         comments.reverse();
@@ -61,10 +69,10 @@ impl Sources {
     /// What a file says of itself by `//!` at its head, up to a heading or an example; as comments of items are, with the space
     /// behind the mark.
     pub fn about(&self, file: &str) -> Vec<String> {
-        let lines = self.lines(file);
+        let file = self.file(file);
         // A licence may stand above.
         let above = |line: &&String| line.is_empty() || comment(line).is_some();
-        let said = lines.iter().skip_while(above).map_while(|line| line.strip_prefix("//!"));
+        let said = file.lines.iter().skip_while(above).map_while(|line| line.strip_prefix("//!"));
         let text = |line: &&str| !line.starts_with(" #") && !line.starts_with(" ```");
         let mut about: Vec<String> =
             said.map(str::trim_end).take_while(text).map(str::to_owned).collect();
@@ -76,20 +84,29 @@ impl Sources {
 
     /// The fields that the `impl Default` of a struct of `file` computes, each with the author's expression.
     pub fn computed_defaults(&self, file: &str, name: &str) -> Vec<(String, String)> {
-        defaults::computed(&self.lines(file).join("\n"), name)
+        defaults::computed(&self.file(file).lines.join("\n"), name)
     }
 
     /// Whether a `use` of `file` gives something else the name `name`.
     pub fn renames(&self, file: &str, name: &str) -> bool {
-        let code = |line: &String| line.split("//").next().unwrap_or_default().to_owned();
-        let lines: Vec<String> = self.lines(file).iter().map(code).collect();
-        lines.join(" ").split(';').any(|statement| {
-            let words = statement.split(|it: char| !it.is_alphanumeric() && it != '_');
-            let words: Vec<&str> =
-                words.filter(|word| !word.is_empty()).skip_while(|word| *word != "use").collect();
-            words.windows(2).any(|pair| pair == ["as", name])
-        })
+        let file = self.file(file);
+        file.renamed.get_or_init(|| renamed(&file.lines)).contains(name)
     }
+}
+
+/// The names that `use`s give to something else: the word behind each `as` between `use` and `;`.
+fn renamed(lines: &[String]) -> BTreeSet<String> {
+    let code = |line: &String| line.split("//").next().unwrap_or_default().to_owned();
+    let text = lines.iter().map(code).collect::<Vec<_>>().join(" ");
+    let mut names = BTreeSet::new();
+    for statement in text.split(';') {
+        let words = statement.split(|it: char| !it.is_alphanumeric() && it != '_');
+        let words: Vec<&str> =
+            words.filter(|word| !word.is_empty()).skip_while(|word| *word != "use").collect();
+        let given = words.windows(2).filter(|pair| pair[0] == "as").map(|pair| pair[1].to_owned());
+        names.extend(given);
+    }
+    names
 }
 
 /// The text of a line that is an ordinary comment and nothing else.
