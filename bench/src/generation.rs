@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use bessemer_codegen::compile::{self, Options};
-use bessemer_codegen::generate;
+use bessemer_codegen::generate::{self, Job};
 use bessemer_codegen::source::Sources;
 use bessemer_tests::workspace::Workspace;
 use serde_json::{Value, json};
@@ -84,12 +84,13 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Generation, String
 fn timed(root: &std::path::Path, package: &str, runs: usize) -> Result<(usize, f64, f64), String> {
     let sources = Sources::new(root);
     // Builds what is not built yet.
-    let built = generate::tree(root, package).map_err(|error| error.to_string())?;
+    let job = Job::new(root, package);
+    let built = generate::tree(&job).map_err(|error| error.to_string())?.package;
     let (mut least_tree, mut least_c) = (f64::INFINITY, f64::INFINITY);
     let mut functions = built.functions.len();
     for _ in 0..runs {
         let start = Instant::now();
-        let tree = generate::tree(root, package).map_err(|error| error.to_string())?;
+        let tree = generate::tree(&job).map_err(|error| error.to_string())?.package;
         least_tree = least_tree.min(milliseconds(start));
         let start = Instant::now();
         let compiled = compile::compile(&tree, &sources, &Options::default())

@@ -21,7 +21,9 @@ pub mod process;
 pub mod random;
 pub mod reached;
 pub mod serial;
+pub mod store;
 pub mod toolchain;
+pub mod trees;
 mod units;
 pub mod watch;
 
@@ -81,7 +83,8 @@ pub fn compiled(package: &str) -> Compiled {
 pub fn compiled_with(package: &str, options: &compile::Options) -> Compiled {
     assert!(overflow_is_checked(), "set `overflow-checks = true` in the profile");
     let sources = Sources::new(root());
-    let package = generate::tree(&root(), package).unwrap_or_else(|error| panic!("{error}"));
+    let tree = trees::tree(&generate::Job::new(root(), package), &trees::folders());
+    let package = tree.unwrap_or_else(|error| panic!("{error}")).package;
     let compiled = compile::compile(&package, &sources, options)
         .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)));
     // To look at the C of a test's package: `BESSEMER_SHOW=folder cargo test …`.

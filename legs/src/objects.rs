@@ -2,53 +2,33 @@
 //!
 //! An object's key is all that decides it: the compiler's own words about itself, the flags, the text of the source,
 //! and the texts of the files of its folder that it includes, and that these include. Kernels, helpers and the files
-//! of unchanged programs then come from the run before, and from the test beside. Where nothing may be left out
-//! (`BESSEMER_FULL`) every object is compiled.
+//! of unchanged programs then come from the run before, and from the test beside.
 //!
-//! Invariants: an object is stored only if its compiler had nothing to say; it appears whole or not at all.
+//! Invariant: an object is stored only if its compiler had nothing to say.
 //!
 //! What it must not know: what the C is for.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::fmt::Debug;
+use std::hash::Hash;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::{LazyLock, Mutex};
 
-use crate::root;
+use crate::store;
 
 /// Where an object with this content lies, or would lie; none if nothing is to be stored.
 ///
 /// `flags` are those of the command that makes it; `source` is the file that it compiles.
 pub fn place(compiler: &str, flags: &[String], source: &Path) -> Option<PathBuf> {
-    if std::env::var_os("BESSEMER_FULL").is_some() {
-        return None;
-    }
-    Some(root().join("target").join("objects").join(name(compiler, flags, source)?))
+    store::place("objects", &content(compiler, flags, source)?)
 }
 
-/// The name of an object with this content.
-fn name(compiler: &str, flags: &[String], source: &Path) -> Option<String> {
-    let content = (version(compiler)?, compiler, flags, texts(source)?);
-    Some(format!("{:016x}{:016x}.o", hash(&content, 0), hash(&content, 1)))
-}
-
-/// Copies a stored object to `object`; whether there was one.
-pub fn fetch(stored: &Path, object: &Path) -> bool {
-    std::fs::copy(stored, object).is_ok()
-}
-
-/// Stores an object.
-///
-/// # Errors
-/// An error of the file system.
-pub fn store(object: &Path, stored: &Path) -> std::io::Result<()> {
-    let folder = stored.parent().unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder)?;
-    let fresh = tempfile::Builder::new().tempfile_in(folder)?;
-    std::fs::copy(object, fresh.path())?;
-    fresh.persist(stored).map_err(|error| error.error)?;
-    Ok(())
+/// What decides an object.
+fn content(
+    compiler: &str,
+    flags: &[String],
+    source: &Path,
+) -> Option<impl Hash + PartialEq + Debug + use<>> {
+    Some((store::version(compiler)?, compiler.to_owned(), flags.to_vec(), texts(source)?))
 }
 
 /// The name and the text of the source and of each file that it includes from its folder.
@@ -68,25 +48,6 @@ fn texts(source: &Path) -> Option<BTreeMap<String, String>> {
     Some(texts)
 }
 
-/// A compiler's version, asked once.
-fn version(compiler: &str) -> Option<String> {
-    static VERSIONS: LazyLock<Mutex<BTreeMap<String, Option<String>>>> =
-        LazyLock::new(Mutex::default);
-    let mut versions = VERSIONS.lock().ok()?;
-    let ask = || {
-        let output = Command::new(compiler).arg("--version").output().ok()?;
-        output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
-    };
-    versions.entry(compiler.to_owned()).or_insert_with(ask).clone()
-}
-
-fn hash(content: &impl Hash, salt: u64) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    salt.hash(&mut hasher);
-    content.hash(&mut hasher);
-    hasher.finish()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -102,7 +63,7 @@ mod tests {
         let source = folder.path().join("a.c");
         let of = |flags: &[&str]| {
             let flags: Vec<String> = flags.iter().map(|flag| (*flag).to_owned()).collect();
-            name("gcc", &flags, &source)
+            content("gcc", &flags, &source)
         };
         let first = of(&["-O2"]);
         assert!(first.is_some());
@@ -112,7 +73,7 @@ mod tests {
         assert_eq!(first, of(&["-O2"]), "nobody includes it");
         write("b.h", "int other;\n")?;
         assert_ne!(first, of(&["-O2"]), "a file that is included by an included one");
-        assert_eq!(name("no-such-compiler", &[], &source), None);
+        assert_eq!(content("no-such-compiler", &[], &source), None);
         Ok(())
     }
 }

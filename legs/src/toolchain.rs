@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex};
 
-use crate::objects;
+use crate::{objects, store};
 
 use bessemer_codegen::c::Standard;
 
@@ -350,7 +350,7 @@ impl Toolchain {
         let words =
             command.get_args().map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>();
         let stored = objects::place(self.compiler, &words, source);
-        if stored.as_ref().is_some_and(|stored| objects::fetch(stored, &object)) {
+        if stored.as_ref().is_some_and(|stored| store::fetch(stored, &object)) {
             return Ok((object, String::new()));
         }
         command.args(source.parent().into_iter().flat_map(include));
@@ -358,7 +358,7 @@ impl Toolchain {
         if said.is_empty()
             && let Some(stored) = stored
         {
-            objects::store(&object, &stored)
+            store::store(&object, &stored)
                 .map_err(|error| format!("{}: {error}", stored.display()))?;
         }
         Ok((object, said))

@@ -1,7 +1,7 @@
 //! A workspace of its own in a temporary folder, as a user outside this repository has one.
 //!
 //! It takes this workspace's settings, lock file and target folder, and links to the DSL: only its models are built
-//! anew. What it generates must not depend on where it lies.
+//! anew, and these only if the same was not built before. What it generates must not depend on where it lies.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,8 +10,9 @@ use std::path::{Path, PathBuf};
 
 use bessemer_codegen::compile::{self, Compiled};
 use bessemer_codegen::diagnostic;
-use bessemer_codegen::generate::{self, Job};
+use bessemer_codegen::generate::{self, Job, Made, Summary, Tree};
 use bessemer_codegen::source::Sources;
+use bessemer_legs::trees;
 use tempfile::TempDir;
 
 use crate::root;
@@ -125,6 +126,19 @@ impl Workspace {
         Ok(())
     }
 
+    /// The job of generating its package.
+    pub fn job(&self) -> Job {
+        Job::new(self.path(""), "models")
+    }
+
+    /// The tree of its package.
+    ///
+    /// # Errors
+    /// See [`generate::Error`].
+    pub fn tree(&self) -> Result<Tree, generate::Error> {
+        trees::tree(&self.job(), &[self.folder()])
+    }
+
     /// The models, compiled.
     ///
     /// # Errors
@@ -139,10 +153,19 @@ impl Workspace {
     /// What the generator or the compiler said.
     pub fn compiled_with(&self, options: &compile::Options) -> Result<Compiled, String> {
         let sources = Sources::new(self.path(""));
-        let package =
-            generate::tree(&self.path(""), "models").map_err(|error| error.to_string())?;
+        let package = self.tree().map_err(|error| error.to_string())?.package;
         compile::compile(&package, &sources, options)
             .map_err(|errors| diagnostic::render(&errors, &sources, false))
+    }
+
+    /// Does a job of its package's.
+    ///
+    /// # Errors
+    /// See [`generate::Error`].
+    pub fn perform(&self, job: &Job) -> Result<Summary, generate::Error> {
+        let Made { compiled, remarks } = generate::compiled_from(job, &self.tree()?)?;
+        let changed = generate::deliver(job, &compiled)?;
+        Ok(Summary { compiled, changed, remarks })
     }
 
     /// Generates with a tool that says it is of `version`; the folder's files.
@@ -150,12 +173,28 @@ impl Workspace {
     /// # Errors
     /// What the generator said.
     pub fn generate(&self, version: &str) -> Result<Files, generate::Error> {
-        let mut job = Job::new(self.0.path(), "models");
+        let mut job = self.job();
+        job.version = version.to_owned();
+        self.perform(&job)?;
+        self.generated()
+    }
+
+    /// Does the same by a build of its own, even if the same was built before.
+    ///
+    /// # Errors
+    /// What the generator said.
+    pub fn generate_anew(&self, version: &str) -> Result<Files, generate::Error> {
+        let mut job = self.job();
         job.version = version.to_owned();
         generate::generate(&job)?;
-        let read = |source| generate::Error::File { path: job.output.clone(), source };
+        self.generated()
+    }
+
+    fn generated(&self) -> Result<Files, generate::Error> {
+        let output = self.job().output;
+        let read = |source| generate::Error::File { path: output.clone(), source };
         let mut files = Files::new();
-        for entry in fs::read_dir(&job.output).map_err(read)? {
+        for entry in fs::read_dir(&output).map_err(read)? {
             let entry = entry.map_err(read)?;
             let text = fs::read_to_string(entry.path()).map_err(read)?;
             files.insert(entry.file_name().to_string_lossy().into_owned(), text);

@@ -67,9 +67,9 @@ fn the_folder_is_whole_or_as_it_was() {
 fn a_package_of_another_workspace_without_anything_marked_is_not_taken_for_ones_own() {
     let [own, other] = [MODEL, "//! Nothing.\n#![no_std]\n"]
         .map(|text| Workspace::with_source(text).expect("a workspace"));
-    let nothing = other.generate("1").expect_err("nothing is marked");
+    let nothing = other.generate_anew("1").expect_err("nothing is marked");
     assert!(matches!(nothing, Error::NoModels { .. }), "{nothing}");
-    assert!(own.generate("1").expect("generated").contains_key("models.c"));
+    assert!(own.generate_anew("1").expect("generated").contains_key("models.c"));
 }
 
 /// Where the only thing that is marked becomes no C, the author is told why, and not that nothing is marked.
@@ -78,7 +78,7 @@ fn a_package_of_which_nothing_becomes_c_says_why() {
     let path = root().join("tests/newcomers/generic_component_without_instance.rs");
     let text = fs::read_to_string(path).expect("a mistake");
     let workspace = Workspace::with_source(&text).expect("a workspace");
-    let Err(Error::Refused(said)) = workspace.generate("1") else {
+    let Err(Error::Refused(said)) = workspace.generate_anew("1") else {
         panic!("it becomes C");
     };
     let [told] = &said.diagnostics[..] else { panic!("{said}") };
@@ -95,7 +95,7 @@ fn a_dsl_that_workspaces_link_to_is_built_once() {
     let before = modified();
     for version in ["1", "2"] {
         let workspace = Workspace::with_source(MODEL).expect("a workspace");
-        workspace.generate(version).expect("generated");
+        workspace.generate_anew(version).expect("generated");
     }
     assert_eq!(modified(), before, "it was taken for another workspace's");
 }
@@ -109,7 +109,7 @@ fn workspaces_that_share_a_target_folder_do_not_mix() {
                 let text = MODEL.replace("x + x", &format!("x * {constant}"));
                 let workspace = Workspace::with_source(&text).expect("a workspace");
                 for version in ["1", "2", "3", "4", "5"] {
-                    let files = workspace.generate(version).expect("generated");
+                    let files = workspace.generate_anew(version).expect("generated");
                     assert!(files["models.c"].contains(&format!("x * {constant}")));
                 }
             });

@@ -1,7 +1,6 @@
 //! The layouts of matrices: how the C spells them. `corpus.rs` holds the bits.
 
 use bessemer_codegen::compile::Layout;
-use bessemer_codegen::generate::{self, Job};
 use bessemer_tests::toolchain::{self, run};
 use bessemer_tests::workspace::Workspace;
 
@@ -49,7 +48,7 @@ pub fn solved(a: &Matrix2<f64>, b: &Vector2<f64>) -> Option<Vector2<f64>> {
 #[test]
 fn each_layout_spells_matrices_its_way() {
     let workspace = Workspace::with_source(MODEL).expect("a workspace");
-    let mut job = Job::new(workspace.path(""), "models");
+    let mut job = workspace.job();
     let spellings: [(Layout, &[&str]); 3] = [
         (
             Layout::Columns,
@@ -78,7 +77,7 @@ fn each_layout_spells_matrices_its_way() {
     ];
     for (layout, spellings) in spellings {
         job.options.layout = layout;
-        let summary = generate::generate(&job).expect("generated");
+        let summary = workspace.perform(&job).expect("generated");
         let files = &summary.compiled.files;
         let text: String = files.iter().map(|file| file.text.as_str()).collect();
         for spelling in spellings {

@@ -8,9 +8,7 @@ mod probe;
 use std::process::Command;
 use std::thread;
 
-use bessemer_codegen::compile::{self, Compiled, Options};
-use bessemer_codegen::source::Sources;
-use bessemer_codegen::{diagnostic, generate};
+use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_ir::{Float, FunctionId, Type};
 use bessemer_tests::pilot::entry;
 use bessemer_tests::process::{Process, lay_out};
@@ -33,11 +31,7 @@ fn range(call: u32) -> f64 {
 fn compiled() -> Compiled {
     let text = format!("#![no_std]\n{}", include_str!("../mathematics/probe.rs"));
     let workspace = Workspace::with_source(&text).expect("a workspace");
-    let root = workspace.path("");
-    let package = generate::tree(&root, "models").unwrap_or_else(|error| panic!("{error}"));
-    let sources = Sources::new(&root);
-    compile::compile(&package, &sources, &Options::default())
-        .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)))
+    workspace.compiled().unwrap_or_else(|said| panic!("{said}"))
 }
 
 fn native() -> Vec<u64> {

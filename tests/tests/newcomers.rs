@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use bessemer_codegen::diagnostic::{self, Diagnostic, Level};
-use bessemer_codegen::generate::{self, Error, Job};
+use bessemer_codegen::generate::Error;
 use bessemer_codegen::source::Sources;
 use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
@@ -94,8 +94,7 @@ pub(super) fn step(
     workspace
         .set_source(&format!("//! Mistakes.\n#![allow(missing_docs)]\n{modules}{BESIDE}"))
         .expect("a source file");
-    let job = Job::new(workspace.path(""), "models");
-    let (all, is_last) = match generate::generate(&job) {
+    let (all, is_last) = match workspace.perform(&workspace.job()) {
         Ok(summary) => (summary.remarks.diagnostics, true),
         Err(Error::Models(told) | Error::Refused(told)) => {
             assert!(!told.diagnostics.is_empty(), "{told}");

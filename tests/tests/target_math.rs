@@ -5,7 +5,7 @@ use std::fs;
 use std::process::Command;
 
 use bessemer_codegen::compile::Math;
-use bessemer_codegen::generate::{self, Job};
+use bessemer_codegen::generate;
 use bessemer_tests::toolchain::{self, run};
 use bessemer_tests::workspace::Workspace;
 
@@ -23,13 +23,13 @@ pub fn heading(x: f64, y: f64, z: f32) -> [f64; 3] {
 #[test]
 fn the_targets_functions_stand_for_the_dsls() {
     let workspace = Workspace::with_source(MODEL).expect("a workspace");
-    let mut job = Job::new(workspace.path(""), "models");
-    let portable = generate::generate(&job).expect("generated").compiled;
+    let mut job = workspace.job();
+    let portable = workspace.perform(&job).expect("generated").compiled;
     assert!(portable.library.is_empty());
     assert!(!generate::table(&portable).contains("math.h"));
 
     job.options.math = Math::Target;
-    let summary = generate::generate(&job).expect("generated");
+    let summary = workspace.perform(&job).expect("generated");
     assert_eq!(summary.compiled.library, ["atan2", "log", "powf"]);
     let said = generate::table(&summary.compiled);
     assert!(said.contains("the target's math.h (atan2, log, powf)"), "{said}");

@@ -2,11 +2,11 @@
 //! the slot of the expression. A disagreement is an error of the tool, named as such.
 
 use bessemer_codegen::compile::{self, Options};
-use bessemer_codegen::generate;
+use bessemer_codegen::generate::Job;
 use bessemer_codegen::source::Sources;
 use bessemer_ir::tree::{Package, Ty};
 use bessemer_ir::{Float, Int, Scalar};
-use bessemer_tests::{compiled, root};
+use bessemer_tests::{compiled, root, trees};
 
 /// The packages whose every expression is checked.
 const PACKAGES: [&str; 4] = ["models", "corpus", "edges", "linear"];
@@ -55,7 +55,8 @@ fn arithmetic(value: &serde_json::Value, found: &mut Vec<usize>) {
 
 #[test]
 fn a_type_that_is_not_rustcs_is_told() {
-    let package = generate::tree(&root(), "models").expect("the tree of the package");
+    let package = trees::tree(&Job::new(root(), "models"), &trees::folders());
+    let package = package.expect("the tree of the package").package;
     let sources = Sources::new(root());
     let (mut told, mut tried, mut otherwise) = (0, 0, Vec::new());
     for (index, function) in package.functions.iter().enumerate() {

@@ -1,9 +1,9 @@
 //! The walk over the author's syntax, held against the whole of it as it is shown.
 
-use bessemer_codegen::generate;
+use bessemer_codegen::generate::Job;
 use bessemer_ir::tree::visit::{Visit, walk_expr};
 use bessemer_ir::tree::{Block, Expr};
-use bessemer_tests::root;
+use bessemer_tests::{root, trees};
 
 struct Met(usize);
 
@@ -23,7 +23,8 @@ fn met(body: &Block) -> usize {
 /// Of all functions of the corpus, which has every construct.
 #[test]
 fn every_expression_is_met_once() {
-    let package = generate::tree(&root(), "corpus").unwrap_or_else(|error| panic!("{error}"));
+    let package = trees::tree(&Job::new(root(), "corpus"), &trees::folders());
+    let package = package.unwrap_or_else(|error| panic!("{error}")).package;
     for function in &package.functions {
         let body = &function.tree.body;
         let shown = format!("{body:?}").matches("Expr { kind: ").count();

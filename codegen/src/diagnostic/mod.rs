@@ -8,6 +8,7 @@ mod extent;
 use std::fmt::{self, Display, Formatter};
 
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Renderer, Snippet};
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::source::Sources;
@@ -16,7 +17,7 @@ use crate::source::Sources;
 pub const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
 
 /// How bad it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Level {
     /// No C is made.
     #[default]
@@ -36,7 +37,7 @@ impl Level {
 }
 
 /// One thing that is wrong, and where.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Diagnostic {
     /// How bad it is.
     pub level: Level,
@@ -65,7 +66,7 @@ pub struct Diagnostic {
 }
 
 /// A place beside the one that a diagnostic is about.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Place {
     /// Line and column, from 1.
     pub start: (u32, u32),

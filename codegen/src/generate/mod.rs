@@ -16,10 +16,6 @@ mod report;
 mod told;
 mod workspace;
 
-use std::path::Path;
-
-use bessemer_ir::tree;
-
 use crate::compile::{self, Compiled};
 use crate::diagnostic::{Diagnostic, Told};
 use crate::remarks;
@@ -28,7 +24,7 @@ use crate::source::Sources;
 pub use error::Error;
 pub use job::Job;
 pub use manifest::Manifest;
-pub use package::settings;
+pub use package::{Tree, settings};
 pub use program::Program;
 pub use report::{explanation, table};
 pub use workspace::{Member, Workspace};
@@ -74,19 +70,27 @@ pub fn ready(job: &Job) -> Result<(), Error> {
 /// # Errors
 /// See [`Error`].
 pub fn compiled(job: &Job) -> Result<Made, Error> {
+    compiled_from(job, &tree(job)?)
+}
+
+/// Compiles the tree of the job's package, and writes nothing.
+///
+/// # Errors
+/// See [`Error`].
+pub fn compiled_from(job: &Job, tree: &Tree) -> Result<Made, Error> {
     let sources = Sources::new(&job.root);
-    let workspace = Workspace::of(&job.root)?;
-    let (package, warnings) = built(job, &workspace, &sources)?;
+    let Tree { package, warnings } = tree;
     if package.types.is_empty() && package.functions.is_empty() && package.errors.is_empty() {
-        let reasons: Vec<Diagnostic> = remarks::reasons(&package).collect();
+        let reasons: Vec<Diagnostic> = remarks::reasons(package).collect();
         return Err(match reasons.is_empty() {
             true => Error::NoModels { package: job.package.clone() },
             false => refused(job, reasons, &sources),
         });
     }
-    let compiled = compile::compile(&package, &sources, &job.options)
+    let compiled = compile::compile(package, &sources, &job.options)
         .map_err(|diagnostics| refused(job, diagnostics, &sources))?;
-    let remarks = warnings.into_iter().chain(remarks::of(&package, &compiled.module)).collect();
+    let found = remarks::of(package, &compiled.module);
+    let remarks = warnings.iter().cloned().chain(found).collect();
     Ok(Made { compiled, remarks: Told::new(remarks, &sources, job.colour) })
 }
 
@@ -122,22 +126,12 @@ pub fn native(job: &Job, text: &str) -> Result<Result<Program, String>, Error> {
     package::native(job, &workspace, &sources, text)
 }
 
-/// The tree of the job's package, and what rustc warns of.
-fn built(
-    job: &Job,
-    workspace: &Workspace,
-    sources: &Sources,
-) -> Result<(tree::Package, Vec<Diagnostic>), Error> {
-    package::tree(job, workspace, sources)
-}
-
-/// Builds the package and gives its tree; for tools that go on from there.
+/// Builds the job's package and gives its tree; for tools that go on from there.
 ///
 /// # Errors
 /// See [`Error`].
-pub fn tree(root: &Path, package: &str) -> Result<tree::Package, Error> {
-    let job = Job::new(root, package);
-    built(&job, &Workspace::of(root)?, &Sources::new(root)).map(|(package, _)| package)
+pub fn tree(job: &Job) -> Result<Tree, Error> {
+    package::tree(job, &Workspace::of(&job.root)?, &Sources::new(&job.root))
 }
 
 fn refused(job: &Job, diagnostics: Vec<Diagnostic>, sources: &Sources) -> Error {

@@ -24,12 +24,16 @@ const BUILDS: &str = ".bessemer-lock";
 /// How often what was built may turn out to be another workspace's.
 const TRIES: usize = 10;
 
+/// A package as its author wrote it.
+pub struct Tree {
+    /// Its types and functions.
+    pub package: Package,
+    /// What rustc warns of.
+    pub warnings: Vec<Diagnostic>,
+}
+
 /// The tree of a package, and what rustc warns of.
-pub(super) fn tree(
-    job: &Job,
-    workspace: &Workspace,
-    sources: &Sources,
-) -> Result<(Package, Vec<Diagnostic>), Error> {
+pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Result<Tree, Error> {
     let member = workspace.agreed(&job.package)?;
     let library = member.models()?;
     let license = job.license.as_ref().or(member.license.as_ref());
@@ -64,7 +68,7 @@ pub(super) fn tree(
         if anew.is_empty() {
             let read = || bessemer_ir::tree::read(&printed.tree);
             let package = deep::deep(read).map_err(|error| failed(error.to_string()))?;
-            return Ok((package, warnings));
+            return Ok(Tree { package, warnings });
         }
     }
     Err(failed(why))

@@ -9,8 +9,8 @@ mod generate;
 use std::collections::BTreeSet;
 
 use bessemer_codegen::compile::{self, Options};
+use bessemer_codegen::diagnostic;
 use bessemer_codegen::source::Sources;
-use bessemer_codegen::{diagnostic, generate as generation};
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::visit::{VisitMut, walk_stmt_mut};
 use bessemer_ir::{Expr, ExprKind, FunctionId, Int, LocalId, Module, Scalar, Stmt, StmtKind, Type};
@@ -74,8 +74,8 @@ fn attack(workspace: &Workspace, seed: u64) -> (usize, Vec<String>) {
     let batch = Batch::new(&mut random, PROGRAMS);
     workspace.set_source(&batch.text).expect("a source file");
     let sources = Sources::new(workspace.path(""));
-    let mut package = generation::tree(&workspace.path(""), "models")
-        .unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+    let tree = workspace.tree().unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+    let mut package = tree.package;
     let compiled = match compile::compile(&package, &sources, &Options::default()) {
         Ok(compiled) => compiled,
         Err(errors) => {

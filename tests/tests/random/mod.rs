@@ -34,7 +34,7 @@ use std::fmt::Write as _;
 
 use bessemer_codegen::compile::{self, Compiled, Options};
 use bessemer_codegen::diagnostic;
-use bessemer_codegen::generate::{self as generation, Error};
+use bessemer_codegen::generate::{Error, Tree};
 use bessemer_codegen::source::Sources;
 use bessemer_ir::tree::Package;
 use bessemer_tests::random::Random;
@@ -285,8 +285,8 @@ fn built(workspace: &Workspace, batch: &mut Batch) -> Built {
 fn tree(workspace: &Workspace, batch: &mut Batch) -> Package {
     loop {
         batch.write(workspace, false);
-        let said = match generation::tree(&workspace.path(""), "models") {
-            Ok(mut package) => {
+        let said = match workspace.tree() {
+            Ok(Tree { mut package, .. }) => {
                 for program in batch.left() {
                     match batch.is_made_of_one(program) {
                         true => aimed::instantiate(&mut package, program),

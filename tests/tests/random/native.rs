@@ -2,10 +2,12 @@
 
 use std::fmt::Write as _;
 use std::io::{Read, Write as _};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 use bessemer_tests::outcome::{Outcome, fault};
 use bessemer_tests::workspace::Workspace;
+use bessemer_tests::{store, trees};
 
 use super::writer::Program;
 
@@ -116,10 +118,30 @@ const NAME: &str = "random-native";
 /// Its file in the package.
 pub const SOURCE: &str = "src/bin/random-native.rs";
 
-/// Builds the program; what rustc says if it does not like it.
+/// Builds the program, unless the same was built before; what rustc says if it does not like it.
 pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, String> {
     let path = workspace.folder().join(SOURCE);
     std::fs::write(path, text(programs)).expect("a source file");
+    let content = trees::content(&workspace.job(), &[workspace.folder()]);
+    let place = |kind| content.as_ref().and_then(|content| store::place(kind, content));
+    let (built, refused) = (place("native"), place("native-refused"));
+    let own = workspace.path(NAME);
+    if built.as_ref().is_some_and(|built| store::fetch(built, &own)) {
+        return Ok(own.display().to_string());
+    }
+    if let Some(Ok(said)) = refused.as_ref().map(std::fs::read_to_string) {
+        return Err(said);
+    }
+    let result = build_anew(workspace, &own);
+    let said = workspace.path("said");
+    std::fs::write(&said, result.as_ref().err().map_or("", String::as_str)).expect("a file");
+    let (made, place) = if result.is_ok() { (&own, built) } else { (&said, refused) };
+    place.into_iter().for_each(|place| store::store(made, &place).expect("the target folder"));
+    result.map(|()| own.display().to_string())
+}
+
+/// Builds the program as `own`.
+fn build_anew(workspace: &Workspace, own: &Path) -> Result<(), String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
         .args(["build", "--quiet", "--package", "models", "--bin", NAME])
@@ -132,15 +154,14 @@ pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, Str
         text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     if output.status.success() {
         let program = messages.iter().rev().find_map(|it| it["executable"].as_str());
-        let program = program.ok_or("no program".to_owned())?;
         // Another run may build its own to the same place.
-        let own = workspace.path(NAME);
-        std::fs::copy(program, &own).map_err(|error| error.to_string())?;
-        return Ok(own.display().to_string());
+        std::fs::copy(program.expect("a program"), own).expect("a copy of it");
+        return Ok(());
     }
     let said = messages.iter().filter(|it| it["message"]["level"] == "error");
     let said: String = said.filter_map(|it| it["message"]["rendered"].as_str()).collect();
-    Err(said + &String::from_utf8_lossy(&output.stderr))
+    assert!(!said.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    Err(said)
 }
 
 /// The name of the program that is called where the native program has this line.

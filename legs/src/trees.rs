@@ -1,0 +1,158 @@
+//! Trees by what they are made of, so that no package is built twice for its tree.
+//!
+//! A tree's key is all that decides it: rustc's words about itself, the sources of the DSL, of the generation build and of
+//! what it says of them, the lock file, and the settings and sources of the package and of those that it rests on. A
+//! change of a pass or of the printer then needs no build of any test's models.
+//!
+//! Invariant: what rustc and the builders say of the author's source is stored with it; what else went wrong is not.
+//!
+//! What it must not know: what the package is for.
+
+use std::collections::BTreeMap;
+use std::hash::Hash;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use bessemer_codegen::deep::deep;
+use bessemer_codegen::diagnostic::{Diagnostic, Told};
+use bessemer_codegen::generate::{self, Error, Job, Tree};
+use bessemer_codegen::source::Sources;
+use bessemer_ir::tree::Package;
+use serde::{Deserialize, Serialize};
+
+use crate::{root, store};
+
+/// What decides every tree, beside the package's own sources, from the root.
+const EVERY: [&str; 4] =
+    ["dsl", "codegen/src/generate", "codegen/src/source", "codegen/src/diagnostic"];
+
+/// What became of a build; borrowed where it is written, since a tree nests too deep to be copied on any stack.
+#[derive(Serialize, Deserialize)]
+enum Outcome<P, D> {
+    Built { package: P, warnings: D },
+    Refused(D),
+}
+
+/// The tree of the job's package, whose sources and those that it rests on are in `folders`.
+///
+/// # Errors
+/// Those of [`generate::tree`].
+pub fn tree(job: &Job, folders: &[PathBuf]) -> Result<Tree, Error> {
+    let stored = content(job, folders).and_then(|content| store::place("trees", &content));
+    match stored.as_deref().and_then(read) {
+        Some(Outcome::Built { package, warnings }) => return Ok(Tree { package, warnings }),
+        Some(Outcome::Refused(diagnostics)) => {
+            let sources = Sources::new(&job.root);
+            return Err(Error::Models(Told::new(diagnostics, &sources, job.colour)));
+        }
+        None => {}
+    }
+    let made = generate::tree(job);
+    let outcome = match &made {
+        Ok(Tree { package, warnings }) => Some(Outcome::Built { package, warnings }),
+        Err(Error::Models(told)) if !told.diagnostics.is_empty() => {
+            Some(Outcome::Refused(&told.diagnostics))
+        }
+        Err(_) => None,
+    };
+    if let (Some(outcome), Some(stored)) = (outcome, stored) {
+        write(&outcome, &stored).map_err(|source| Error::File { path: stored, source })?;
+    }
+    made
+}
+
+/// The folders of the packages of models of this workspace: those of tests rest on one another.
+pub fn folders() -> Vec<PathBuf> {
+    let tests = std::fs::read_dir(root().join("tests")).into_iter().flatten().flatten();
+    let tests = tests.map(|entry| entry.path()).filter(|path| path.join("Cargo.toml").exists());
+    let mut all: Vec<PathBuf> = tests.chain([root().join("models")]).collect();
+    all.sort();
+    all
+}
+
+/// What decides what is made of the sources in `folders`, in the workspace at `workspace`.
+pub fn content(job: &Job, folders: &[PathBuf]) -> Option<impl Hash + use<>> {
+    static SHARED: LazyLock<Option<Texts>> = LazyLock::new(|| {
+        let mut texts = Texts::new();
+        EVERY.iter().try_for_each(|name| gather(&root(), &root().join(name), &mut texts).ok())?;
+        Some(texts)
+    });
+    // Hashed once for a process, not once for a package.
+    static HASHED: LazyLock<Option<String>> = LazyLock::new(|| Some(store::name(SHARED.as_ref()?)));
+    let mut own = Texts::new();
+    for folder in folders {
+        gather(&job.root, folder, &mut own).ok()?;
+    }
+    for name in ["Cargo.toml", "Cargo.lock"] {
+        own.insert(name.into(), std::fs::read(job.root.join(name)).ok()?);
+    }
+    Some((
+        store::version("rustc")?,
+        HASHED.as_ref()?,
+        job.package.clone(),
+        job.license.clone(),
+        own,
+    ))
+}
+
+/// Files by their paths.
+type Texts = BTreeMap<PathBuf, Vec<u8>>;
+
+/// Adds the files below `folder`, by their paths from `root`.
+fn gather(root: &Path, folder: &Path, texts: &mut Texts) -> std::io::Result<()> {
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            gather(root, &path, texts)?;
+        } else {
+            let name = path.strip_prefix(root).unwrap_or(&path).to_owned();
+            texts.insert(name, std::fs::read(&path)?);
+        }
+    }
+    Ok(())
+}
+
+fn read(stored: &Path) -> Option<Outcome<Package, Vec<Diagnostic>>> {
+    let text = std::fs::read_to_string(stored).ok()?;
+    deep(|| bessemer_ir::tree::read(&text)).ok()
+}
+
+fn write(outcome: &impl Serialize, stored: &Path) -> std::io::Result<()> {
+    let made = tempfile::NamedTempFile::new()?;
+    std::fs::write(made.path(), deep(|| serde_json::to_string(outcome))?)?;
+    store::store(made.path(), stored)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tree_moves_with_all_that_decides_it() -> std::io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let package = folder.path().join("models");
+        std::fs::create_dir_all(package.join("src/deep"))?;
+        let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text);
+        write("Cargo.toml", "[workspace]\n")?;
+        write("Cargo.lock", "version = 4\n")?;
+        write("other.rs", "//! Beside the package.\n")?;
+        let mut job = Job::new(folder.path(), "models");
+        let name =
+            |job: &Job| content(job, std::slice::from_ref(&package)).map(|it| store::name(&it));
+        let mut seen = vec![name(&job)];
+        assert!(seen[0].is_some());
+        write("other.rs", "//! Changed.\n")?;
+        assert_eq!(seen[0], name(&job), "nothing rests on it");
+        for changed in ["models/src/lib.rs", "models/src/deep/a.rs", "Cargo.toml", "Cargo.lock"] {
+            write(changed, "# Changed.\n")?;
+            let now = name(&job);
+            assert!(!seen.contains(&now), "{changed}");
+            seen.push(now);
+        }
+        job.license = Some("MIT".to_owned());
+        assert!(!seen.contains(&name(&job)), "the licence stands in the tree");
+        std::fs::remove_file(folder.path().join("Cargo.lock"))?;
+        assert_eq!(name(&job), None, "what cannot be read decides nothing");
+        Ok(())
+    }
+}
