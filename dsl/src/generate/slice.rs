@@ -53,11 +53,11 @@ pub trait SliceBuiltins<T> {
         fn __b_reverse(&mut self) -> Called<Reverse, ()>;
         fn __b_get_mut(&mut self, _index: usize) -> Called<GetMut, Option<&mut T>>;
         fn __b_slice_get_part(&self, _from: usize, _to: usize) -> Called<GetPart, Option<&[T]>>;
-        fn __b_slice_get_part_mut(
+        fn __b_slice_get_mut_part(
             &mut self, _from: usize, _to: usize
         ) -> Called<GetPart, Option<&mut [T]>>;
-        fn __b_slice_get_from(&self, _from: usize) -> Called<GetFrom, Option<&[T]>>;
-        fn __b_slice_get_from_mut(&mut self, _from: usize) -> Called<GetFrom, Option<&mut [T]>>;
+        fn __b_slice_get_rest(&self, _from: usize) -> Called<GetFrom, Option<&[T]>>;
+        fn __b_slice_get_mut_rest(&mut self, _from: usize) -> Called<GetFrom, Option<&mut [T]>>;
         fn __b_first_mut(&mut self) -> Called<FirstMut, Option<&mut T>>;
         fn __b_last_mut(&mut self) -> Called<LastMut, Option<&mut T>>;
         fn __b_split_at(&self, _at: usize) -> Called<SplitAt, (&[T], &[T])>;
@@ -190,13 +190,13 @@ impl<T> SliceArrays<T> for [T] {}
 pub trait SliceEdits<T> {
     fn __b_rotate_left(&mut self, by: usize) -> told!([Self, T] => ());
     fn __b_rotate_right(&mut self, by: usize) -> told!([Self, T] => ());
-    fn __b_copy_part_within(
+    fn __b_slice_copy_within_part(
         &mut self,
         from: usize,
         to: usize,
         place: usize,
     ) -> told!([Self, T] => ());
-    fn __b_copy_behind_within(&mut self, from: usize, place: usize) -> told!([Self, T] => ());
+    fn __b_slice_copy_within_rest(&mut self, from: usize, place: usize) -> told!([Self, T] => ());
 }
 
 impl<T: Value + Copy> SliceEdits<T> for [T] {
@@ -206,10 +206,15 @@ impl<T: Value + Copy> SliceEdits<T> for [T] {
     fn __b_rotate_right(&mut self, by: usize) -> told!([T] => ()) {
         slice_edit::rotate_right::__call(self, by)
     }
-    fn __b_copy_part_within(&mut self, from: usize, to: usize, place: usize) -> told!([T] => ()) {
+    fn __b_slice_copy_within_part(
+        &mut self,
+        from: usize,
+        to: usize,
+        place: usize,
+    ) -> told!([T] => ()) {
         slice_edit::copy_within::__call(self, from, to, place)
     }
-    fn __b_copy_behind_within(&mut self, from: usize, place: usize) -> told!([T] => ()) {
+    fn __b_slice_copy_within_rest(&mut self, from: usize, place: usize) -> told!([T] => ()) {
         slice_edit::copy_behind_within::__call(self, from, place)
     }
 }

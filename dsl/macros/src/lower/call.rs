@@ -11,7 +11,7 @@ use bessemer_ir::tree::{self, EACH, ExprKind};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
-use super::each::is_range;
+use super::link::is_range;
 use super::made::{UNIT, plain};
 use super::names::{GENERATING, callee_name, text};
 use super::syntax::last_segment;

@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, ExprKind};
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 
+use super::link::{Link, is_range};
 use super::names::{GENERATING, place, site, span, text};
 use super::walk::Lowering;
 use super::{bound, each, pattern, refuse};
@@ -100,7 +101,7 @@ impl Lowering<'_> {
         if let Some(by_index) = self.through_lines(it) {
             *it = by_index;
         }
-        if !each::is_range(&it.expr) {
+        if !is_range(&it.expr) {
             return self.each_loop(it);
         }
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
@@ -125,11 +126,11 @@ impl Lowering<'_> {
     pub(super) fn range(&mut self, expr: &mut syn::Expr) -> Option<tree::Range> {
         match expr {
             syn::Expr::Paren(it) => self.range(&mut it.expr),
-            syn::Expr::MethodCall(it) if it.method == "rev" && it.args.is_empty() => {
+            syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::Rev) => {
                 let range = self.range(&mut it.receiver)?;
                 Some(tree::Range { reversed: !range.reversed, ..range })
             }
-            syn::Expr::MethodCall(it) if it.method == "step_by" && it.args.len() == 1 => {
+            syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::StepBy) => {
                 let range = self.range(&mut it.receiver)?;
                 if range.reversed || range.step.is_some() {
                     self.refusals.add(&it.method, refuse::STEP_ORDER);

@@ -11,7 +11,7 @@ use syn::parse_quote;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 
-use super::each::is_range;
+use super::link::is_range;
 use super::names::text;
 use super::syntax::{bare, is_plain, names};
 use super::walk::Lowering;

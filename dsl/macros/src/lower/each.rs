@@ -5,10 +5,10 @@
 use bessemer_ir::tree::{self, ExprKind, Order};
 use bessemer_ir::{Int, Scalar};
 
+use super::link::{Link, gives_references, is_range, is_source};
 use super::made::plain;
 use super::names::{site, text};
 use super::refuse;
-use super::syntax::{gives_references, is_source, shared};
 use super::walk::Lowering;
 
 /// The type of a count.
@@ -79,9 +79,9 @@ impl Lowering<'_> {
         }
         match expr {
             syn::Expr::Paren(it) if !is_range(&it.expr) => self.way(&mut it.expr),
-            syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
-                ("copied" | "cloned", 0) => self.way(&mut it.receiver),
-                ("enumerate", 0) => {
+            syn::Expr::MethodCall(it) => match Link::of(it) {
+                Some(Link::Copied) => self.way(&mut it.receiver),
+                Some(Link::Enumerate) => {
                     let mut way = self.way(&mut it.receiver);
                     if way.indexed || !way.cuts.is_empty() {
                         self.refusals.add(&it.method, refuse::ITERATOR);
@@ -91,7 +91,7 @@ impl Lowering<'_> {
                     }
                     Way { indexed: true, ..way }
                 }
-                ("rev", 0) => {
+                Some(Link::Rev) => {
                     let way = self.way(&mut it.receiver);
                     let order = match way.order {
                         Order::Up => Order::Down,
@@ -103,7 +103,7 @@ impl Lowering<'_> {
                     };
                     Way { order, ..way }
                 }
-                ("skip" | "take", 1) => self.cut(it),
+                Some(link @ (Link::Skip | Link::Take)) => self.cut(it, link == Link::Skip),
                 _ => self.plain_way(expr),
             },
             other => self.plain_way(other),
@@ -115,11 +115,11 @@ impl Lowering<'_> {
         Way { source, indexed: false, order: Order::Up, cuts: Vec::new() }
     }
 
-    fn cut(&mut self, it: &mut syn::ExprMethodCall) -> Way {
+    fn cut(&mut self, it: &mut syn::ExprMethodCall, skip: bool) -> Way {
         let mut way = self.way(&mut it.receiver);
         let place = site(&it.method);
         let back = way.order == Order::Down;
-        let cut = tree::Cut { skip: it.method == "skip", back, count: self.value(&mut it.args[0]) };
+        let cut = tree::Cut { skip, back, count: self.value(&mut it.args[0]) };
         match way.source {
             // An index behind it begins anew.
             Source::One { array, owned, group: None, reversed: false }
@@ -159,85 +159,68 @@ impl Lowering<'_> {
         if !is_source(expr) {
             return self.whole_source(expr);
         }
-        match expr {
+        let it = match expr {
             syn::Expr::Paren(it) if !matches!(&*it.expr, syn::Expr::Range(_)) => {
-                self.source(&mut it.expr)
+                return self.source(&mut it.expr);
             }
-            syn::Expr::MethodCall(it) if it.method == "zip" && it.args.len() == 1 => {
+            syn::Expr::MethodCall(it) => it,
+            other => return self.whole_source(other),
+        };
+        match Link::of(it) {
+            Some(Link::Zip) => {
                 let left = self.source(&mut it.receiver);
                 Source::Zip(Box::new(left), Box::new(self.source(&mut it.args[0])))
             }
-            // Behind `zip`, or before it: one of the two is gone through from its end.
-            syn::Expr::MethodCall(it) if it.method == "rev" && it.args.is_empty() => {
-                match self.source(&mut it.receiver) {
-                    Source::One { array, owned, group: None, reversed } => {
-                        Source::One { array, owned, group: None, reversed: !reversed }
-                    }
-                    other => {
-                        self.refusals.add(&it.method, refuse::ITERATOR);
-                        other
-                    }
-                }
-            }
-            syn::Expr::MethodCall(it) if it.args.is_empty() && is_adaptor(&it.method) => {
-                let into = it.method == "into_iter";
-                match self.source(&mut it.receiver) {
-                    Source::One { array, owned, group, reversed } => {
-                        Source::One { array, owned: owned && into, group, reversed }
-                    }
-                    zip => {
-                        self.refusals.add(&it.method, refuse::ITERATOR);
-                        zip
-                    }
-                }
-            }
-            syn::Expr::MethodCall(it) if it.method == "chain" && it.args.len() == 1 => {
-                self.chained(it)
-            }
-            syn::Expr::MethodCall(it) if it.method == "step_by" && it.args.len() == 1 => {
-                match self.source(&mut it.receiver) {
-                    Source::One { array, owned, group: None, reversed }
-                        if !matches!(array.kind, ExprKind::Chain(..)) =>
-                    {
-                        let way = tree::Grouping::First;
-                        let group = Some(tree::Group { way, size: self.value(&mut it.args[0]) });
-                        Source::One { array, owned, group, reversed }
-                    }
-                    other => {
-                        self.refusals.add(&it.method, refuse::ITERATOR);
-                        other
-                    }
-                }
-            }
-            syn::Expr::MethodCall(it) if it.method == "cycle" && it.args.is_empty() => {
-                match self.source(&mut it.receiver) {
-                    Source::One { array, owned: false, group: None, reversed: false }
-                        if !matches!(array.kind, ExprKind::Chain(..)) =>
-                    {
-                        let size = plain(ExprKind::Int("0".into(), SIZE), &it.method);
-                        let group = Some(tree::Group { way: tree::Grouping::Around, size });
-                        Source::One { array, owned: false, group, reversed: false }
-                    }
-                    other => {
-                        self.refusals.add(&it.method, refuse::ITERATOR);
-                        other
-                    }
-                }
-            }
-            syn::Expr::MethodCall(it) if grouping(&it.method).is_some() && it.args.len() == 1 => {
+            Some(Link::Chain) => self.chained(it),
+            Some(Link::Group(way)) => {
                 let array = Box::new(self.value(&mut it.receiver));
-                let (way, size) = (grouping(&it.method), self.value(&mut it.args[0]));
-                let group = way.map(|way| tree::Group { way, size });
+                let group = Some(tree::Group { way, size: self.value(&mut it.args[0]) });
                 Source::One { array, owned: false, group, reversed: false }
             }
-            syn::Expr::MethodCall(it) if is_cut(it) => {
+            Some(Link::Skip | Link::Take) => {
                 let Way { source, indexed, order, cuts } = self.way(expr);
                 if indexed || order != Order::Up || !cuts.is_empty() {
                     self.refusals.add(&expr, refuse::ITERATOR);
                 }
                 source
             }
-            other => self.whole_source(other),
+            None | Some(Link::Enumerate | Link::Sift) => self.whole_source(expr),
+            Some(link) => self.linked(link, it),
+        }
+    }
+
+    /// A link behind a source: of two that are paired, none but what goes through one alone.
+    fn linked(&mut self, link: Link, it: &mut syn::ExprMethodCall) -> Source {
+        match (link, self.source(&mut it.receiver)) {
+            (
+                Link::Iter | Link::IntoIter | Link::Copied,
+                Source::One { array, owned, group, reversed },
+            ) => {
+                let owned = owned && link == Link::IntoIter;
+                Source::One { array, owned, group, reversed }
+            }
+            // Behind `zip`, or before it: one of the two is gone through from its end.
+            (Link::Rev, Source::One { array, owned, group: None, reversed }) => {
+                Source::One { array, owned, group: None, reversed: !reversed }
+            }
+            (Link::StepBy, Source::One { array, owned, group: None, reversed })
+                if !matches!(array.kind, ExprKind::Chain(..)) =>
+            {
+                let way = tree::Grouping::First;
+                let group = Some(tree::Group { way, size: self.value(&mut it.args[0]) });
+                Source::One { array, owned, group, reversed }
+            }
+            (Link::Cycle, Source::One { array, owned: false, group: None, reversed: false })
+                if !matches!(array.kind, ExprKind::Chain(..)) =>
+            {
+                let size = plain(ExprKind::Int("0".into(), SIZE), &it.method);
+                let group = Some(tree::Group { way: tree::Grouping::Around, size });
+                Source::One { array, owned: false, group, reversed: false }
+            }
+            (_, other) => {
+                self.refusals.add(&it.method, refuse::ITERATOR);
+                other
+            }
         }
     }
 
@@ -253,7 +236,7 @@ impl Lowering<'_> {
 
     /// `a.iter().chain(b)`, of elements that are read.
     fn chained(&mut self, it: &mut syn::ExprMethodCall) -> Source {
-        let reads = !writes(&it.receiver) && !writes(&it.args[0]) && !is_range(&it.args[0]);
+        let reads = !is_range(&it.args[0]);
         // What stands beside references is one, whatever it is called.
         let lent = gives_references(&it.receiver);
         match (self.source(&mut it.receiver), self.source(&mut it.args[0])) {
@@ -306,45 +289,6 @@ pub(super) fn is_mutable(pattern: &syn::Pat) -> bool {
         syn::Pat::Reference(it) => is_mutable(&it.pat),
         syn::Pat::Paren(it) => is_mutable(&it.pat),
         syn::Pat::Type(it) => is_mutable(&it.pat),
-        _ => false,
-    }
-}
-
-pub(super) fn grouping(method: &syn::Ident) -> Option<tree::Grouping> {
-    Some(match shared(method).as_str() {
-        "windows" => tree::Grouping::Windows,
-        "chunks_exact" => tree::Grouping::Whole,
-        "chunks" => tree::Grouping::All,
-        _ => return None,
-    })
-}
-
-pub(super) fn is_cut(call: &syn::ExprMethodCall) -> bool {
-    (call.method == "skip" || call.method == "take") && call.args.len() == 1
-}
-
-fn is_adaptor(method: &syn::Ident) -> bool {
-    ["iter", "iter_mut", "into_iter", "copied", "cloned"].iter().any(|name| method == name)
-}
-
-/// Whether the elements that an iterator gives are written, as far as its syntax shows.
-pub(super) fn writes(expr: &syn::Expr) -> bool {
-    match expr {
-        syn::Expr::Paren(it) => writes(&it.expr),
-        syn::Expr::Reference(it) => it.mutability.is_some(),
-        syn::Expr::MethodCall(it) => it.method == "iter_mut" || writes(&it.receiver),
-        _ => false,
-    }
-}
-
-/// Whether a loop counts through a range.
-pub fn is_range(expr: &syn::Expr) -> bool {
-    match expr {
-        syn::Expr::Range(_) => true,
-        syn::Expr::Paren(it) => is_range(&it.expr),
-        syn::Expr::MethodCall(it) => {
-            (it.method == "rev" || it.method == "step_by") && is_range(&it.receiver)
-        }
         _ => false,
     }
 }

@@ -4,10 +4,11 @@ use bessemer_ir::Scalar;
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 
+use super::link::is_source;
 use super::made::UNIT;
 use super::names::{place, site, text};
 use super::operator::Side;
-use super::syntax::{is_source, is_variant, last_segment};
+use super::syntax::{is_variant, last_segment};
 use super::walk::Lowering;
 use super::{bound, call, macros, operator, pattern, refuse, signature, unroll};
 
@@ -161,7 +162,7 @@ impl Lowering<'_> {
                 *expr = syn::Expr::Block(block);
                 self.kind(expr, value)
             }
-            syn::Expr::Macro(it) if it.mac.path.is_ident("matches") => {
+            syn::Expr::Macro(it) if it.mac.path.is_ident(macros::MATCHES) => {
                 self.is_rusts(&it.mac.path);
                 match macros::matching(&it.mac) {
                     Some(matching) => {

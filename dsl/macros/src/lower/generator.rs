@@ -10,9 +10,8 @@ use proc_macro2::Span;
 use syn::parse_quote;
 
 use super::closure::without_returns;
-use super::each::is_range;
+use super::link::{is_range, pairs};
 use super::refuse::{self, Refusals};
-use super::syntax::pairs;
 use crate::closures;
 
 /// The items of the iterator that a function gives; none if it gives something else.
@@ -56,20 +55,21 @@ impl Names {
     /// A pattern for an item, and the item by the names in it: pairs have no name of their own.
     fn of(&mut self, iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
         let Some((first, second)) = pairs(iterator) else {
-            return self.one(if is_range(iterator) { "i" } else { "item" });
+            return self.one(is_range(iterator));
         };
         let left = match first {
             Some(first) => self.of(first),
-            None => self.one("i"),
+            None => self.one(true),
         };
         pair(left, self.of(second))
     }
 
-    fn one(&mut self, name: &str) -> (syn::Pat, syn::Expr) {
+    fn one(&mut self, counts: bool) -> (syn::Pat, syn::Expr) {
         self.given += 1;
-        let name = match (name, self.given) {
-            ("i", _) | (_, 1) => name.to_owned(),
-            (name, more) => format!("{name}_{more}"),
+        let name = match (counts, self.given) {
+            (true, _) => "i".to_owned(),
+            (false, 1) => "item".to_owned(),
+            (false, more) => format!("item_{more}"),
         };
         let name = syn::Ident::new(&name, Span::mixed_site());
         (parse_quote! { #name }, parse_quote! { #name })

@@ -6,28 +6,10 @@
 
 use syn::{parse_quote, parse_quote_spanned};
 
+use super::link::Link;
 use super::names::text;
 use super::view::may_repeat;
 use super::walk::Lowering;
-
-/// The links that may stand between the lines and their consumer.
-const LINKS: [(&str, usize); 3] = [("enumerate", 0), ("rev", 0), ("step_by", 1)];
-
-/// The links that make something else of them than closures can take.
-const OTHER_LINKS: [&str; 5] = ["zip", "chain", "skip", "take", "enumerate"];
-
-/// The methods that hand a closure each line, and which argument the closure is; the line is its last parameter.
-const TAKING: [(&str, usize); 9] = [
-    ("map", 0),
-    ("for_each", 0),
-    ("filter_map", 0),
-    ("map_while", 0),
-    ("all", 0),
-    ("any", 0),
-    ("fold", 1),
-    ("try_fold", 1),
-    ("scan", 1),
-];
 
 /// `m.column_iter()` with the links behind it, the first of them first.
 struct Lines<'a> {
@@ -41,15 +23,13 @@ impl<'a> Lines<'a> {
     /// None if an expression is something else, or computes its matrix.
     fn of(expr: &'a syn::Expr) -> Option<Lines<'a>> {
         let syn::Expr::MethodCall(call) = expr else { return None };
-        let name = text(&call.method);
-        if LINKS.contains(&(name.as_str(), call.args.len())) {
+        if is_between(call) {
             let mut lines = Lines::of(&call.receiver)?;
             lines.links.push(call);
             let alone = lines.links.len() == 1;
-            return (alone || !lines.links.iter().any(|link| link.method == "enumerate"))
-                .then_some(lines);
+            return (alone || !lines.links.iter().any(|link| counts(link))).then_some(lines);
         }
-        let (count, line) = match name.as_str() {
+        let (count, line) = match text(&call.method).as_str() {
             "column_iter" => ("ncols", "column"),
             "row_iter" => ("nrows", "row"),
             "column_iter_mut" => ("ncols", "column_mut"),
@@ -69,7 +49,7 @@ impl<'a> Lines<'a> {
 
     /// Whether the only link counts the lines, as their indices do.
     fn are_counted(&self) -> bool {
-        matches!(self.links.as_slice(), [link] if link.method == "enumerate")
+        matches!(self.links.as_slice(), [link] if counts(link))
     }
 
     /// The indices in their place, with the same links behind.
@@ -125,31 +105,34 @@ impl Lowering<'_> {
             let receiver = Box::new(syn::Expr::MethodCall(self.chained_lines(before)?));
             return Some(syn::ExprMethodCall { receiver, ..it.clone() });
         };
-        let name = text(&it.method);
-        let links = LINKS.contains(&(name.as_str(), it.args.len()));
-        if links || OTHER_LINKS.contains(&name.as_str()) || lines.are_written() {
+        let apart = matches!(Link::of(it), Some(Link::Zip | Link::Take));
+        if is_between(it) || apart || lines.are_written() {
             return None;
         }
         let index = self.index_of(&lines, &syn::Expr::MethodCall(it.clone()));
         let mut taken = it.clone();
-        let indices = lines.indices();
-        let span = it.method.span();
+        let (indices, span) = (lines.indices(), it.method.span());
         let (matrix, line) = (&lines.call.receiver, &lines.line);
-        if lines.are_counted() {
-            let (_, at) = TAKING.iter().find(|(taking, _)| *taking == name)?;
-            let syn::Expr::Closure(closure) = taken.args.iter_mut().nth(*at)? else { return None };
-            let named = lines.named(closure.inputs.last_mut()?, &index)?;
-            let body = &closure.body;
-            *closure.body = parse_quote_spanned! { span => { #named #body } };
-            *taken.receiver = parse_quote_spanned! { span => (#indices) };
+        let line: syn::Expr = parse_quote_spanned! { span => #matrix.#line(#index) };
+        let item = if lines.are_counted() {
+            parse_quote! { (#index, #line) }
         } else {
-            *taken.receiver =
-                parse_quote_spanned! { span => (#indices).map(|#index| #matrix.#line(#index)) };
-        }
+            line
+        };
+        *taken.receiver = parse_quote_spanned! { span => (#indices).map(|#index| #item) };
         Some(taken)
     }
 
     fn index_of(&self, lines: &Lines, whole: &syn::Expr) -> syn::Ident {
         self.fresh_in(text(&lines.line).trim_end_matches("_mut"), whole)
     }
+}
+
+/// Whether a link may stand between the lines and their consumer.
+fn is_between(call: &syn::ExprMethodCall) -> bool {
+    matches!(Link::of(call), Some(Link::Enumerate | Link::Rev | Link::StepBy))
+}
+
+fn counts(call: &syn::ExprMethodCall) -> bool {
+    Link::of(call) == Some(Link::Enumerate)
 }

@@ -10,6 +10,9 @@ use super::names::{site, text};
 use super::refuse;
 use super::walk::Lowering;
 
+/// `matches!`, which is a `match`.
+pub const MATCHES: &str = "matches";
+
 impl Lowering<'_> {
     /// Whether a path may be that of a macro of Rust's; where it stands alone, rustc is asked.
     pub(super) fn is_rusts(&mut self, path: &syn::Path) -> bool {
@@ -38,68 +41,71 @@ impl Lowering<'_> {
         in_every_build(mac);
         let name =
             mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
-        let compared = match name.as_str() {
-            "assert" | "assert_eq" | "assert_ne" | "panic" | "unreachable" | "todo"
-            | "unimplemented"
-                if !self.is_rusts(&mac.path) =>
-            {
-                self.refusals.add(&mac.path, refuse::MACRO);
-                return None;
-            }
-            "assert" | "__inside" | "__room" | "__between" => None,
-            "assert_eq" => Some(tree::BinaryOp::Eq),
-            "assert_ne" => Some(tree::BinaryOp::Ne),
-            "panic" | "unreachable" | "todo" | "unimplemented" => {
-                // What the message would show is not computed.
-                mac.tokens = TokenStream::new();
-                let never = tree::ExprKind::Bool(false);
-                let site = site(&mac.path);
-                let never = Box::new(tree::Expr { kind: never, site, slot: None });
-                let kind = tree::ExprKind::Assert(never, tree::Claim::Assertion);
-                return Some(tree::Expr { kind, site, slot: None });
-            }
-            _ => {
-                self.refusals.add(&mac.path, refuse::macro_call(&name));
-                return None;
-            }
+        let Some(says) = says(&name) else {
+            self.refusals.add(&mac.path, refuse::macro_call(&name));
+            return None;
         };
+        if !name.starts_with("__") && !self.is_rusts(&mac.path) {
+            self.refusals.add(&mac.path, refuse::MACRO);
+            return None;
+        }
         let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
+        let site = site(&mac.path);
+        if matches!(says, Says::Never) {
+            // What the message would show is not computed.
+            mac.tokens = TokenStream::new();
+        }
         let Ok(mut arguments) = mac.parse_body_with(parser) else {
             self.refusals.add(&mac.path, refuse::SYNTAX);
             return None;
         };
-        let site = site(&mac.path);
-        let first = self.value(arguments.first_mut()?);
-        let condition = match compared {
-            None => {
+        let plain = |kind| tree::Expr { kind, site, slot: None };
+        let (condition, claim) = match says {
+            Says::Never => (plain(tree::ExprKind::Bool(false)), tree::Claim::Assertion),
+            Says::Holds(claim) => {
+                let condition = self.value(arguments.first_mut()?);
                 let witness = &arguments[0];
                 mac.tokens = quote! { #witness };
-                first
+                (condition, claim)
             }
-            Some(op) => {
-                let second = self.value(arguments.get_mut(1)?);
+            Says::Compares(op) => {
+                let first = Box::new(self.value(arguments.first_mut()?));
+                let second = Box::new(self.value(arguments.get_mut(1)?));
                 let (left, right) = (&arguments[0], &arguments[1]);
                 mac.tokens = quote! { #left, #right };
-                let kind = tree::ExprKind::Binary(op, Box::new(first), Box::new(second));
-                tree::Expr { kind, site, slot: None }
+                (plain(tree::ExprKind::Binary(op, first, second)), tree::Claim::Assertion)
             }
         };
-        let claim = match name.as_str() {
-            "__inside" => tree::Claim::Index,
-            "__room" => tree::Claim::Capacity,
-            "__between" => tree::Claim::Clamp,
-            _ => tree::Claim::Assertion,
-        };
-        let kind = tree::ExprKind::Assert(Box::new(condition), claim);
-        Some(tree::Expr { kind, site, slot: None })
+        Some(plain(tree::ExprKind::Assert(Box::new(condition), claim)))
     }
+}
+
+/// What a macro says.
+enum Says {
+    Holds(tree::Claim),
+    Compares(tree::BinaryOp),
+    /// Nothing comes here.
+    Never,
+}
+
+fn says(name: &str) -> Option<Says> {
+    Some(match name {
+        "assert" => Says::Holds(tree::Claim::Assertion),
+        "__inside" => Says::Holds(tree::Claim::Index),
+        "__room" => Says::Holds(tree::Claim::Capacity),
+        "__between" => Says::Holds(tree::Claim::Clamp),
+        "assert_eq" => Says::Compares(tree::BinaryOp::Eq),
+        "assert_ne" => Says::Compares(tree::BinaryOp::Ne),
+        "panic" | "unreachable" | "todo" | "unimplemented" => Says::Never,
+        _ => return None,
+    })
 }
 
 /// Makes a debug assertion one of every build: the C knows no builds that could differ in what they claim.
 pub fn in_every_build(mac: &mut syn::Macro) {
     if let Some(last) = mac.path.segments.last_mut()
         && let Some(name) = text(&last.ident).strip_prefix("debug_")
-        && name.starts_with("assert")
+        && matches!(says(name), Some(Says::Holds(_) | Says::Compares(_)))
     {
         last.ident = syn::Ident::new(name, last.ident.span());
     }
@@ -142,16 +148,15 @@ pub fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
 /// Calls that rustc finds ambiguous if a name is a macro of the author's own: one that stands above in the text
 /// beside the import of Rust's, one that the module has or imports beside Rust's own.
 pub fn asked(name: &syn::Ident) -> TokenStream {
-    let arguments = match text(name).as_str() {
-        "assert" => quote! { true },
-        "assert_eq" | "matches" => quote! { 0, 0 },
-        "assert_ne" => quote! { 0, 1 },
-        _ => quote! {},
-    };
     let module = format_ident!("__own_{}", text(name));
-    if ["mem", "cmp"].contains(&text(name).as_str()) {
-        return own_module(name, &module);
-    }
+    let arguments = match says(&text(name)) {
+        Some(Says::Holds(_)) => quote! { true },
+        Some(Says::Compares(tree::BinaryOp::Ne)) => quote! { 0, 1 },
+        Some(Says::Compares(_)) => quote! { 0, 0 },
+        Some(Says::Never) => quote! {},
+        None if name == MATCHES => quote! { 0, 0 },
+        None => return own_module(name, &module),
+    };
     quote! {
         {
             use ::core::#name;

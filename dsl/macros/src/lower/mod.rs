@@ -22,6 +22,7 @@ mod from_fn;
 mod generator;
 mod items;
 mod lines;
+mod link;
 pub mod macros;
 mod made;
 mod named_view;

@@ -4,13 +4,13 @@
 //! Its names are those of nothing in scope, so that no name of the author's changes their meaning.
 
 use proc_macro2::Span;
+use quote::{format_ident, quote_spanned};
 use syn::parse_quote;
-use syn::visit::Visit;
 
-use super::each::writes;
+use super::link::gives_pairs;
 use super::names::text;
 use super::sort::Leg;
-use super::syntax::{bare, compared, gives_pairs, is_plain, names};
+use super::syntax::{bare, compared, is_plain, names};
 use super::walk::Lowering;
 use super::{refuse, sort};
 
@@ -26,7 +26,6 @@ impl Lowering<'_> {
                 return self.of_core(it);
             }
             syn::Expr::Range(it) => return held(it),
-            syn::Expr::ForLoop(it) => return in_two(it),
             _ => return None,
         };
         match (text(&it.method).as_str(), it.args.len()) {
@@ -36,17 +35,14 @@ impl Lowering<'_> {
             {
                 self.extreme(it)
             }
-            ("get" | "get_mut", 1) => gotten(it),
-            ("copy_within", 2) => copied_within(it),
-            _ if sort::sorts(it) => {
+            ("get" | "get_mut", 1) | ("copy_within", 2) => by_ends(it),
+            _ => {
                 let sorted = sort::sorted(it, Leg::Tree);
-                if sorted.is_none() {
+                if sorted.is_none() && sort::sorts(it) {
                     self.refusals.add(&it.method, refuse::SORTING);
                 }
                 sorted
             }
-            ("sort_by_key" | "sort_unstable_by_key", 1) => sort::sorted(it, Leg::Tree),
-            _ => None,
         }
     }
 
@@ -78,7 +74,7 @@ impl Lowering<'_> {
                 return None;
             }
             let [module, name] = [module, name].map(|it| syn::Ident::new(it, span));
-            let path = quote::quote_spanned! { span => ::bessemer::generate::#module::#name };
+            let path = quote_spanned! { span => ::bessemer::generate::#module::#name };
             return Some(parse_quote! { #path(#arguments) });
         }
         None
@@ -258,30 +254,6 @@ impl Lowering<'_> {
     }
 }
 
-/// `for x in a.iter_mut().chain(b.iter_mut()) { … }`: a loop for each, unless the first may end both. No place is in one of
-/// two arrays.
-fn in_two(it: &syn::ExprForLoop) -> Option<syn::Expr> {
-    let syn::Expr::MethodCall(chain) = bare(&it.expr) else { return None };
-    let (first, second) = (&chain.receiver, chain.args.first()?);
-    let mut breaks = Breaks(false);
-    breaks.visit_block(&it.body);
-    let written = chain.method == "chain" && (writes(first) || writes(second));
-    if !written || breaks.0 || it.label.is_some() || !it.attrs.is_empty() {
-        return None;
-    }
-    let (pattern, body) = (&it.pat, &it.body);
-    Some(parse_quote! { { for #pattern in #first #body for #pattern in #second #body } })
-}
-
-/// Looks for a `break`.
-struct Breaks(bool);
-
-impl<'ast> Visit<'ast> for Breaks {
-    fn visit_expr_break(&mut self, _: &'ast syn::ExprBreak) {
-        self.0 = true;
-    }
-}
-
 /// `{ let pattern = &value; body }`, or the body itself where the pattern is not used.
 fn let_in(pattern: &syn::Pat, value: &syn::Expr, body: &syn::Expr) -> syn::Expr {
     match (pattern, value) {
@@ -318,52 +290,25 @@ fn root(expr: &syn::Expr) -> Option<&syn::Ident> {
     }
 }
 
-/// `values.get(a..b)`: by its ends, since a range is no value.
-fn gotten(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
+/// `values.get(a..b)`, `values.copy_within(a..b, place)`: by its ends, since a range is no value.
+fn by_ends(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
     let syn::Expr::Range(range) = bare(&it.args[0]) else { return None };
-    let (array, mutable) = (&it.receiver, it.method == "get_mut");
-    let method = |name: &str| {
-        let name = if mutable { format!("{name}_mut") } else { name.to_owned() };
-        syn::Ident::new(&name, it.method.span())
-    };
     let from = match &range.start {
         Some(from) => (**from).clone(),
         None => parse_quote! { 0 },
     };
-    let Some(to) = &range.end else {
-        let method = method("slice_get_from");
-        return Some(parse_quote! { #array.#method(#from) });
-    };
-    let method = method("slice_get_part");
-    Some(match range.limits {
-        syn::RangeLimits::HalfOpen(_) => parse_quote! { #array.#method(#from, #to) },
+    let to: Option<syn::Expr> = range.end.as_ref().map(|to| match range.limits {
+        syn::RangeLimits::HalfOpen(_) => (**to).clone(),
         // Nothing ends behind the last index that there could be.
-        syn::RangeLimits::Closed(_) => {
-            parse_quote! { #array.#method(#from, usize::saturating_add(#to, 1)) }
-        }
-    })
-}
-
-/// `values.copy_within(a..b, place)`: by its ends, the same.
-fn copied_within(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
-    let syn::Expr::Range(range) = bare(&it.args[0]) else { return None };
-    let (array, place) = (&it.receiver, &it.args[1]);
-    let from = match &range.start {
-        Some(from) => (**from).clone(),
-        None => parse_quote! { 0 },
+        syn::RangeLimits::Closed(_) => parse_quote! { usize::saturating_add(#to, 1) },
+    });
+    let mut call = it.clone();
+    call.method = match to {
+        Some(_) => format_ident!("slice_{}_part", it.method, span = it.method.span()),
+        None => format_ident!("slice_{}_rest", it.method, span = it.method.span()),
     };
-    let method = |name: &str| syn::Ident::new(name, it.method.span());
-    let Some(to) = &range.end else {
-        let method = method("copy_behind_within");
-        return Some(parse_quote! { #array.#method(#from, #place) });
-    };
-    let method = method("copy_part_within");
-    Some(match range.limits {
-        syn::RangeLimits::HalfOpen(_) => parse_quote! { #array.#method(#from, #to, #place) },
-        syn::RangeLimits::Closed(_) => {
-            parse_quote! { #array.#method(#from, usize::saturating_add(#to, 1), #place) }
-        }
-    })
+    call.args = [from].into_iter().chain(to).chain(it.args.iter().skip(1).cloned()).collect();
+    Some(syn::Expr::MethodCall(call))
 }
 
 /// `first..=last` as a value: what Rust makes of it.

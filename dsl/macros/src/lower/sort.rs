@@ -18,11 +18,10 @@ pub enum Leg {
 
 /// The expansion of a call; none if it sorts nothing, or by no comparison that the DSL knows.
 pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
-    let (method, arguments) = (text(&it.method), it.args.len());
-    let closure = &comparison(it.args.first()?)?;
-    let below: syn::Expr = match (method.as_str(), arguments, closure.inputs.len()) {
-        ("sort_by_key" | "sort_unstable_by_key", 1, 1) => by_key(closure, leg),
-        ("sort_by" | "sort_unstable_by", 1, 2) => by_comparison(closure, leg),
+    let (by, closure) = sorting(it)?;
+    let below: syn::Expr = match (by, closure.inputs.len()) {
+        (By::Key, 1) => by_key(&closure, leg),
+        (By::Comparison, 2) => by_comparison(&closure, leg),
         _ => return None,
     };
     let values = &it.receiver;
@@ -31,12 +30,25 @@ pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
     Some(parse_quote! { ::bessemer::sort::sort_by(#values, #below) })
 }
 
-/// Whether a call sorts by a closure, known or not.
+/// Whether a call sorts by a comparison, known or not.
 pub fn sorts(it: &syn::ExprMethodCall) -> bool {
-    let names = ["sort_by", "sort_unstable_by"];
-    it.args.len() == 1
-        && names.iter().any(|name| it.method == name)
-        && comparison(&it.args[0]).is_some()
+    matches!(sorting(it), Some((By::Comparison, _)))
+}
+
+/// What a call sorts by.
+enum By {
+    Key,
+    Comparison,
+}
+
+fn sorting(it: &syn::ExprMethodCall) -> Option<(By, syn::ExprClosure)> {
+    let by = match text(&it.method).as_str() {
+        "sort_by_key" | "sort_unstable_by_key" => By::Key,
+        "sort_by" | "sort_unstable_by" => By::Comparison,
+        _ => return None,
+    };
+    let closure = comparison(it.args.first().filter(|_| it.args.len() == 1)?)?;
+    Some((by, closure))
 }
 
 /// The closure that compares; `f64::total_cmp` is one, too.

@@ -26,37 +26,6 @@ pub(super) fn compared(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
     Some(((*call.receiver).clone(), right))
 }
 
-/// Whether an iterator gives pairs, as far as its syntax shows.
-pub(super) fn gives_pairs(expr: &syn::Expr) -> bool {
-    pairs(expr).is_some()
-}
-
-/// The links that turn round what comes, or leave some of it out, and change nothing of it.
-const SAME: [&str; 6] = ["rev", "skip", "take", "filter", "take_while", "skip_while"];
-
-/// The iterators that give the two of each pair, the first of which may be the number alone.
-pub(super) fn pairs(expr: &syn::Expr) -> Option<(Option<&syn::Expr>, &syn::Expr)> {
-    let syn::Expr::MethodCall(it) = bare(expr) else { return None };
-    match text(&it.method).as_str() {
-        "enumerate" => Some((None, &it.receiver)),
-        "zip" => Some((Some(&it.receiver), it.args.first()?)),
-        link if SAME.contains(&link) => pairs(&it.receiver),
-        _ => None,
-    }
-}
-
-/// Whether an iterator gives references, as far as its syntax shows.
-pub(super) fn gives_references(expr: &syn::Expr) -> bool {
-    match bare(expr) {
-        syn::Expr::Reference(_) => true,
-        syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
-            "iter" => true,
-            link => (link == "chain" || SAME.contains(&link)) && gives_references(&it.receiver),
-        },
-        _ => false,
-    }
-}
-
 pub(super) fn bare(expr: &syn::Expr) -> &syn::Expr {
     match expr {
         syn::Expr::Paren(it) => bare(&it.expr),
@@ -82,35 +51,6 @@ pub(super) fn is_plain(expr: &syn::Expr) -> bool {
         },
         _ => false,
     }
-}
-
-/// Whether an expression is an iterator through elements or numbers, one after the other, as far as its syntax shows.
-pub(super) fn is_source(expr: &syn::Expr) -> bool {
-    match expr {
-        syn::Expr::Paren(it) => is_source(&it.expr),
-        syn::Expr::Range(_) => true,
-        syn::Expr::MethodCall(it) => match (shared(&it.method).as_str(), it.args.len()) {
-            ("iter" | "into_iter", 0) => true,
-            ("rev" | "cycle" | "copied" | "cloned" | "enumerate", 0) => is_source(&it.receiver),
-            ("zip" | "step_by" | "take" | "skip", 1) => is_source(&it.receiver),
-            ("chain", 1) => is_source(&it.receiver) && is_array(&it.args[0]),
-            ("windows" | "chunks" | "chunks_exact", 1) => true,
-            _ => false,
-        },
-        _ => false,
-    }
-}
-
-/// Whether what an iterator goes on with is an array, or its elements.
-fn is_array(expr: &syn::Expr) -> bool {
-    let is_call = matches!(bare(expr), syn::Expr::MethodCall(_) | syn::Expr::Call(_));
-    is_source(expr) && !matches!(bare(expr), syn::Expr::Range(_)) || !is_call
-}
-
-/// The name of a method without what says that it lends what may be changed.
-pub(super) fn shared(method: &syn::Ident) -> String {
-    let name = text(method);
-    name.strip_suffix("_mut").map_or(name.clone(), str::to_owned)
 }
 
 /// Whether a name stands somewhere in an expression. Answers yes too often rather than too rarely.

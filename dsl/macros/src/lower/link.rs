@@ -1,0 +1,147 @@
+//! The links of chains that decide how a loop is written: each is named here, and nowhere else.
+//!
+//! Must not know: types. A method of this name may be another's; then what it is called on is nothing to go through.
+
+use bessemer_ir::tree::Grouping;
+
+use super::names::text;
+use super::syntax::bare;
+
+/// A method of an iterator, or of what has elements.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Link {
+    /// The elements, read or written.
+    Iter,
+    /// The elements themselves, or references to them.
+    IntoIter,
+    /// The values behind references.
+    Copied,
+    /// Some elements at a time.
+    Group(Grouping),
+    Enumerate,
+    Rev,
+    Skip,
+    Take,
+    StepBy,
+    Zip,
+    Chain,
+    Cycle,
+    /// Leaves out what a closure says.
+    Sift,
+}
+
+impl Link {
+    /// What a call is by its name and its number of arguments.
+    pub(super) fn of(it: &syn::ExprMethodCall) -> Option<Link> {
+        Some(match (shared(&it.method).as_str(), it.args.len()) {
+            ("iter", 0) => Link::Iter,
+            ("into_iter", 0) => Link::IntoIter,
+            ("copied" | "cloned", 0) => Link::Copied,
+            ("windows", 1) => Link::Group(Grouping::Windows),
+            ("chunks", 1) => Link::Group(Grouping::All),
+            ("chunks_exact", 1) => Link::Group(Grouping::Whole),
+            ("enumerate", 0) => Link::Enumerate,
+            ("rev", 0) => Link::Rev,
+            ("skip", 1) => Link::Skip,
+            ("take", 1) => Link::Take,
+            ("step_by", 1) => Link::StepBy,
+            ("zip", 1) => Link::Zip,
+            ("chain", 1) => Link::Chain,
+            ("cycle", 0) => Link::Cycle,
+            ("filter" | "take_while" | "skip_while", 1) => Link::Sift,
+            _ => return None,
+        })
+    }
+
+    /// Whether it turns round what comes, or leaves some of it out, and changes nothing of it.
+    fn keeps(self) -> bool {
+        matches!(self, Link::Rev | Link::Skip | Link::Take | Link::Sift)
+    }
+}
+
+/// The name of a method without what says that it lends what may be changed.
+fn shared(method: &syn::Ident) -> String {
+    let name = text(method);
+    name.strip_suffix("_mut").map_or(name.clone(), str::to_owned)
+}
+
+/// Whether an iterator gives pairs, as far as its syntax shows.
+pub(super) fn gives_pairs(expr: &syn::Expr) -> bool {
+    pairs(expr).is_some()
+}
+
+/// The iterators that give the two of each pair, the first of which may be the number alone.
+pub(super) fn pairs(expr: &syn::Expr) -> Option<(Option<&syn::Expr>, &syn::Expr)> {
+    let syn::Expr::MethodCall(it) = bare(expr) else { return None };
+    match Link::of(it)? {
+        Link::Enumerate => Some((None, &it.receiver)),
+        Link::Zip => Some((Some(&it.receiver), it.args.first()?)),
+        link if link.keeps() => pairs(&it.receiver),
+        _ => None,
+    }
+}
+
+/// Whether an iterator gives references, as far as its syntax shows.
+pub(super) fn gives_references(expr: &syn::Expr) -> bool {
+    match bare(expr) {
+        syn::Expr::Reference(_) => true,
+        syn::Expr::MethodCall(it) => match Link::of(it) {
+            Some(Link::Iter) => text(&it.method) == shared(&it.method),
+            Some(link) => (link == Link::Chain || link.keeps()) && gives_references(&it.receiver),
+            None => false,
+        },
+        _ => false,
+    }
+}
+
+/// Whether an expression is an iterator through elements or numbers, one after the other, as far as its syntax shows.
+pub(super) fn is_source(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Paren(it) => is_source(&it.expr),
+        syn::Expr::Range(_) => true,
+        syn::Expr::MethodCall(it) => match Link::of(it) {
+            Some(Link::Iter | Link::IntoIter | Link::Group(_)) => true,
+            // What is written is in one of two: a loop for each.
+            Some(Link::Chain) => {
+                let other = &it.args[0];
+                is_source(&it.receiver)
+                    && is_array(other)
+                    && !(writes(&it.receiver) || writes(other))
+            }
+            None | Some(Link::Sift) => false,
+            Some(_) => is_source(&it.receiver),
+        },
+        _ => false,
+    }
+}
+
+/// Whether what an iterator goes on with is an array, or its elements.
+fn is_array(expr: &syn::Expr) -> bool {
+    let is_call = matches!(bare(expr), syn::Expr::MethodCall(_) | syn::Expr::Call(_));
+    is_source(expr) && !matches!(bare(expr), syn::Expr::Range(_)) || !is_call
+}
+
+/// Whether the elements that an iterator gives are written, as far as its syntax shows.
+pub(super) fn writes(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Paren(it) => writes(&it.expr),
+        syn::Expr::Reference(it) => it.mutability.is_some(),
+        syn::Expr::MethodCall(it) => {
+            Link::of(it) == Some(Link::Iter) && text(&it.method) != shared(&it.method)
+                || writes(&it.receiver)
+        }
+        _ => false,
+    }
+}
+
+/// Whether a loop counts through a range.
+pub(super) fn is_range(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Range(_) => true,
+        syn::Expr::Paren(it) => is_range(&it.expr),
+        syn::Expr::MethodCall(it) => {
+            matches!(Link::of(it), Some(Link::Rev | Link::StepBy)) && is_range(&it.receiver)
+        }
+        _ => false,
+    }
+}
