@@ -7,7 +7,8 @@
 use bessemer_ir::tree;
 
 use super::builder::{Builder, Callee};
-use super::iterator::{FromIteratorBuiltin, Item, Items, takes_items};
+use super::builtin::signatures;
+use super::iterator::{FromIteratorBuiltin, Item, Items, of_iterators, takes_items};
 use super::slot::{Called, Companion, Exclusive, Seen, Shared, Value};
 use crate::{List, adapt};
 use core::marker::PhantomData;
@@ -72,59 +73,41 @@ takes_items! { adapt:
     Chain<T>: chain(Items<T>, Items<T>, fn(T));
 }
 
-/// A companion of an adapter, by its marker and the items that it gives.
-macro_rules! adapters {
-    ($(
-        $name:ident $([$($g:ident: $bound:path),+])? ($($parameter:ty),*)
-            -> $marker:ty, $item:ty $(where $of:ty: $such:path)?;
-    )*) => {
-        /// What iterators are made of others with.
-        pub trait Adapters: Iterator<Item: Seen> + Sized {$(
-            fn $name $(<$($g: $bound),+>)? (self, $(_: $parameter),*) -> Called<$marker, Items<$item>>
-            $(where $of: $such)?
-            {
-                unreachable!("a witness copy is never run")
-            }
-        )*
-            fn __b_collect<C: FromIteratorBuiltin<Self::Item>>(self) -> Called<C::Marker, C> {
-                unreachable!("a witness copy is never run")
-            }
-            fn __b_copied<'a, T: Seen + 'a>(self) -> Called<Copied<T::Slot>, Items<T>>
-            where
-                Self: Iterator<Item = &'a T>,
-            {
-                unreachable!("a witness copy is never run")
-            }
-            fn __b_cloned<'a, T: Seen + 'a>(self) -> Called<Copied<T::Slot>, Items<T>>
-            where
-                Self: Iterator<Item = &'a T>,
-            {
-                unreachable!("a witness copy is never run")
-            }
-        }
-    };
+of_iterators! {
+    /// What iterators are made of others with.
+    Adapters {
+        __b_map[U: Seen, F: FnMut(Self::Item) -> U](F) -> Map<Item<Self>, U::Slot>, Items<U>;
+        __b_filter[F: FnMut(&Self::Item) -> bool](F) -> Filter<Item<Self>>, Items<Self::Item>;
+        __b_filter_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](F)
+            -> FilterMap<Item<Self>, U::Slot>, Items<U>;
+        __b_map_while[U: Seen, F: FnMut(Self::Item) -> Option<U>](F)
+            -> MapWhile<Item<Self>, U::Slot>, Items<U>;
+        __b_take_while[F: FnMut(&Self::Item) -> bool](F)
+            -> TakeWhile<Item<Self>>, Items<Self::Item>;
+        __b_skip_while[F: FnMut(&Self::Item) -> bool](F)
+            -> SkipWhile<Item<Self>>, Items<Self::Item>;
+        __b_skip(usize) -> Skip<Item<Self>>, Items<Self::Item>;
+        __b_step_by(usize) -> StepBy<Item<Self>>, Items<Self::Item>;
+        __b_scan[S: Seen, U: Seen, F: FnMut(&mut S, Self::Item) -> Option<U>](S, F)
+            -> Scan<Item<Self>, S::Slot, U::Slot>, Items<U>;
+        __b_inspect[F: FnMut(&Self::Item)](F) -> Inspect<Item<Self>>, Items<Self::Item>;
+        __b_enumerate() -> Enumerate<Item<Self>>, Items<(usize, Self::Item)>;
+        __b_rev() -> Rev<Item<Self>>, Items<Self::Item> where Self: DoubleEndedIterator;
+        __b_flat_map[V: Seen, U: IntoIterator<Item = V>, F: FnMut(Self::Item) -> U](F)
+            -> FlatMap<Item<Self>, V::Slot>, Items<V>;
+        __b_flatten[U: Seen]() -> Flatten<Item<Self>, U::Slot>, Items<U>
+            where Self::Item: IntoIterator<Item = U>;
+        __b_chain[U: IntoIterator<Item = Self::Item>](U) -> Chain<Item<Self>>, Items<Self::Item>;
+        __b_collect[C: FromIteratorBuiltin<Self::Item>]() -> C::Marker, C;
+    }
 }
 
-adapters! {
-    __b_map[U: Seen, F: FnMut(Self::Item) -> U](F) -> Map<Item<Self>, U::Slot>, U;
-    __b_filter[F: FnMut(&Self::Item) -> bool](F) -> Filter<Item<Self>>, Self::Item;
-    __b_filter_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](F)
-        -> FilterMap<Item<Self>, U::Slot>, U;
-    __b_map_while[U: Seen, F: FnMut(Self::Item) -> Option<U>](F)
-        -> MapWhile<Item<Self>, U::Slot>, U;
-    __b_take_while[F: FnMut(&Self::Item) -> bool](F) -> TakeWhile<Item<Self>>, Self::Item;
-    __b_skip_while[F: FnMut(&Self::Item) -> bool](F) -> SkipWhile<Item<Self>>, Self::Item;
-    __b_skip(usize) -> Skip<Item<Self>>, Self::Item;
-    __b_step_by(usize) -> StepBy<Item<Self>>, Self::Item;
-    __b_scan[S: Seen, U: Seen, F: FnMut(&mut S, Self::Item) -> Option<U>](S, F)
-        -> Scan<Item<Self>, S::Slot, U::Slot>, U;
-    __b_inspect[F: FnMut(&Self::Item)](F) -> Inspect<Item<Self>>, Self::Item;
-    __b_enumerate() -> Enumerate<Item<Self>>, (usize, Self::Item);
-    __b_rev() -> Rev<Item<Self>>, Self::Item where Self: DoubleEndedIterator;
-    __b_flat_map[V: Seen, U: IntoIterator<Item = V>, F: FnMut(Self::Item) -> U](F)
-        -> FlatMap<Item<Self>, V::Slot>, V;
-    __b_flatten[U: Seen]() -> Flatten<Item<Self>, U::Slot>, U where Self::Item: IntoIterator<Item = U>;
-    __b_chain[U: IntoIterator<Item = Self::Item>](U) -> Chain<Item<Self>>, Self::Item;
+/// What gives the values behind references.
+pub trait CopiedItems<'a, T: Seen + 'a>: Iterator<Item = &'a T> + Sized {
+    signatures! {
+        fn __b_copied(self) -> Called<Copied<T::Slot>, Items<T>>;
+        fn __b_cloned(self) -> Called<Copied<T::Slot>, Items<T>>;
+    }
 }
 
-impl<I: Iterator<Item: Seen>> Adapters for I {}
+impl<'a, T: Seen + 'a, I: Iterator<Item = &'a T>> CopiedItems<'a, T> for I {}

@@ -36,6 +36,40 @@ macro_rules! signatures {
 }
 pub(super) use signatures;
 
+/// A trait of companions whose meaning is the typifier's business: each with its marker, and with what that stands for,
+/// where it is not another's as well; a marker that is named by a path stands in square brackets, and so do a method's own
+/// types.
+macro_rules! operations {
+    ($(
+        $(#[$doc:meta])*
+        pub trait $trait:ident $(<$($p:ident),*>)? $(: $super:ident)? {
+            $(type $associated:ident $(: $kept:ident)?;)*
+            $(
+                fn $name:ident $([$($g:ident),*])? ($($parameters:tt)*) -> $result:ty
+                    $(where $of:ident: $bound:ident)?
+                    = $($marker:ident $(<$at:ident>)? $(: $kind:ident($operation:expr))?)? $([$other:ty])?;
+            )*
+        }
+    )*) => {$(
+        $($($(markers! { $marker: $kind($operation); })?)?)*
+
+        $(#[$doc])*
+        #[allow(missing_docs)]
+        pub trait $trait $(<$($p),*>)? $(: $super)? {
+            $(type $associated $(: $kept)?;)*
+            $(
+                fn $name $(<$($g),*>)? ($($parameters)*)
+                    -> Called<$($marker $(<$at>)?)? $($other)?, $result>
+                $(where $of: $bound)?
+                {
+                    unreachable!("a witness copy is never run")
+                }
+            )*
+        }
+    )*};
+}
+pub(super) use operations;
+
 markers! {
     Sqrt: Scalar(Intrinsic::Sqrt); Floor: Scalar(Intrinsic::Floor); ToBits: Scalar(Intrinsic::ToBits); RawBits: Scalar(Intrinsic::RawBits); FromBits: Scalar(Intrinsic::FromBits); Copysign: Scalar(Intrinsic::Copysign);
     Abs: Scalar(Intrinsic::Abs); Min: Scalar(Intrinsic::Min); Max: Scalar(Intrinsic::Max); Clamp: Scalar(Intrinsic::Clamp);

@@ -8,7 +8,7 @@ use bessemer_ir::tree::Ty;
 
 use super::builder::{Builder, Callee};
 use super::builtin::{OrderBuiltins, signatures};
-use super::matrices::told;
+use super::matrices::{told, told_methods};
 use super::slot::{Called, DslType, Seen, Value};
 use crate::comparison;
 use crate::math::Real;
@@ -90,22 +90,14 @@ impl<T: Ranked + Copy> RankedBuiltins for T {
     }
 }
 
-/// The least and the greatest of them.
-pub trait RankedOrderBuiltins: Sized {
-    fn __b_min(self, other: Self) -> told!([Self] => Self);
-    fn __b_max(self, other: Self) -> told!([Self] => Self);
-    fn __b_clamp(self, low: Self, high: Self) -> told!([Self] => Self);
-}
-
-impl<T: Ranked + Copy + Ord> RankedOrderBuiltins for T {
-    fn __b_min(self, other: T) -> told!([T] => T) {
-        comparison::lesser::__call(self, other)
-    }
-    fn __b_max(self, other: T) -> told!([T] => T) {
-        comparison::greater::__call(self, other)
-    }
-    fn __b_clamp(self, low: T, high: T) -> told!([T] => T) {
-        comparison::limited::__call(self, low, high)
+told_methods! {
+    /// The least and the greatest of them.
+    RankedOrderBuiltins<> [Self]: Sized for (T: (Ranked + Copy + Ord)) T, [T] {
+        fn __b_min(self, other: Self) -> Self { comparison::lesser::__call(self, other) }
+        fn __b_max(self, other: Self) -> Self { comparison::greater::__call(self, other) }
+        fn __b_clamp(self, low: Self, high: Self) -> Self {
+            comparison::limited::__call(self, low, high)
+        }
     }
 }
 
@@ -201,57 +193,34 @@ pub mod cmp {
     }
 }
 
-/// What floats have.
-pub trait TotalCompareBuiltins: Sized {
-    fn __b_total_cmp(&self, other: &Self) -> told!([Self] => Ordering);
-}
-
-impl<T: Value + Real> TotalCompareBuiltins for T {
-    fn __b_total_cmp(&self, other: &T) -> told!([T] => Ordering) {
-        comparison::total::__call(*self, *other)
+told_methods! {
+    /// What floats have.
+    TotalCompareBuiltins<> [Self]: Sized for (T: (Value + Real)) T, [T] {
+        fn __b_total_cmp(&self, other: &Self) -> Ordering { comparison::total::__call(*self, *other) }
     }
 }
 
-/// Methods of `Ordering`.
-pub trait OrderingBuiltins: Sized {
-    fn __b_reverse(self) -> told!([Self] => Ordering);
-    fn __b_then(self, next: Ordering) -> told!([Self] => Ordering);
+told_methods! {
+    /// Methods of `Ordering`.
+    OrderingBuiltins<> [Self]: Sized for () Ordering, [] {
+        fn __b_reverse(self) -> Ordering { comparison::reversed::__call(self) }
+        fn __b_then(self, next: Ordering) -> Ordering { comparison::then::__call(self, next) }
+        fn __b_is_lt(self) -> bool { comparison::is_less::__call(self) }
+        fn __b_is_le(self) -> bool { comparison::is_at_most::__call(self) }
+        fn __b_is_gt(self) -> bool { comparison::is_greater::__call(self) }
+        fn __b_is_ge(self) -> bool { comparison::is_at_least::__call(self) }
+        fn __b_is_eq(self) -> bool { comparison::is_equal::__call(self) }
+        fn __b_is_ne(self) -> bool { comparison::is_unequal::__call(self) }
+    }
+}
+
+/// What stands for a `match` on an `Ordering`.
+pub trait ThenBuiltin: Sized {
     signatures! {
         fn __b_then_with(
             self, _next: impl FnOnce() -> Ordering
         ) -> Called<comparison::then_with, Ordering>;
     }
-    fn __b_is_lt(self) -> told!([Self] => bool);
-    fn __b_is_le(self) -> told!([Self] => bool);
-    fn __b_is_gt(self) -> told!([Self] => bool);
-    fn __b_is_ge(self) -> told!([Self] => bool);
-    fn __b_is_eq(self) -> told!([Self] => bool);
-    fn __b_is_ne(self) -> told!([Self] => bool);
 }
 
-impl OrderingBuiltins for Ordering {
-    fn __b_reverse(self) -> told!([] => Ordering) {
-        comparison::reversed::__call(self)
-    }
-    fn __b_then(self, next: Ordering) -> told!([] => Ordering) {
-        comparison::then::__call(self, next)
-    }
-    fn __b_is_lt(self) -> told!([] => bool) {
-        comparison::is_less::__call(self)
-    }
-    fn __b_is_le(self) -> told!([] => bool) {
-        comparison::is_at_most::__call(self)
-    }
-    fn __b_is_gt(self) -> told!([] => bool) {
-        comparison::is_greater::__call(self)
-    }
-    fn __b_is_ge(self) -> told!([] => bool) {
-        comparison::is_at_least::__call(self)
-    }
-    fn __b_is_eq(self) -> told!([] => bool) {
-        comparison::is_equal::__call(self)
-    }
-    fn __b_is_ne(self) -> told!([] => bool) {
-        comparison::is_unequal::__call(self)
-    }
-}
+impl ThenBuiltin for Ordering {}

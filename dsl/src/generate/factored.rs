@@ -86,21 +86,6 @@ where
     }
 }
 
-/// Factors of symmetric matrices, and systems with triangular ones.
-pub trait SymmetricBuiltins<T: Real, const N: usize>: Sized {
-    fn __b_cholesky(self) -> told!([Self, T, N] => Option<Cholesky<T, Const<N>>>);
-    fn __b_udu(self) -> told!([Self, T, N] => Option<UDU<T, Const<N>>>);
-}
-
-impl<T: Real, const N: usize> SymmetricBuiltins<T, N> for SMatrix<T, N, N> {
-    fn __b_cholesky(self) -> told!([T, N] => Option<Cholesky<T, Const<N>>>) {
-        gives(cholesky::factored::__call(&self))
-    }
-    fn __b_udu(self) -> told!([T, N] => Option<UDU<T, Const<N>>>) {
-        gives(udu::factored::__call(&self))
-    }
-}
-
 companions! {
     /// Systems of equations with a triangular matrix.
     TriangularBuiltins<N>: Real [Self, T, N] for SMatrix<T, N, N>, [T, N] {
@@ -163,6 +148,16 @@ macro_rules! methods {
     };
 }
 pub(super) use methods;
+
+methods! {
+    /// Factors of symmetric matrices, and systems with triangular ones.
+    SymmetricBuiltins<N> [Self, T, N] for SMatrix<T, N, N>, [T, N] {
+        fn __b_cholesky(self) -> Option<Cholesky<T, Const<N>>> {
+            gives(cholesky::factored::__call(&self))
+        }
+        fn __b_udu(self) -> Option<UDU<T, Const<N>>> { gives(udu::factored::__call(&self)) }
+    }
+}
 
 methods! {
     /// Methods of LU.

@@ -168,94 +168,52 @@ pub trait Tried<A> {}
 impl<A> Tried<A> for Option<A> {}
 impl<A, E> Tried<A> for Result<A, E> {}
 
-/// What iterators end in.
-pub trait Ends: Iterator<Item: Seen> + Sized {
-    fn __b_sum<S: core::iter::Sum<Self::Item>>(self) -> Called<Sum, S> {
-        unreachable!()
-    }
-    fn __b_product<P: core::iter::Product<Self::Item>>(self) -> Called<Product, P> {
-        unreachable!()
-    }
-    fn __b_for_each<F: FnMut(Self::Item)>(self, _: F) -> Called<ForEach<Item<Self>>, ()> {
-        unreachable!()
-    }
-    fn __b_reduce<F: FnMut(Self::Item, Self::Item) -> Self::Item>(
-        self,
-        _: F,
-    ) -> Called<Reduce<Item<Self>>, Option<Self::Item>> {
-        unreachable!()
-    }
-    fn __b_nth(self, _: usize) -> Called<Nth<Item<Self>>, Option<Self::Item>> {
-        unreachable!()
-    }
-    fn __b_position<F: FnMut(Self::Item) -> bool>(
-        self,
-        _: F,
-    ) -> Called<Position<Item<Self>>, Option<usize>> {
-        unreachable!()
-    }
-    fn __b_rposition<F: FnMut(Self::Item) -> bool>(
-        self,
-        _: F,
-    ) -> Called<Rposition<Item<Self>>, Option<usize>>
-    where
-        Self: DoubleEndedIterator + ExactSizeIterator,
-    {
-        unreachable!()
-    }
-    fn __b_max(self) -> Called<Max<Item<Self>>, Option<Self::Item>>
-    where
-        Self::Item: Ord,
-    {
-        unreachable!()
-    }
-    fn __b_min(self) -> Called<Min<Item<Self>>, Option<Self::Item>>
-    where
-        Self::Item: Ord,
-    {
-        unreachable!()
-    }
-    fn __b_count(self) -> Called<Count<Item<Self>>, usize> {
-        unreachable!()
-    }
-    fn __b_fold<A: Seen, F: FnMut(A, Self::Item) -> A>(
-        self,
-        _: A,
-        _: F,
-    ) -> Called<Fold<Item<Self>, A::Slot>, A> {
-        unreachable!()
-    }
-    fn __b_try_fold<A, R: Tried<A>, F: FnMut(A, Self::Item) -> R>(
-        self,
-        _: A,
-        _: F,
-    ) -> Called<TryFold, R> {
-        unreachable!()
-    }
-    fn __b_any<F: FnMut(Self::Item) -> bool>(self, _: F) -> Called<Any<Item<Self>>, bool> {
-        unreachable!()
-    }
-    fn __b_all<F: FnMut(Self::Item) -> bool>(self, _: F) -> Called<All<Item<Self>>, bool> {
-        unreachable!()
-    }
-    fn __b_find<F: FnMut(&Self::Item) -> bool>(
-        self,
-        _: F,
-    ) -> Called<Find<Item<Self>>, Option<Self::Item>> {
-        unreachable!()
-    }
-    fn __b_find_map<U: Seen, F: FnMut(Self::Item) -> Option<U>>(
-        self,
-        _: F,
-    ) -> Called<FindMap<Item<Self>, U::Slot>, Option<U>> {
-        unreachable!()
-    }
-    fn __b_last(self) -> Called<Last<Item<Self>>, Option<Self::Item>> {
-        unreachable!()
-    }
-    fn __b_next(self) -> Called<Next<Item<Self>>, Option<Self::Item>> {
-        unreachable!()
+/// Companions of methods of iterators, by their markers and by what they give, which are asked for their types alone.
+macro_rules! of_iterators {
+    (
+        $(#[$doc:meta])*
+        $trait:ident {$(
+            $name:ident $([$($g:ident: $bound:path),+])? ($($parameter:ty),*)
+                -> $marker:ty, $result:ty $(where $of:ty: $($such:path),+)?;
+        )*}
+    ) => {
+        $(#[$doc])*
+        pub trait $trait: Iterator<Item: Seen> + Sized {$(
+            fn $name $(<$($g: $bound),+>)? (self, $(_: $parameter),*) -> Called<$marker, $result>
+            $(where $of: $($such +)+)?
+            {
+                unreachable!("a witness copy is never run")
+            }
+        )*}
+
+        impl<I: Iterator<Item: Seen>> $trait for I {}
+    };
+}
+pub(super) use of_iterators;
+
+of_iterators! {
+    /// What iterators end in.
+    Ends {
+        __b_sum[S: core::iter::Sum<Self::Item>]() -> Sum, S;
+        __b_product[P: core::iter::Product<Self::Item>]() -> Product, P;
+        __b_for_each[F: FnMut(Self::Item)](F) -> ForEach<Item<Self>>, ();
+        __b_reduce[F: FnMut(Self::Item, Self::Item) -> Self::Item](F)
+            -> Reduce<Item<Self>>, Option<Self::Item>;
+        __b_nth(usize) -> Nth<Item<Self>>, Option<Self::Item>;
+        __b_position[F: FnMut(Self::Item) -> bool](F) -> Position<Item<Self>>, Option<usize>;
+        __b_rposition[F: FnMut(Self::Item) -> bool](F) -> Rposition<Item<Self>>, Option<usize>
+            where Self: DoubleEndedIterator, ExactSizeIterator;
+        __b_max() -> Max<Item<Self>>, Option<Self::Item> where Self::Item: Ord;
+        __b_min() -> Min<Item<Self>>, Option<Self::Item> where Self::Item: Ord;
+        __b_count() -> Count<Item<Self>>, usize;
+        __b_fold[A: Seen, F: FnMut(A, Self::Item) -> A](A, F) -> Fold<Item<Self>, A::Slot>, A;
+        __b_try_fold[A: Sized, R: Tried<A>, F: FnMut(A, Self::Item) -> R](A, F) -> TryFold, R;
+        __b_any[F: FnMut(Self::Item) -> bool](F) -> Any<Item<Self>>, bool;
+        __b_all[F: FnMut(Self::Item) -> bool](F) -> All<Item<Self>>, bool;
+        __b_find[F: FnMut(&Self::Item) -> bool](F) -> Find<Item<Self>>, Option<Self::Item>;
+        __b_find_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](F)
+            -> FindMap<Item<Self>, U::Slot>, Option<U>;
+        __b_last() -> Last<Item<Self>>, Option<Self::Item>;
+        __b_next() -> Next<Item<Self>>, Option<Self::Item>;
     }
 }
-
-impl<I: Iterator<Item: Seen>> Ends for I {}

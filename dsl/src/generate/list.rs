@@ -3,70 +3,43 @@
 use bessemer_ir::tree::{self, ListMethod};
 
 use super::builder::{Builder, Callee};
-use super::builtin::{markers, signatures};
-use super::matrices::told;
+use super::builtin::{markers, operations};
+use super::matrices::{told, told_methods};
 use super::slot::{Called, Value};
 use crate::{List, list_edit};
 
-markers! {
-    New: List(ListMethod::New);
-    Push: List(ListMethod::Push);
-    Pop: List(ListMethod::Pop);
-    Clear: List(ListMethod::Clear);
-    Truncate: List(ListMethod::Truncate);
-    Resize: List(ListMethod::Resize);
-    Len: List(ListMethod::Len);
-    IsEmpty: List(ListMethod::IsEmpty);
-    Capacity: List(ListMethod::Capacity);
-}
-
-/// Methods of lists.
-#[allow(missing_docs)]
-pub trait ListBuiltins<T>: Sized {
-    signatures! {
-        fn __b_new() -> Called<New, Self>;
-        fn __b_push(&mut self, _element: T) -> Called<Push, ()>;
-        fn __b_pop(&mut self) -> Called<Pop, Option<T>>;
-        fn __b_clear(&mut self) -> Called<Clear, ()>;
-        fn __b_truncate(&mut self, _length: usize) -> Called<Truncate, ()>;
-        fn __b_resize(&mut self, _length: usize, _element: T) -> Called<Resize, ()>;
-        fn __b_len(&self) -> Called<Len, usize>;
-        fn __b_is_empty(&self) -> Called<IsEmpty, bool>;
-        fn __b_capacity(&self) -> Called<Capacity, usize>;
+operations! {
+    /// Methods of lists.
+    pub trait ListBuiltins<T>: Sized {
+        fn __b_new() -> Self = New: List(ListMethod::New);
+        fn __b_push(&mut self, _element: T) -> () = Push: List(ListMethod::Push);
+        fn __b_pop(&mut self) -> Option<T> = Pop: List(ListMethod::Pop);
+        fn __b_clear(&mut self) -> () = Clear: List(ListMethod::Clear);
+        fn __b_truncate(&mut self, _length: usize) -> () = Truncate: List(ListMethod::Truncate);
+        fn __b_resize(&mut self, _length: usize, _element: T) -> () = Resize: List(ListMethod::Resize);
+        fn __b_len(&self) -> usize = Len: List(ListMethod::Len);
+        fn __b_is_empty(&self) -> bool = IsEmpty: List(ListMethod::IsEmpty);
+        fn __b_capacity(&self) -> usize = Capacity: List(ListMethod::Capacity);
     }
 }
 
 impl<T, const N: usize> ListBuiltins<T> for List<T, N> {}
 
-/// Methods of lists that are functions of the DSL in the C.
-#[allow(missing_docs)]
-pub trait ListEdits<T, const N: usize>: Sized {
-    fn __b_is_full(&self) -> told!([Self, T, N] => bool);
-    fn __b_insert(&mut self, index: usize, element: T) -> told!([Self, T, N] => ());
-    fn __b_remove(&mut self, index: usize) -> told!([Self, T, N] => T);
-    fn __b_swap_remove(&mut self, index: usize) -> told!([Self, T, N] => T);
-    fn __b_extend_from_slice(&mut self, elements: &[T]) -> told!([Self, T, N] => ());
-    fn __b_retain<F: FnMut(&T) -> bool>(&mut self, keep: F) -> told!([Self, T, N] + F => ());
-}
-
-impl<T: Value + Copy + Default, const N: usize> ListEdits<T, N> for List<T, N> {
-    fn __b_is_full(&self) -> told!([T, N] => bool) {
-        list_edit::is_full::__call(self)
-    }
-    fn __b_insert(&mut self, index: usize, element: T) -> told!([T, N] => ()) {
-        list_edit::insert::__call(self, index, element)
-    }
-    fn __b_remove(&mut self, index: usize) -> told!([T, N] => T) {
-        list_edit::remove::__call(self, index)
-    }
-    fn __b_swap_remove(&mut self, index: usize) -> told!([T, N] => T) {
-        list_edit::swap_remove::__call(self, index)
-    }
-    fn __b_extend_from_slice(&mut self, elements: &[T]) -> told!([T, N] => ()) {
-        list_edit::extend_from_slice::__call(self, elements)
-    }
-    fn __b_retain<F: FnMut(&T) -> bool>(&mut self, keep: F) -> told!([T, N] + F => ()) {
-        list_edit::retain::__call(self, keep)
+told_methods! {
+    /// Methods of lists that are functions of the DSL in the C.
+    ListEdits<T; N> [Self, T, N]: Sized for (T: (Value + Copy + Default)) List<T, N>, [T, N] {
+        fn __b_is_full(&self) -> bool { list_edit::is_full::__call(self) }
+        fn __b_insert(&mut self, index: usize, element: T) -> () {
+            list_edit::insert::__call(self, index, element)
+        }
+        fn __b_remove(&mut self, index: usize) -> T { list_edit::remove::__call(self, index) }
+        fn __b_swap_remove(&mut self, index: usize) -> T { list_edit::swap_remove::__call(self, index) }
+        fn __b_extend_from_slice(&mut self, elements: &[T]) -> () {
+            list_edit::extend_from_slice::__call(self, elements)
+        }
+        fn __b_retain[F: (FnMut(&T) -> bool)](&mut self, keep: F) -> () {
+            list_edit::retain::__call(self, keep)
+        }
     }
 }
 

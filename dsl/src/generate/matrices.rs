@@ -52,7 +52,34 @@ macro_rules! companions {
         )*}
     };
 }
-pub(super) use {companions, told};
+
+/// The same of any type: behind the type's name what the trait is generic over, behind `for` what the implementation is.
+/// Each body calls the companion itself.
+macro_rules! told_methods {
+    (
+        $(#[$doc:meta])*
+        $trait:ident<$($p:ident),* $(; $($n:ident),*)?> $in_trait:tt $(: $sized:ident)?
+        for ($($t:ident: ($($bound:tt)*)),*) $native:ty, $in_type:tt
+        {$(
+            fn $name:ident $([$($g:ident: ($($of:tt)*)),*])? ($($parameters:tt)*) -> $result:ty
+            $body:block
+        )*}
+    ) => {
+        $(#[$doc])*
+        #[allow(missing_docs)]
+        pub trait $trait<$($p,)* $($(const $n: usize),*)?> $(: $sized)? {$(
+            fn $name $(<$($g: $($of)*),*>)? ($($parameters)*)
+                -> told!($in_trait $($(+ $g)*)? => $result);
+        )*}
+
+        impl<$($t: $($bound)*,)* $($(const $n: usize),*)?> $trait<$($p,)* $($($n),*)?> for $native {$(
+            fn $name $(<$($g: $($of)*),*>)? ($($parameters)*)
+                -> told!($in_type $($(+ $g)*)? => $result)
+            $body
+        )*}
+    };
+}
+pub(super) use {companions, told, told_methods};
 
 companions! {
     /// Methods of matrices.
@@ -303,50 +330,31 @@ companions! {
     }
 }
 
-/// Methods of vectors of two.
-pub trait PerpBuiltin<T>: Sized {
-    fn __b_perp(&self, other: &Self) -> told!([Self, T] => T);
-}
-
-impl<T: Real> PerpBuiltin<T> for SVector<T, 2> {
-    fn __b_perp(&self, other: &Self) -> told!([T] => T) {
-        blas::perp::__call(self, other)
+companions! {
+    /// Methods of vectors of two.
+    PerpBuiltin<>: Real [Self, T] for SVector<T, 2>, [T] {
+        fn __b_perp(&self, other: &Self) -> T { blas::perp(self, other) }
     }
 }
 
-/// Matrices of one element.
-pub trait ScalarBuiltins<T>: Sized {
-    fn __b_to_scalar(&self) -> told!([Self, T] => T);
-    fn __b_into_scalar(self) -> told!([Self, T] => T);
-}
-
-impl<T: Element> ScalarBuiltins<T> for SMatrix<T, 1, 1> {
-    fn __b_to_scalar(&self) -> told!([T] => T) {
-        parts::to_scalar::__call(self)
-    }
-    fn __b_into_scalar(self) -> told!([T] => T) {
-        parts::to_scalar::__call(&self)
+companions! {
+    /// Matrices of one element.
+    ScalarBuiltins<>: Element [Self, T] for SMatrix<T, 1, 1>, [T] {
+        fn __b_to_scalar(&self) -> T { parts::to_scalar(self) }
+        fn __b_into_scalar(self) -> T { parts::to_scalar(&self) }
     }
 }
 
-/// The same numbers in another type.
-pub trait CastBuiltin<T: Real, const R: usize, const C: usize>: Sized {
-    fn __b_cast<U: Real>(self) -> told!([Self, T, R, C] + U => SMatrix<U, R, C>);
-}
-
-impl<T: Real, const R: usize, const C: usize> CastBuiltin<T, R, C> for SMatrix<T, R, C> {
-    fn __b_cast<U: Real>(self) -> told!([T, R, C] + U => SMatrix<U, R, C>) {
-        elementwise::cast::__call(&self)
+companions! {
+    /// The same numbers in another type.
+    CastBuiltin<R, C>: Real [Self, T, R, C] for SMatrix<T, R, C>, [T, R, C] {
+        fn __b_cast[U: (Real)](self) -> SMatrix<U, R, C> { elementwise::cast(&self) }
     }
 }
 
-/// The matrix of the cross product.
-pub trait CrossMatrixBuiltin<T>: Sized {
-    fn __b_cross_matrix(&self) -> told!([Self, T] => SMatrix<T, 3, 3>);
-}
-
-impl<T: Real> CrossMatrixBuiltin<T> for SVector<T, 3> {
-    fn __b_cross_matrix(&self) -> told!([T] => SMatrix<T, 3, 3>) {
-        parts::cross_matrix::__call(self)
+companions! {
+    /// The matrix of the cross product.
+    CrossMatrixBuiltin<>: Real [Self, T] for SVector<T, 3>, [T] {
+        fn __b_cross_matrix(&self) -> SMatrix<T, 3, 3> { parts::cross_matrix(self) }
     }
 }

@@ -54,7 +54,7 @@ pub use slot::{
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.
 pub mod prelude {
-    pub use super::adapters::{__items, Adapters as _};
+    pub use super::adapters::{__items, Adapters as _, CopiedItems as _};
     pub use super::ascii::{ByteBuiltins as _, CharBuiltins as _};
     pub use super::builtin::{AxisBuiltins as _, CrossBuiltin as _, IdentityBuiltin as _};
     pub use super::builtin::{
@@ -70,7 +70,7 @@ pub mod prelude {
     pub use super::comparison::{
         CompareBuiltins as _, OrderingBuiltins as _, PartialCompareBuiltins as _,
         RankedBuiltins as _, RankedOrderBuiltins as _, ReferredOrderBuiltins as _,
-        TotalCompareBuiltins as _,
+        ThenBuiltin as _, TotalCompareBuiltins as _,
     };
     pub use super::complex::{ComplexBuiltins as _, ComplexMethods as _};
     pub use super::each_element::EachElement as _;
@@ -102,11 +102,11 @@ pub mod prelude {
         OptionBuiltins as _, ResultBuiltins as _, TransposeBackBuiltin as _, TransposeBuiltin as _,
         UnzipBuiltin as _,
     };
-    pub use super::range::{ClosedBuiltins as _, RangeBuiltins as _};
+    pub use super::range::{ClosedBuiltins as _, ClosedContents as _, Contents as _};
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{
         SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceEquals as _,
-        SliceOrder as _, SliceSearches as _, SliceSorts as _, TotalOrder as _,
+        SliceOrder as _, SliceSearch as _, SliceSearches as _, SliceSorts as _, TotalOrder as _,
         VectorSliceBuiltins as _,
     };
     pub use super::slot::{
@@ -122,7 +122,7 @@ pub mod prelude {
         UnitQuaternionBuiltins as _, UnitQuaternionMethods as _,
     };
     pub use super::swizzles::SwizzleBuiltins as _;
-    pub use super::views::{CopyBuiltin as _, ViewBuiltins as _};
+    pub use super::views::{CopyBuiltin as _, OwnedBuiltins as _, ViewBuiltins as _};
     pub use super::whole::WholeBuiltins as _;
 }
 

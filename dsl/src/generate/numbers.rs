@@ -6,159 +6,105 @@ use bessemer_ir::Intrinsic;
 use bessemer_ir::tree::{self, ByteOrder, NumberMethod, Ty};
 
 use super::builder::{Builder, Callee};
-use super::builtin::{markers, signatures};
+use super::builtin::{markers, operations};
 use super::slot::{Called, DslType, Seen};
 use crate::math::integer;
 
 markers! {
-    WrappingAdd: Scalar(Intrinsic::WrappingAdd);
-    WrappingSub: Scalar(Intrinsic::WrappingSub);
-    WrappingMul: Scalar(Intrinsic::WrappingMul);
-    WrappingDiv: Number(NumberMethod::WrappingDiv);
-    WrappingRem: Number(NumberMethod::WrappingRem);
-    SaturatingAdd: Scalar(Intrinsic::SaturatingAdd);
-    SaturatingSub: Scalar(Intrinsic::SaturatingSub);
-    SaturatingMul: Scalar(Intrinsic::SaturatingMul);
-    WrappingNeg: Number(NumberMethod::WrappingNeg);
-    SwapBytes: Number(NumberMethod::SwapBytes);
-    WrappingShl: Number(NumberMethod::WrappingShl);
-    WrappingShr: Number(NumberMethod::WrappingShr);
-    RotateLeft: Number(NumberMethod::RotateLeft);
-    RotateRight: Number(NumberMethod::RotateRight);
-    CountOnes: Number(NumberMethod::CountOnes);
-    CountZeros: Number(NumberMethod::CountZeros);
-    LeadingZeros: Number(NumberMethod::LeadingZeros);
-    LeadingOnes: Number(NumberMethod::LeadingOnes);
-    TrailingZeros: Number(NumberMethod::TrailingZeros);
-    TrailingOnes: Number(NumberMethod::TrailingOnes);
-    AbsDiff: Number(NumberMethod::AbsDiff);
-    IsPositive: Number(NumberMethod::IsPositive);
-    IsNegative: Number(NumberMethod::IsNegative);
-    WrappingAbs: Number(NumberMethod::WrappingAbs);
-    UnsignedAbs: Scalar(Intrinsic::UnsignedAbs);
-    IsPowerOfTwo: Number(NumberMethod::IsPowerOfTwo);
-    Signum: Number(NumberMethod::Signum);
-    DivEuclid: Number(NumberMethod::DivEuclid);
-    RemEuclid: Number(NumberMethod::RemEuclid);
-    Ceil: Scalar(Intrinsic::Ceil);
-    Trunc: Scalar(Intrinsic::Trunc);
-    Round: Scalar(Intrinsic::Round);
-    Fract: Number(NumberMethod::Fract);
-    Recip: Number(NumberMethod::Recip);
-    ToDegrees: Number(NumberMethod::ToDegrees);
-    ToRadians: Number(NumberMethod::ToRadians);
-    IsNan: Scalar(Intrinsic::IsNan);
-    IsFinite: Scalar(Intrinsic::IsFinite);
-    IsInfinite: Scalar(Intrinsic::IsInfinite);
-    IsSignNegative: Number(NumberMethod::IsSignNegative);
-    IsSignPositive: Number(NumberMethod::IsSignPositive);
-    ToLeBytes: Bytes(ByteOrder::Little);
-    ToBeBytes: Bytes(ByteOrder::Big);
-    FromLeBytes: Bytes(ByteOrder::Little);
-    FromBeBytes: Bytes(ByteOrder::Big);
     From: Number(NumberMethod::From);
     TryFrom: TryFrom;
 }
 
-/// Methods of integers.
-#[allow(missing_docs)]
-pub trait IntegerBuiltins: Sized {
-    type Unsigned;
-    type Pow: Callee;
-    type WrappingPow: Callee;
-    signatures! {
-        fn __b_wrapping_add(self, _other: Self) -> Called<WrappingAdd, Self>;
-        fn __b_wrapping_sub(self, _other: Self) -> Called<WrappingSub, Self>;
-        fn __b_wrapping_mul(self, _other: Self) -> Called<WrappingMul, Self>;
-        fn __b_wrapping_div(self, _other: Self) -> Called<WrappingDiv, Self>;
-        fn __b_wrapping_rem(self, _other: Self) -> Called<WrappingRem, Self>;
-        fn __b_saturating_add(self, _other: Self) -> Called<SaturatingAdd, Self>;
-        fn __b_saturating_sub(self, _other: Self) -> Called<SaturatingSub, Self>;
-        fn __b_saturating_mul(self, _other: Self) -> Called<SaturatingMul, Self>;
-        fn __b_wrapping_neg(self) -> Called<WrappingNeg, Self>;
-        fn __b_swap_bytes(self) -> Called<SwapBytes, Self>;
-        fn __b_wrapping_shl(self, _bits: u32) -> Called<WrappingShl, Self>;
-        fn __b_wrapping_shr(self, _bits: u32) -> Called<WrappingShr, Self>;
-        fn __b_rotate_left(self, _bits: u32) -> Called<RotateLeft, Self>;
-        fn __b_rotate_right(self, _bits: u32) -> Called<RotateRight, Self>;
-        fn __b_count_ones(self) -> Called<CountOnes, u32>;
-        fn __b_count_zeros(self) -> Called<CountZeros, u32>;
-        fn __b_leading_zeros(self) -> Called<LeadingZeros, u32>;
-        fn __b_leading_ones(self) -> Called<LeadingOnes, u32>;
-        fn __b_trailing_zeros(self) -> Called<TrailingZeros, u32>;
-        fn __b_trailing_ones(self) -> Called<TrailingOnes, u32>;
-        fn __b_abs_diff(self, _other: Self) -> Called<AbsDiff, Self::Unsigned>;
-        fn __b_pow(self, _exponent: u32) -> Called<Self::Pow, Self>;
-        fn __b_wrapping_pow(self, _exponent: u32) -> Called<Self::WrappingPow, Self>;
+operations! {
+    /// Methods of integers.
+    pub trait IntegerBuiltins: Sized {
+        type Unsigned;
+        type Pow: Callee;
+        type WrappingPow: Callee;
+        fn __b_wrapping_add(self, _other: Self) -> Self = WrappingAdd: Scalar(Intrinsic::WrappingAdd);
+        fn __b_wrapping_sub(self, _other: Self) -> Self = WrappingSub: Scalar(Intrinsic::WrappingSub);
+        fn __b_wrapping_mul(self, _other: Self) -> Self = WrappingMul: Scalar(Intrinsic::WrappingMul);
+        fn __b_wrapping_div(self, _other: Self) -> Self = WrappingDiv: Number(NumberMethod::WrappingDiv);
+        fn __b_wrapping_rem(self, _other: Self) -> Self = WrappingRem: Number(NumberMethod::WrappingRem);
+        fn __b_saturating_add(self, _other: Self) -> Self = SaturatingAdd: Scalar(Intrinsic::SaturatingAdd);
+        fn __b_saturating_sub(self, _other: Self) -> Self = SaturatingSub: Scalar(Intrinsic::SaturatingSub);
+        fn __b_saturating_mul(self, _other: Self) -> Self = SaturatingMul: Scalar(Intrinsic::SaturatingMul);
+        fn __b_wrapping_neg(self) -> Self = WrappingNeg: Number(NumberMethod::WrappingNeg);
+        fn __b_swap_bytes(self) -> Self = SwapBytes: Number(NumberMethod::SwapBytes);
+        fn __b_wrapping_shl(self, _bits: u32) -> Self = WrappingShl: Number(NumberMethod::WrappingShl);
+        fn __b_wrapping_shr(self, _bits: u32) -> Self = WrappingShr: Number(NumberMethod::WrappingShr);
+        fn __b_rotate_left(self, _bits: u32) -> Self = RotateLeft: Number(NumberMethod::RotateLeft);
+        fn __b_rotate_right(self, _bits: u32) -> Self = RotateRight: Number(NumberMethod::RotateRight);
+        fn __b_count_ones(self) -> u32 = CountOnes: Number(NumberMethod::CountOnes);
+        fn __b_count_zeros(self) -> u32 = CountZeros: Number(NumberMethod::CountZeros);
+        fn __b_leading_zeros(self) -> u32 = LeadingZeros: Number(NumberMethod::LeadingZeros);
+        fn __b_leading_ones(self) -> u32 = LeadingOnes: Number(NumberMethod::LeadingOnes);
+        fn __b_trailing_zeros(self) -> u32 = TrailingZeros: Number(NumberMethod::TrailingZeros);
+        fn __b_trailing_ones(self) -> u32 = TrailingOnes: Number(NumberMethod::TrailingOnes);
+        fn __b_abs_diff(self, _other: Self) -> Self::Unsigned = AbsDiff: Number(NumberMethod::AbsDiff);
+        fn __b_pow(self, _exponent: u32) -> Self = [Self::Pow];
+        fn __b_wrapping_pow(self, _exponent: u32) -> Self = [Self::WrappingPow];
     }
 }
 
-/// Methods of signed integers.
-#[allow(missing_docs)]
-pub trait SignedBuiltins: IntegerBuiltins {
-    signatures! {
-        fn __b_is_positive(self) -> Called<IsPositive, bool>;
-        fn __b_is_negative(self) -> Called<IsNegative, bool>;
-        fn __b_wrapping_abs(self) -> Called<WrappingAbs, Self>;
-        fn __b_unsigned_abs(self) -> Called<UnsignedAbs, Self::Unsigned>;
+operations! {
+    /// Methods of signed integers.
+    pub trait SignedBuiltins: IntegerBuiltins {
+        fn __b_is_positive(self) -> bool = IsPositive: Number(NumberMethod::IsPositive);
+        fn __b_is_negative(self) -> bool = IsNegative: Number(NumberMethod::IsNegative);
+        fn __b_wrapping_abs(self) -> Self = WrappingAbs: Number(NumberMethod::WrappingAbs);
+        fn __b_unsigned_abs(self) -> Self::Unsigned = UnsignedAbs: Scalar(Intrinsic::UnsignedAbs);
     }
 }
 
-/// Methods of unsigned integers.
-#[allow(missing_docs)]
-pub trait UnsignedBuiltins: Sized {
-    fn __b_is_power_of_two(self) -> Called<IsPowerOfTwo, bool> {
-        unreachable!()
+operations! {
+    /// Methods of unsigned integers.
+    pub trait UnsignedBuiltins: Sized {
+        fn __b_is_power_of_two(self) -> bool = IsPowerOfTwo: Number(NumberMethod::IsPowerOfTwo);
     }
 }
 
-/// The sign as a number.
-#[allow(missing_docs)]
-pub trait SignBuiltins: Sized {
-    fn __b_signum(self) -> Called<Signum, Self> {
-        unreachable!()
+operations! {
+    /// The sign as a number.
+    pub trait SignBuiltins: Sized {
+        fn __b_signum(self) -> Self = Signum: Number(NumberMethod::Signum);
     }
 }
 
-/// Division with a remainder of 0 or more.
-#[allow(missing_docs)]
-pub trait DivisionBuiltins: Sized {
-    fn __b_div_euclid(self, _other: Self) -> Called<DivEuclid, Self> {
-        unreachable!()
-    }
-    fn __b_rem_euclid(self, _other: Self) -> Called<RemEuclid, Self> {
-        unreachable!()
+operations! {
+    /// Division with a remainder of 0 or more.
+    pub trait DivisionBuiltins: Sized {
+        fn __b_div_euclid(self, _other: Self) -> Self = DivEuclid: Number(NumberMethod::DivEuclid);
+        fn __b_rem_euclid(self, _other: Self) -> Self = RemEuclid: Number(NumberMethod::RemEuclid);
     }
 }
 
-/// Methods of floats that are exact.
-#[allow(missing_docs)]
-pub trait FloatKindBuiltins: Sized {
-    signatures! {
-        fn __b_ceil(self) -> Called<Ceil, Self>;
-        fn __b_trunc(self) -> Called<Trunc, Self>;
-        fn __b_round(self) -> Called<Round, Self>;
-        fn __b_fract(self) -> Called<Fract, Self>;
-        fn __b_recip(self) -> Called<Recip, Self>;
-        fn __b_to_degrees(self) -> Called<ToDegrees, Self>;
-        fn __b_to_radians(self) -> Called<ToRadians, Self>;
-        fn __b_is_nan(self) -> Called<IsNan, bool>;
-        fn __b_is_finite(self) -> Called<IsFinite, bool>;
-        fn __b_is_infinite(self) -> Called<IsInfinite, bool>;
-        fn __b_is_sign_negative(self) -> Called<IsSignNegative, bool>;
-        fn __b_is_sign_positive(self) -> Called<IsSignPositive, bool>;
+operations! {
+    /// Methods of floats that are exact.
+    pub trait FloatKindBuiltins: Sized {
+        fn __b_ceil(self) -> Self = Ceil: Scalar(Intrinsic::Ceil);
+        fn __b_trunc(self) -> Self = Trunc: Scalar(Intrinsic::Trunc);
+        fn __b_round(self) -> Self = Round: Scalar(Intrinsic::Round);
+        fn __b_fract(self) -> Self = Fract: Number(NumberMethod::Fract);
+        fn __b_recip(self) -> Self = Recip: Number(NumberMethod::Recip);
+        fn __b_to_degrees(self) -> Self = ToDegrees: Number(NumberMethod::ToDegrees);
+        fn __b_to_radians(self) -> Self = ToRadians: Number(NumberMethod::ToRadians);
+        fn __b_is_nan(self) -> bool = IsNan: Scalar(Intrinsic::IsNan);
+        fn __b_is_finite(self) -> bool = IsFinite: Scalar(Intrinsic::IsFinite);
+        fn __b_is_infinite(self) -> bool = IsInfinite: Scalar(Intrinsic::IsInfinite);
+        fn __b_is_sign_negative(self) -> bool = IsSignNegative: Number(NumberMethod::IsSignNegative);
+        fn __b_is_sign_positive(self) -> bool = IsSignPositive: Number(NumberMethod::IsSignPositive);
     }
 }
 
-/// Numbers as bytes.
-#[allow(missing_docs)]
-pub trait BytesBuiltins: Sized {
-    type Bytes;
-    signatures! {
-        fn __b_to_le_bytes(self) -> Called<ToLeBytes, Self::Bytes>;
-        fn __b_to_be_bytes(self) -> Called<ToBeBytes, Self::Bytes>;
-        fn __b_from_le_bytes(_bytes: Self::Bytes) -> Called<FromLeBytes, Self>;
-        fn __b_from_be_bytes(_bytes: Self::Bytes) -> Called<FromBeBytes, Self>;
+operations! {
+    /// Numbers as bytes.
+    pub trait BytesBuiltins: Sized {
+        type Bytes;
+        fn __b_to_le_bytes(self) -> Self::Bytes = ToLeBytes: Bytes(ByteOrder::Little);
+        fn __b_to_be_bytes(self) -> Self::Bytes = ToBeBytes: Bytes(ByteOrder::Big);
+        fn __b_from_le_bytes(_bytes: Self::Bytes) -> Self = FromLeBytes: Bytes(ByteOrder::Little);
+        fn __b_from_be_bytes(_bytes: Self::Bytes) -> Self = FromBeBytes: Bytes(ByteOrder::Big);
     }
 }
 

@@ -3,80 +3,49 @@
 use bessemer_ir::tree::{self, Desugared, OptionMethod};
 
 use super::builder::{Builder, Callee};
-use super::builtin::{markers, signatures};
+use super::builtin::{markers, operations, signatures};
 use super::slot::Called;
 use crate::{optional, outcome};
 
 markers! {
-    IsSome: Option(OptionMethod::IsSome);
-    IsNone: Option(OptionMethod::IsNone);
-    IsOk: Option(OptionMethod::IsOk);
-    IsErr: Option(OptionMethod::IsErr);
-    Unwrap: Option(OptionMethod::Unwrap);
-    UnwrapErr: Option(OptionMethod::UnwrapErr);
-    UnwrapOr: Option(OptionMethod::UnwrapOr);
-    UnwrapOrDefault: Option(OptionMethod::UnwrapOrDefault);
     Copied: Option(OptionMethod::Copied);
-    Or: Option(OptionMethod::Or);
-    And: Option(OptionMethod::And);
-    Take: Option(OptionMethod::Take);
-    Replace: Option(OptionMethod::Replace);
-    OkOr: Option(OptionMethod::OkOr);
-    Ok: Option(OptionMethod::Ok);
-    Err: Option(OptionMethod::Err);
-    AsRef: Desugared(Desugared::AsRef);
-    AsMut: Option(OptionMethod::AsMut);
-    Insert: Option(OptionMethod::Insert);
-    GetOrInsert: Option(OptionMethod::GetOrInsert);
-    GetOrInsertWith: Option(OptionMethod::GetOrInsertWith);
     ArrayMap: Desugared(Desugared::ArrayMap);
 }
 
-/// Methods of `Option`.
-#[allow(missing_docs)]
-pub trait OptionBuiltins<T>: Sized {
-    signatures! {
-        fn __b_is_some(&self) -> Called<IsSome, bool>;
-        fn __b_is_none(&self) -> Called<IsNone, bool>;
-        fn __b_unwrap(self) -> Called<Unwrap, T>;
-        fn __b_expect(self, _message: &str) -> Called<Unwrap, T>;
-        fn __b_unwrap_or(self, _other: T) -> Called<UnwrapOr, T>;
-        fn __b_unwrap_or_default(self) -> Called<UnwrapOrDefault, T> where T: Default;
-        fn __b_or(self, _other: Option<T>) -> Called<Or, Option<T>>;
-        fn __b_and[U](self, _other: Option<U>) -> Called<And, Option<U>>;
-        fn __b_take(&mut self) -> Called<Take, Option<T>>;
-        fn __b_replace(&mut self, _value: T) -> Called<Replace, Option<T>>;
-        fn __b_ok_or[E](self, _error: E) -> Called<OkOr, Result<T, E>>;
-        fn __b_as_ref(&self) -> Called<AsRef, Option<&T>>;
-        fn __b_as_mut(&mut self) -> Called<AsMut, Option<&mut T>>;
-        fn __b_insert(&mut self, _value: T) -> Called<Insert, &mut T>;
-        fn __b_get_or_insert(&mut self, _value: T) -> Called<GetOrInsert, &mut T>;
-        fn __b_get_or_insert_with(
-            &mut self, _f: impl FnOnce() -> T
-        ) -> Called<GetOrInsertWith, &mut T>;
-
-        fn __b_xor(self, _other: Option<T>) -> Called<optional::xor, Option<T>>;
-        fn __b_zip[U](self, _other: Option<U>) -> Called<optional::zip, Option<(T, U)>>;
-        fn __b_map[U](self, _f: impl FnOnce(T) -> U) -> Called<optional::map, Option<U>>;
-        fn __b_and_then[U](
-            self, _f: impl FnOnce(T) -> Option<U>
-        ) -> Called<optional::and_then, Option<U>>;
-        fn __b_filter(self, _f: impl FnOnce(&T) -> bool) -> Called<optional::filter, Option<T>>;
-        fn __b_or_else(
-            self, _f: impl FnOnce() -> Option<T>
-        ) -> Called<optional::or_else, Option<T>>;
-        fn __b_unwrap_or_else(self, _f: impl FnOnce() -> T) -> Called<optional::unwrap_or_else, T>;
-        fn __b_map_or[U](self, _other: U, _f: impl FnOnce(T) -> U) -> Called<optional::map_or, U>;
-        fn __b_map_or_else[U](
-            self, _other: impl FnOnce() -> U, _f: impl FnOnce(T) -> U
-        ) -> Called<optional::map_or_else, U>;
-        fn __b_is_some_and(
-            self, _f: impl FnOnce(T) -> bool
-        ) -> Called<optional::is_some_and, bool>;
-        fn __b_is_none_or(self, _f: impl FnOnce(T) -> bool) -> Called<optional::is_none_or, bool>;
-        fn __b_ok_or_else[E](
-            self, _f: impl FnOnce() -> E
-        ) -> Called<optional::ok_or_else, Result<T, E>>;
+operations! {
+    /// Methods of `Option`.
+    pub trait OptionBuiltins<T>: Sized {
+        fn __b_is_some(&self) -> bool = IsSome: Option(OptionMethod::IsSome);
+        fn __b_is_none(&self) -> bool = IsNone: Option(OptionMethod::IsNone);
+        fn __b_unwrap(self) -> T = Unwrap: Option(OptionMethod::Unwrap);
+        fn __b_expect(self, _message: &str) -> T = Unwrap;
+        fn __b_unwrap_or(self, _other: T) -> T = UnwrapOr: Option(OptionMethod::UnwrapOr);
+        fn __b_unwrap_or_default(self) -> T where T: Default
+            = UnwrapOrDefault: Option(OptionMethod::UnwrapOrDefault);
+        fn __b_or(self, _other: Option<T>) -> Option<T> = Or: Option(OptionMethod::Or);
+        fn __b_and[U](self, _other: Option<U>) -> Option<U> = And: Option(OptionMethod::And);
+        fn __b_take(&mut self) -> Option<T> = Take: Option(OptionMethod::Take);
+        fn __b_replace(&mut self, _value: T) -> Option<T> = Replace: Option(OptionMethod::Replace);
+        fn __b_ok_or[E](self, _error: E) -> Result<T, E> = OkOr: Option(OptionMethod::OkOr);
+        fn __b_as_ref(&self) -> Option<&T> = AsRef: Desugared(Desugared::AsRef);
+        fn __b_as_mut(&mut self) -> Option<&mut T> = AsMut: Option(OptionMethod::AsMut);
+        fn __b_insert(&mut self, _value: T) -> &mut T = Insert: Option(OptionMethod::Insert);
+        fn __b_get_or_insert(&mut self, _value: T) -> &mut T = GetOrInsert: Option(OptionMethod::GetOrInsert);
+        fn __b_get_or_insert_with(&mut self, _f: impl FnOnce() -> T) -> &mut T
+            = GetOrInsertWith: Option(OptionMethod::GetOrInsertWith);
+        fn __b_xor(self, _other: Option<T>) -> Option<T> = [optional::xor];
+        fn __b_zip[U](self, _other: Option<U>) -> Option<(T, U)> = [optional::zip];
+        fn __b_map[U](self, _f: impl FnOnce(T) -> U) -> Option<U> = [optional::map];
+        fn __b_and_then[U](self, _f: impl FnOnce(T) -> Option<U>) -> Option<U> = [optional::and_then];
+        fn __b_filter(self, _f: impl FnOnce(&T) -> bool) -> Option<T> = [optional::filter];
+        fn __b_or_else(self, _f: impl FnOnce() -> Option<T>) -> Option<T> = [optional::or_else];
+        fn __b_unwrap_or_else(self, _f: impl FnOnce() -> T) -> T = [optional::unwrap_or_else];
+        fn __b_map_or[U](self, _other: U, _f: impl FnOnce(T) -> U) -> U = [optional::map_or];
+        fn __b_map_or_else[U](self, _other: impl FnOnce() -> U, _f: impl FnOnce(T) -> U) -> U
+            = [optional::map_or_else];
+        fn __b_is_some_and(self, _f: impl FnOnce(T) -> bool) -> bool = [optional::is_some_and];
+        fn __b_is_none_or(self, _f: impl FnOnce(T) -> bool) -> bool = [optional::is_none_or];
+        fn __b_ok_or_else[E](self, _f: impl FnOnce() -> E) -> Result<T, E> = [optional::ok_or_else];
     }
 }
 
@@ -160,39 +129,32 @@ pub trait ArrayBuiltins<T, const N: usize>: Sized {
 
 impl<T, const N: usize> ArrayBuiltins<T, N> for [T; N] {}
 
-/// Methods of `Result`.
-#[allow(missing_docs)]
-pub trait ResultBuiltins<T, E>: Sized {
-    signatures! {
-        fn __b_is_ok(&self) -> Called<IsOk, bool>;
-        fn __b_is_err(&self) -> Called<IsErr, bool>;
-        fn __b_unwrap(self) -> Called<Unwrap, T>;
-        fn __b_expect(self, _message: &str) -> Called<Unwrap, T>;
-        fn __b_unwrap_err(self) -> Called<UnwrapErr, E>;
-        fn __b_expect_err(self, _message: &str) -> Called<UnwrapErr, E>;
-        fn __b_unwrap_or(self, _other: T) -> Called<UnwrapOr, T>;
-        fn __b_unwrap_or_default(self) -> Called<UnwrapOrDefault, T> where T: Default;
-        fn __b_ok(self) -> Called<Ok, Option<T>>;
-        fn __b_err(self) -> Called<Err, Option<E>>;
-        fn __b_or(self, _other: Result<T, E>) -> Called<Or, Result<T, E>>;
-        fn __b_and[U](self, _other: Result<U, E>) -> Called<And, Result<U, E>>;
-        fn __b_as_ref(&self) -> Called<AsRef, Result<&T, &E>>;
-
-        fn __b_map[U](self, _f: impl FnOnce(T) -> U) -> Called<outcome::map, Result<U, E>>;
-        fn __b_map_err[F](self, _f: impl FnOnce(E) -> F) -> Called<outcome::map_err, Result<T, F>>;
-        fn __b_and_then[U](
-            self, _f: impl FnOnce(T) -> Result<U, E>
-        ) -> Called<outcome::and_then, Result<U, E>>;
-        fn __b_or_else[F](
-            self, _f: impl FnOnce(E) -> Result<T, F>
-        ) -> Called<outcome::or_else, Result<T, F>>;
-        fn __b_unwrap_or_else(self, _f: impl FnOnce(E) -> T) -> Called<outcome::unwrap_or_else, T>;
-        fn __b_map_or[U](self, _other: U, _f: impl FnOnce(T) -> U) -> Called<outcome::map_or, U>;
-        fn __b_map_or_else[U](
-            self, _other: impl FnOnce(E) -> U, _f: impl FnOnce(T) -> U
-        ) -> Called<outcome::map_or_else, U>;
-        fn __b_is_ok_and(self, _f: impl FnOnce(T) -> bool) -> Called<outcome::is_ok_and, bool>;
-        fn __b_is_err_and(self, _f: impl FnOnce(E) -> bool) -> Called<outcome::is_err_and, bool>;
+operations! {
+    /// Methods of `Result`.
+    pub trait ResultBuiltins<T, E>: Sized {
+        fn __b_is_ok(&self) -> bool = IsOk: Option(OptionMethod::IsOk);
+        fn __b_is_err(&self) -> bool = IsErr: Option(OptionMethod::IsErr);
+        fn __b_unwrap(self) -> T = Unwrap;
+        fn __b_expect(self, _message: &str) -> T = Unwrap;
+        fn __b_unwrap_err(self) -> E = UnwrapErr: Option(OptionMethod::UnwrapErr);
+        fn __b_expect_err(self, _message: &str) -> E = UnwrapErr;
+        fn __b_unwrap_or(self, _other: T) -> T = UnwrapOr;
+        fn __b_unwrap_or_default(self) -> T where T: Default = UnwrapOrDefault;
+        fn __b_ok(self) -> Option<T> = Ok: Option(OptionMethod::Ok);
+        fn __b_err(self) -> Option<E> = Err: Option(OptionMethod::Err);
+        fn __b_or(self, _other: Result<T, E>) -> Result<T, E> = Or;
+        fn __b_and[U](self, _other: Result<U, E>) -> Result<U, E> = And;
+        fn __b_as_ref(&self) -> Result<&T, &E> = AsRef;
+        fn __b_map[U](self, _f: impl FnOnce(T) -> U) -> Result<U, E> = [outcome::map];
+        fn __b_map_err[F](self, _f: impl FnOnce(E) -> F) -> Result<T, F> = [outcome::map_err];
+        fn __b_and_then[U](self, _f: impl FnOnce(T) -> Result<U, E>) -> Result<U, E> = [outcome::and_then];
+        fn __b_or_else[F](self, _f: impl FnOnce(E) -> Result<T, F>) -> Result<T, F> = [outcome::or_else];
+        fn __b_unwrap_or_else(self, _f: impl FnOnce(E) -> T) -> T = [outcome::unwrap_or_else];
+        fn __b_map_or[U](self, _other: U, _f: impl FnOnce(T) -> U) -> U = [outcome::map_or];
+        fn __b_map_or_else[U](self, _other: impl FnOnce(E) -> U, _f: impl FnOnce(T) -> U) -> U
+            = [outcome::map_or_else];
+        fn __b_is_ok_and(self, _f: impl FnOnce(T) -> bool) -> bool = [outcome::is_ok_and];
+        fn __b_is_err_and(self, _f: impl FnOnce(E) -> bool) -> bool = [outcome::is_err_and];
     }
 }
 

@@ -8,7 +8,7 @@ use bessemer_ir::tree::Ty;
 
 use super::builder::{Builder, Callee};
 use super::factored::{gives, held};
-use super::matrices::told;
+use super::matrices::{told, told_methods};
 use super::slot::{Called, DslType, Seen, Value};
 use crate::range;
 
@@ -30,45 +30,27 @@ stands! {
     Range => HalfOpen;
 }
 
-/// Methods of ranges with a last number.
-pub trait ClosedBuiltins<T>: Sized {
-    fn __b_new(start: T, end: T) -> told!([Self, T] => Self);
-    fn __b_start(&self) -> told!([Self, T] => &T);
-    fn __b_end(&self) -> told!([Self, T] => &T);
-}
-
-impl<T: Value + Copy> ClosedBuiltins<T> for RangeInclusive<T> {
-    fn __b_new(start: T, end: T) -> told!([T] => Self) {
-        gives(range::closed::__call(start, end))
-    }
-    fn __b_start(&self) -> told!([T] => &T) {
-        range::start::__call(held::<_, range::Closed<T>>(self))
-    }
-    fn __b_end(&self) -> told!([T] => &T) {
-        range::end::__call(held::<_, range::Closed<T>>(self))
+told_methods! {
+    /// Methods of ranges with a last number.
+    ClosedBuiltins<T> [Self, T]: Sized for (T: (Value + Copy)) RangeInclusive<T>, [T] {
+        fn __b_new(start: T, end: T) -> Self { gives(range::closed::__call(start, end)) }
+        fn __b_start(&self) -> &T { range::start::__call(held::<_, range::Closed<T>>(self)) }
+        fn __b_end(&self) -> &T { range::end::__call(held::<_, range::Closed<T>>(self)) }
     }
 }
 
 /// What ranges with and without a last number have.
-pub trait RangeBuiltins<T>: Sized {
-    fn __b_contains(&self, number: &T) -> told!([Self, T] => bool);
-    fn __b_is_empty(&self) -> told!([Self, T] => bool);
+macro_rules! of_ranges {
+    ($($trait:ident $range:ident $contains:ident $is_empty:ident;)*) => {$(told_methods! {
+        /// What a range contains.
+        $trait<T> [Self, T]: Sized for (T: (Value + Copy + PartialOrd)) $range<T>, [T] {
+            fn __b_contains(&self, number: &T) -> bool { range::$contains::__call(held(self), number) }
+            fn __b_is_empty(&self) -> bool { range::$is_empty::__call::<T>(held(self)) }
+        }
+    })*};
 }
 
-impl<T: Value + Copy + PartialOrd> RangeBuiltins<T> for RangeInclusive<T> {
-    fn __b_contains(&self, number: &T) -> told!([T] => bool) {
-        range::closed_contains::__call(held(self), number)
-    }
-    fn __b_is_empty(&self) -> told!([T] => bool) {
-        range::closed_is_empty::__call::<T>(held(self))
-    }
-}
-
-impl<T: Value + Copy + PartialOrd> RangeBuiltins<T> for Range<T> {
-    fn __b_contains(&self, number: &T) -> told!([T] => bool) {
-        range::contains::__call(held(self), number)
-    }
-    fn __b_is_empty(&self) -> told!([T] => bool) {
-        range::is_empty::__call::<T>(held(self))
-    }
+of_ranges! {
+    ClosedContents RangeInclusive closed_contains closed_is_empty;
+    Contents Range contains is_empty;
 }
