@@ -120,7 +120,7 @@ fn no_integers() -> Reason {
 }
 
 /// Whether a statement goes on with the next pass of the loop that it stands in.
-fn continues(stmt: &Stmt) -> bool {
+pub(crate) fn continues(stmt: &Stmt) -> bool {
     let any = |block: &Block| block.0.iter().any(continues);
     match &stmt.kind {
         StmtKind::Continue => true,

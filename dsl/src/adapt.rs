@@ -114,6 +114,28 @@ pub fn skip<T>(items: impl Iterator<Item = T>, n: usize, mut __each: impl FnMut(
     }
 }
 
+/// The first `n`.
+#[function(expand)]
+pub fn take<T>(mut items: impl Iterator<Item = T>, n: usize, mut __each: impl FnMut(T)) {
+    for _ in 0..n {
+        let Some(item) = items.next() else { break };
+        __each(item);
+    }
+}
+
+/// Each with that of the others in its place.
+#[function(expand)]
+pub fn zip<T, U>(
+    items: impl Iterator<Item = T>,
+    mut others: impl Iterator<Item = U>,
+    mut __each: impl FnMut((T, U)),
+) {
+    for item in items {
+        let Some(other) = others.next() else { break };
+        __each((item, other));
+    }
+}
+
 /// The first, and each that comes `step` behind one of them.
 #[function(expand)]
 pub fn step_by<T>(items: impl Iterator<Item = T>, step: usize, mut __each: impl FnMut(T)) {
@@ -272,6 +294,10 @@ mod tests {
                 let n = usize::from(limit);
                 let core: Vec<_> = items().skip(n).collect();
                 assert_eq!(handed(|each| skip(items(), n, each)), core);
+                let core: Vec<_> = items().take(n).collect();
+                assert_eq!(handed(|each| take(items(), n, each)), core);
+                let core: Vec<_> = items().zip(items().skip(n)).collect();
+                assert_eq!(handed(|each| zip(items(), items().skip(n), each)), core);
                 let core: Vec<_> = items().step_by(n + 1).collect();
                 assert_eq!(handed(|each| step_by(items(), n + 1, each)), core);
                 let core: Vec<_> = items().skip_while(above).collect();

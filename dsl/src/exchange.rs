@@ -22,3 +22,9 @@ pub fn replace<T: Copy>(place: &mut T, value: T) -> T {
     *place = value;
     kept
 }
+
+/// Nothing: what is left alone ends with its name.
+#[function(rewrite)]
+pub fn drop<T>(value: T) {
+    let _ = value;
+}

@@ -198,6 +198,31 @@ pub fn reduce<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T, T) -> T) -
     reduced
 }
 
+/// Whether each is equal to that of the others in its place, and there are as many.
+#[function(expand)]
+pub fn eq<T: PartialEq<U>, U>(
+    items: impl Iterator<Item = T>,
+    mut others: impl Iterator<Item = U>,
+) -> bool {
+    let mut same = true;
+    for item in items {
+        same = others.next().is_some_and(|other| item == other);
+        if !same {
+            break;
+        }
+    }
+    same && others.next().is_none()
+}
+
+/// Whether one is not.
+#[function(expand)]
+pub fn ne<T: PartialEq<U>, U>(
+    items: impl Iterator<Item = T>,
+    others: impl Iterator<Item = U>,
+) -> bool {
+    !eq(items, others)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -220,6 +245,11 @@ mod tests {
             for_each(items(), |x| seen = joined(seen, x));
             items().for_each(|x| expected = joined(expected, x));
             assert_eq!(seen, expected);
+            for other in 0..=values.len() {
+                let others = || values[..other].iter().map(|x| x & 11);
+                assert_eq!(eq(items(), others()), items().eq(others()));
+                assert_eq!(ne(items(), others()), items().ne(others()));
+            }
             for limit in 0..10 {
                 let above = |x: u8| x > limit;
                 assert_eq!(any(items(), above), items().any(above));

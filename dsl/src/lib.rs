@@ -100,6 +100,9 @@ mod text;
 
 /// A model imports all of this with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
+    #[cfg(feature = "generate")]
+    #[doc(hidden)]
+    pub use crate::generate::mem::drop;
     pub use crate::math::{Integer, Real, real};
     pub use crate::{
         BoundedMatrix, List, Text, c, component, data, entry, external, function, interface,

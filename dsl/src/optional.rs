@@ -34,6 +34,18 @@ pub fn filter<T, F: FnOnce(&T) -> bool>(option: Option<T>, f: F) -> Option<T> {
     }
 }
 
+/// Shows what is there to `f`.
+#[function(rewrite)]
+pub fn inspect<T, F: FnOnce(&T)>(option: Option<T>, f: F) -> Option<T> {
+    match option {
+        Some(value) => {
+            f(&value);
+            Some(value)
+        }
+        None => None,
+    }
+}
+
 /// What is there, else what `f` gives.
 #[function(rewrite)]
 pub fn or_else<T, F: FnOnce() -> Option<T>>(option: Option<T>, f: F) -> Option<T> {

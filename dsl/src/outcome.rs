@@ -22,6 +22,30 @@ pub fn map_err<T, E, G, F: FnOnce(E) -> G>(result: Result<T, E>, f: F) -> Result
     }
 }
 
+/// Shows the value to `f`.
+#[function(rewrite)]
+pub fn inspect<T, E, F: FnOnce(&T)>(result: Result<T, E>, f: F) -> Result<T, E> {
+    match result {
+        Ok(value) => {
+            f(&value);
+            Ok(value)
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// Shows the error to `f`.
+#[function(rewrite)]
+pub fn inspect_err<T, E, F: FnOnce(&E)>(result: Result<T, E>, f: F) -> Result<T, E> {
+    match result {
+        Ok(value) => Ok(value),
+        Err(error) => {
+            f(&error);
+            Err(error)
+        }
+    }
+}
+
 /// What `f` gives for the value.
 #[function(rewrite)]
 pub fn and_then<T, E, U, F: FnOnce(T) -> Result<U, E>>(result: Result<T, E>, f: F) -> Result<U, E> {

@@ -23,7 +23,7 @@ impl Lowering<'_, '_> {
             Desugared::Together(how) => Some(together(how, arguments.first()?, expr)),
             Desugared::ArrayMap => mapped(&arguments[0], arguments.get(1)?, expr),
             // What is lent stands where it stands.
-            Desugared::AsRef => arguments.first().cloned(),
+            Desugared::AsRef | Desugared::ByRef => arguments.first().cloned(),
         }
     }
 }

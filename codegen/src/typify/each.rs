@@ -11,7 +11,7 @@ use bessemer_ir::{
 };
 
 use super::elements::Slice;
-use super::lengths::{divided, greatest, least, lesser, minus, plus, same, times};
+use super::lengths::{divided, greatest, is_number, least, lesser, minus, plus, same, times};
 use super::lowering::Lowering;
 use super::value::Value;
 use super::{Result, problem};
@@ -384,6 +384,11 @@ impl Lowering<'_, '_> {
         let (mut from, mut to) = (from, to);
         for cut in cuts {
             let count = self.value(&cut.count, Some(&Type::USIZE))?;
+            // No more were taken than there are.
+            if self.is_taken(&count) && is_number(&from, 0) {
+                from = count;
+                continue;
+            }
             let count = least(count, minus(to.clone(), from.clone()));
             let count = self.steady("count", count);
             match (cut.skip, cut.back) {

@@ -104,9 +104,13 @@ impl<'a> Lowering<'a, '_> {
         argument: &tree::Expr,
     ) -> Result<Value> {
         if param.items {
-            return match begins_at_once(function) {
-                true => Ok(self.gone_through_at_once(argument)),
-                false => self.gone_through(argument),
+            let given = match begins_at_once(function) && !param.mutable {
+                true => self.gone_through_at_once(argument),
+                false => self.gone_through(argument)?,
+            };
+            return match param.mutable {
+                true => self.by_hand(&param.name, given, &function.tree.body, argument.site),
+                false => Ok(given),
             };
         }
         if let Tree::Local(name) = &argument.kind

@@ -1,6 +1,6 @@
 //! One function: its parameters, its scopes, and its statements in order.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
@@ -153,6 +153,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             frames: Vec::new(),
             counters: Vec::new(),
             closures: Vec::new(),
+            hands: HashMap::new(),
             absent: Vec::new(),
             expanding: Vec::new(),
         })
@@ -382,7 +383,7 @@ impl Lowering<'_, '_> {
         for stmt in &block.stmts {
             let mark = self.out.len();
             let site = match stmt {
-                tree::Stmt::Let { name, slot, value, site } => {
+                tree::Stmt::Let { name, slot, value, site, mutable } => {
                     let tried = value.as_ref().and_then(|value| self.tried_lent(value));
                     match tried {
                         Some((lent, otherwise)) => {
@@ -390,7 +391,7 @@ impl Lowering<'_, '_> {
                             let name = Pattern::Name { name, slot, mutable: false, inner: None };
                             self.take_apart(&there(name), &lent, Some(&otherwise))?;
                         }
-                        None => self.let_stmt(name, *slot, value.as_ref(), *site)?,
+                        None => self.let_stmt((name, *mutable), *slot, value.as_ref(), *site)?,
                     }
                     *site
                 }
@@ -422,14 +423,17 @@ impl Lowering<'_, '_> {
 
     fn let_stmt(
         &mut self,
-        name: &str,
+        (name, mutable): (&str, bool),
         slot: u32,
         value: Option<&tree::Expr>,
         site: Site,
     ) -> Result<()> {
         if let Some(value) = value
-            && let Some(iterator) = self.iterator(value)?
+            && let Some(mut iterator) = self.iterator(value)?
         {
+            if mutable {
+                iterator = self.by_hand(name, iterator, &self.source.tree.body, site)?;
+            }
             self.bind(name, iterator);
             return Ok(());
         }

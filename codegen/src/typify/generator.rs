@@ -258,6 +258,7 @@ impl<'a> Lowering<'a, '_> {
             slot: NO_SLOT,
             value: Some(value),
             site,
+            mutable: true,
         };
         let more = Tree::Assign(Some(tree::BinaryOp::Add), Box::new(next()), Box::new(number("1")));
         body.stmts.splice(0..0, [named(index, next()), Stmt::Expr(plain(more))]);

@@ -60,7 +60,7 @@ impl<'a> Lowering<'a, '_> {
     /// What goes through an argument.
     pub(super) fn gone_through(&mut self, argument: &tree::Expr) -> Result<Value> {
         if let Some(known) = self.iterator_named(argument) {
-            return Ok(Value::Closure(known));
+            return Ok(Value::Closure(self.copy_of_hand(known)));
         }
         let mut closure = handing(argument);
         self.settle_items(&mut closure.body)?;
@@ -86,8 +86,16 @@ impl<'a> Lowering<'a, '_> {
     /// The iterator that an expression names, or is a copy of.
     pub(super) fn iterator_named(&self, expr: &tree::Expr) -> Option<usize> {
         if let Some((Builtin::Desugared(Desugared::AsRef), of)) = self.builtin_call(expr) {
+            let named = self.iterator_named(of.first()?)?;
+            return Some(self.hands.get(&named).map_or(named, |hand| hand.again));
+        }
+        if let Some((Builtin::Desugared(Desugared::ByRef), of)) = self.builtin_call(expr) {
             return self.iterator_named(of.first()?);
         }
+        let expr = match &expr.kind {
+            Tree::Ref(true, inner) => inner,
+            _ => expr,
+        };
         let Tree::Local(name) = &expr.kind else { return None };
         match self.lookup(name, expr.site) {
             Ok(Value::Closure(through)) => Some(through),

@@ -81,6 +81,9 @@ impl Lowering<'_, '_> {
         bound: Option<&tree::Expr>,
         body: &tree::Block,
     ) -> Result<()> {
+        if let (None, Some(rest)) = (bound, self.rest_of(condition, body)) {
+            return self.each_stmt(site, (label, None), &[rest], (tree::Order::Up, &[]), body);
+        }
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
         let length = self.popped_length(condition)?;
@@ -346,7 +349,10 @@ impl Lowering<'_, '_> {
                 self.emit(StmtKind::Let { local: *flag, value: Some(value) }, span);
             }
         }
-        self.emit(kind, span);
+        match self.at_most_once(&kind, span).filter(|_| behind.is_empty()) {
+            Some((condition, pass)) => self.emit_if(condition, pass, span),
+            None => self.emit(kind, span),
+        }
         for Behind { flag, left, leaving } in behind {
             // What this loop stands in ends as well, unless it is the one that goes on.
             let kind = match (leaving, self.frames[left].mark) {
@@ -359,6 +365,23 @@ impl Lowering<'_, '_> {
             self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
         }
         Ok(())
+    }
+
+    /// The only pass of a loop that takes the next item of an iterator, and whether there is one.
+    fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<(Expr, Block)> {
+        let StmtKind::For { variable, from, to, inclusive: false, reversed: false, body, .. } =
+            kind
+        else {
+            return None;
+        };
+        let (Stmt { kind: StmtKind::Break, .. }, pass) = body.0.split_last()? else { return None };
+        let leaves = |stmt| breaks_in(stmt) || termination::continues(stmt);
+        if !self.is_taken(from) || pass.iter().any(leaves) {
+            return None;
+        }
+        let mut then = alone(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
+        then.0.extend_from_slice(pass);
+        Some((Expr::compare(CompareOp::Lt, from.clone(), to.clone()), then))
     }
 
     /// Lowers a pass of a loop that several are, the outermost of them at `outermost`.

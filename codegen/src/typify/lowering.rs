@@ -3,7 +3,7 @@
 //! Must not know: how anything is lowered. Each form of the tree is lowered in a file of its own, as a method of
 //! [`Lowering`].
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use bessemer_ir::tree;
@@ -47,6 +47,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub counters: Vec<LocalId>,
     /// The closures that names mean.
     pub closures: Vec<Rc<Closure<'a>>>,
+    /// Those of them that are iterators gone through by hand.
+    pub hands: HashMap<usize, Hand>,
     /// Which of its parameters hold nothing.
     pub absent: Vec<bool>,
     /// The functions that lend whose bodies are being lowered, outermost first.
@@ -136,6 +138,14 @@ pub(super) struct Behind {
 pub(super) enum Leaving {
     Break,
     Continue,
+}
+
+/// An iterator that is gone through by hand.
+pub(super) struct Hand {
+    /// What goes through the same items and takes none.
+    pub again: usize,
+    /// How many were taken: the name in the text, and the local.
+    pub taken: (String, LocalId),
 }
 
 /// A closure that a name means in the function that is being lowered.

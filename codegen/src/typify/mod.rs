@@ -13,6 +13,7 @@ mod borrowed;
 mod borrowed_slices;
 mod bounded;
 mod builtin;
+mod by_hand;
 mod call;
 mod choice;
 mod closure;

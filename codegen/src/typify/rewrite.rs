@@ -145,7 +145,7 @@ impl<'e> Rewriting<'e> {
                 let pattern = Pattern::Name { name, slot, mutable: false, inner: None };
                 return Stmt::Apart { pattern: Box::new(pattern), value, otherwise: None, site };
             }
-            Stmt::Let { name, slot, value: Some(value), site }
+            Stmt::Let { name, slot, value: Some(value), site, mutable: param.mutable }
         };
         values.into_iter().map(held).collect()
     }

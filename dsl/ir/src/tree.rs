@@ -288,6 +288,9 @@ pub enum Stmt {
         value: Option<Expr>,
         /// Where the statement starts.
         site: Site,
+        /// Whether its author may assign it.
+        #[serde(default)]
+        mutable: bool,
     },
     /// `let (a, b) = value;` and the like.
     Apart {

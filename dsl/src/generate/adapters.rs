@@ -62,6 +62,8 @@ takes_items! { adapt:
     TakeWhile<T>: take_while(Items<T>, fn(&T) -> bool, fn(T));
     SkipWhile<T>: skip_while(Items<T>, fn(&T) -> bool, fn(T));
     Skip<T>: skip(Items<T>, usize, fn(T));
+    Take<T>: take(Items<T>, usize, fn(T));
+    Zip<T, U>: zip(Items<T>, Items<U>, fn((T, U)));
     StepBy<T>: step_by(Items<T>, usize, fn(T));
     Scan<T, S, U>: scan(Items<T>, S, fn(&mut S, T) -> Option<U>, fn(U));
     Inspect<T>: inspect(Items<T>, fn(&T), fn(T));
@@ -87,6 +89,9 @@ of_iterators! {
         __b_skip_while[F: FnMut(&Self::Item) -> bool](F)
             -> SkipWhile<Item<Self>>, Items<Self::Item>;
         __b_skip(usize) -> Skip<Item<Self>>, Items<Self::Item>;
+        __b_take(usize) -> Take<Item<Self>>, Items<Self::Item>;
+        __b_zip[V: Seen, U: IntoIterator<Item = V>](U)
+            -> Zip<Item<Self>, V::Slot>, Items<(Self::Item, V)>;
         __b_step_by(usize) -> StepBy<Item<Self>>, Items<Self::Item>;
         __b_scan[S: Seen, U: Seen, F: FnMut(&mut S, Self::Item) -> Option<U>](S, F)
             -> Scan<Item<Self>, S::Slot, U::Slot>, Items<U>;

@@ -9,7 +9,7 @@ use core::marker::PhantomData;
 use bessemer_ir::tree::{self, Desugared, Together, Ty};
 
 use super::builder::{Builder, Callee};
-use super::builtin::markers;
+use super::builtin::{markers, signatures};
 use super::option;
 use super::slot::{Called, Companion, DslType, Exclusive, Seen, Shared, Value};
 use crate::Plain;
@@ -152,6 +152,8 @@ takes_items! { iterate:
     Rposition<T>: rposition(Items<T>, fn(T) -> bool);
     Max<T: PartialOrd>: max(Items<T>);
     Min<T: PartialOrd>: min(Items<T>);
+    Eq<T: PartialEq<U>, U>: eq(Items<T>, Items<U>);
+    Ne<T: PartialEq<U>, U>: ne(Items<T>, Items<U>);
     ForEach<T>: for_each(Items<T>, fn(T));
     Reduce<T>: reduce(Items<T>, fn(T, T) -> T);
 }
@@ -160,6 +162,7 @@ markers! {
     Sum: Desugared(Desugared::Together(Together::Sum));
     Product: Desugared(Desugared::Together(Together::Product));
     TryFold: Desugared(Desugared::Together(Together::Tried));
+    ByRef: Desugared(Desugared::ByRef);
 }
 
 /// What a `try_fold` gives.
@@ -213,7 +216,19 @@ of_iterators! {
         __b_find[F: FnMut(&Self::Item) -> bool](F) -> Find<Item<Self>>, Option<Self::Item>;
         __b_find_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](F)
             -> FindMap<Item<Self>, U::Slot>, Option<U>;
+        __b_eq[U: Seen, I: IntoIterator<Item = U>](I) -> Eq<Item<Self>, U::Slot>, bool
+            where Self::Item: PartialEq<U>;
+        __b_ne[U: Seen, I: IntoIterator<Item = U>](I) -> Ne<Item<Self>, U::Slot>, bool
+            where Self::Item: PartialEq<U>;
         __b_last() -> Last<Item<Self>>, Option<Self::Item>;
         __b_next() -> Next<Item<Self>>, Option<Self::Item>;
     }
 }
+
+/// What lends an iterator that is gone through by hand.
+#[allow(missing_docs)]
+pub trait ByHand: Iterator<Item: Seen> + Sized {
+    signatures! { fn __b_by_ref(&mut self) -> Called<ByRef, Items<Self::Item>>; }
+}
+
+impl<I: Iterator<Item: Seen>> ByHand for I {}

@@ -79,7 +79,9 @@ pub mod prelude {
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
         SquareQrMethods as _, SymmetricBuiltins as _, TriangularBuiltins as _, UduMethods as _,
     };
-    pub use super::iterator::{Ends as _, ExtendBuiltin as _, FromIteratorBuiltin as _};
+    pub use super::iterator::{
+        ByHand as _, Ends as _, ExtendBuiltin as _, FromIteratorBuiltin as _,
+    };
     pub use super::linear::SquareBuiltins as _;
     pub use super::list::{ListBuiltins as _, ListEdits as _, ListExtends as _};
     pub use super::matrices::{

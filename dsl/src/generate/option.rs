@@ -37,6 +37,7 @@ operations! {
         fn __b_zip[U](self, _other: Option<U>) -> Option<(T, U)> = [optional::zip];
         fn __b_map[U](self, _f: impl FnOnce(T) -> U) -> Option<U> = [optional::map];
         fn __b_and_then[U](self, _f: impl FnOnce(T) -> Option<U>) -> Option<U> = [optional::and_then];
+        fn __b_inspect(self, _f: impl FnOnce(&T)) -> Option<T> = [optional::inspect];
         fn __b_filter(self, _f: impl FnOnce(&T) -> bool) -> Option<T> = [optional::filter];
         fn __b_or_else(self, _f: impl FnOnce() -> Option<T>) -> Option<T> = [optional::or_else];
         fn __b_unwrap_or_else(self, _f: impl FnOnce() -> T) -> T = [optional::unwrap_or_else];
@@ -108,6 +109,15 @@ pub mod mem {
     pub struct swap;
     pub struct replace;
 
+    /// Of no value: one of its name is core's.
+    pub struct drop {}
+
+    impl drop {
+        signatures! {
+            pub fn __call[T](_value: T) -> Called<exchange::drop, ()>;
+        }
+    }
+
     impl swap {
         signatures! {
             pub fn __call[T](_one: &mut T, _other: &mut T) -> Called<exchange::swap, ()>;
@@ -148,6 +158,8 @@ operations! {
         fn __b_map[U](self, _f: impl FnOnce(T) -> U) -> Result<U, E> = [outcome::map];
         fn __b_map_err[F](self, _f: impl FnOnce(E) -> F) -> Result<T, F> = [outcome::map_err];
         fn __b_and_then[U](self, _f: impl FnOnce(T) -> Result<U, E>) -> Result<U, E> = [outcome::and_then];
+        fn __b_inspect(self, _f: impl FnOnce(&T)) -> Result<T, E> = [outcome::inspect];
+        fn __b_inspect_err(self, _f: impl FnOnce(&E)) -> Result<T, E> = [outcome::inspect_err];
         fn __b_or_else[F](self, _f: impl FnOnce(E) -> Result<T, F>) -> Result<T, F> = [outcome::or_else];
         fn __b_unwrap_or_else(self, _f: impl FnOnce(E) -> T) -> T = [outcome::unwrap_or_else];
         fn __b_map_or[U](self, _other: U, _f: impl FnOnce(T) -> U) -> U = [outcome::map_or];

@@ -71,6 +71,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
             "saturating_add" | "saturating_sub" | "saturating_mul" => {
                 "floats do not overflow: add, and keep the sum within limits with `.clamp(low, high)`".to_owned()
             }
+            "log" => "write `x.ln() / base.ln()`".to_owned(),
             _ if message.own_help().is_none() => {
                 "floats have no such method: write a function marked `#[function]`".to_owned()
             }

@@ -15,6 +15,9 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
         "column_iter" | "row_iter" | "column_iter_mut" | "row_iter_mut" => {
             "number them and take the rest by the number: `for (i, column) in m.column_iter().enumerate() { … w[i] … }`"
         }
+        "eq" | "ne" | "lt" | "le" | "gt" | "ge" => {
+            "compare with `==`, `<` and the like; all elements with `a[..] == b[..]`"
+        }
         "midpoint" => "write `0.5 * (a + b)`",
         "saturating_add_signed" | "wrapping_add_signed" => {
             "convert both to the wider signed type, `i64::from(x)`, and back with `try_from`"

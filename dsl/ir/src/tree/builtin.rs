@@ -135,6 +135,8 @@ builtins! {
     /// Methods that stand for a `match` or a loop in the author's own language.
     Desugared {
         ArrayMap, AsRef,
+        /// The iterator itself.
+        ByRef,
         /// The items of an iterator together, by an operator.
         Together(Together),
     }

@@ -15,12 +15,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("asinh", 0, "write `(x + (x * x + 1.0).sqrt()).ln()`"),
     ("acosh", 0, "write `(x + (x * x - 1.0).sqrt()).ln()`"),
     ("atanh", 0, "write `0.5 * (2.0 * x / (1.0 - x)).ln_1p()`"),
-    ("log", 1, "write `x.ln() / base.ln()`"),
-    (
-        "eq ne lt le gt ge",
-        1,
-        "compare with `<`, `==` and the like; all elements with `a[..] == b[..]`",
-    ),
     (
         "is_sorted_by is_sorted_by_key",
         1,
@@ -28,7 +22,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ),
     ("to_be to_le to_ne_bytes", 0, BYTES),
     ("from_be from_le from_ne_bytes", 0, BYTES),
-    ("inspect_err", 1, "look at the value with `if let`"),
     ("try_inverse_mut", 0, "call `bessemer::inverse_mut`"),
     ("symmetric_eigen symmetric_eigenvalues", 0, "call `bessemer::linear::symmetric_eigen(&a)`"),
     ("svd svd_unordered", 2, "call `bessemer::linear::svd(&a)`"),

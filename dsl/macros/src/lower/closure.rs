@@ -104,7 +104,7 @@ impl Lowering<'_> {
             match parameter {
                 tree::Pattern::Name { name, slot, inner: None, .. } => {
                     let (name, slot, value) = (name.clone(), *slot, Some(value));
-                    tree::Stmt::Let { name, slot, value, site }
+                    tree::Stmt::Let { name, slot, value, site, mutable: false }
                 }
                 pattern => {
                     let (pattern, otherwise) = (Box::new(pattern.clone()), None);

@@ -279,7 +279,7 @@ impl Lowering<'_> {
 /// `let name = known;`, where one may be changed and the other is a place or a counter.
 pub(super) fn copied(name: String, known: &str, slot: u32, node: &syn::Ident) -> tree::Stmt {
     let value = plain(ExprKind::Local(known.to_owned()), node);
-    tree::Stmt::Let { name, slot, site: value.site, value: Some(value) }
+    tree::Stmt::Let { name, slot, site: value.site, value: Some(value), mutable: true }
 }
 
 /// Whether what a pattern names may be changed.

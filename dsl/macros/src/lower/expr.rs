@@ -10,7 +10,7 @@ use super::names::{place, site, text};
 use super::operator::Side;
 use super::syntax::{is_variant, last_segment};
 use super::walk::Lowering;
-use super::{bound, call, macros, operator, pattern, refuse, signature, unroll};
+use super::{assigned, bound, call, macros, operator, pattern, refuse, signature, unroll};
 
 impl Lowering<'_> {
     /// An expression whose value is wanted.
@@ -72,6 +72,10 @@ impl Lowering<'_> {
             syn::Expr::Unary(it) => self.unary(it),
             syn::Expr::Binary(it) => self.binary(it),
             syn::Expr::Assign(it) if gives_several(&it.left) => {
+                if let Some(apart) = assigned::by_let(it) {
+                    *expr = apart;
+                    return self.kind(expr, value);
+                }
                 let value = Box::new(self.whole(&mut it.right));
                 let places = Box::new(self.places(&mut it.left));
                 (ExprKind::AssignEach(places, value), false)
@@ -217,10 +221,6 @@ impl Lowering<'_> {
             syn::Expr::Tuple(syn::ExprTuple { elems, .. })
             | syn::Expr::Array(syn::ExprArray { elems, .. }) => {
                 tree::Places::Each(elems.iter_mut().map(|it| self.places(it)).collect())
-            }
-            syn::Expr::Struct(_) | syn::Expr::Call(_) | syn::Expr::Range(_) => {
-                self.refusals.add(&expr, refuse::SEVERAL_PLACES);
-                tree::Places::None
             }
             other => tree::Places::One(self.value(other)),
         }

@@ -11,6 +11,7 @@
 //! Must not know: types, or what a call means.
 
 mod absent;
+mod assigned;
 pub mod bound;
 mod call;
 mod closure;

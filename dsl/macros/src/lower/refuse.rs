@@ -134,7 +134,6 @@ reasons! {
     CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
     ROTATION: "of nalgebra's transformations this one is not in the DSL", "use `UnitQuaternion`, `Rotation2`, `Rotation3`, `Translation3` or `Isometry3`";
     LATER: "several variables that are assigned later stand in one `let`", "write a `let` for each";
-    SEVERAL_PLACES: "an assignment takes tuples and arrays apart in the DSL, and nothing else", "take the value apart with `let`, then assign each";
     DESTRUCTURING: "this pattern is not in the DSL here", "take the value apart with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
     BINDING_PATTERN: "this pattern binds a reference to what has no place", "leave `ref` out: the name stands for the value; or give the value a name first";
     PATTERN: "this pattern is not in the DSL", "match on values, ranges, variants, structs, tuples, arrays, names and `_`";
@@ -167,7 +166,6 @@ reasons! {
     IMPL_TRAIT: "`impl Trait` hides the type that the C has to name", "name the type; a closure is taken by `impl Fn(f64) -> f64`, in functions and in methods of a type";
     ITERATOR_TAIL: "a function that gives an iterator ends in it", "let its last expression be the iterator: `self.values.iter().copied()`";
     ITERATOR_OUTSIDE: "an iterator is gone through where it is made, which only a function or a method of the model's own can be", "go through it inside, and give what comes of it";
-    ITEMS_IN_PART: "an iterator that is a parameter is gone through as a whole in the DSL", "leave `mut` out, and go through it by `for`, or by a chain: `items.into_iter().fold(…)`";
     GENERIC_ALIAS: "the name of an instance has no parameters of its own", "name each instance: `pub type PidF32 = Pid<f32>;`";
     RETURNED_REFERENCE: "what the firmware calls gives a value", "return a copy, or the index of the element";
     LENT_EARLY: "a function that lends a place ends with it in the DSL", "end in the place: `if … { &self.a } else { &self.b }` of what is read, an index of what is written";

@@ -83,9 +83,6 @@ fn parameter(
             let ident = pattern::simple_name(&it.pat, refusals)?;
             let items = closure.as_ref().is_some_and(|closure| closure.items);
             let mutable = matches!(&*it.pat, syn::Pat::Ident(it) if it.mutability.is_some());
-            if items && mutable {
-                refusals.add(&it.pat, refuse::ITEMS_IN_PART);
-            }
             Some(Parameter {
                 name: text(&ident),
                 pattern: it.pat.to_token_stream(),

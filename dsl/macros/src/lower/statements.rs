@@ -2,7 +2,9 @@
 
 use bessemer_ir::tree;
 use quote::quote;
+use syn::parse_quote;
 
+use super::each::is_mutable;
 use super::expr::is_unit_control;
 use super::made::UNIT;
 use super::names::{site, slot_name, text};
@@ -22,6 +24,7 @@ impl Lowering<'_> {
         self.iterators_with_names(stmts);
         let mut originals = std::mem::take(stmts);
         originals.retain(|stmt| !is_empty(stmt));
+        let originals: Vec<_> = originals.into_iter().flat_map(one_by_one).collect();
         let last = originals.len().saturating_sub(1);
         let outermost = self.is_outermost();
         for (index, mut stmt) in originals.into_iter().enumerate() {
@@ -117,7 +120,7 @@ impl Lowering<'_> {
         let Some(ident) = pattern::simple_name(&local.pat, self.refusals) else {
             return (None, None);
         };
-        let slot = self.slot();
+        let (slot, mutable) = (self.slot(), is_mutable(&local.pat));
         pattern::name_wild(&mut local.pat);
         let name = self.bind_here(&text(&ident));
         let look = if local.init.is_some() {
@@ -132,7 +135,7 @@ impl Lowering<'_> {
             });
             None
         };
-        (Some(tree::Stmt::Let { name, slot, value, site }), look)
+        (Some(tree::Stmt::Let { name, slot, value, site, mutable }), look)
     }
 
     /// `let pattern = value;`, perhaps with an `else`.
@@ -191,6 +194,33 @@ fn is_unsuffixed(value: &tree::Expr) -> bool {
 /// A semicolon with nothing before it.
 fn is_empty(stmt: &syn::Stmt) -> bool {
     matches!(stmt, syn::Stmt::Expr(syn::Expr::Verbatim(tokens), Some(_)) if tokens.is_empty())
+}
+
+/// `let (a, b);`, variables that are assigned later, as a `let` for each.
+fn one_by_one(mut stmt: syn::Stmt) -> Vec<syn::Stmt> {
+    without_value(&mut stmt);
+    if let syn::Stmt::Local(syn::Local { pat: syn::Pat::Tuple(parts), init: None, .. }) = &stmt {
+        let of = |part| -> Vec<syn::Stmt> { one_by_one(parse_quote! { let #part; }) };
+        return parts.elems.iter().flat_map(of).collect();
+    }
+    vec![stmt]
+}
+
+/// `Err(error)?;`: of what type its value would be nothing says, and rustc takes `!`, which no slot holds.
+fn without_value(stmt: &mut syn::Stmt) {
+    let tried = match stmt {
+        syn::Stmt::Expr(tried, Some(_)) => tried,
+        syn::Stmt::Local(syn::Local { pat: syn::Pat::Wild(_), init: Some(init), .. }) => {
+            &mut *init.expr
+        }
+        _ => return,
+    };
+    if let syn::Expr::Try(it) = tried
+        && let syn::Expr::Call(call) = &mut *it.expr
+        && matches!(&*call.func, syn::Expr::Path(path) if path.path.is_ident("Err"))
+    {
+        *call.func = parse_quote! { Err::<(), _> };
+    }
 }
 
 /// Whether a `let` takes its value apart.

@@ -28,3 +28,39 @@ pub fn looked_up(at: usize) -> u16 {
     static OFFSETS: [u16; 2] = [5, 6];
     TABLE[at % 4] + OFFSETS[at % 2] + TABLE.len() as u16
 }
+
+/// A point, and how it is reached.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    pub at: [i16; 2],
+    pub by: Step,
+}
+
+/// How far, and how often.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step(pub i16, pub u8);
+
+#[function]
+pub fn parts_of_structs(from: [i16; 2], by: i16, times: u8) -> (i16, i16, u8, [i16; 2]) {
+    let (mut x, y);
+    let mut kept = [0; 2];
+    let (at, mut often);
+    Reached { at, by: Step(x, often) } = Reached { at: from, by: Step(by, times) };
+    Reached { at: [kept[1], y], .. } = Reached { at, by: Step(x, often) };
+    (x, ..) = (y.wrapping_sub(x), often, kept);
+    Step(kept[usize::from(often % 2)], often) = Step(x, often ^ 1);
+    (x, y, often, kept)
+}
+
+#[function]
+pub fn left_by_error(value: i16) -> Result<i16, i8> {
+    if value > 9 {
+        Err(3)?;
+    }
+    if value < -9 {
+        let _ = Err(-3)?;
+    }
+    Ok(value)
+}

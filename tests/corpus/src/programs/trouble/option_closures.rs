@@ -1,5 +1,7 @@
 //! Closures of `Option` and `Result` with effects, with faults, inside each other, and in odd places.
 
+#![allow(dropping_copy_types)]
+
 use bessemer::prelude::*;
 
 #[data]
@@ -138,4 +140,14 @@ pub fn arrays(values: [Option<i16>; 3], offset: Option<i16>) -> ([i16; 3], Optio
     let shift = offset.map_or(0, |x| x / 2);
     let plain = values.map(|value| value.map_or(shift, |x| x.wrapping_add(shift)));
     (plain, offset.map(|by| plain.map(|x| x.wrapping_mul(by))))
+}
+
+/// Shown on the way, and dropped.
+#[function]
+pub fn shown(value: Option<u8>, error: i8, seen: &mut [i16; 3]) -> (Option<u8>, Option<()>, Result<(), i8>) {
+    let kept = value.inspect(|x| seen[0] = i16::from(*x));
+    let result = value.ok_or(error).inspect(|x| seen[1] ^= i16::from(*x));
+    let result = result.inspect_err(|error| seen[2] ^= i16::from(*error));
+    drop(kept);
+    (kept.filter(|x| *x > 4), value.map(drop), result.map(drop))
 }

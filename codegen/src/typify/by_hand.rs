@@ -1,0 +1,228 @@
+//! Iterators that are gone through by hand: `let mut bytes = frame.iter();`, then `bytes.next()` here and there.
+//!
+//! How many items were taken is a local of its own. Each loop through the iterator begins there, and counts on in each pass.
+//!
+//! Invariants: only what gives an item for each element, and remembers nothing, is gone through by hand; of anything else it
+//! is an error, unless it is named once.
+//!
+//! Must not know: which methods end an iterator.
+
+use std::rc::Rc;
+
+use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
+use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Order, Pattern, Site, Stmt};
+use bessemer_ir::{Expr, ExprKind, Int, Local, LocalId, Mode, Scalar, StmtKind, Type};
+
+use super::items::handing;
+use super::lowering::{Closure, Hand, Lowering};
+use super::syntax::generates;
+use super::value::Value;
+use super::{Result, problem};
+
+/// The function that takes the next item of an iterator.
+const NEXT: &str = "bessemer::iterate::next";
+
+impl<'a> Lowering<'a, '_> {
+    /// An iterator with a name that may be changed: what it gives next, it gives once.
+    pub(super) fn by_hand(
+        &mut self,
+        name: &str,
+        iterator: Value,
+        body: &tree::Block,
+        site: Site,
+    ) -> Result<Value> {
+        let Value::Closure(through) = iterator else { return Ok(iterator) };
+        if let Some((counted, _)) = self.hands.iter().find(|(_, hand)| hand.again == through) {
+            return Ok(Value::Closure(*counted));
+        }
+        if self.hands.contains_key(&through) || Mentions::of(name, body) < 2 {
+            return Ok(iterator);
+        }
+        let taken = format!("taken%{through}");
+        let mut both = [(); 2].map(|()| (*self.closures[through]).clone());
+        let [counted, again] = both.each_mut().map(|it| &mut *it.text.body);
+        if !self.count(counted, &taken, true) || !self.count(again, &taken, false) {
+            return problem(
+                site,
+                "this iterator is not gone through by hand in the DSL",
+                "go through it in one `for`, or by hand through the elements alone, `values.iter()`; or keep an index",
+            );
+        }
+        let none = Expr::usize(0, self.span(site));
+        Ok(Value::Closure(self.hand(both, (&taken, format!("{name}_taken")), none).0))
+    }
+
+    /// What goes through the items that a copy of an iterator gives from here on, whatever is taken of the iterator.
+    pub(super) fn copy_of_hand(&mut self, known: usize) -> usize {
+        let Some((counted, hand)) = self.hands.iter().find(|(_, hand)| hand.again == known) else {
+            return known;
+        };
+        let both = [*counted, known].map(|it| (*self.closures[it]).clone());
+        let (name, local) = hand.taken.clone();
+        let so_far = Expr::local(local, &Type::USIZE, self.locals[local.index()].span);
+        self.hand(both, (&name, self.locals[local.index()].name.clone()), so_far).1
+    }
+
+    /// An iterator of which so many items were taken, and what goes through the others and takes none.
+    fn hand(
+        &mut self,
+        both: [Closure<'a>; 2],
+        (taken, name): (&str, String),
+        so_far: Expr,
+    ) -> (usize, usize) {
+        let span = so_far.span;
+        let local = LocalId(self.locals.len() as u32);
+        self.locals.push(Local { name, ty: Type::USIZE, mode: Mode::Value, span });
+        self.emit(StmtKind::Let { local, value: Some(so_far) }, span);
+        let counted = self.closures.len();
+        for mut closure in both {
+            closure.scope.names.push(vec![(taken.to_owned(), Value::Local(local))]);
+            self.closures.push(Rc::new(closure));
+        }
+        let again = counted + 1;
+        self.hands.insert(counted, Hand { again, taken: (taken.to_owned(), local) });
+        (counted, again)
+    }
+
+    /// Whether a value is how many items were taken of an iterator.
+    pub(super) fn is_taken(&self, value: &Expr) -> bool {
+        let mut hands = self.hands.values();
+        matches!(&value.kind, ExprKind::Load(place) if hands.any(|hand| hand.taken.1 == place.root))
+    }
+
+    /// Lets a loop begin behind the items that were taken, and, where it is not a copy, count each that it hands on. Says
+    /// whether it can.
+    fn count(&self, through: &mut tree::Expr, taken: &str, counts: bool) -> bool {
+        let site = through.site;
+        let Tree::Each { index, parts, order: Order::Up, cuts, body, .. } = &mut through.kind
+        else {
+            return false;
+        };
+        if let [part] = parts.as_mut_slice()
+            && let Some((function, _)) = self.expansion(&part.array).filter(|(it, _)| generates(it))
+        {
+            let plain = index.is_none() && cuts.is_empty() && part.group.is_none();
+            let at = function.tree.params.iter().position(|param| param.items);
+            let (Tree::Call(_, arguments), Some(at)) = (&mut part.array.kind, at) else {
+                return false;
+            };
+            let mut inner = handing(&arguments[at]);
+            let counted =
+                plain && is_for_each(function) && self.count(&mut inner.body, taken, counts);
+            arguments[at].kind = Tree::Closure(inner);
+            return counted;
+        }
+        let elements = |part: &tree::Part| {
+            !matches!(part.array.kind, Tree::Call(..) | Tree::Apply(..))
+                && self.iterator_named(&part.array).is_none()
+        };
+        // What is left out before would be left out again.
+        if !parts.iter().all(elements) || cuts.iter().any(|cut| cut.skip || cut.back) {
+            return false;
+        }
+        let plain = |kind| tree::Expr { kind, site, slot: None };
+        let local = |name: &str| plain(Tree::Local(name.to_owned()));
+        cuts.push(tree::Cut { skip: true, back: false, count: local(taken) });
+        if counts {
+            let index = index.get_or_insert_with(|| "index%".to_owned());
+            let one = plain(Tree::Int("1".into(), Some(Scalar::Int(Int::Usize))));
+            let next = Tree::Binary(BinaryOp::Add, Box::new(local(index)), Box::new(one));
+            let next = Tree::Assign(None, Box::new(local(taken)), Box::new(plain(next)));
+            body.stmts.insert(0, Stmt::Expr(plain(next)));
+        }
+        true
+    }
+
+    /// `while let Some(x) = bytes.next()`, as a loop through the rest of them: what goes through it in the body is another
+    /// loop's.
+    pub(super) fn rest_of(&self, condition: &tree::Expr, body: &tree::Block) -> Option<tree::Part> {
+        let Tree::Let(pattern, value) = &condition.kind else { return None };
+        let Pattern::Constructor(some, parts) = &**pattern else { return None };
+        let (function, arguments) = self.called(value)?;
+        let ([pattern], [array]) = (parts.as_slice(), arguments) else { return None };
+        let Tree::Local(name) = &array.kind else { return None };
+        let takes = some == "Some"
+            && format!("{}::{}", function.module, function.tree.name) == NEXT
+            && takes_all(pattern);
+        if !takes || Mentions::of(name, body) > 0 {
+            return None;
+        }
+        let (pattern, array) = (pattern.clone(), array.clone());
+        Some(tree::Part { pattern, array, owned: false, group: None, reversed: false })
+    }
+}
+
+/// Whether a pattern takes any value.
+fn takes_all(pattern: &Pattern) -> bool {
+    match pattern {
+        Pattern::Any => true,
+        Pattern::Name { inner, .. } => inner.is_none(),
+        Pattern::Tuple(parts) => parts.iter().all(takes_all),
+        _ => false,
+    }
+}
+
+/// Whether a function that gives an iterator is one loop, which goes through all, and remembers nothing.
+fn is_for_each(function: &tree::Function) -> bool {
+    let body = &function.tree.body;
+    let [Stmt::Expr(through)] = body.stmts.as_slice() else { return false };
+    let Tree::Each { index: None, order: Order::Up, cuts, parts, body: pass, .. } = &through.kind
+    else {
+        return false;
+    };
+    let mut loops = Loops(false);
+    loops.block(pass);
+    body.tail.is_none() && cuts.is_empty() && parts.len() == 1 && !loops.0
+}
+
+/// Looks for a loop, or the end of one.
+struct Loops(bool);
+
+impl Visit for Loops {
+    fn expr(&mut self, expr: &tree::Expr) {
+        use Tree::{Break, Each, For, While};
+        self.0 |= matches!(expr.kind, Break(..) | For { .. } | Each { .. } | While { .. });
+        walk_expr(self, expr);
+    }
+}
+
+/// How often a name stands where a function runs: in a loop, more than once.
+struct Mentions<'n> {
+    name: &'n str,
+    depth: usize,
+    /// That of the name's `let`.
+    declared: usize,
+    count: usize,
+}
+
+impl Mentions<'_> {
+    fn of(name: &str, body: &tree::Block) -> usize {
+        let mut mentions = Mentions { name, depth: 0, declared: 0, count: 0 };
+        mentions.block(body);
+        mentions.count
+    }
+}
+
+impl Visit for Mentions<'_> {
+    fn stmt(&mut self, stmt: &Stmt) {
+        walk_stmt(self, stmt);
+        if matches!(stmt, Stmt::Let { name, .. } if name == self.name) {
+            self.declared = self.depth;
+        }
+    }
+
+    fn expr(&mut self, expr: &tree::Expr) {
+        use Tree::{Closure, Each, For, While};
+        match &expr.kind {
+            Tree::Local(name) if name == self.name => {
+                self.count += if self.depth > self.declared { 2 } else { 1 };
+            }
+            For { .. } | Each { .. } | While { .. } | Closure(_) => {
+                self.depth += 1;
+                walk_expr(self, expr);
+                self.depth -= 1;
+            }
+            _ => walk_expr(self, expr),
+        }
+    }
+}

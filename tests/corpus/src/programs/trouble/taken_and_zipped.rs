@@ -1,0 +1,58 @@
+//! How many are taken behind a link, items side by side with others, and whether both are the same.
+
+use bessemer::prelude::*;
+
+/// The first that are not negative.
+#[function]
+pub fn first_of(values: &[i32; 6], most: u8) -> i32 {
+    let good = values.iter().filter(|value| **value >= 0);
+    good.take(usize::from(most)).fold(1, |joined: i32, value| joined.wrapping_mul(3) ^ value)
+}
+
+/// What is left out and what ends the loop behind it; what is looked at is not more than is taken.
+#[function]
+pub fn looked_at(values: &[u8; 6], most: u8, seen: &mut u32) -> u32 {
+    let mut joined = 0_u32;
+    for (i, value) in values
+        .iter()
+        .inspect(|x| *seen = seen.wrapping_mul(3) ^ u32::from(**x))
+        .take(most as usize)
+        .enumerate()
+    {
+        if *value > 200 {
+            continue;
+        }
+        if *value == 3 {
+            break;
+        }
+        joined = joined.wrapping_mul(5) ^ u32::from(*value) ^ i as u32;
+    }
+    joined
+}
+
+/// Each with one of the others, as far as both go.
+#[function]
+pub fn side_by_side(values: &[i16; 4], others: &[i16; 5], key: i16) -> i32 {
+    let doubled = values.iter().map(|value| i32::from(*value) * 2);
+    let wanted = others.iter().filter(|other| **other > key);
+    doubled.zip(wanted).map(|(value, other)| value ^ i32::from(*other)).sum()
+}
+
+/// Three side by side.
+#[function]
+pub fn three(a: &[u8; 4], b: &[u8], c: &[u8; 3]) -> u32 {
+    let both = a.iter().map(|x| x / 2).zip(b).zip(c.iter().copied());
+    both.map(|((x, y), z)| u32::from(x) ^ u32::from(*y) << 8 ^ u32::from(z) << 16).sum()
+}
+
+/// Whether those that count are the same.
+#[function]
+pub fn same(values: &[i32; 3], others: &[i32; 4], part: u8) -> (bool, bool, bool) {
+    let part = &others[..usize::from(part % 5)];
+    let counted = others.iter().filter(|other| **other > 0);
+    (
+        values.iter().eq(part),
+        values.iter().eq(counted),
+        values.iter().map(|value| value / 2).ne(others[1..].iter().copied()),
+    )
+}
