@@ -11,13 +11,18 @@ use std::rc::Rc;
 
 use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Order, Pattern, Site, Stmt};
-use bessemer_ir::{Expr, ExprKind, Int, Local, LocalId, Mode, Scalar, StmtKind, Type};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, Int, Local, LocalId, Mode, Scalar, Span, Stmt as Made,
+    StmtKind, Type,
+};
 
 use super::items::handing;
+use super::loops::{alone, breaks_in};
 use super::lowering::{Closure, Hand, Lowering};
 use super::syntax::generates;
 use super::value::Value;
 use super::{Result, problem};
+use crate::termination;
 
 /// The function that takes the next item of an iterator.
 const NEXT: &str = "bessemer::iterate::next";
@@ -88,6 +93,23 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn is_taken(&self, value: &Expr) -> bool {
         let mut hands = self.hands.values();
         matches!(&value.kind, ExprKind::Load(place) if hands.any(|hand| hand.taken.1 == place.root))
+    }
+
+    /// The only pass of a loop that takes the next item of an iterator, and whether there is one.
+    pub(super) fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<(Expr, Block)> {
+        let StmtKind::For { variable, from, to, inclusive: false, reversed: false, body, .. } =
+            kind
+        else {
+            return None;
+        };
+        let (Made { kind: StmtKind::Break, .. }, pass) = body.0.split_last()? else { return None };
+        let leaves = |stmt: &Made| breaks_in(stmt) || termination::continues(stmt);
+        if !self.is_taken(from) || pass.iter().any(leaves) {
+            return None;
+        }
+        let mut then = alone(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
+        then.0.extend_from_slice(pass);
+        Some((Expr::compare(CompareOp::Lt, from.clone(), to.clone()), then))
     }
 
     /// Lets a loop begin behind the items that were taken, and, where it is not a copy, count each that it hands on. Says

@@ -367,23 +367,6 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The only pass of a loop that takes the next item of an iterator, and whether there is one.
-    fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<(Expr, Block)> {
-        let StmtKind::For { variable, from, to, inclusive: false, reversed: false, body, .. } =
-            kind
-        else {
-            return None;
-        };
-        let (Stmt { kind: StmtKind::Break, .. }, pass) = body.0.split_last()? else { return None };
-        let leaves = |stmt| breaks_in(stmt) || termination::continues(stmt);
-        if !self.is_taken(from) || pass.iter().any(leaves) {
-            return None;
-        }
-        let mut then = alone(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
-        then.0.extend_from_slice(pass);
-        Some((Expr::compare(CompareOp::Lt, from.clone(), to.clone()), then))
-    }
-
     /// Lowers a pass of a loop that several are, the outermost of them at `outermost`.
     pub(super) fn pass_of<T>(
         &mut self,
@@ -595,7 +578,7 @@ fn is_calm(expr: &Expr) -> bool {
     }
 }
 
-fn alone(kind: StmtKind, span: Span) -> Block {
+pub(super) fn alone(kind: StmtKind, span: Span) -> Block {
     Block(vec![Stmt { kind, span, comments: Vec::new() }])
 }
 
@@ -604,7 +587,7 @@ fn breaks(body: &Block) -> bool {
     body.0.iter().any(breaks_in)
 }
 
-fn breaks_in(stmt: &Stmt) -> bool {
+pub(super) fn breaks_in(stmt: &Stmt) -> bool {
     match &stmt.kind {
         StmtKind::Break => true,
         StmtKind::If { then, otherwise, .. } => breaks(then) || breaks(otherwise),
