@@ -26,7 +26,26 @@
 /* The signed integer with these bits. */
 static inline int32_t wrap_i32(uint32_t bits)
 {
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
+    const uint32_t rest = UINT32_MAX - bits;
+    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)rest;
+}
+
+/* The value modulo 2^32. */
+static inline uint32_t u32_from_i32(int32_t value)
+{
+    return (uint32_t)value;
+}
+
+/* The same number, computed as uint32_t. */
+static inline uint64_t u64_from_u32(uint32_t value)
+{
+    return (uint64_t)value;
+}
+
+/* The nearest double. */
+static inline double f64_from_u64(uint64_t value)
+{
+    return (double)value;
 }
 
 /* The smaller of two integers. */
@@ -38,13 +57,13 @@ static inline uint64_t min_u64(uint64_t a, uint64_t b)
 /* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
 static inline double min_f64(double a, double b)
 {
-    if (a < b || isnan(b)) {
+    if (a < b || isnan(b) != 0) {
         return a;
     }
-    if (b < a || isnan(a)) {
+    if (b < a || isnan(a) != 0) {
         return b;
     }
-    return signbit(a) ? a : b;
+    return signbit(a) != 0 ? a : b;
 }
 
 /* The larger of two integers. */
@@ -62,13 +81,13 @@ static inline uint64_t max_u64(uint64_t a, uint64_t b)
 /* The larger of two numbers: -0 < +0, and a NaN gives the other. */
 static inline double max_f64(double a, double b)
 {
-    if (a > b || isnan(b)) {
+    if (a > b || isnan(b) != 0) {
         return a;
     }
-    if (b > a || isnan(a)) {
+    if (b > a || isnan(a) != 0) {
         return b;
     }
-    return !signbit(a) ? a : b;
+    return signbit(a) == 0 ? a : b;
 }
 
 /* The number nearest to value from low to high; NaN stays NaN. */
@@ -83,14 +102,16 @@ static inline double clamp_f64(double value, double low, double high)
 /* value divided by 2^count and rounded down; count is less than 32. */
 static inline int32_t shift_right_i32(int32_t value, uint32_t count)
 {
-    return value < 0 ? ~(~value >> count) : value >> count;
+    const uint32_t sign = 0x80000000U >> count;
+    const uint32_t bits = (uint32_t)value;
+    return wrap_i32(((bits >> count) ^ sign) - sign);
 }
 
 /* The bits of a number; every NaN has the same. */
 static inline uint32_t bits_of_f32(float value)
 {
     uint32_t bits = 0x7FC00000U;
-    if (!isnan(value)) {
+    if (isnan(value) == 0) {
         (void)BESSEMER_COPY(&bits, &value, sizeof bits);
     }
     return bits;
@@ -100,7 +121,7 @@ static inline uint32_t bits_of_f32(float value)
 static inline uint64_t bits_of_f64(double value)
 {
     uint64_t bits = UINT64_C(0x7FF8000000000000);
-    if (!isnan(value)) {
+    if (isnan(value) == 0) {
         (void)BESSEMER_COPY(&bits, &value, sizeof bits);
     }
     return bits;
@@ -125,14 +146,14 @@ static inline double f64_from_bits(uint64_t bits)
 /* The size of one number with the sign of another; a NaN counts as positive. */
 static inline double copysign_f64(double size, double sign)
 {
-    return isnan(sign) ? fabs(size) : copysign(size, sign);
+    return isnan(sign) != 0 ? fabs(size) : copysign(size, sign);
 }
 
 /* a + b, or the limit of the type beyond which it lies. */
 static inline uint32_t saturating_add_u32(uint32_t a, uint32_t b)
 {
     const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
+    return exact > (int64_t)UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
 }
 
 /* a + b, or the limit of the type beyond which it lies. */

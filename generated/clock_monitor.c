@@ -30,7 +30,7 @@ void clock_monitor_init(clock_monitor_t *self)
 
 bool clock_monitor_step(clock_monitor_t *self, double period, uint64_t time)
 {
-    const bool forward = time > self->last && (double)(time - self->last) < 3000000.0 * period;
+    const bool forward = time > self->last && f64_from_u64(time - self->last) < 3000000.0 * period;
     if (self->running && !forward) {
         self->wrong = saturating_add_u32(self->wrong, 1U);
         self->faults = saturating_add_u32(self->faults, 1U);

@@ -232,11 +232,11 @@ static void estimator_listen(estimator_t *self, const sensors_t *sensors, const 
     } else {
         expectation_felt_force(&self->expectation, self->force);
     }
-    bool condition = false;
+    bool gyroscope_says = false;
     if (measured->inertial) {
-        condition = stuck_says(&self->gyroscope, measured->rates);
+        gyroscope_says = stuck_says(&self->gyroscope, measured->rates);
     }
-    if (condition) {
+    if (gyroscope_says) {
         expectation_turned(&self->expectation, measured->rates);
         self->rates[0] = measured->rates[0];
         self->rates[1] = measured->rates[1];

@@ -24,7 +24,7 @@
 /** Two to a power from −1022 to 1023. */
 static inline double exponential_power_of_two(int32_t exponent)
 {
-    return f64_from_bits((uint64_t)((uint32_t)exponent + 1023U) << 52);
+    return f64_from_bits(u64_from_u32((uint32_t)exponent + 1023U) << 52);
 }
 
 /** What `step` leaves out, as a fraction. */
@@ -85,7 +85,7 @@ double exponential_rounded(const power_t *power, int32_t more)
 
     /* 19 bits, signed, without the 7 of the index. */
     const int32_t whole = shift_right_i32(
-        wrap_i32((uint32_t)(wrap_i32((uint32_t)(power->steps & UINT64_C(0x7FFFF))) ^ 0x40000)
+        wrap_i32(u32_from_i32(wrap_i32((uint32_t)(power->steps & UINT64_C(0x7FFFF))) ^ 0x40000)
         - 0x40000U), 7U);
     const int32_t exponent = wrap_i32((uint32_t)whole + (uint32_t)more);
     const double low = high * power->rest;

@@ -81,11 +81,11 @@ static void logger_push(logger_t *self, const record_t *record)
 {
     const uint32_t first = (uint32_t)(self->first % LOGGER_DEPTH);
     const uint32_t count = (uint32_t)min_u64(self->count, LOGGER_DEPTH);
-    self->records[(first + count) % LOGGER_DEPTH] = *record;
+    self->records[(first + count) % (uint32_t)LOGGER_DEPTH] = *record;
     if (count < LOGGER_DEPTH) {
-        self->count = (uint64_t)(count + 1U);
+        self->count = u64_from_u32(count + 1U);
     } else {
-        self->first = (first + 1U) % LOGGER_DEPTH;
+        self->first = u64_from_u32((first + 1U) % (uint32_t)LOGGER_DEPTH);
         self->lost = saturating_add_u32(self->lost, 1U);
     }
 }
@@ -99,7 +99,7 @@ void logger_take(logger_t *self, record_t *record)
 {
     const uint32_t first = (uint32_t)(self->first % LOGGER_DEPTH);
     if (self->count > UINT64_C(0)) {
-        self->first = (first + 1U) % LOGGER_DEPTH;
+        self->first = u64_from_u32((first + 1U) % (uint32_t)LOGGER_DEPTH);
         self->count = min_u64(self->count, LOGGER_DEPTH) - UINT64_C(1);
     }
     *record = self->records[first];

@@ -222,7 +222,7 @@ static inline void logarithm_parts(uint64_t bits, parts_t *parts)
     const uint32_t above = (uint32_t)(bits >> 32) - 0x3FE69000U;
     const int32_t exponent = shift_right_i32(wrap_i32(above), 20U);
     parts->exponent = exponent;
-    parts->row = (uint64_t)((above >> 13) & 0x7FU);
+    parts->row = u64_from_u32((above >> 13) & 0x7FU);
     parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
 }
 

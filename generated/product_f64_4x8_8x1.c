@@ -87,7 +87,7 @@ static void tile_4x1(const double *a, const double *b, double *result)
 #pragma GCC unroll 8
 #endif
     for (uint32_t k = 1U; k < 8U; k++) {
-        a += 4U;
+        a = &a[4];
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];

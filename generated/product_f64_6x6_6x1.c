@@ -89,7 +89,7 @@ static void tile_6x1(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6U;
+        a = &a[6];
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];

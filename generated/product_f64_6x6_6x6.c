@@ -172,7 +172,7 @@ static void tile_4x3(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6U;
+        a = &a[6];
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];
@@ -221,7 +221,7 @@ static void tile_2x3(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6U;
+        a = &a[6];
         const double a0 = a[0];
         const double a1 = a[1];
         const double b0 = b[k + 0U];
@@ -268,7 +268,7 @@ static void tile_3x6(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6U;
+        a = &a[6];
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];

@@ -137,8 +137,8 @@ static void tile_4x3(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6U;
-        b += 6U;
+        a = &a[6];
+        b = &b[6];
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];
@@ -187,8 +187,8 @@ static void tile_2x3(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6U;
-        b += 6U;
+        a = &a[6];
+        b = &b[6];
         const double a0 = a[0];
         const double a1 = a[1];
         const double b0 = b[0];
@@ -235,8 +235,8 @@ static void tile_3x6(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6U;
-        b += 6U;
+        a = &a[6];
+        b = &b[6];
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];

@@ -291,7 +291,7 @@ static bool receiver_collect(receiver_t *self, const space_t *space, const packe
         self->received = 0U;
     }
     self->collected.points[index] = point;
-    self->received |= 1U << index;
+    self->received |= (uint32_t)1U << index;
     return true;
 }
 
@@ -312,7 +312,7 @@ static bool receiver_commit(receiver_t *self, const space_t *space, const packet
         return false;
     }
     for (uint32_t n = 0U; n < TRAJECTORY_MOST_POINTS; n++) {
-        if (n < count && (self->received & (1U << n)) == 0U) {
+        if (n < count && (self->received & ((uint32_t)1U << n)) == 0U) {
             return false;
         }
     }
@@ -356,7 +356,7 @@ static bool receiver_choose(receiver_t *self, const packet_t *packet)
     self->wish.choice.tag = packet_byte(packet, UINT64_C(0));
     self->wish.choice.every = (uint32_t)packet_byte(packet, UINT64_C(1));
     for (uint32_t n = 0U; n < LOGGER_WIDTH; n++) {
-        self->wish.choice.signals[n] = packet_byte(packet, (uint64_t)(2U + n));
+        self->wish.choice.signals[n] = packet_byte(packet, u64_from_u32(2U + n));
     }
     return true;
 }

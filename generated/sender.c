@@ -91,7 +91,7 @@ void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status
     packet_t packet_value;
     sender_packet(self, part, &packet_value);
     self->sequence = (uint16_t)((uint32_t)sequence + 1U);
-    self->part = (uint64_t)(part + 1U);
+    self->part = u64_from_u32(part + 1U);
     self->busy = self->part < PARTS;
     *packet = packet_value;
 }
@@ -106,7 +106,7 @@ static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet)
     for (uint32_t value = 0U; value < VALUES; value++) {
         const float single = (float)self->record.values[VALUES * min_u64(part,
             PARTS - UINT64_C(1)) + value];
-        sender_put(payload, FRONT + 4U * value, bits_of_f32(single));
+        sender_put(payload, u64_from_u32((uint32_t)FRONT + 4U * value), bits_of_f32(single));
     }
     packet_around(SENDER_RECORD, self->sequence, payload, RECORD_BYTES, packet);
 }
@@ -119,7 +119,7 @@ void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *pa
     };
     uint8_t payload[56] = {0};
     for (uint32_t n = 0U; n < COUNTS; n++) {
-        sender_put(payload, (uint64_t)(4U * n), counts[n]);
+        sender_put(payload, u64_from_u32(4U * n), counts[n]);
     }
     payload[4U * COUNTS] = (uint8_t)status->mode;
     payload[4U * COUNTS + 1U] = status->tag;

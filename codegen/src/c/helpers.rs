@@ -22,6 +22,14 @@ pub enum Helper {
     /// A small signed integer as `uint32_t`. A cast would do, but for gcc, which complains of the sign
     /// wherever such a cast is an operand.
     Extend(Int),
+    /// What was computed in one type as a number of another. A cast of it would leave open in which of the two it is
+    /// computed (MISRA C:2012, rule 10.8): the parameter says so.
+    Convert {
+        /// The type in which it was computed.
+        from: Scalar,
+        /// The type of the result.
+        to: Scalar,
+    },
     /// The smaller of two.
     Min(Scalar),
     /// The larger of two.
@@ -100,6 +108,7 @@ impl Helper {
         };
         match self {
             Helper::Wrap(int) => Helper::Wrap(Helper::plain(int)),
+            Helper::Convert { from, to } => Helper::Convert { from: scalar(from), to: scalar(to) },
             Helper::Min(ty) => Helper::Min(scalar(ty)),
             Helper::Max(ty) => Helper::Max(scalar(ty)),
             Helper::Clamp(ty) => Helper::Clamp(scalar(ty)),
@@ -130,6 +139,7 @@ impl Helper {
         match self.normal() {
             Helper::Wrap(int) => format!("wrap_{}", int.name()),
             Helper::Extend(int) => format!("u32_from_{}", int.name()),
+            Helper::Convert { from, to } => format!("{}_from_{}", to.name(), from.name()),
             Helper::Min(ty) => format!("min_{}", ty.name()),
             Helper::Max(ty) => format!("max_{}", ty.name()),
             Helper::Clamp(ty) => format!("clamp_{}", ty.name()),
@@ -166,6 +176,9 @@ impl Helper {
     fn needs(self) -> Option<Helper> {
         match self {
             Helper::ShiftLeft(int) => Some(Helper::Wrap(int)),
+            Helper::ShiftRight(int) => {
+                Some(Helper::Wrap(if int.bits() < 32 { Int::I32 } else { int }))
+            }
             Helper::NormSquared(float) => Some(Helper::Dot(float)),
             Helper::WrappingDiv(int) => Some(Helper::Wrap(int)),
             Helper::LeadingZeros(int) | Helper::TrailingZeros(int) => Some(Helper::CountOnes(int)),
@@ -195,8 +208,9 @@ impl Helper {
         match self.normal() {
             Helper::Wrap(int) => wrap(&name, int),
             Helper::Extend(int) => extend(&name, int),
-            Helper::Min(Scalar::Float(float)) => extreme(&name, float, "smaller", "<", ""),
-            Helper::Max(Scalar::Float(float)) => extreme(&name, float, "larger", ">", "!"),
+            Helper::Convert { from, to } => convert(&name, from, to),
+            Helper::Min(Scalar::Float(float)) => extreme(&name, float, "smaller", "<", "!="),
+            Helper::Max(Scalar::Float(float)) => extreme(&name, float, "larger", ">", "=="),
             Helper::Min(ty) => choose(&name, ty, "smaller", "<"),
             Helper::Max(ty) => choose(&name, ty, "larger", ">"),
             Helper::Clamp(ty) => clamp(&name, ty),
@@ -275,10 +289,19 @@ fn all() -> impl Iterator<Item = Helper> {
     let scalars = Int::ALL.map(Scalar::Int).into_iter().chain(floats.map(Scalar::Float));
     let ints = of_int.into_iter().flat_map(|helper| Int::ALL.map(helper));
     ints.chain([Int::I8, Int::I16].map(Helper::Extend))
+        .chain(conversions())
         .chain([Helper::Flag])
         .chain(Int::ALL.map(from_double))
         .chain(of_float.into_iter().flat_map(move |helper| floats.map(helper)))
         .chain(scalars.flat_map(move |scalar| of_either.map(|helper| helper(scalar))))
+}
+
+/// From what C computes without a cast back: integers of 32 bits at least, and floats.
+fn conversions() -> impl Iterator<Item = Helper> {
+    let floats = [Float::F32, Float::F64].map(Scalar::Float);
+    let all = move || Int::ALL.into_iter().map(Scalar::Int).chain(floats);
+    let from = all().filter(|from| !matches!(from, Scalar::Int(int) if int.bits() < 32));
+    from.flat_map(move |from| all().map(move |to| Helper::Convert { from, to }))
 }
 
 /// The helpers with those that they call.
@@ -294,22 +317,33 @@ fn float_type(float: Float) -> &'static str {
     scalar_type(Scalar::Float(float))
 }
 
-/// The unsigned type of an integer's width.
-pub fn unsigned_type(int: Int) -> String {
-    format!("uint{}_t", int.bits())
+/// The unsigned integer of the same width.
+pub fn unsigned(int: Int) -> Int {
+    match int.bits() {
+        8 => Int::U8,
+        16 => Int::U16,
+        32 => Int::U32,
+        _ => Int::U64,
+    }
+}
+
+/// Its type.
+pub fn unsigned_type(int: Int) -> &'static str {
+    int_type(unsigned(int))
 }
 
 fn wrap(name: &str, int: Int) -> String {
     let (ty, bits) = (int_type(int), int.bits());
-    let negative = if bits < 32 {
-        format!("({ty})(-1 - ({ty})(UINT{bits}_MAX - bits))")
+    let (rest, negative) = if bits < 32 {
+        (format!("(uint{bits}_t)(UINT{bits}_MAX - bits)"), format!("({ty})(-1 - ({ty})rest)"))
     } else {
-        format!("-1 - ({ty})(UINT{bits}_MAX - bits)")
+        (format!("UINT{bits}_MAX - bits"), format!("-1 - ({ty})rest"))
     };
     format!(
         "/* The signed integer with these bits. */
 static inline {ty} {name}(uint{bits}_t bits)
 {{
+    const uint{bits}_t rest = {rest};
     return bits <= (uint{bits}_t)INT{bits}_MAX ? ({ty})bits : {negative};
 }}"
     )
@@ -326,19 +360,37 @@ static inline uint32_t {name}({ty} value)
     )
 }
 
-fn extreme(name: &str, float: Float, word: &str, op: &str, not: &str) -> String {
+fn convert(name: &str, from: Scalar, to: Scalar) -> String {
+    let (ty, given) = (scalar_type(to), scalar_type(from));
+    let what = match (from, to) {
+        (Scalar::Int(from), Scalar::Int(to)) if from.min() < to.min() || from.max() > to.max() => {
+            format!("The value modulo 2^{}", to.bits())
+        }
+        (Scalar::Int(_), Scalar::Int(_)) => format!("The same number, computed as {given}"),
+        _ => format!("The nearest {ty}"),
+    };
+    format!(
+        "/* {what}. */
+static inline {ty} {name}({given} value)
+{{
+    return ({ty})value;
+}}"
+    )
+}
+
+fn extreme(name: &str, float: Float, word: &str, op: &str, sign: &str) -> String {
     let ty = float_type(float);
     format!(
         "/* The {word} of two numbers: -0 < +0, and a NaN gives the other. */
 static inline {ty} {name}({ty} a, {ty} b)
 {{
-    if (a {op} b || isnan(b)) {{
+    if (a {op} b || isnan(b) != 0) {{
         return a;
     }}
-    if (b {op} a || isnan(a)) {{
+    if (b {op} a || isnan(a) != 0) {{
         return b;
     }}
-    return {not}signbit(a) ? a : b;
+    return signbit(a) {sign} 0 ? a : b;
 }}"
     )
 }
@@ -400,16 +452,17 @@ static inline {ty} {name}({ty} value, uint32_t count)
 
 fn shift_right(name: &str, int: Int) -> String {
     let (ty, bits) = (int_type(int), int.bits());
-    let (negative, positive) = if bits < 32 {
-        (format!("({ty})~(~value >> count)"), format!("({ty})(value >> count)"))
-    } else {
-        ("~(~value >> count)".to_owned(), "value >> count".to_owned())
-    };
+    let held = if bits < 32 { Int::I32 } else { int };
+    let (unsigned, wrap) = (unsigned_type(held), Helper::Wrap(held).name());
+    let top = if bits == 64 { "UINT64_C(0x8000000000000000)" } else { "0x80000000U" };
+    let back = if bits < 32 { format!("({ty})") } else { String::new() };
     format!(
         "/* value divided by 2^count and rounded down; count is less than {bits}. */
 static inline {ty} {name}({ty} value, uint32_t count)
 {{
-    return value < 0 ? {negative} : {positive};
+    const {unsigned} sign = {top} >> count;
+    const {unsigned} bits = ({unsigned})value;
+    return {back}{wrap}(((bits >> count) ^ sign) - sign);
 }}"
     )
 }
@@ -428,7 +481,7 @@ fn from_float(name: &str, int: Int, float: Float) -> String {
         "/* The integer nearest to value towards zero, within its type; 0 for a NaN. */
 static inline {ty} {name}({value} value)
 {{
-    if (isnan(value)) {{
+    if (isnan(value) != 0) {{
         return 0;
     }}
     if (value <= {below}) {{
@@ -453,7 +506,7 @@ fn bits(name: &str, float: Float, copy: &str) -> String {
 static inline uint{bits}_t {name}({ty} value)
 {{
     uint{bits}_t bits = {nan};
-    if (!isnan(value)) {{
+    if (isnan(value) == 0) {{
         (void){copy}(&bits, &value, sizeof bits);
     }}
     return bits;
@@ -511,7 +564,7 @@ fn copysign(name: &str, float: Float) -> String {
         "/* The size of one number with the sign of another; a NaN counts as positive. */
 static inline {ty} {name}({ty} size, {ty} sign)
 {{
-    return isnan(sign) ? fabs{f}(size) : copysign{f}(size, sign);
+    return isnan(sign) != 0 ? fabs{f}(size) : copysign{f}(size, sign);
 }}"
     )
 }

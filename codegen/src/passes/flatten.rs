@@ -173,7 +173,7 @@ impl<'m> Lowering<'m> {
     /// Short circuit: an `if`, where the right side needs statements of its own.
     fn logic(&mut self, op: LogicOp, a: Expr, b: Expr, span: Span) -> Expr {
         let a = self.word(a);
-        let before = self.facts.clone();
+        let (before, asked) = (self.facts.clone(), b.clone());
         self.facts.assume(&a, op == LogicOp::And);
         let outer = std::mem::take(&mut self.out);
         let b = self.word(b);
@@ -188,7 +188,7 @@ impl<'m> Lowering<'m> {
         }
         let start = ExprKind::Literal(u64::from(op == LogicOp::Or));
         let start = Expr { kind: start, ty: Type::BOOL, span };
-        let name = logic(start.clone(), start.clone());
+        let name = logic(start.clone(), asked);
         let name = self.wish(Purpose::Operand, &name);
         let Some(local) = self.declare(&name, start) else { return logic(a, b) };
         let place = Place { ty: Type::BOOL, span, ..whole(local) };

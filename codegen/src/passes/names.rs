@@ -3,7 +3,8 @@
 use std::collections::HashSet;
 
 use bessemer_ir::{
-    BinaryOp, Expr, ExprKind, Function, Intrinsic, Module, Place, Routine, Step, Type, UnaryOp,
+    Argument, BinaryOp, Expr, ExprKind, Function, Intrinsic, LogicOp, Module, Place, Routine, Step,
+    Type, UnaryOp,
 };
 
 /// Names in use in a function.
@@ -85,6 +86,7 @@ fn kind(module: &Module, function: &Function, expr: &Expr) -> String {
         ExprKind::Unary(UnaryOp::Neg, _) => "opposite".to_string(),
         ExprKind::Unary(UnaryOp::Not, _) => "inverse".to_string(),
         ExprKind::Binary(op, ..) => binary(*op).to_string(),
+        ExprKind::Logic(LogicOp::And, _, last) => answer(module, function, last),
         ExprKind::Compare(..) | ExprKind::Logic(..) => "condition".to_string(),
         ExprKind::Cast(inner) => kind(module, function, inner),
         ExprKind::Intrinsic(which, _) => intrinsic(*which).to_string(),
@@ -99,6 +101,21 @@ fn kind(module: &Module, function: &Function, expr: &Expr) -> String {
             _ => "matrix".to_string(),
         },
         ExprKind::Routine(which, _) => routine(*which).to_string(),
+    }
+}
+
+/// The last condition of several that have to hold, if it is a call: `gyroscope_says` of `gyroscope.says(…)`.
+fn answer(module: &Module, function: &Function, last: &Expr) -> String {
+    let ExprKind::Call(callee, arguments) = &last.kind else { return "condition".to_string() };
+    let name = &module.functions[callee.index()].name;
+    let of = match arguments.first() {
+        Some(Argument::RefMut(of)) => Some(of),
+        Some(Argument::Ref(Expr { kind: ExprKind::Load(of), .. })) => Some(of),
+        _ => None,
+    };
+    match of.filter(|of| !of.steps.is_empty()) {
+        Some(of) => format!("{}_{name}", place(module, function, of)),
+        None => name.clone(),
     }
 }
 

@@ -16,7 +16,7 @@ pub(super) fn signum(name: &str, float: Float) -> String {
         "/* 1 with the sign of value, its zero included; NaN for a NaN. */
 static inline {ty} {name}({ty} value)
 {{
-    return isnan(value) ? value : copysign{f}(1.0{l}, value);
+    return isnan(value) != 0 ? value : copysign{f}(1.0{l}, value);
 }}"
     )
 }

@@ -71,8 +71,10 @@ fn saturated(name: &str, int: Int, what: &str, op: char) -> String {
     // No difference of unsigned integers is too large.
     let upper = if !int.signed() && op == '-' {
         format!("({ty})exact")
-    } else {
+    } else if int.signed() {
         format!("exact > {high} ? {high} : ({ty})exact")
+    } else {
+        format!("exact > ({wide}){high} ? {high} : ({ty})exact")
     };
     format!(
         "/* {what}, or the limit of the type beyond which it lies. */

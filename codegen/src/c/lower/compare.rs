@@ -4,10 +4,11 @@
 //! constant, and warns of any comparison with that. The same value in 32 bits, or from a function, means what it says.
 //! Of what was widened, `~(uint64_t)x`, it warns too, so that a function gives that.
 
-use bessemer_ir::Int;
+use bessemer_ir::{Float, Int, Scalar};
 
 use super::super::helpers::Helper;
 use super::super::literal;
+use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::Lower;
 
@@ -23,16 +24,25 @@ impl Lower<'_> {
             "uint8_t" => ("255U", Int::U8),
             "uint16_t" => ("65535U", Int::U16),
             // In a wider type it is a complement still.
-            _ => return Expr::Cast(ty, Box::new(self.comparable(*inner))),
+            _ => {
+                let small = matches!(&*inner, Expr::Cast(ty, _) if matches!(ty.as_str(), "uint8_t" | "uint16_t"));
+                return match (self.comparable(*inner), numeric(&ty).filter(|_| small)) {
+                    // In 32 bits now.
+                    (masked @ Expr::Binary(..), Some(to)) => {
+                        self.converted(Scalar::Int(Int::U32), to, masked)
+                    }
+                    (inner, _) => Expr::Cast(ty, Box::new(inner)),
+                };
+            }
         };
         match *inner {
             Expr::Unary("~", operand) => {
-                let all = Expr::unary("~", Expr::cast("uint32_t", *operand));
-                Expr::binary("&", all, Expr::name(mask))
+                let operand = Expr::cast("uint32_t", *operand);
+                Expr::binary("&", Expr::unary("~", operand), Expr::name(mask))
             }
             Expr::Binary("-", left, right) if self.may_be_constant(&left) => {
-                let difference = Expr::cast("uint32_t", Expr::Binary("-", left, right));
-                Expr::binary("&", difference, Expr::name(mask))
+                let (left, right) = (Expr::cast("uint32_t", *left), Expr::cast("uint32_t", *right));
+                Expr::binary("&", Expr::binary("-", left, right), Expr::name(mask))
             }
             Expr::Binary("^", left, right)
                 if self.may_be_constant(&left) || self.may_be_constant(&right) =>
@@ -68,4 +78,11 @@ impl Lower<'_> {
             _ => false,
         }
     }
+}
+
+/// The type of numbers that C calls so.
+fn numeric(ty: &str) -> Option<Scalar> {
+    let ints = Int::ALL.into_iter().map(Scalar::Int);
+    let floats = [Float::F32, Float::F64].map(Scalar::Float);
+    ints.chain(floats).find(|scalar| scalar_type(*scalar) == ty)
 }

@@ -2,7 +2,7 @@
 
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Int, Intrinsic, Mode, Scalar, Type};
 
-use super::super::helpers::{Helper, unsigned_type};
+use super::super::helpers::{Helper, unsigned, unsigned_type};
 use super::super::literal;
 use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
@@ -54,14 +54,21 @@ impl Lower<'_> {
         if int.signed() {
             let helper = if left_shift { Helper::ShiftLeft(int) } else { Helper::ShiftRight(int) };
             let plain = narrow || matches!(right.ty.as_int(), Some(Int::U8 | Int::U16 | Int::U32));
-            let count = if plain { count } else { Expr::cast("uint32_t", count) };
+            let held = right.ty.as_int().expect("the validator asks for integers");
+            let count = if plain { count } else { self.as_int(held, Int::U32, count) };
             return self.helper(helper, vec![value, count]);
         }
-        // Promoted to `int`, the bits of a small unsigned integer could be shifted into the sign.
-        let value = if is_small(int) && left_shift {
-            Expr::cast("uint32_t", if is_widened(left) { uncast(value, &left.ty) } else { value })
-        } else {
-            value
+        // Promoted to `int`, the bits of a small unsigned integer could be shifted into the sign. A number alone has the type of
+        // fewest bits that holds it, as MISRA C:2012 sees it (rule 12.2).
+        let raised = is_small(int) && left_shift;
+        let number = matches!(left.kind, ExprKind::Literal(_)) && !right.is_literal();
+        let value = match value {
+            value if number && (raised || int == Int::U32) => {
+                Expr::Cast("uint32_t".to_owned(), Box::new(value))
+            }
+            value if raised && is_widened(left) => Expr::cast("uint32_t", uncast(value, &left.ty)),
+            value if raised => Expr::cast("uint32_t", value),
+            value => value,
         };
         narrowed(&left.ty, Expr::binary(if left_shift { "<<" } else { ">>" }, value, count))
     }
@@ -117,7 +124,8 @@ impl Lower<'_> {
                 if int.signed() && !fits(*from, *int) =>
             {
                 let held = if narrow { Int::U32 } else { *from };
-                self.helper(Helper::Wrap(*int), vec![as_bits(value, held, *int)])
+                let bits = self.as_bits(value, held, *int);
+                self.helper(Helper::Wrap(*int), vec![bits])
             }
             (Type::Scalar(Scalar::Int(from)), Scalar::Int(Int::U32))
                 if from.signed() && is_small(*from) =>
@@ -132,7 +140,7 @@ impl Lower<'_> {
                 if of_all.is_some_and(|(low, high)| holds(low) && holds(high)) {
                     Expr::cast(ty, value)
                 } else {
-                    let bits = Expr::cast(&unsigned_type(*int), value);
+                    let bits = Expr::cast(unsigned_type(*int), value);
                     self.helper(Helper::Wrap(*int), vec![bits])
                 }
             }
@@ -142,8 +150,34 @@ impl Lower<'_> {
             {
                 Expr::cast(ty, uncast(value, &operand.ty))
             }
+            (Type::Scalar(from), to) if *from != Scalar::Bool => {
+                let from = if narrow { Scalar::Int(Int::U32) } else { *from };
+                self.converted(from, *to, value)
+            }
             _ => Expr::cast(ty, value),
         }
+    }
+
+    /// A value that C holds as `from`, as another type. Where it is computed, a cast to a wider type, or to one of another
+    /// kind, would leave open in which of the two (MISRA C:2012, rule 10.8); one that rounds has a name, too.
+    pub(super) fn converted(&mut self, from: Scalar, to: Scalar, value: Expr) -> Expr {
+        let (kind, bits) = (category(from), width(from));
+        let rounds = matches!(to, Scalar::Float(_));
+        if is_composite(&value) && (kind != category(to) || bits < width(to) || rounds) {
+            return self.helper(Helper::Convert { from, to }, vec![value]);
+        }
+        Expr::cast(scalar_type(to), value)
+    }
+
+    /// The same of integers.
+    pub(super) fn as_int(&mut self, from: Int, to: Int, value: Expr) -> Expr {
+        self.converted(Scalar::Int(from), Scalar::Int(to), value)
+    }
+
+    /// A value that C holds as `from`, as the unsigned bits of a signed type.
+    fn as_bits(&mut self, value: Expr, from: Int, int: Int) -> Expr {
+        let same = !from.signed() && from.bits() == int.bits();
+        if same { value } else { self.as_int(from, unsigned(int), value) }
     }
 
     /// The number that goes to `f32` by way of an `f64`, where that holds it exactly: then one rounding gives the same.
@@ -256,20 +290,20 @@ impl Lower<'_> {
 
     /// The same before it is brought back to a signed type.
     fn wrapping_bits(&mut self, op: &'static str, int: Int, operands: &[Ir]) -> Expr {
-        let wide = unsigned_type(if is_small(int) { Int::U32 } else { int });
+        let wide = if is_small(int) { Int::U32 } else { unsigned(int) };
         let own = int.signed() || is_small(int);
         let mut values = operands.iter().map(|operand| {
             let bits = if is_small(int) { None } else { self.unsigned_bits(operand) };
             bits.unwrap_or_else(|| {
                 let value = self.word(operand);
-                if own { Expr::cast(&wide, value) } else { value }
+                if own { self.as_int(int, wide, value) } else { value }
             })
         });
         let (Some(a), Some(b)) = (values.next(), values.next()) else {
             unreachable!("two operands")
         };
         let result = Expr::binary(op, a, b);
-        if is_small(int) { Expr::cast(&unsigned_type(int), result) } else { result }
+        if is_small(int) { Expr::cast(unsigned_type(int), result) } else { result }
     }
 
     /// The bits of a signed value that unsigned arithmetic gives: who wants these needs no signed number of them.
@@ -288,7 +322,7 @@ impl Lower<'_> {
                     return None;
                 }
                 let value = self.word(inner);
-                Some(as_bits(value, from, int))
+                Some(self.as_bits(value, from, int))
             }
             _ => None,
         }
@@ -311,8 +345,33 @@ fn wrapping_sign(intrinsic: Intrinsic) -> Option<&'static str> {
     }
 }
 
-/// A value that C holds as `from`, as the unsigned bits of a signed type.
-fn as_bits(value: Expr, from: Int, int: Int) -> Expr {
-    let same = !from.signed() && from.bits() == int.bits();
-    if same { value } else { Expr::cast(&unsigned_type(int), value) }
+/// Whether an expression is computed by an operator of which the types of the operands decide the type.
+fn is_composite(value: &Expr) -> bool {
+    match value {
+        Expr::Binary(op, ..) => {
+            matches!(*op, "+" | "-" | "*" | "/" | "%" | "&" | "|" | "^" | "<<" | ">>")
+        }
+        Expr::Unary(op, _) => *op == "~",
+        Expr::Conditional(..) => true,
+        _ => false,
+    }
+}
+
+/// Signed, unsigned and floating types are three kinds.
+fn category(scalar: Scalar) -> u8 {
+    match scalar {
+        Scalar::Bool => 0,
+        Scalar::Int(int) if int.signed() => 1,
+        Scalar::Int(_) => 2,
+        Scalar::Float(_) => 3,
+    }
+}
+
+fn width(scalar: Scalar) -> u32 {
+    match scalar {
+        Scalar::Bool => 1,
+        Scalar::Int(int) => int.bits(),
+        Scalar::Float(Float::F32) => 32,
+        Scalar::Float(Float::F64) => 64,
+    }
 }

@@ -2,6 +2,7 @@
 
 use bessemer_ir::{Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Step, Type};
 
+use super::super::matrices::Layout;
 use super::super::tree::Expr;
 use super::{Lower, bound};
 
@@ -70,7 +71,8 @@ impl Lower<'_> {
                     (_, 1) => value.at(self.index(row)),
                     (1, _) => value.at(self.index(column)),
                     shape => {
-                        let (row, column) = (self.index(row), self.index(column));
+                        let (row, column) =
+                            (self.beside_index(row, column), self.beside_index(column, row));
                         self.context.names.layout.at(value, (*shape.0, *shape.1), row, column)
                     }
                 };
@@ -110,6 +112,19 @@ impl Lower<'_> {
             }
             _ => self.word(index),
         }
+    }
+
+    /// One of two indices that make one: what has 64 bits is brought into 32 beside what has no more, since both are within
+    /// the matrix.
+    fn beside_index(&mut self, index: &Ir, other: &Ir) -> Expr {
+        let is_long = |index: &Ir| {
+            let long = index.ty.as_int().is_some_and(|int| int.bits() == 64);
+            long && self.range(index).is_none() && matches!(index.kind, ExprKind::Load(_))
+        };
+        let alone = is_long(index) && self.counts(other) && !self.is_wide(other);
+        let value = self.index(index);
+        let flat = self.context.names.layout != Layout::Array;
+        if alone && flat { Expr::cast("uint32_t", value) } else { value }
     }
 
     /// The value that stands at an aggregate's place or in its constant.

@@ -152,10 +152,33 @@ impl Lower<'_> {
                     BinaryOp::Rem => "%",
                     _ => "*",
                 };
-                Expr::binary(op, self.narrow(left, false), self.narrow(right, false))
+                let (a, b) = (self.beside(left, right), self.beside(right, left));
+                Expr::binary(op, a, b)
             }
             _ => self.word(expr),
         }
+    }
+
+    /// The same as an operand beside another: a constant, which has 64 bits in C, has 32 beside what is computed in 32, and
+    /// what is computed in 32 has 64 beside what needs them.
+    fn beside(&mut self, expr: &Ir, other: &Ir) -> Expr {
+        let value = self.narrow(expr, false);
+        if self.is_shortened(expr, other) {
+            Expr::cast("uint32_t", value)
+        } else if self.is_wide(other) && !self.is_wide(expr) && !self.is_shortened(other, expr) {
+            match value {
+                Expr::Binary(..) => self.as_int(Int::U32, Int::Usize, value),
+                value => value,
+            }
+        } else {
+            value
+        }
+    }
+
+    /// Whether a constant stands beside what is computed in 32 bits.
+    fn is_shortened(&self, expr: &Ir, other: &Ir) -> bool {
+        let computed = matches!(other.kind, ExprKind::Binary(..)) && !self.is_wide(other);
+        matches!(expr.kind, ExprKind::Const(_)) && computed
     }
 
     /// A size that fits into 32 bits, in 32 bits.
@@ -173,7 +196,10 @@ impl Lower<'_> {
             ExprKind::Const(_) | ExprKind::Intrinsic(..) => true,
             ExprKind::Cast(inner) => is_long(inner),
             ExprKind::Binary(BinaryOp::Rem, left, _) if self.range(left).is_none() => true,
-            ExprKind::Binary(_, left, right) => self.is_wide(left) || self.is_wide(right),
+            ExprKind::Binary(_, left, right) => {
+                let wide = |one, other| self.is_wide(one) && !self.is_shortened(one, other);
+                wide(left, right) || wide(right, left)
+            }
             _ => false,
         }
     }
@@ -190,13 +216,14 @@ fn is_long(value: &Ir) -> bool {
 }
 
 /// The name of a wide literal that is the limit of a narrower type.
-pub(super) fn limit(expr: &Ir) -> Option<&'static str> {
+pub(super) fn limit(expr: &Ir) -> Option<Expr> {
     let ExprKind::Literal(word) = expr.kind else { return None };
     let int = expr.ty.as_int().filter(|int| int.bits() == 64)?;
     match (int.from_word(word), int.signed()) {
-        (-2_147_483_648, _) => Some("INT32_MIN"),
-        (2_147_483_647, true) => Some("INT32_MAX"),
-        (4_294_967_295, _) => Some("UINT32_MAX"),
+        (-2_147_483_648, _) => Some(Expr::name("INT32_MIN")),
+        (2_147_483_647, true) => Some(Expr::name("INT32_MAX")),
+        (4_294_967_295, true) => Some(Expr::cast("int64_t", Expr::name("UINT32_MAX"))),
+        (4_294_967_295, false) => Some(Expr::name("UINT32_MAX")),
         _ => None,
     }
 }

@@ -10,7 +10,7 @@ use super::super::literal;
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
 use super::fill::{filled, length, rewritten, unwritten};
-use crate::effects::whole;
+use crate::effects::{calls, whole};
 use crate::uncopied::is_table;
 
 /// Elements up to which an initialiser is shorter than what fills the rest.
@@ -323,6 +323,12 @@ impl Lower<'_> {
             && let [value] = values[..]
         {
             self.match_as_if(scrutinee, value, [body, otherwise], tail);
+            return;
+        }
+        // Of one way there is nothing to choose.
+        if let ([Arm { body, .. }], None, false) = (arms, otherwise, calls(scrutinee)) {
+            let body = self.block(body, tail);
+            self.emit(StmtKind::Block(body));
             return;
         }
         let blocks: Vec<&Block> = arms.iter().map(|arm| &arm.body).chain(otherwise).collect();

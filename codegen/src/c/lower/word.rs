@@ -4,7 +4,8 @@
 //! and for comparisons, which C makes `int`.
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, LogicOp, Routine, Scalar, Type, UnaryOp,
+    BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, Int, LogicOp, Routine, Scalar, Type,
+    UnaryOp,
 };
 
 use super::super::literal;
@@ -19,7 +20,11 @@ impl Lower<'_> {
     pub(super) fn word(&mut self, expr: &Ir) -> Expr {
         if self.counts(expr) && self.range(expr).is_some() {
             let narrow = self.narrow(expr, false);
-            return if self.is_wide(expr) { narrow } else { Expr::cast("uint64_t", narrow) };
+            return if self.is_wide(expr) {
+                narrow
+            } else {
+                self.as_int(Int::U32, Int::Usize, narrow)
+            };
         }
         if let (Some(value), Some(int)) = (super::range::never_reached(expr), expr.ty.as_int()) {
             return literal::integer(int, value);
@@ -154,7 +159,7 @@ impl Lower<'_> {
             (self.mentioned, *self.uses) = before;
             return Expr::name(if equal { "true" } else { "false" });
         }
-        let limit = |value: Expr, ir: &Ir| super::range::limit(ir).map_or(value, Expr::name);
+        let limit = |value: Expr, ir: &Ir| super::range::limit(ir).unwrap_or(value);
         let (a, b) = (limit(masked(a, left), left), limit(masked(b, right), right));
         Expr::binary(comparison(op), self.comparable(a), self.comparable(b))
     }

@@ -126,7 +126,7 @@ fn numbers(n: u32) -> String {
             let _ = writeln!(text, "        y{row}{column} -= r{row} * l{column};");
         }
     }
-    text += "        rows += $n;\n        columns += $n;\n    }\n    if (top != tile) {\n";
+    text += "        rows = &rows[$n];\n        columns = &columns[$n];\n    }\n    if (top != tile) {\n";
     for column in 0..4 {
         for k in 0..column {
             let _ = writeln!(text, "        const $real l{column}{k} = top[{}];", column + n * k);

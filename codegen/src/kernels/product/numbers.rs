@@ -219,9 +219,9 @@ fn tile(real: &str, (height, width): (u32, u32), sizes: Sizes, unrolled: bool) -
             let _ = writeln!(text, "#if defined(__GNUC__)\n#pragma GCC unroll {inner}\n#endif");
         }
         let _ = writeln!(text, "    for (uint32_t k = 1U; k < {inner}U; k++) {{");
-        let _ = writeln!(text, "        a += {}U;", left.1);
+        let _ = writeln!(text, "        a = &a[{}];", left.1);
         if right.0 > 1 {
-            let _ = writeln!(text, "        b += {}U;", right.0);
+            let _ = writeln!(text, "        b = &b[{}];", right.0);
         }
         for row in 0..height {
             let _ = writeln!(text, "        const {real} a{row} = a[{}];", left.0 * row);

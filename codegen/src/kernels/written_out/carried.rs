@@ -120,7 +120,8 @@ fn step(text: &mut String, n: u32, k: u32) {
         put(format!("        const $real l{row} = a[{}] * reciprocal;", column + row));
     }
     let (first, end) = (n * (k + 1), n * (n + 1));
-    put(format!("        for ($real *column = &a[{first}]; column != &a[{end}]; column += $n) {{"));
+    put(format!("        for (uint32_t at = {first}U; at < {end}U; at += $n) {{"));
+    put("            $real *const column = &a[at];".into());
     put("            const $real u = column[pivot];".into());
     put(format!("            column[pivot] = column[{k}];"));
     put(format!("            column[{k}] = u;"));

@@ -297,9 +297,8 @@ fn step(text: &mut String, n: u32, k: u32) {
             put(format!("        a[{}] = l{row};", column + row));
         }
         let (first, end) = (n * (k + 1), n * n);
-        put(format!(
-            "        for ($real *column = &a[{first}]; column != &a[{end}]; column += $n) {{"
-        ));
+        put(format!("        for (uint32_t at = {first}U; at < {end}U; at += $n) {{"));
+        put("            $real *const column = &a[at];".into());
         put(format!("            const $real u = column[{k}];"));
         for row in k + 1..n {
             put(format!("            column[{row}] -= l{row} * u;"));

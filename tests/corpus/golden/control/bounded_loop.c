@@ -17,7 +17,7 @@ bessemer_status_t bounded_loop_root(uint32_t n, uint32_t *root)
         if (guess == 0U) {
             return BESSEMER_STATUS_DIVISION_BY_ZERO;
         }
-        if ((int64_t)guess + (int64_t)(n / guess) > UINT32_MAX) {
+        if ((int64_t)guess + i64_from_u32(n / guess) > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         const uint32_t next = (guess + n / guess) / 2U;

@@ -50,7 +50,7 @@ uint8_t programs_control_chains_packed(const bool flags[8])
     for (uint32_t i = 0U; i < 8U; i++) {
         const bool flag = flags[i];
         if (flag) {
-            bits = (uint8_t)(bits | (1U << i));
+            bits = (uint8_t)(bits | ((uint32_t)1U << i));
         }
     }
     return bits;

@@ -6,7 +6,7 @@ double chunks_busiest(const double values[8])
 {
     double most = -DBL_MAX;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const uint32_t value_end = (uint32_t)min_u64((uint64_t)(i * 3U + 3U), UINT64_C(8));
+        const uint32_t value_end = (uint32_t)min_u64(u64_from_u32(i * 3U + 3U), UINT64_C(8));
         double sum = -0.0;
         for (uint32_t j = i * 3U; j < value_end; j++) {
             sum += values[j];
@@ -27,12 +27,12 @@ bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t
             return BESSEMER_STATUS_OVERFLOW;
         }
         const uint32_t value_length = (uint32_t)min_u64(UINT64_C(4),
-            value_end - (uint64_t)(block * 4U));
+            value_end - u64_from_u32(block * 4U));
         for (uint32_t i = block * 4U; i < block * 4U + value_length; i++) {
             if (i >= 10U) {
                 return BESSEMER_STATUS_INDEX;
             }
-            if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > UINT32_MAX) {
+            if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
             sum += (uint32_t)bytes[i];

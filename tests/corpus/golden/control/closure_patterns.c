@@ -10,7 +10,7 @@ uint8_t closure_patterns_good(const closure_patterns_track_t tracks[6], float li
     uint8_t bits = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {
         if (tracks[i].score > limit) {
-            bits = (uint8_t)(bits | (1U << i));
+            bits = (uint8_t)(bits | ((uint32_t)1U << i));
             if (tracks[i].id == 0U) {
                 break;
             }

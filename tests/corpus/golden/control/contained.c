@@ -18,7 +18,7 @@ void contained_inside(int32_t low, int32_t width, int32_t x, option_i32_t *resul
     const int32_t high = saturating_add_i32(low, width);
     if (low <= x && x < high) {
         result->is_some = true;
-        result->value = wrap_i32((uint32_t)x - (uint32_t)(low / 2 + high / 2));
+        result->value = wrap_i32((uint32_t)x - u32_from_i32(low / 2 + high / 2));
     } else {
         result->is_some = false;
         result->value = 0;

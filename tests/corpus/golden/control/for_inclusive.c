@@ -15,7 +15,7 @@ bessemer_status_t for_inclusive_triangle(uint8_t n, uint32_t *sum)
 {
     uint32_t sum_value = 0U;
     for (uint32_t i = 1U; i <= (uint32_t)n; i++) {
-        if ((int64_t)sum_value + (int64_t)i > UINT32_MAX) {
+        if ((int64_t)sum_value + (int64_t)i > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum_value += i;

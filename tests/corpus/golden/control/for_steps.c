@@ -27,7 +27,7 @@ bessemer_status_t for_steps_thirds(uint8_t from, uint8_t to, uint32_t *sum)
         + (uint32_t)(uint8_t)(n_length % 3U != 0U));
     for (uint8_t pass = 0U; pass < n_passes; pass++) {
         const uint8_t n = (uint8_t)((uint32_t)n_start + (uint32_t)(uint8_t)((uint32_t)pass * 3U));
-        if ((int64_t)sum_value + (int64_t)(uint32_t)n > UINT32_MAX) {
+        if ((int64_t)sum_value + (int64_t)(uint32_t)n > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum_value += (uint32_t)n;
@@ -137,8 +137,8 @@ bessemer_status_t for_steps_negative(int32_t from, uint8_t width, int32_t *resul
         + (uint64_t)(i_length % UINT64_C(5) != UINT64_C(0));
     for (uint64_t pass = UINT64_C(0); pass < i_passes; pass++) {
         const int32_t x = wrap_i32((uint32_t)((uint64_t)i_start + pass * UINT64_C(5)));
-        if ((int64_t)sum_2 + (int64_t)(x % 7) < INT32_MIN
-                || (int64_t)sum_2 + (int64_t)(x % 7) > INT32_MAX) {
+        if ((int64_t)sum_2 + i64_from_i32(x % 7) < INT32_MIN
+                || (int64_t)sum_2 + i64_from_i32(x % 7) > INT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum_2 += x % 7;
@@ -165,12 +165,12 @@ bessemer_status_t for_steps_moved(uint8_t start, uint32_t *result)
     const uint64_t n_passes = n_length / n_step + (uint64_t)(n_length % n_step != 0U);
     for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
         const uint8_t n = (uint8_t)((uint64_t)n_start_2 + pass * (uint64_t)n_step);
-        if ((int64_t)sum + (int64_t)(uint32_t)n > UINT32_MAX) {
+        if ((int64_t)sum + (int64_t)(uint32_t)n > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum += (uint32_t)n;
     }
-    if ((int64_t)sum + (int64_t)(uint32_t)end > UINT32_MAX) {
+    if ((int64_t)sum + (int64_t)(uint32_t)end > (int64_t)UINT32_MAX) {
         return BESSEMER_STATUS_OVERFLOW;
     }
     *result = sum + (uint32_t)end;

@@ -66,7 +66,7 @@ bessemer_status_t held_iterators_changed_since(const int32_t samples[6], uint64_
     int32_t sum_value = (int32_t)left;
     const uint32_t value_count = (uint32_t)min_u64((uint64_t)count, UINT64_C(6));
     const uint32_t value_count_2 = (uint32_t)min_u64((uint64_t)count_2,
-        (uint64_t)(6U - value_count));
+        u64_from_u32(6U - value_count));
     for (uint32_t i = value_count; i < value_count + value_count_2; i++) {
         if (i >= 6U) {
             return BESSEMER_STATUS_INDEX;

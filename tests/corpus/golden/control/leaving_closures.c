@@ -103,7 +103,7 @@ bessemer_status_t leaving_closures_first_above(const uint8_t rows[2][3], uint8_t
     if (!answer_done_2) {
         result_choice_2 = 9U;
     }
-    if ((int64_t)result_left + (int64_t)result_choice_2 > UINT32_MAX) {
+    if ((int64_t)result_left + (int64_t)result_choice_2 > (int64_t)UINT32_MAX) {
         return BESSEMER_STATUS_OVERFLOW;
     }
     *result = result_left + result_choice_2;

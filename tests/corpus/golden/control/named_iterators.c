@@ -42,13 +42,13 @@ bessemer_status_t named_iterators_weighted(const uint16_t samples[6], const uint
     uint32_t sum_value = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {
         const uint32_t sum_quotient = (uint32_t)samples[i] * (uint32_t)weights[i] / 4096U;
-        if ((int64_t)sum_value + (int64_t)sum_quotient > UINT32_MAX) {
+        if ((int64_t)sum_value + (int64_t)sum_quotient > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum_value += sum_quotient;
     }
     for (uint32_t i = 1U; i < 5U; i++) {
-        if ((int64_t)sum_value + (int64_t)(uint32_t)samples[i] > UINT32_MAX) {
+        if ((int64_t)sum_value + (int64_t)(uint32_t)samples[i] > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum_value += (uint32_t)samples[i];

@@ -97,7 +97,7 @@ bessemer_status_t one_after_another_marks(uint8_t length, pair_u8_u32_t *result)
     for (uint8_t pass = 0U; pass < place_passes; pass++) {
         const uint8_t place = (uint8_t)((uint32_t)pass * 5U);
         count = (uint8_t)(count + 1U);
-        if ((int64_t)sum + (int64_t)(uint32_t)place > UINT32_MAX) {
+        if ((int64_t)sum + (int64_t)(uint32_t)place > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum += (uint32_t)place;

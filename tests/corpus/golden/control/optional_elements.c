@@ -7,7 +7,7 @@ bessemer_status_t optional_elements_total(const option_u8_t readings[5], uint32_
     uint32_t sum_value = 0U;
     for (uint32_t i = 0U; i < 5U; i++) {
         if (readings[i].is_some) {
-            if ((int64_t)sum_value + (int64_t)(uint32_t)readings[i].value > UINT32_MAX) {
+            if ((int64_t)sum_value + (int64_t)(uint32_t)readings[i].value > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
             sum_value += (uint32_t)readings[i].value;

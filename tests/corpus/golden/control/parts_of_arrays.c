@@ -18,7 +18,7 @@ bessemer_status_t parts_of_arrays_sums(const uint16_t samples[9], uint32_t sums[
     for (uint32_t i = 0U; i < 3U; i++) {
         uint32_t sum = 0U;
         for (uint32_t j = i * 3U; j < i * 3U + 3U; j++) {
-            if ((int64_t)sum + (int64_t)(uint32_t)samples[j] > UINT32_MAX) {
+            if ((int64_t)sum + (int64_t)(uint32_t)samples[j] > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
             sum += (uint32_t)samples[j];

@@ -64,7 +64,7 @@ bessemer_status_t characters_value(const uint8_t bytes[4], uint8_t base, uint32_
         if ((uint64_t)value_value * (uint64_t)base_2 > UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        if ((int64_t)(value_value * base_2) + (int64_t)digit.value > UINT32_MAX) {
+        if (i64_from_u32(value_value * base_2) + (int64_t)digit.value > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         value_value = value_value * base_2 + digit.value;

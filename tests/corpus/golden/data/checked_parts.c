@@ -26,7 +26,7 @@ bessemer_status_t checked_parts_payload_sum(const uint8_t frame[8], uint32_t *re
     }
     uint32_t sum = 0U;
     for (uint32_t i = 2U; i < value_to; i++) {
-        if ((int64_t)sum + (int64_t)(uint32_t)frame[i] > UINT32_MAX) {
+        if ((int64_t)sum + (int64_t)(uint32_t)frame[i] > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum += (uint32_t)frame[i];

@@ -22,7 +22,7 @@ static const double SIXTH = -0.16666666666666666;
 
 double computed_mixed(double x, int16_t step)
 {
-    const double time = (double)(DAY ^ LEFT);
+    const double time = f64_from_u32(DAY ^ LEFT);
     double bounded;
     if (step == LARGEST) {
         bounded = SIXTH;

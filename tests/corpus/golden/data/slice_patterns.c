@@ -6,7 +6,7 @@ bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *
 {
     uint32_t sum = 0U;
     for (uint32_t i = 1U; i < 6U; i++) {
-        if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > UINT32_MAX) {
+        if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum += (uint32_t)bytes[i];

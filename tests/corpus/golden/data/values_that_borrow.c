@@ -275,11 +275,11 @@ bessemer_status_t values_that_borrow_outcome(const uint8_t packet[8], uint32_t *
                 return BESSEMER_STATUS_INDEX;
             }
             const uint32_t sum_packet = (uint32_t)packet[option.value.value.as.load.bytes.from + i];
-            if ((uint64_t)((uint32_t)i + 1U) * (uint64_t)sum_packet > UINT32_MAX) {
+            if (u64_from_u32((uint32_t)i + 1U) * (uint64_t)sum_packet > UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
             const uint32_t sum_product = ((uint32_t)i + 1U) * sum_packet;
-            if ((int64_t)sum + (int64_t)sum_product > UINT32_MAX) {
+            if ((int64_t)sum + (int64_t)sum_product > (int64_t)UINT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
             sum += sum_product;
@@ -544,7 +544,7 @@ bessemer_status_t values_that_borrow_answer(const uint8_t packet[4], uint8_t roo
         if (i >= UINT64_C(6)) {
             return BESSEMER_STATUS_INDEX;
         }
-        if ((int64_t)sum + (int64_t)(uint32_t)room[i] > UINT32_MAX) {
+        if ((int64_t)sum + (int64_t)(uint32_t)room[i] > (int64_t)UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         sum += (uint32_t)room[i];

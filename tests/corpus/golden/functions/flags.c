@@ -159,7 +159,7 @@ uint32_t flags_mixed(uint16_t word, uint8_t places)
     uint32_t sum = 0U;
     for (uint8_t place = 0U; place < 4U; place++) {
         sum ^= (uint32_t)(uint16_t)(((uint16_t)~word >> place) & 0xFU) << (uint8_t)(places % 8U);
-        sum |= 1U << place;
+        sum |= (uint32_t)1U << place;
     }
     return ~sum % 1000U;
 }

@@ -24,10 +24,10 @@ bessemer_status_t filling_forget(double p[9], uint64_t state, double variance)
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t column = 0U; column < 3U; column++) {
-        p[state + 3U * column] = 0.0;
+        p[(uint32_t)state + 3U * column] = 0.0;
     }
     for (uint32_t row = 0U; row < 3U; row++) {
-        p[row + 3U * state] = 0.0;
+        p[row + 3U * (uint32_t)state] = 0.0;
     }
     p[state + 3U * state] = variance;
     return BESSEMER_STATUS_OK;
@@ -41,9 +41,9 @@ bessemer_status_t filling_exchanged(const float a[6], uint64_t one, uint64_t oth
         return BESSEMER_STATUS_ASSERTION;
     }
     for (uint32_t column = 0U; column < 2U; column++) {
-        const float held = own_a[one + 3U * column];
-        own_a[one + 3U * column] = own_a[other + 3U * column];
-        own_a[other + 3U * column] = held;
+        const float held = own_a[(uint32_t)one + 3U * column];
+        own_a[(uint32_t)one + 3U * column] = own_a[(uint32_t)other + 3U * column];
+        own_a[(uint32_t)other + 3U * column] = held;
     }
     (void)memcpy(result, own_a, sizeof(float[6]));
     return BESSEMER_STATUS_OK;

@@ -144,7 +144,7 @@ bessemer_status_t integer_matrices_cleared(uint8_t map[16], uint64_t row)
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t column = 0U; column < 4U; column++) {
-        map[row + 4U * column] = 9U;
+        map[(uint32_t)row + 4U * column] = 9U;
     }
     for (uint32_t row_2 = 0U; row_2 < 4U; row_2++) {
         const uint8_t held = map[row_2];

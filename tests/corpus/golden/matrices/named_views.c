@@ -80,7 +80,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * column_2] = part[row];
+        m[row + 4U * (uint32_t)column_2] = part[row];
     }
     option_f64_t first_choice;
     const option_f64_t first_option = {.is_some = true, .value = part[0]};
@@ -105,7 +105,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * column_3] = part[row];
+        m[row + 4U * (uint32_t)column_3] = part[row];
     }
     part[0] *= first;
     part[1] *= first;
@@ -119,7 +119,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * column_4] = part[row];
+        m[row + 4U * (uint32_t)column_4] = part[row];
     }
     for (uint32_t i = 0U; i < 4U; i++) {
         if (i == 2U) {
@@ -135,7 +135,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * column_5] = part[row];
+        m[row + 4U * (uint32_t)column_5] = part[row];
     }
     const option_f64_t given_value = {
         .is_some = true,
@@ -149,7 +149,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * column_6] = part[row];
+        m[row + 4U * (uint32_t)column_6] = part[row];
     }
     *given = given_value;
     return BESSEMER_STATUS_OK;

@@ -90,7 +90,7 @@ bessemer_status_t blocks_set(blocks_t *self, uint64_t at, const double part[3])
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 3U; row++) {
-        self->p[at + row + 6U * at] = part[row];
+        self->p[at + row + 6U * (uint32_t)at] = part[row];
     }
     return BESSEMER_STATUS_OK;
 }

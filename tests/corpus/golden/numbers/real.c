@@ -6,7 +6,7 @@ static const double F64_PI = 3.141592653589793;
 
 float real_height_of_f32(float speed, float angle, float t)
 {
-    const float fall = (float)(0.5 * 9.81) * t * t;
+    const float fall = f32_from_f64(0.5 * 9.81) * t * t;
     return max_f32(speed * math_single_sinf(angle) * t - fall, 0.0F);
 }
 

@@ -10,7 +10,7 @@ bessemer_status_t shifts_field(uint32_t word, uint32_t first, uint32_t width, ui
     if (width >= 32U) {
         return BESSEMER_STATUS_SHIFT;
     }
-    *result = (word >> first) & ((1U << width) - 1U);
+    *result = (word >> first) & (((uint32_t)1U << width) - 1U);
     return BESSEMER_STATUS_OK;
 }
 

@@ -6,7 +6,7 @@ int64_t widths_products(int8_t a, int16_t b, int32_t c, int64_t d)
 {
     const int16_t small = (int16_t)((int16_t)a * 3);
     const int32_t medium = (int32_t)b * (int32_t)small;
-    const int64_t large = (int64_t)c * (int64_t)(medium % 1000);
+    const int64_t large = (int64_t)c * i64_from_i32(medium % 1000);
     return wrap_i64((uint64_t)large + (uint64_t)d);
 }
 
