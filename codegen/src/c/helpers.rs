@@ -4,6 +4,7 @@
 //! helpers, if any source calls it. Its name says what it does and on what type; its text depends on nothing
 //! else, so that it never changes for the sake of another.
 
+mod conversions;
 mod floats;
 mod integers;
 
@@ -206,9 +207,9 @@ impl Helper {
     pub fn text(self, copy: &str) -> String {
         let name = self.name();
         match self.normal() {
-            Helper::Wrap(int) => wrap(&name, int),
-            Helper::Extend(int) => extend(&name, int),
-            Helper::Convert { from, to } => convert(&name, from, to),
+            Helper::Wrap(int) => conversions::wrap(&name, int),
+            Helper::Extend(int) => conversions::extend(&name, int),
+            Helper::Convert { from, to } => conversions::convert(&name, from, to),
             Helper::Min(Scalar::Float(float)) => extreme(&name, float, "smaller", "<", "!="),
             Helper::Max(Scalar::Float(float)) => extreme(&name, float, "larger", ">", "=="),
             Helper::Min(ty) => choose(&name, ty, "smaller", "<"),
@@ -289,19 +290,11 @@ fn all() -> impl Iterator<Item = Helper> {
     let scalars = Int::ALL.map(Scalar::Int).into_iter().chain(floats.map(Scalar::Float));
     let ints = of_int.into_iter().flat_map(|helper| Int::ALL.map(helper));
     ints.chain([Int::I8, Int::I16].map(Helper::Extend))
-        .chain(conversions())
+        .chain(conversions::all())
         .chain([Helper::Flag])
         .chain(Int::ALL.map(from_double))
         .chain(of_float.into_iter().flat_map(move |helper| floats.map(helper)))
         .chain(scalars.flat_map(move |scalar| of_either.map(|helper| helper(scalar))))
-}
-
-/// From what C computes without a cast back: integers of 32 bits at least, and floats.
-fn conversions() -> impl Iterator<Item = Helper> {
-    let floats = [Float::F32, Float::F64].map(Scalar::Float);
-    let all = move || Int::ALL.into_iter().map(Scalar::Int).chain(floats);
-    let from = all().filter(|from| !matches!(from, Scalar::Int(int) if int.bits() < 32));
-    from.flat_map(move |from| all().map(move |to| Helper::Convert { from, to }))
 }
 
 /// The helpers with those that they call.
@@ -330,52 +323,6 @@ pub fn unsigned(int: Int) -> Int {
 /// Its type.
 pub fn unsigned_type(int: Int) -> &'static str {
     int_type(unsigned(int))
-}
-
-fn wrap(name: &str, int: Int) -> String {
-    let (ty, bits) = (int_type(int), int.bits());
-    let (rest, negative) = if bits < 32 {
-        (format!("(uint{bits}_t)(UINT{bits}_MAX - bits)"), format!("({ty})(-1 - ({ty})rest)"))
-    } else {
-        (format!("UINT{bits}_MAX - bits"), format!("-1 - ({ty})rest"))
-    };
-    format!(
-        "/* The signed integer with these bits. */
-static inline {ty} {name}(uint{bits}_t bits)
-{{
-    const uint{bits}_t rest = {rest};
-    return bits <= (uint{bits}_t)INT{bits}_MAX ? ({ty})bits : {negative};
-}}"
-    )
-}
-
-fn extend(name: &str, int: Int) -> String {
-    let ty = int_type(int);
-    format!(
-        "/* The value modulo 2^32. */
-static inline uint32_t {name}({ty} value)
-{{
-    return (uint32_t)value;
-}}"
-    )
-}
-
-fn convert(name: &str, from: Scalar, to: Scalar) -> String {
-    let (ty, given) = (scalar_type(to), scalar_type(from));
-    let what = match (from, to) {
-        (Scalar::Int(from), Scalar::Int(to)) if from.min() < to.min() || from.max() > to.max() => {
-            format!("The value modulo 2^{}", to.bits())
-        }
-        (Scalar::Int(_), Scalar::Int(_)) => format!("The same number, computed as {given}"),
-        _ => format!("The nearest {ty}"),
-    };
-    format!(
-        "/* {what}. */
-static inline {ty} {name}({given} value)
-{{
-    return ({ty})value;
-}}"
-    )
 }
 
 fn extreme(name: &str, float: Float, word: &str, op: &str, sign: &str) -> String {
