@@ -23,8 +23,13 @@ use serde::{Deserialize, Serialize};
 use crate::{root, store};
 
 /// What decides every tree, beside the package's own sources, from the root.
-const EVERY: [&str; 4] =
-    ["dsl", "codegen/src/generate", "codegen/src/source", "codegen/src/diagnostic"];
+const EVERY: [&str; 5] = [
+    "dsl",
+    "codegen/src/generate",
+    "codegen/src/source",
+    "codegen/src/source.rs",
+    "codegen/src/diagnostic",
+];
 
 /// What became of a build; borrowed where it is written, since a tree nests too deep to be copied on any stack.
 #[derive(Serialize, Deserialize)]
@@ -98,16 +103,15 @@ pub fn content(job: &Job, folders: &[PathBuf]) -> Option<impl Hash + use<>> {
 /// Files by their paths.
 type Texts = BTreeMap<PathBuf, Vec<u8>>;
 
-/// Adds the files below `folder`, by their paths from `root`.
-fn gather(root: &Path, folder: &Path, texts: &mut Texts) -> std::io::Result<()> {
-    for entry in std::fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            gather(root, &path, texts)?;
-        } else {
-            let name = path.strip_prefix(root).unwrap_or(&path).to_owned();
-            texts.insert(name, std::fs::read(&path)?);
+/// Adds a file, or the files below a folder, by their paths from `root`.
+fn gather(root: &Path, path: &Path, texts: &mut Texts) -> std::io::Result<()> {
+    if path.is_dir() {
+        for entry in std::fs::read_dir(path)? {
+            gather(root, &entry?.path(), texts)?;
         }
+    } else {
+        let name = path.strip_prefix(root).unwrap_or(path).to_owned();
+        texts.insert(name, std::fs::read(path)?);
     }
     Ok(())
 }

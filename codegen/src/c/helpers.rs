@@ -23,8 +23,8 @@ pub enum Helper {
     /// A small signed integer as `uint32_t`. A cast would do, but for gcc, which complains of the sign
     /// wherever such a cast is an operand.
     Extend(Int),
-    /// What was computed in one type as a number of another. A cast of it would leave open in which of the two it is
-    /// computed (MISRA C:2012, rule 10.8): the parameter says so.
+    /// Converts the result of an operator to another type. A cast would not say in which of the two types the operator
+    /// computes (MISRA C:2012, rule 10.8); the type of the parameter does.
     Convert {
         /// The type in which it was computed.
         from: Scalar,

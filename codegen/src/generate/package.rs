@@ -28,11 +28,11 @@ const TRIES: usize = 10;
 pub struct Tree {
     /// Its types and functions.
     pub package: Package,
-    /// What rustc warns of.
+    /// The warnings of rustc about its source.
     pub warnings: Vec<Diagnostic>,
 }
 
-/// The tree of a package, and what rustc warns of.
+/// The tree of a package, with rustc's warnings.
 pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Result<Tree, Error> {
     let member = workspace.agreed(&job.package)?;
     let library = member.models()?;

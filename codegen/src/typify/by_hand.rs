@@ -57,7 +57,8 @@ impl<'a> Lowering<'a, '_> {
         Ok(Value::Closure(self.hand(both, (&taken, format!("{name}_taken")), none).0))
     }
 
-    /// What goes through the items that a copy of an iterator gives from here on, whatever is taken of the iterator.
+    /// The closure behind a copy of an iterator: the copy goes on from here by itself, and taking from the iterator does
+    /// not move it.
     pub(super) fn copy_of_hand(&mut self, known: usize) -> usize {
         let Some((counted, hand)) = self.hands.iter().find(|(_, hand)| hand.again == known) else {
             return known;

@@ -54,8 +54,10 @@ impl Lower<'_> {
         if int.signed() {
             let helper = if left_shift { Helper::ShiftLeft(int) } else { Helper::ShiftRight(int) };
             let plain = narrow || matches!(right.ty.as_int(), Some(Int::U8 | Int::U16 | Int::U32));
-            let held = right.ty.as_int().expect("the validator asks for integers");
-            let count = if plain { count } else { self.as_int(held, Int::U32, count) };
+            let count = match right.ty.as_int() {
+                Some(held) if !plain => self.as_int(held, Int::U32, count),
+                _ => count,
+            };
             return self.helper(helper, vec![value, count]);
         }
         // Promoted to `int`, the bits of a small unsigned integer could be shifted into the sign. A number alone has the type of
@@ -169,7 +171,7 @@ impl Lower<'_> {
         Expr::cast(scalar_type(to), value)
     }
 
-    /// The same of integers.
+    /// Converts an integer, as `converted` does.
     pub(super) fn as_int(&mut self, from: Int, to: Int, value: Expr) -> Expr {
         self.converted(Scalar::Int(from), Scalar::Int(to), value)
     }
@@ -345,7 +347,7 @@ fn wrapping_sign(intrinsic: Intrinsic) -> Option<&'static str> {
     }
 }
 
-/// Whether an expression is computed by an operator of which the types of the operands decide the type.
+/// Whether the outermost operator has the type of its operands: MISRA C:2012 calls such an expression composite.
 fn is_composite(value: &Expr) -> bool {
     match value {
         Expr::Binary(op, ..) => {

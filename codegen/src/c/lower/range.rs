@@ -175,7 +175,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether a constant stands beside what is computed in 32 bits.
+    /// Whether `expr` is a constant, which has 64 bits, and `other` an operator that computes in 32: the constant is cast.
     fn is_shortened(&self, expr: &Ir, other: &Ir) -> bool {
         let computed = matches!(other.kind, ExprKind::Binary(..)) && !self.is_wide(other);
         matches!(expr.kind, ExprKind::Const(_)) && computed
