@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::{self, Options};
+use bessemer_codegen::c::{self, CFile, Options};
 use bessemer_codegen::kernels::{self, Tuning};
 use bessemer_codegen::passes;
 use bessemer_ir::{Float, Kernel, KernelRoutine, Mode, Module, Type};
@@ -22,11 +22,7 @@ impl Program {
     /// # Panics
     /// If it does not compile.
     pub fn start(kernels: &[Kernel], tuning: Tuning, toolchain: &Toolchain) -> Program {
-        let functions: Vec<_> = kernels.iter().map(Kernel::function).collect();
-        let options = Options { kernels: tuning, ..Options::default() };
-        let module = Module { name: "kernels".into(), functions, ..Module::default() };
-        let files =
-            c::emit(&passes::lend(module, &tuning, options.layout != c::Layout::Array), &options);
+        let files = files(kernels, &tuning);
         let process = Process::run_files(&files, &main(kernels, &tuning), toolchain, &[])
             .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()));
         Program { kernels: kernels.to_vec(), process }
@@ -54,6 +50,14 @@ impl Program {
         assert_eq!(found[0], 1, "{} found no solution", kernel.name());
         found[1..].iter().map(|word| number(*word, kernel.element)).collect()
     }
+}
+
+/// The C of some kernels.
+pub fn files(kernels: &[Kernel], tuning: &Tuning) -> Vec<CFile> {
+    let functions = kernels.iter().map(Kernel::function).collect();
+    let options = Options { kernels: *tuning, ..Options::default() };
+    let module = Module { name: "kernels".into(), functions, ..Module::default() };
+    c::emit(&passes::lend(module, tuning, options.layout != c::Layout::Array), &options)
 }
 
 /// Words in and out, in loops: the matrices are large.

@@ -21,11 +21,12 @@ pub mod process;
 pub mod random;
 pub mod reached;
 pub mod serial;
-pub mod store;
 pub mod toolchain;
 pub mod trees;
 mod units;
 pub mod watch;
+
+pub use bessemer_store as store;
 
 use std::path::PathBuf;
 
@@ -57,6 +58,7 @@ pub fn digest(words: &[u64]) -> u64 {
     })
 }
 
+use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::{self, Compiled};
 use bessemer_codegen::source::Sources;
 use bessemer_codegen::{diagnostic, generate};
@@ -96,6 +98,11 @@ pub fn compiled_with(package: &str, options: &compile::Options) -> Compiled {
         }
     }
     compiled
+}
+
+/// What a check of some C depends on: the names and the texts of its files.
+pub fn texts(files: &[CFile]) -> Vec<(&str, &str)> {
+    files.iter().map(|file| (file.name.as_str(), file.text.as_str())).collect()
 }
 
 /// The entry point `owner::name` of a module.

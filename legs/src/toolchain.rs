@@ -21,7 +21,7 @@ pub use bessemer_tools::Missing;
 pub const CORTEX_A9: &[&str] = &["-mcpu=cortex-a9", "-mfpu=vfpv3", "-mfloat-abi=hard", "-static"];
 
 /// A compiler at a level of optimisation.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Hash)]
 pub struct Toolchain {
     /// `gcc`, `clang`, `arm-linux-gnueabihf-gcc`.
     pub compiler: &'static str,

@@ -1,5 +1,6 @@
 //! Every flight, held to its checks; and what the simulation promises of itself.
 
+use bessemer_store::once;
 use sim::computer::Native;
 use sim::flights::{FLIGHTS, find};
 use sim::ground_station::Record;
@@ -12,6 +13,10 @@ fn flown(scenario: &Scenario) -> Voyage {
 
 #[test]
 fn every_flight_is_as_it_should_be() {
+    once("every flight", &(), fly_them_all);
+}
+
+fn fly_them_all() {
     let mut wrong = Vec::new();
     for flight in FLIGHTS {
         let scenario = (flight.scenario)(1);
@@ -27,6 +32,10 @@ fn every_flight_is_as_it_should_be() {
 
 #[test]
 fn other_seeds_do_as_well() {
+    once("other seeds", &(), fly_other_seeds);
+}
+
+fn fly_other_seeds() {
     for name in ["hover", "climb", "vicon-lost", "hexacopter", "motor-failure", "gravity-49"] {
         let flight = find(name).expect("a flight");
         for seed in 2..5 {
@@ -41,6 +50,10 @@ fn other_seeds_do_as_well() {
 
 #[test]
 fn the_order_of_mistaken_coefficients_is_the_thesis() {
+    once("mistaken coefficients", &(), fly_with_mistaken_coefficients);
+}
+
+fn fly_with_mistaken_coefficients() {
     let error = |name: &str| {
         let flight = find(name).expect("a flight");
         let scenario = (flight.scenario)(1);

@@ -14,7 +14,8 @@ use bessemer_ir::{Fault, FunctionId, Scalar};
 use bessemer_tests::batch::{self, Outcome};
 use bessemer_tests::edge_values::{self, Breadth};
 use bessemer_tests::panics::caught;
-use bessemer_tests::{compiled, compiled_with, toolchain, turn};
+use bessemer_tests::store::once;
+use bessemer_tests::{compiled, compiled_with, texts, toolchain, turn};
 use edges::Case;
 
 /// A call: which case, and the words of its operands.
@@ -182,19 +183,23 @@ fn every_operation_at_every_edge() {
         });
     }
     legs.extend(toolchain::target().into_iter().filter(|it| it.level == 3).map(|it| (it, &[][..])));
-    thread::scope(|scope| {
-        let kept = toolchain::host().into_iter().find(|it| it.level == 2);
-        let kept = kept.into_iter().map(|toolchain| (&of_proofs, toolchain, &sanitized[..]));
-        let plain = legs.iter().map(|(toolchain, flags)| (&compiled, toolchain.clone(), *flags));
-        for (compiled, toolchain, flags) in plain.chain(kept) {
-            let (functions, input) = (&functions, &input);
-            let (cases, calls, expected) = (&cases, &calls, &expected);
-            scope.spawn(move || {
-                let found = batch::run(compiled, functions, &toolchain, flags, input)
-                    .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()));
-                let leg = format!("{} {flags:?}", toolchain.name());
-                compare(&leg, cases, calls, expected, &found);
-            });
-        }
+    let content = (texts(&compiled.files), texts(&of_proofs.files), &calls, &expected);
+    once("every operation at every edge", &content, || {
+        thread::scope(|scope| {
+            let kept = toolchain::host().into_iter().find(|it| it.level == 2);
+            let kept = kept.into_iter().map(|toolchain| (&of_proofs, toolchain, &sanitized[..]));
+            let plain =
+                legs.iter().map(|(toolchain, flags)| (&compiled, toolchain.clone(), *flags));
+            for (compiled, toolchain, flags) in plain.chain(kept) {
+                let (functions, input) = (&functions, &input);
+                let (cases, calls, expected) = (&cases, &calls, &expected);
+                scope.spawn(move || {
+                    let found = batch::run(compiled, functions, &toolchain, flags, input)
+                        .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()));
+                    let leg = format!("{} {flags:?}", toolchain.name());
+                    compare(&leg, cases, calls, expected, &found);
+                });
+            }
+        });
     });
 }

@@ -4,25 +4,19 @@
 
 use std::process::Command;
 
-use bessemer_codegen::c::{self, Options};
+use bessemer_codegen::c::{self, CFile, Options};
 use bessemer_codegen::kernels::{self, Mode, Tuning, replace};
 use bessemer_codegen::passes;
 use bessemer_ir::{Float, Kernel, KernelRoutine, Module};
+use bessemer_tests::store::once;
+use bessemer_tests::texts;
 
 /// The words that a program of `tests/kernels` prints, with these kernels; none if it does not link.
 fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -> Option<Vec<u64>> {
     let folder = tempfile::tempdir().expect("a folder");
-    let module = Module {
-        name: "options".into(),
-        functions: kernels.iter().map(Kernel::function).collect(),
-        ..Module::default()
-    };
     let own = bessemer_tests::root().join("tests/kernels");
     let mut sources = vec![own.join(program), own.join("own_product.c")];
-    for file in c::emit(
-        &passes::lend(module, &options.kernels, options.layout != c::Layout::Array),
-        options,
-    ) {
+    for file in emitted(kernels, options) {
         let path = folder.path().join(&file.name);
         std::fs::write(&path, &file.text).expect("a folder of ours");
         if file.name.ends_with(".c") {
@@ -44,6 +38,14 @@ fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -
     assert!(output.status.success());
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     Some(text.lines().map(|line| line.parse().expect("a word of ours")).collect())
+}
+
+/// The C of some kernels.
+fn emitted(kernels: &[Kernel], options: &Options) -> Vec<CFile> {
+    let functions = kernels.iter().map(Kernel::function).collect();
+    let module = Module { name: "options".into(), functions, ..Module::default() };
+    let by_column = options.layout != c::Layout::Array;
+    c::emit(&passes::lend(module, &options.kernels, by_column), options)
 }
 
 fn kernel(routine: KernelRoutine, element: Float, dims: &[u32]) -> Kernel {
@@ -95,7 +97,12 @@ fn threads_change_no_bit() {
         kernel(KernelRoutine::Solve, Float::F64, &[90, 50]),
         kernel(KernelRoutine::Product, Float::F64, &[65, 90, 70]),
     ];
-    let run = |flags: &[&str]| words(&kernels, "threads.c", &Options::default(), flags);
+    let files = emitted(&kernels, &Options::default());
+    once("threads", &texts(&files), || each_number_of_threads_agrees(&kernels));
+}
+
+fn each_number_of_threads_agrees(kernels: &[Kernel]) {
+    let run = |flags: &[&str]| words(kernels, "threads.c", &Options::default(), flags);
     let Some(alone) = run(&[]) else {
         println!("left out: there is no gcc");
         return;
@@ -111,7 +118,12 @@ fn threads_change_no_bit() {
 
 /// Solve, inverse, factor and products of several ways, as `solves.c` prints them.
 fn solves(tuning: Tuning, flags: &[&str]) -> Option<Vec<u64>> {
-    let kernels = [
+    let options = Options { kernels: tuning, ..Options::default() };
+    words(&of_several_ways(), "solves.c", &options, flags)
+}
+
+fn of_several_ways() -> [Kernel; 8] {
+    [
         kernel(KernelRoutine::Solve, Float::F64, &[150, 1]),
         kernel(KernelRoutine::Solve, Float::F64, &[17, 1]),
         kernel(KernelRoutine::Inverse, Float::F64, &[12]),
@@ -120,17 +132,30 @@ fn solves(tuning: Tuning, flags: &[&str]) -> Option<Vec<u64>> {
         kernel(KernelRoutine::Solve, Float::F64, &[6, 1]),
         kernel(KernelRoutine::ProductTr, Float::F64, &[6; 3]),
         kernel(KernelRoutine::TrProduct, Float::F64, &[6; 3]),
-    ];
-    words(&kernels, "solves.c", &Options { kernels: tuning, ..Options::default() }, flags)
+    ]
 }
+
+/// Bytes of code that a kernel may have.
+const BUDGETS: [u32; 5] = [4096, 2048, 1024, 512, 0];
 
 #[test]
 fn a_budget_changes_size_and_no_bit() {
+    let kernels = of_several_ways();
+    let of_budget = |code_bytes| {
+        let tuning = Tuning { code_bytes, ..Tuning::default() };
+        emitted(&kernels, &Options { kernels: tuning, ..Options::default() })
+    };
+    let usual = Tuning::default().code_bytes;
+    let files: Vec<_> = BUDGETS.into_iter().chain([usual]).flat_map(of_budget).collect();
+    once("budgets", &texts(&files), each_budget_agrees);
+}
+
+fn each_budget_agrees() {
     let Some(roomy) = solves(Tuning::default(), &[]) else {
         println!("left out: there is no gcc");
         return;
     };
-    for code_bytes in [4096, 2048, 1024, 512, 0] {
+    for code_bytes in BUDGETS {
         let tuning = Tuning { code_bytes, ..Tuning::default() };
         for flags in [&[][..], &["-DBESSEMER_PLAIN"], &["-march=native"]] {
             assert_eq!(solves(tuning, flags).as_ref(), Some(&roomy), "{code_bytes} {flags:?}");

@@ -9,9 +9,10 @@ use bessemer::nalgebra::SMatrix;
 use bessemer_codegen::kernels::Tuning;
 use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, FunctionId, Kernel, KernelRoutine, Module};
-use bessemer_tests::kernels::{Program, kernel, number, word};
+use bessemer_tests::kernels::{self, Program, kernel, number, word};
+use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::turn;
+use bessemer_tests::{texts, turn};
 
 use KernelRoutine::{Inverse, LuSolve, Solve};
 
@@ -228,12 +229,16 @@ fn the_c_agrees() {
         ways.entry((it.emulator, it.more)).or_default().push(it);
         ways
     });
+    let files = kernels::files(&kernels, &Tuning::default());
+    let natives: Vec<_> = calls.iter().map(|call| (&call.kernel, &call.native)).collect();
     for toolchain in ways.into_values().flat_map(turn::one_of) {
-        let mut program = Program::start(&kernels, Tuning::default(), &toolchain);
-        for call in &calls {
-            let arguments: Vec<&[f64]> = call.arguments.iter().map(Vec::as_slice).collect();
-            let found = program.call(&call.kernel, &arguments, call.native.len());
-            agree(&toolchain.name(), call, &found);
-        }
+        once("large systems", &(texts(&files), &toolchain, &natives), || {
+            let mut program = Program::start(&kernels, Tuning::default(), &toolchain);
+            for call in &calls {
+                let arguments: Vec<&[f64]> = call.arguments.iter().map(Vec::as_slice).collect();
+                let found = program.call(&call.kernel, &arguments, call.native.len());
+                agree(&toolchain.name(), call, &found);
+            }
+        });
     }
 }

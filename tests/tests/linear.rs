@@ -9,8 +9,9 @@ use bessemer_codegen::compile::Compiled;
 use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, Function, FunctionId, Mode, Module, Scalar, Type};
 use bessemer_tests::process::{Process, at_once, lay_out};
+use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain, run};
-use bessemer_tests::{compiled, harness, turn};
+use bessemer_tests::{compiled, harness, texts, turn};
 use linear::{CASES, OTHER_SIZES};
 
 /// Calls of each routine.
@@ -44,7 +45,7 @@ impl Random {
 }
 
 /// What the elements of a call's matrices are like.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Hash)]
 enum Kind {
     /// Between −1 and 1.
     Uniform,
@@ -122,6 +123,7 @@ fn argument(module: &Module, ty: &Type, kind: Kind, random: &mut Random) -> Vec<
 }
 
 /// A routine, its calls, and what Rust makes of them.
+#[derive(Hash)]
 struct Case {
     name: String,
     id: FunctionId,
@@ -230,7 +232,20 @@ fn run_c(compiled: &Compiled, cases: &[&Case], toolchain: &Toolchain, flags: &[&
     let params = |id: FunctionId| compiled.module.functions[id.index()].params;
     let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
     let main = harness::programs(&compiled.explicit, &ids);
-    let mut process = Process::run(compiled, &main, toolchain, flags)
+    let content = (texts(&compiled.files), &main, cases, toolchain);
+    once(&leg, &content, || ask_c(compiled, cases, toolchain, flags, &main, &leg));
+}
+
+/// The calls of the cases, of their C with `main` around it.
+fn ask_c(
+    compiled: &Compiled,
+    cases: &[&Case],
+    toolchain: &Toolchain,
+    flags: &[&str],
+    main: &str,
+    leg: &str,
+) {
+    let mut process = Process::run(compiled, main, toolchain, flags)
         .unwrap_or_else(|error| panic!("{leg}: {error}"));
     for (at, case) in cases.iter().enumerate() {
         let calls: Vec<_> = case.calls.iter().map(|(_, call)| call).collect();
@@ -243,7 +258,7 @@ fn run_c(compiled: &Compiled, cases: &[&Case], toolchain: &Toolchain, flags: &[&
                 let found = process.receive(1 + case.leaves.len());
                 let found = found.unwrap_or_else(|error| died(error));
                 assert_eq!(found[0], 0, "{leg}, {}", case.name);
-                agree(&leg, case, index, &found[1..]);
+                agree(leg, case, index, &found[1..]);
             }
         }
     }
@@ -323,6 +338,10 @@ const TURNS: usize = 4;
 fn vectors_ask_for_no_more_than_numbers_have() {
     let host = toolchain::host();
     let Some(gcc) = host.iter().find(|it| it.compiler == "gcc") else { return };
+    once("claims of vectors", &texts(&linear_routines().files), || vectors_claim_little(gcc));
+}
+
+fn vectors_claim_little(gcc: &Toolchain) {
     let folder = lay_out(linear_routines()).expect("the C");
     for (name, text) in LIBRARY {
         std::fs::write(folder.path().join(name), text).expect("a header");

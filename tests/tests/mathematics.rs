@@ -12,10 +12,11 @@ use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_ir::{Float, FunctionId, Type};
 use bessemer_tests::pilot::entry;
 use bessemer_tests::process::{Process, lay_out};
+use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, ARM, Toolchain, run};
 use bessemer_tests::watch::watched;
 use bessemer_tests::workspace::Workspace;
-use bessemer_tests::{harness, turn};
+use bessemer_tests::{harness, texts, turn};
 use probe::{POINTS, Probe};
 
 /// How many functions `probe::double` knows.
@@ -40,6 +41,16 @@ fn native() -> Vec<u64> {
     calls.map(|(which, call)| probe.step(which, range(call))).collect()
 }
 
+fn hold(compiled: &Compiled, toolchain: &Toolchain, native: &[u64]) {
+    once("elementary functions", &(texts(&compiled.files), toolchain, native), || {
+        let bits = in_c(compiled, toolchain);
+        let parted = native.iter().zip(&bits).position(|(rust, c)| rust != c);
+        let which = parted.map(|call| (call as u32 / CALLS, call as u32 % CALLS));
+        assert_eq!(which, None, "{}: function and call that part", toolchain.name());
+    });
+    println!("{}: {FUNCTIONS} functions on {} points each", toolchain.name(), CALLS * POINTS);
+}
+
 fn in_c(compiled: &Compiled, toolchain: &Toolchain) -> Vec<u64> {
     let step = entry(compiled, "Probe", "step").expect("the probe has a step");
     let mut process = Process::start(compiled, step, toolchain)
@@ -59,17 +70,7 @@ fn every_elementary_function_computes_the_same_bits() {
     let native = &native();
     thread::scope(|scope| {
         for toolchain in toolchain::all() {
-            scope.spawn(move || {
-                let bits = in_c(compiled, &toolchain);
-                let parted = native.iter().zip(&bits).position(|(rust, c)| rust != c);
-                let which = parted.map(|call| (call as u32 / CALLS, call as u32 % CALLS));
-                assert_eq!(which, None, "{}: function and call that part", toolchain.name());
-                println!(
-                    "{}: {FUNCTIONS} functions on {} points each",
-                    toolchain.name(),
-                    CALLS * POINTS
-                );
-            });
+            scope.spawn(move || hold(compiled, &toolchain, native));
         }
     });
 }
@@ -82,9 +83,9 @@ fn a_fused_instruction_computes_the_same_bits() {
         let compiled = compiled();
         let text: String = compiled.files.iter().map(|file| file.text.as_str()).collect();
         assert!(text.contains("return fma(x, a, b);") && text.contains("return fmaf(x, a, b);"));
+        let native = native();
         for toolchain in toolchain::host().into_iter().filter(|it| it.level != 3) {
-            let toolchain = Toolchain { more: &["-mfma"], ..toolchain };
-            assert_eq!(in_c(&compiled, &toolchain), native(), "{}", toolchain.name());
+            hold(&compiled, &Toolchain { more: &["-mfma"], ..toolchain }, &native);
         }
         return;
     }
@@ -113,7 +114,11 @@ fn no_table_is_larger_than_two_kibibytes() {
 #[test]
 fn no_call_slips_past_to_the_platform() {
     let compiled = compiled();
-    let folder = lay_out(&compiled).expect("the C");
+    once("calls of a library", &texts(&compiled.files), || nothing_else_is_called(&compiled));
+}
+
+fn nothing_else_is_called(compiled: &Compiled) {
+    let folder = lay_out(compiled).expect("the C");
     for toolchain in toolchain::host().iter().filter(|it| it.level == 0) {
         let (mut defined, mut called) = (Vec::new(), Vec::new());
         for source in folder.sources() {
@@ -148,7 +153,11 @@ fn no_call_slips_past_to_the_platform() {
 #[test]
 fn no_floats_are_compared_for_equality() {
     let compiled = compiled();
-    let folder = lay_out(&compiled).expect("the C");
+    once("floats compared", &texts(&compiled.files), || no_float_is_compared(&compiled));
+}
+
+fn no_float_is_compared(compiled: &Compiled) {
+    let folder = lay_out(compiled).expect("the C");
     for toolchain in toolchain::host().iter().filter(|it| it.level == 0) {
         for source in folder.sources().iter().filter(|it| !it.ends_with("models.c")) {
             let mut command = toolchain.command();

@@ -6,8 +6,9 @@ use std::path::PathBuf;
 
 use bessemer_codegen::c::{self, CFile, Options};
 use bessemer_ir::Module;
+use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::turn;
+use bessemer_tests::{texts, turn};
 use tempfile::TempDir;
 
 const FORMAT: u32 = 1;
@@ -120,6 +121,10 @@ fn host(compiler: &str, level: u32) -> Option<Toolchain> {
 /// Every compiler, warnings and all.
 #[test]
 fn it_is_silent_where_all_is_well() {
+    once("silence", &texts(&files()), all_is_well);
+}
+
+fn all_is_well() {
     let laid = laid_out(guarded);
     for toolchain in toolchain::all().into_iter().chain(turn::others()) {
         assert_eq!(answer(&laid, &toolchain, &[], None), 0, "{}", toolchain.name());
@@ -138,6 +143,10 @@ const SET: [(&str, u32); 5] =
 
 #[test]
 fn it_tells_how_the_processor_is_set() {
+    once("settings of a processor", &texts(&files()), each_setting_is_told);
+}
+
+fn each_setting_is_told() {
     let laid = laid_out(guarded);
     for compiler in ["gcc", "clang"] {
         let Some(toolchain) = host(compiler, 2) else { continue };
@@ -184,6 +193,10 @@ const CLANG: &[Told] = &[
 
 #[test]
 fn it_tells_what_a_compiler_was_told() {
+    once("flags", &texts(&files()), each_flag_is_told);
+}
+
+fn each_flag_is_told() {
     let (kept, bare) = (laid_out(guarded), laid_out(unguarded));
     for (compiler, told) in [("gcc", GCC), ("clang", CLANG)] {
         let Some(toolchain) = host(compiler, 3) else { continue };

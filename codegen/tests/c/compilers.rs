@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use bessemer_codegen::c::{CFile, FLAGS};
+use bessemer_store::once;
 
 const COMPILERS: &[&str] = &["gcc", "clang", "arm-linux-gnueabihf-gcc"];
 
@@ -38,6 +39,15 @@ pub fn folder(name: &str, files: &[CFile]) -> PathBuf {
 
 /// Compiles every source with every compiler, at a turn's levels, and every header as C and as C++.
 pub fn check(name: &str, files: &[CFile]) {
+    once(name, &texts(files), || compile_each(name, files));
+}
+
+/// What a check of some C depends on.
+pub fn texts(files: &[CFile]) -> Vec<(&str, &str)> {
+    files.iter().map(|file| (file.name.as_str(), file.text.as_str())).collect()
+}
+
+fn compile_each(name: &str, files: &[CFile]) {
     let folder = folder(&format!("check-{name}"), files);
     let there = COMPILERS.iter().enumerate().filter(|(_, compiler)| is_there(compiler));
     for (index, compiler) in there {

@@ -10,8 +10,9 @@ use bessemer_codegen::c::names::{FAULTS, Names, Passing, Returned, Signature, St
 use bessemer_codegen::c::{CFile, Options};
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{Float, FunctionId, Mode, Module, Scalar, Type};
+use bessemer_store::once;
 
-use super::compilers::{by_turn, folder, is_there};
+use super::compilers::{by_turn, folder, is_there, texts};
 
 /// Up to so many calls of a function.
 const CALLS: usize = 500;
@@ -55,13 +56,18 @@ pub fn compare_with(
     let compilers = compilers.iter().copied().enumerate();
     for (index, compiler) in compilers.filter(|(_, compiler)| is_there(compiler)) {
         for flags in by_turn(&[&["-O3"][..], &sanitized, &["-O0"]], 1, index) {
-            let found = run(compiler, flags, &folder, &input);
-            let found: Vec<&str> = found.lines().collect();
-            assert_eq!(found.len(), expected.len(), "{name} {compiler} {flags:?}");
-            for ((found, expected), (function, words)) in found.iter().zip(&expected).zip(&calls) {
-                let called = &module.functions[function.index()].name;
-                assert_eq!(found, expected, "{compiler} {flags:?} {called} {words:x?}");
-            }
+            let content = (texts(&list), compiler, flags, &input, &expected);
+            once(name, &content, || {
+                let found = run(compiler, flags, &folder, &input);
+                let found: Vec<&str> = found.lines().collect();
+                assert_eq!(found.len(), expected.len(), "{name} {compiler} {flags:?}");
+                for ((found, expected), (function, words)) in
+                    found.iter().zip(&expected).zip(&calls)
+                {
+                    let called = &module.functions[function.index()].name;
+                    assert_eq!(found, expected, "{compiler} {flags:?} {called} {words:x?}");
+                }
+            });
         }
     }
 }

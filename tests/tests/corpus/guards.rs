@@ -6,8 +6,9 @@
 use std::thread;
 
 use bessemer_tests::process::lay_out;
+use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain, run};
-use bessemer_tests::{corpus, turn};
+use bessemer_tests::{corpus, texts, turn};
 
 use super::{Case, cases, run_c};
 
@@ -60,14 +61,14 @@ fn sensitive() -> Vec<Case> {
 fn holds(toolchain: &Toolchain, flags: &[&str], then: Then, cases: &[Case]) {
     match then {
         Same => run_c(corpus(), cases, toolchain, flags),
-        Refused(why) => {
+        Refused(why) => once(why, &(texts(&corpus().files), flags, toolchain.name()), || {
             let folder = lay_out(corpus()).expect("the C");
             let named = |name: &str| folder.path().join(name);
             let mut command = toolchain.command();
             command.args(flags).arg("-fsyntax-only").arg(named("told_compilers.c"));
             let said = run(&mut command).expect_err(&format!("{}: {flags:?}", toolchain.name()));
             assert!(said.contains(why), "{}: {flags:?}: {said}", toolchain.name());
-        }
+        }),
     }
 }
 

@@ -26,8 +26,9 @@ use bessemer_tests::outcome::{self, Outcome, fault};
 use bessemer_tests::panics::caught;
 use bessemer_tests::process::{Error, Process, at_once, lay_out};
 use bessemer_tests::random::Random;
+use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain, run};
-use bessemer_tests::{alive, corpus, corpus_with, harness, turn};
+use bessemer_tests::{alive, corpus, corpus_with, harness, texts, turn};
 use callables::Entry;
 
 /// Calls of each entry point with words from the edges.
@@ -38,7 +39,7 @@ const RUN: usize = 100;
 /// Tells of what C leaves undefined; warnings are another run's.
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 
-#[derive(Clone)]
+#[derive(Clone, Hash)]
 pub(super) struct Case {
     name: String,
     id: FunctionId,
@@ -237,13 +238,26 @@ pub(super) fn run_c_with(
     let params = |id: FunctionId| compiled.module.functions[id.index()].params;
     let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
     let main = harness::programs_with(&compiled.explicit, &ids, options);
+    let content = (texts(&compiled.files), &main, cases, toolchain);
+    once(&leg, &content, || ask_c(compiled, cases, toolchain, flags, &main, &leg));
+}
+
+/// The calls of the cases, of their C with `main` around it.
+fn ask_c(
+    compiled: &Compiled,
+    cases: &[Case],
+    toolchain: &Toolchain,
+    flags: &[&str],
+    main: &str,
+    leg: &str,
+) {
     // In a full run the target's files, and those that are not optimised, each by itself, as a firmware's build has them.
     let alone = turn::is_full()
         && (toolchain.emulator.is_some()
             || (toolchain.compiler == "gcc" && toolchain.level == 0 && flags.is_empty()));
     let run = if alone { Process::run } else { Process::run_in_units };
     let mut process =
-        run(compiled, &main, toolchain, flags).unwrap_or_else(|error| panic!("{leg}: {error}"));
+        run(compiled, main, toolchain, flags).unwrap_or_else(|error| panic!("{leg}: {error}"));
     for (at, case) in cases.iter().enumerate() {
         let taken = case.calls.iter().map(|call| 1 + call.iter().flatten().count());
         let together = at_once(taken.max().unwrap_or_default().max(1 + case.leaves.len()));
@@ -253,11 +267,11 @@ pub(super) fn run_c_with(
             for index in (batch * together..).take(calls.len()) {
                 let got = answer(&mut process, case.leaves.len());
                 let got = got.unwrap_or_else(|error| died(error));
-                agree(&leg, &compiled.module, case, index, &got);
+                agree(leg, &compiled.module, case, index, &got);
             }
         }
     }
-    a_wrong_variant_is_a_fault(&mut process, cases, &leg);
+    a_wrong_variant_is_a_fault(&mut process, cases, leg);
 }
 
 /// What Rust cannot be handed: an enum that holds none of its variants.
@@ -319,18 +333,20 @@ fn every(count: usize, cases: &[Case]) -> Vec<Case> {
 /// Each file of C includes what it needs: compiled with others, one could do so for another.
 #[test]
 fn each_file_stands_by_itself() {
-    let folder = lay_out(corpus()).expect("the C");
     let toolchains = toolchain::host();
     let Some(toolchain) = toolchains.first() else { return };
-    let sources = folder.sources();
-    thread::scope(|scope| {
-        for half in sources.chunks(sources.len().div_ceil(2)) {
-            scope.spawn(move || {
-                let mut command = toolchain.command();
-                run(command.arg("-fsyntax-only").args(half))
-                    .unwrap_or_else(|said| panic!("{said}"));
-            });
-        }
+    once("each file by itself", &texts(&corpus().files), || {
+        let folder = lay_out(corpus()).expect("the C");
+        let sources = folder.sources();
+        thread::scope(|scope| {
+            for half in sources.chunks(sources.len().div_ceil(2)) {
+                scope.spawn(move || {
+                    let mut command = toolchain.command();
+                    run(command.arg("-fsyntax-only").args(half))
+                        .unwrap_or_else(|said| panic!("{said}"));
+                });
+            }
+        });
     });
 }
 

@@ -3,9 +3,11 @@
 
 use std::sync::Mutex;
 
+use bessemer_ir::FunctionId;
 use bessemer_tests::process::Process;
+use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{alive, entry, flight_models, turn, words};
+use bessemer_tests::{alive, entry, flight_models, texts, turn, words};
 use models::plant::Plant;
 use sim::computer::{Computer, Emitted, Native};
 use sim::flights::{FLIGHTS, Flight, find};
@@ -51,16 +53,21 @@ fn the_c_flies_every_flight_to_the_same_bits() {
         println!("left out: the compilers are not installed");
         return;
     };
+    let content = (texts(&flight_models().files), &toolchain);
+    once("every flight", &content, || fly_in_c(&toolchain));
+}
+
+fn fly_in_c(toolchain: &Toolchain) {
     let flights = turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(3));
     let left = Mutex::new(flights.into_iter());
     std::thread::scope(|scope| {
         for _ in 0..2 {
             scope.spawn(|| {
-                let mut computer = started(&toolchain);
+                let mut computer = started(toolchain);
                 loop {
                     let next = left.lock().expect("no thread panicked").next();
                     let Some(flight) = next else { break };
-                    same(flight, LONGEST, &toolchain, &mut computer);
+                    same(flight, LONGEST, toolchain, &mut computer);
                 }
             });
         }
@@ -73,13 +80,19 @@ fn every_compiler_flies_a_hover_to_the_same_bits() {
     let fusing = turn::one_of(toolchain::fusing());
     for toolchain in turn::levels(toolchain::all()).into_iter().chain(fusing).chain(turn::others())
     {
-        same(hover, 6.0, &toolchain, &mut started(&toolchain));
+        once("a hover", &(texts(&flight_models().files), &toolchain), || {
+            same(hover, 6.0, &toolchain, &mut started(&toolchain));
+        });
     }
 }
 
 #[test]
 fn the_plant_model_moves_to_the_same_bits_in_every_flight() {
     let step = entry(flight_models(), "Plant", "step").expect("an entry point");
+    once("the plant", &texts(&flight_models().files), || move_the_plant(step));
+}
+
+fn move_the_plant(step: FunctionId) {
     let toolchains = turn::levels(toolchain::all());
     let mut processes: Vec<_> = toolchains
         .iter()

@@ -5,8 +5,9 @@ use std::io::{self, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::sync::LazyLock;
 
-use bessemer_tests::flight_models;
+use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, ZYNQ};
+use bessemer_tests::{flight_models, texts};
 use sim::board::{Board, Loaded};
 use sim::computer::{Computer, Native};
 use sim::flights::find;
@@ -58,6 +59,12 @@ fn processor_time(process: u32) -> f64 {
 #[test]
 fn it_flies_the_same_bits_in_real_time_and_within_its_stack() {
     let Some(loaded) = loaded() else { return };
+    let models = flight_models();
+    let stacks: Vec<_> = models.entries.iter().map(|it| (&it.entry, it.stack_bytes)).collect();
+    once("30 s on a bare Zynq", &(texts(&models.files), stacks), || fly_in_real_time(loaded));
+}
+
+fn fly_in_real_time(loaded: &Loaded) {
     let scenario = hover(FLOWN);
     let native = flown(&scenario, &mut Native::default());
     let mut board = loaded.start(|line| line).unwrap_or_else(|error| panic!("{error}"));

@@ -1,4 +1,4 @@
-//! What a compiler made, by all that decides it: the same is not made twice.
+//! What compilers made, and which checks passed, by all that decides it: the same is not made twice.
 //!
 //! A key is a hash of everything that decides what is made; so what is found is what would be made. Where nothing may be
 //! left out (`BESSEMER_FULL`) nothing is found, and nothing stored.
@@ -13,11 +13,19 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{LazyLock, Mutex};
 
-use crate::root;
+mod passed;
+
+pub use passed::once;
+
+/// The root of the workspace.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
 
 /// Where that which this content decides lies, or would lie, among others of its kind; none if nothing is to be stored.
 pub fn place(kind: &str, content: &impl Hash) -> Option<PathBuf> {
-    if std::env::var_os("BESSEMER_FULL").is_some() {
+    // Installed from a registry, this package stands in nobody's workspace.
+    if std::env::var_os("BESSEMER_FULL").is_some() || !root().join("Cargo.toml").exists() {
         return None;
     }
     Some(root().join("target").join(kind).join(name(content)))

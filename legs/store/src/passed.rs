@@ -1,0 +1,146 @@
+//! Checks that have passed: none is made again while all that decides it is as it was.
+//!
+//! A check of emitted C is decided by the C, which its caller hands over, and by what is not the compiler: the model
+//! as rustc compiles it, the test, the interpreter, the compilers and emulators, the processor, the settings of the
+//! run. After a change of the compiler the C of most programs is as before, and so is what each leg makes of it.
+//!
+//! Invariants: only what passed is stored; in a full run nothing is.
+//!
+//! What it must not know: what a check is about.
+
+use std::collections::BTreeMap;
+use std::hash::Hash;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use crate::{name, place, root, version};
+
+/// Makes a check, unless it has passed with the same content. `content` is all that the compiler made for it; `title`
+/// tells it from other checks of the same content.
+///
+/// # Panics
+/// If the check does.
+pub fn once(title: &str, content: &impl Hash, check: impl FnOnce()) {
+    let stored = place("passed", &(title, content, &*SURROUNDINGS));
+    if stored.as_ref().is_some_and(|it| it.exists()) {
+        println!("{title}: has passed before, and nothing that decides it has changed");
+        return;
+    }
+    check();
+    // That it cannot be stored costs the next run its time, and nothing else.
+    if let Some(stored) = stored {
+        let _ = stored.parent().map(std::fs::create_dir_all);
+        let _ = std::fs::write(stored, title);
+    }
+}
+
+/// All that decides a check beside what the compiler made: a hash.
+static SURROUNDINGS: LazyLock<String> = LazyLock::new(|| {
+    let settings: BTreeMap<_, _> = std::env::vars()
+        .filter(|(name, _)| name.starts_with("BESSEMER_") || name == "PATH")
+        .collect();
+    let versions: Vec<_> = PROGRAMS.iter().map(|program| version(program)).collect();
+    // `-march=native` is another machine's on another machine.
+    let processor = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let processor: Vec<_> = processor
+        .lines()
+        .filter(|line| ["model name", "flags"].iter().any(|it| line.starts_with(it)))
+        .take(2)
+        .map(str::to_owned)
+        .collect();
+    name(&(settings, versions, processor, texts(&root())))
+});
+
+/// The programs that checks run, and rustc, which compiles the models.
+const PROGRAMS: [&str; 14] = [
+    "rustc",
+    "gcc",
+    "clang",
+    "g++",
+    "clang++",
+    "arm-linux-gnueabihf-gcc",
+    "arm-none-eabi-gcc",
+    "riscv64-unknown-elf-gcc",
+    "qemu-arm",
+    "qemu-system-arm",
+    "qemu-system-riscv32",
+    "cppcheck",
+    "frama-c",
+    "python3",
+];
+
+/// Folders whose content decides no check: what the compiler is made of and what it makes, which is handed over; and pages.
+/// Snapshots neither.
+const LEFT_OUT: [&str; 8] = [
+    "target",
+    "docs",
+    "generated",
+    "codegen/src",
+    "bench/results",
+    "tests/corpus/golden",
+    "tests/mutants",
+    "xtask",
+];
+
+/// The files of a folder, each with its content: those that are not left out.
+fn texts(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut texts = BTreeMap::new();
+    let mut open = vec![PathBuf::new()];
+    while let Some(folder) = open.pop() {
+        let Ok(entries) = std::fs::read_dir(root.join(&folder)) else { continue };
+        for entry in entries.flatten() {
+            let path = folder.join(entry.file_name());
+            let file = entry.file_name();
+            let is_hidden = file.to_string_lossy().starts_with('.');
+            let is_snapshot = path.extension().is_some_and(|it| it == "snap");
+            if is_hidden || is_snapshot || LEFT_OUT.iter().any(|it| path == Path::new(it)) {
+                continue;
+            }
+            match entry.file_type() {
+                Ok(kind) if kind.is_dir() => open.push(path),
+                _ => _ = texts.insert(path, std::fs::read(entry.path()).unwrap_or_default()),
+            }
+        }
+    }
+    texts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_passed_is_not_asked_again_and_what_failed_is() {
+        if std::env::var_os("BESSEMER_FULL").is_some() {
+            return;
+        }
+        // Another content in each run: what is stored stays.
+        let content = (std::process::id(), std::time::SystemTime::now());
+        let mut asked = 0;
+        let failed = std::panic::catch_unwind(|| once("it fails", &content, || panic!("it does")));
+        assert!(failed.is_err());
+        once("it fails", &content, || asked += 1);
+        once("it fails", &content, || asked += 1);
+        assert_eq!(asked, 1);
+        once("another check", &content, || asked += 1);
+        once("it fails", &(content, "more"), || asked += 1);
+        assert_eq!(asked, 3);
+    }
+
+    #[test]
+    fn a_file_beside_the_compiler_counts_and_one_of_it_does_not() -> std::io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let write = |path: &str| {
+            let path = folder.path().join(path);
+            std::fs::create_dir_all(path.parent().unwrap_or(folder.path()))?;
+            std::fs::write(path, "text")
+        };
+        for path in ["dsl/src/lib.rs", "codegen/src/c/files.rs", "codegen/interpret/lib.rs"] {
+            write(path)?;
+        }
+        write("tests/tests/.lib.rs.swp")?;
+        let found: Vec<_> = texts(folder.path()).into_keys().collect();
+        assert_eq!(found, ["codegen/interpret/lib.rs", "dsl/src/lib.rs"].map(PathBuf::from));
+        Ok(())
+    }
+}
