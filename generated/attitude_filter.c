@@ -20,6 +20,9 @@
 #include "geometry.h"
 #include "product_f64_6x6_6x1.h"
 
+static void attitude_filter_advance(const orientation_t *orientation, const double rates[3],
+    double period, double advance[36]);
+
 void attitude_filter_level(double angle, double bias, attitude_filter_t *attitude_filter)
 {
     for (uint32_t i = 0U; i < 36U; i++) {
@@ -100,8 +103,13 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const
     return true;
 }
 
-void attitude_filter_advance(const orientation_t *orientation, const double rates[3], double period,
-    double advance[36])
+/**
+ * How errors of the angles and biases grow over one period: the derivative of (2.17).
+ *
+ * `advance` by columns: [row + 6 * column].
+ */
+static void attitude_filter_advance(const orientation_t *orientation, const double rates[3],
+    double period, double advance[36])
 {
     const double c2 = orientation_divisor(orientation);
     const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];

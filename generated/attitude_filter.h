@@ -16,8 +16,6 @@
 
 #include <stdbool.h>
 
-#include "geometry.h"
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -57,14 +55,6 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
  */
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
     double innovation, double variance, double gate, double work[144]);
-
-/**
- * How errors of the angles and biases grow over one period: the derivative of (2.17).
- *
- * `advance` by columns: [row + 6 * column].
- */
-void attitude_filter_advance(const orientation_t *orientation, const double rates[3], double period,
-    double advance[36]);
 
 #ifdef __cplusplus
 }

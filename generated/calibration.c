@@ -20,6 +20,10 @@
 /** Largest count of a 16-bit sensor: at it, the sensor is at the end of its range. */
 static const int16_t FULL_SCALE = INT16_MAX;
 
+static void calibration_vector(const int16_t counts[3], double result[3]);
+static bool calibration_within(const int16_t counts[3]);
+static bool calibration_inside(int16_t count);
+
 void calibration_mambo(calibration_t *calibration)
 {
     calibration->gyroscope_scale = 2000.0 * 0.017453292519943295 / 32768.0;
@@ -73,20 +77,23 @@ void calibration_measured(const calibration_t *self, const readings_t *readings,
     measured->vicon = readings->vicon;
 }
 
-void calibration_vector(const int16_t counts[3], double result[3])
+/** Three counts as a vector. */
+static void calibration_vector(const int16_t counts[3], double result[3])
 {
     result[0] = (double)counts[0];
     result[1] = (double)counts[1];
     result[2] = (double)counts[2];
 }
 
-bool calibration_within(const int16_t counts[3])
+/** Whether no count is at the end of its range. */
+static bool calibration_within(const int16_t counts[3])
 {
     return calibration_inside(counts[0]) && calibration_inside(counts[1])
         && calibration_inside(counts[2]);
 }
 
-bool calibration_inside(int16_t count)
+/** Whether a count is not at the end of its range. */
+static bool calibration_inside(int16_t count)
 {
     return count < FULL_SCALE && count > (int16_t)(-FULL_SCALE);
 }

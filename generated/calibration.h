@@ -114,15 +114,6 @@ void calibration_mambo(calibration_t *calibration);
 void calibration_measured(const calibration_t *self, const readings_t *readings,
     measured_t *measured);
 
-/** Three counts as a vector. */
-void calibration_vector(const int16_t counts[3], double result[3]);
-
-/** Whether no count is at the end of its range. */
-bool calibration_within(const int16_t counts[3]);
-
-/** Whether a count is not at the end of its range. */
-bool calibration_inside(int16_t count);
-
 #ifdef __cplusplus
 }
 #endif

@@ -20,6 +20,9 @@
 #include "product_tr_f64_3x3_3x3.h"
 #include "product_tr_f64_6x6_6x6.h"
 
+static void covariance_symmetric_3(const double matrix[9], double result[9]);
+static void covariance_symmetric_6(const double matrix[36], double result[36]);
+
 void covariance_diagonal_3(const double values[3], double all[9])
 {
     for (uint32_t i = 0U; i < 9U; i++) {
@@ -129,7 +132,12 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
     covariance_symmetric_6(result_matrix, result);
 }
 
-void covariance_symmetric_3(const double matrix[9], double result[9])
+/**
+ * The symmetric part.
+ *
+ * `matrix`, `result` by columns: [row + 3 * column].
+ */
+static void covariance_symmetric_3(const double matrix[9], double result[9])
 {
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
@@ -139,7 +147,12 @@ void covariance_symmetric_3(const double matrix[9], double result[9])
     }
 }
 
-void covariance_symmetric_6(const double matrix[36], double result[36])
+/**
+ * The symmetric part.
+ *
+ * `matrix`, `result` by columns: [row + 6 * column].
+ */
+static void covariance_symmetric_6(const double matrix[36], double result[36])
 {
     for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row = 0U; row < 6U; row++) {

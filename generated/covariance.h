@@ -69,20 +69,6 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
     double variance, double work[108], double result[36]);
 
-/**
- * The symmetric part.
- *
- * `matrix`, `result` by columns: [row + 3 * column].
- */
-void covariance_symmetric_3(const double matrix[9], double result[9]);
-
-/**
- * The symmetric part.
- *
- * `matrix`, `result` by columns: [row + 6 * column].
- */
-void covariance_symmetric_6(const double matrix[36], double result[36]);
-
 #ifdef __cplusplus
 }
 #endif

@@ -33,6 +33,7 @@ static alarm_t crash_predictor_find(const limits_t *limits, const estimate_t *no
     const ages_t *ages, double climb);
 static alarm_t crash_predictor_find_in_motion(const limits_t *limits, const estimate_t *now,
     const orientation_t *orientation, double climb, double horizon);
+static double crash_predictor_tilt_cosine(const double angles[3]);
 
 void limits_room(limits_t *limits)
 {
@@ -170,7 +171,8 @@ static alarm_t crash_predictor_find_in_motion(const limits_t *limits, const esti
     return ALARM_CLEAR;
 }
 
-double crash_predictor_tilt_cosine(const double angles[3])
+/** Cosine of the angle between the body's z and the inertial frame's. */
+static double crash_predictor_tilt_cosine(const double angles[3])
 {
     return sine_cos(angles[0]) * sine_cos(angles[1]);
 }

@@ -105,9 +105,6 @@ alarm_t crash_predictor_step(crash_predictor_t *self, const limits_t *limits, bo
 /** Raises an alarm that is not found in the state. */
 void crash_predictor_raise(crash_predictor_t *self, alarm_t alarm);
 
-/** Cosine of the angle between the body's z and the inertial frame's. */
-double crash_predictor_tilt_cosine(const double angles[3]);
-
 #ifdef __cplusplus
 }
 #endif

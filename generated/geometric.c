@@ -27,6 +27,9 @@
 /** Steepest lean that is asked for, rad. */
 static const double STEEPEST = 0.6;
 
+static void geometric_push(const parameters_t *parameters, const estimate_t *estimate,
+    const target_t *target, double result[3]);
+
 void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
     const target_t *target, wrench_t *wrench)
 {
@@ -92,7 +95,8 @@ void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
     wrench->thrust = force[0] * upwards[0] + force[1] * upwards[1] + force[2] * upwards[2];
 }
 
-void geometric_push(const parameters_t *parameters, const estimate_t *estimate,
+/** The force that is wanted of the motors, in the inertial frame, N. */
+static void geometric_push(const parameters_t *parameters, const estimate_t *estimate,
     const target_t *target, double result[3])
 {
     const double weight[3] = {0.0, 0.0, parameters->mass * AIRFRAME_GRAVITY};

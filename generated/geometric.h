@@ -27,10 +27,6 @@ extern "C" {
 void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
     const target_t *target, wrench_t *wrench);
 
-/** The force that is wanted of the motors, in the inertial frame, N. */
-void geometric_push(const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, double result[3]);
-
 #ifdef __cplusplus
 }
 #endif

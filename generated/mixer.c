@@ -23,6 +23,12 @@
 #include "bessemer_target.h"
 #include "product_f64_4x8_8x1.h"
 
+static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTORS],
+    const double tilt[AIRFRAME_MOST_MOTORS], const double twist[AIRFRAME_MOST_MOTORS],
+    double largest, double squares[AIRFRAME_MOST_MOTORS]);
+static double mixer_share(const double base[AIRFRAME_MOST_MOTORS],
+    const double more[AIRFRAME_MOST_MOTORS], double largest);
+
 void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
     mixer_t *mixer)
 {
@@ -74,7 +80,11 @@ void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrenc
     wrench->torque[2] = done[3];
 }
 
-void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTORS],
+/**
+ * Squares of the motor speeds within 0 and `largest`: as much of the tilt as the motors span, then
+ * of the twist, then of the lift.
+ */
+static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTORS],
     const double tilt[AIRFRAME_MOST_MOTORS], const double twist[AIRFRAME_MOST_MOTORS],
     double largest, double squares[AIRFRAME_MOST_MOTORS])
 {
@@ -110,8 +120,12 @@ void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTORS],
     }
 }
 
-double mixer_share(const double base[AIRFRAME_MOST_MOTORS], const double more[AIRFRAME_MOST_MOTORS],
-    double largest)
+/**
+ * The largest share, 0 to 1, of `more` that can be added to `base` while no two motors are further
+ * apart than `largest`.
+ */
+static double mixer_share(const double base[AIRFRAME_MOST_MOTORS],
+    const double more[AIRFRAME_MOST_MOTORS], double largest)
 {
     double share = 1.0;
     for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {

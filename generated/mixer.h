@@ -62,21 +62,6 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted,
 /** What commands come to once the motors follow them. */
 void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrench);
 
-/**
- * Squares of the motor speeds within 0 and `largest`: as much of the tilt as the motors span, then
- * of the twist, then of the lift.
- */
-void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTORS],
-    const double tilt[AIRFRAME_MOST_MOTORS], const double twist[AIRFRAME_MOST_MOTORS],
-    double largest, double squares[AIRFRAME_MOST_MOTORS]);
-
-/**
- * The largest share, 0 to 1, of `more` that can be added to `base` while no two motors are further
- * apart than `largest`.
- */
-double mixer_share(const double base[AIRFRAME_MOST_MOTORS], const double more[AIRFRAME_MOST_MOTORS],
-    double largest);
-
 #ifdef __cplusplus
 }
 #endif

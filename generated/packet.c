@@ -24,6 +24,8 @@ static const uint8_t FIRST = 0xA5U;
 /** The second byte of every packet. */
 static const uint8_t SECOND = 0x5AU;
 
+static uint16_t packet_checksum(const uint8_t bytes[], uint64_t bytes_length);
+
 void packet_defaults(packet_t *self)
 {
     self->length = UINT64_C(0);
@@ -117,7 +119,8 @@ uint64_t packet_word(const packet_t *self, uint64_t at)
         | ((uint64_t)eight[6] << 48U) | ((uint64_t)eight[7] << 56U);
 }
 
-uint16_t packet_checksum(const uint8_t bytes[], uint64_t bytes_length)
+/** CRC-16/CCITT (polynomial 0x1021, from 0xFFFF). */
+static uint16_t packet_checksum(const uint8_t bytes[], uint64_t bytes_length)
 {
     uint16_t sum = 0xFFFFU;
     for (uint64_t i = UINT64_C(0); i < bytes_length; i++) {

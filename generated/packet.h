@@ -62,9 +62,6 @@ double packet_number(const packet_t *self, uint64_t at);
 /** The word at `at` in the payload, of eight bytes. */
 uint64_t packet_word(const packet_t *self, uint64_t at);
 
-/** CRC-16/CCITT (polynomial 0x1021, from 0xFFFF). */
-uint16_t packet_checksum(const uint8_t bytes[], uint64_t bytes_length);
-
 #ifdef __cplusplus
 }
 #endif

@@ -48,6 +48,9 @@ static const uint32_t STATUS_EVERY = 100U;
 static const uint64_t VALUES = UINT64_C(12);
 
 static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet);
+static void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet);
+static void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet);
+static void sender_put(uint8_t payload[PACKET_MOST_PAYLOAD], uint64_t at, uint32_t word);
 
 void sender_init(sender_t *self)
 {
@@ -111,7 +114,8 @@ static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet)
     packet_around(SENDER_RECORD, self->sequence, payload, RECORD_BYTES, packet);
 }
 
-void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet)
+/** The state of the link, framed. */
+static void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet)
 {
     const uint32_t counts[8] = {
         status->tally.taken, status->tally.broken, status->tally.old, status->tally.senseless,
@@ -127,7 +131,8 @@ void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *pa
     packet_around(SENDER_STATUS, sequence, payload, STATUS_BYTES, packet);
 }
 
-void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
+/** A parameter, framed. */
+static void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
 {
     uint8_t payload[56] = {0};
     payload[0] = reply->number;
@@ -143,7 +148,10 @@ void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
     packet_around(SENDER_PARAMETER, sequence, payload, PARAMETER_BYTES, packet);
 }
 
-void sender_put(uint8_t payload[PACKET_MOST_PAYLOAD], uint64_t at, uint32_t word)
+/**
+ * Puts a word at `at`, least significant byte first; at the end, if it would not fit behind that.
+ */
+static void sender_put(uint8_t payload[PACKET_MOST_PAYLOAD], uint64_t at, uint32_t word)
 {
     const uint32_t start = (uint32_t)min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(4));
     const uint8_t bytes[4] = {

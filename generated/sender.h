@@ -17,7 +17,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_sizes.h"
 #include "gate.h"
 #include "logger.h"
 #include "packet.h"
@@ -73,17 +72,6 @@ void sender_init(sender_t *self);
 /** One period: the packet to send, if there is something to send. */
 void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status,
     const reply_t *reply, packet_t *packet);
-
-/** The state of the link, framed. */
-void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet);
-
-/** A parameter, framed. */
-void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet);
-
-/**
- * Puts a word at `at`, least significant byte first; at the end, if it would not fit behind that.
- */
-void sender_put(uint8_t payload[PACKET_MOST_PAYLOAD], uint64_t at, uint32_t word);
 
 #ifdef __cplusplus
 }

@@ -19,6 +19,9 @@
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
+static void settings_take_gains(settings_t *self, const double all[TUNING_TUNABLE]);
+static candidate_t tuning_candidate(double number);
+
 void tuning_values(const settings_t *settings, double result[TUNING_TUNABLE])
 {
     result[0] = settings->parameters.height.p;
@@ -94,7 +97,8 @@ bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
     return true;
 }
 
-void settings_take_gains(settings_t *self, const double all[TUNING_TUNABLE])
+/** The gains, in the order of `values`. */
+static void settings_take_gains(settings_t *self, const double all[TUNING_TUNABLE])
 {
     self->parameters.height.p = all[0];
     self->parameters.height.i = all[1];
@@ -113,7 +117,8 @@ void settings_take_gains(settings_t *self, const double all[TUNING_TUNABLE])
     self->parameters.y.d = all[14];
 }
 
-candidate_t tuning_candidate(double number)
+/** The candidate of a number: see `Candidate`. */
+static candidate_t tuning_candidate(double number)
 {
     if (number >= 1.5) {
         return CANDIDATE_GEOMETRIC;

@@ -19,7 +19,6 @@
 
 #include "bessemer_sizes.h"
 #include "onboard.h"
-#include "parameters.h"
 #include "receiver.h"
 
 #ifdef __cplusplus
@@ -42,12 +41,6 @@ bool settings_grant(settings_t *self, const wish_t *wish, bool flying);
 
 /** Sets a parameter: whether that can be. */
 bool settings_set(settings_t *self, uint8_t number, double value, bool flying);
-
-/** The gains, in the order of `values`. */
-void settings_take_gains(settings_t *self, const double all[TUNING_TUNABLE]);
-
-/** The candidate of a number: see `Candidate`. */
-candidate_t tuning_candidate(double number);
 
 #ifdef __cplusplus
 }

@@ -109,15 +109,22 @@ fn uncalled<'a>(
     module: &'a Module,
     idle: &'a [&tree::Definition],
 ) -> impl Iterator<Item = Diagnostic> + 'a {
+    // What else is private stands in the C if nothing calls it.
+    let of_component = |function: &Function| match (function.role, function.owner) {
+        (Role::Private, Some(Owner::Struct(owner))) => {
+            module.structs[owner.index()].initial.is_some().then_some(owner)
+        }
+        _ => None,
+    };
     let mut called = HashSet::new();
     for (index, function) in module.functions.iter().enumerate() {
-        if !matches!(function.role, Role::Private) {
+        if of_component(function).is_none() {
             called.extend(passes::reached(module, index));
         }
     }
     let functions = module.functions.iter().enumerate();
     functions.filter(move |(index, _)| !called.contains(index)).filter_map(move |(_, function)| {
-        let Some(Owner::Struct(owner)) = function.owner else { return None };
+        let owner = of_component(function)?;
         let owner_name = &module.structs[owner.index()].name;
         if idle.iter().any(|it| it.name == *owner_name) {
             return None;

@@ -295,7 +295,7 @@ impl Names {
                 *name = theirs;
             }
         }
-        let locally = self.placing.called_in_own_file_only(module);
+        let private = self.placing.private(module);
         self.gather_globals(&chosen);
         for (index, function) in module.functions.iter().enumerate() {
             let id = FunctionId(index as u32);
@@ -304,7 +304,7 @@ impl Names {
                 storage: match function.role {
                     _ if function.attributes.external.is_some() => Storage::Foreign,
                     _ if library(function).is_some() => Storage::Library,
-                    bessemer_ir::Role::Private if locally[index] => Storage::Static,
+                    _ if private[index] => Storage::Static,
                     bessemer_ir::Role::Inline => Storage::Inline,
                     _ => Storage::Extern,
                 },

@@ -75,19 +75,30 @@ impl Placing {
         &self.functions[id.index()]
     }
 
-    /// Which functions are called from their own file only.
-    pub fn called_in_own_file_only(&self, module: &Module) -> Vec<bool> {
-        let mut locally = vec![true; module.functions.len()];
+    /// Which functions are `static`: those that are private in Rust and called from their own file alone.
+    ///
+    /// One that nothing calls is for others, or it would vanish without a word; a method of a component is not, since a remark
+    /// tells of it.
+    pub fn private(&self, module: &Module) -> Vec<bool> {
+        let is_private = |function: &Function| function.role == Role::Private;
+        let mut locally: Vec<bool> = module.functions.iter().map(is_private).collect();
+        let mut called: Vec<bool> = (module.functions.iter())
+            .map(|function| match function.owner {
+                Some(Owner::Struct(owner)) => module.structs[owner.index()].initial.is_some(),
+                _ => false,
+            })
+            .collect();
         for (caller, function) in module.functions.iter().enumerate() {
             function.body.each_expr(|expr| {
                 if let ExprKind::Call(callee, _) = &expr.kind {
                     let moves = function.role == Role::Inline;
                     let together = self.functions[callee.index()] == self.functions[caller];
                     locally[callee.index()] &= !moves && together;
+                    called[callee.index()] = true;
                 }
             });
         }
-        locally
+        locally.into_iter().zip(called).map(|(locally, called)| locally && called).collect()
     }
 
     /// Where a struct stands; `components` says how many components ask for a name.
@@ -139,12 +150,11 @@ impl Placing {
         for (item, file) in module.structs.iter().zip(&self.structs) {
             item.fields.iter().for_each(|field| need(file, &field.ty));
         }
-        let locally = self.called_in_own_file_only(module);
+        let private = self.private(module);
         for (index, function) in module.functions.iter().enumerate() {
             let elsewhere = function.attributes.external.is_some()
                 || options.math == Math::Target && library::name(function).is_some();
-            let private = function.role == Role::Private && locally[index];
-            if !elsewhere && !private && function.role != Role::Inline {
+            if !elsewhere && !private[index] && function.role != Role::Inline {
                 signature(function).for_each(|ty| need(&self.functions[index], ty));
             }
         }

@@ -179,7 +179,7 @@ pub enum Role {
     },
     /// Called by other modules: a free function, or a method of plain data.
     Public,
-    /// Called only beside its definition: a component's own method.
+    /// Called only beside its definition: a component's own method, or what is not `pub`.
     Private,
     /// Small enough to stand in each file that calls it.
     Inline,

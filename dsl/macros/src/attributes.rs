@@ -25,14 +25,33 @@ pub struct Asked {
 pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked {
     let attributes = &mut function.attrs;
     let inlining = inlining(attributes);
-    let role = if is_inline(attributes) { Role::Inline } else { Role::Public };
+    let role = if is_inline(attributes) { Role::Inline } else { visible(&function.vis) };
     let mut asked = Asked { role, attributes: Attributes { inlining, ..Attributes::default() } };
     asked.take(attributes, refusals);
     given::parameters(&mut function.sig, &mut asked.attributes, refusals);
     asked
 }
 
-/// Of a method.
+/// Whether others see it.
+pub fn is_public(visibility: &syn::Visibility) -> bool {
+    !matches!(visibility, syn::Visibility::Inherited)
+}
+
+/// The role of what others call only if it is `pub`.
+fn visible(visibility: &syn::Visibility) -> Role {
+    if is_public(visibility) { Role::Public } else { Role::Private }
+}
+
+/// Of a method of a type's own.
+pub fn of_own_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusals) -> Asked {
+    let mut asked = of_method(kind, method, refusals);
+    if asked.role == Role::Public {
+        asked.role = visible(&method.vis);
+    }
+    asked
+}
+
+/// Of a method, which a trait makes as visible as itself.
 pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusals) -> Asked {
     let attributes = &mut method.attrs;
     let inlining = inlining(attributes);

@@ -523,7 +523,7 @@ fn methods(
             }
         };
         let mut refusals = Refusals::default();
-        let asked = attributes::of_method(kind, method, &mut refusals);
+        let asked = attributes::of_own_method(kind, method, &mut refusals);
         let role = asked.role;
         let subject = Subject {
             attributes: &method.attrs,
@@ -540,7 +540,7 @@ fn methods(
         if refusals.is_empty()
             && !generic
             && (matches!(role, Role::Entry { .. })
-                || instance::is_public(&method.vis) && kind == Kind::Data)
+                || attributes::is_public(&method.vis) && kind == Kind::Data)
         {
             faces.push(builder::build_name(&method.sig.ident));
         }

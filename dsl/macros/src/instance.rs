@@ -38,11 +38,6 @@ pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
     }
 }
 
-/// Whether others see it.
-pub fn is_public(visibility: &syn::Visibility) -> bool {
-    !matches!(visibility, syn::Visibility::Inherited)
-}
-
 /// `#[data] pub type PidF32 = Pid<f32>;`: the name of an instance, which makes it part of the C.
 pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     for parameter in &it.generics.params {

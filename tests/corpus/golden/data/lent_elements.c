@@ -2,6 +2,9 @@
 
 /* lent_elements.c */
 
+static bessemer_status_t lent_elements_halve_ends(float values[], uint64_t values_length);
+static double lent_elements_above(const double values[], uint64_t values_length);
+
 bool lent_elements_count(uint32_t counters[6], uint64_t number, uint32_t by)
 {
     if (number >= UINT64_C(6)) {
@@ -11,7 +14,8 @@ bool lent_elements_count(uint32_t counters[6], uint64_t number, uint32_t by)
     return true;
 }
 
-bessemer_status_t lent_elements_halve_ends(float values[], uint64_t values_length)
+/** Halves what stands at both ends. */
+static bessemer_status_t lent_elements_halve_ends(float values[], uint64_t values_length)
 {
     if (values_length > UINT64_C(0)) {
         values[0] /= 2.0F;
@@ -72,7 +76,8 @@ void lent_elements_mirror(uint8_t values[8])
     }
 }
 
-double lent_elements_above(const double values[], uint64_t values_length)
+/** How far the rest of some values is above the first. */
+static double lent_elements_above(const double values[], uint64_t values_length)
 {
     if (values_length > UINT64_C(0)) {
         double sum = 0.0;

@@ -4,6 +4,8 @@
 
 static const float TAU = 6.2831855F;
 
+static int8_t lever_direction(lever_t self);
+
 /** Whether the two are equal, part by part. */
 static inline bool option_lever_equal(const option_lever_t *one, const option_lever_t *other)
 {
@@ -45,7 +47,8 @@ bool lever_eq(lever_t self, lever_t other)
     return lever_direction(self) == lever_direction(other);
 }
 
-int8_t lever_direction(lever_t self)
+/** The sign of the speed. */
+static int8_t lever_direction(lever_t self)
 {
     switch (self) {
     case LEVER_PARKED:

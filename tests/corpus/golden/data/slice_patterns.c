@@ -2,6 +2,11 @@
 
 /* slice_patterns.c */
 
+static bessemer_status_t slice_patterns_span_of(const float values[], uint64_t values_length,
+    option_f32_t *result);
+static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
+    int16_t *result);
+
 bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *result)
 {
     uint32_t sum = 0U;
@@ -16,7 +21,8 @@ bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t slice_patterns_span_of(const float values[], uint64_t values_length,
+/** The span of some values; none of no values. */
+static bessemer_status_t slice_patterns_span_of(const float values[], uint64_t values_length,
     option_f32_t *result)
 {
     if (values_length == UINT64_C(0)) {
@@ -50,7 +56,8 @@ bessemer_status_t slice_patterns_span(const float values[4], uint64_t end, optio
     return BESSEMER_STATUS_OK;
 }
 
-bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
+/** The largest of some values, and its place from the end. */
+static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
     int16_t *result)
 {
     if (values_length >= UINT64_C(2)) {

@@ -66,6 +66,8 @@ typedef struct {
 
 /* values_that_borrow.c */
 
+static double loop_respond(loop_t *self, double error);
+
 void values_that_borrow_reader_new(const uint8_t rest[], uint64_t rest_length,
     values_that_borrow_reader_t *reader)
 {
@@ -561,7 +563,7 @@ bessemer_status_t values_that_borrow_answer(const uint8_t packet[4], uint8_t roo
     }
 }
 
-double loop_respond(loop_t *self, double error)
+static double loop_respond(loop_t *self, double error)
 {
     self->sum += error;
     return self->gains.proportional * error + self->gains.integral * self->sum;

@@ -2,7 +2,13 @@
 
 /* generics.c */
 
-float generics_mean_f32_3(const float values[3])
+static float generics_mean_f32_3(const float values[3]);
+static double generics_mean_f64_4(const double values[4]);
+static double generics_larger_f64(double a, double b);
+static int32_t generics_larger_i32(int32_t a, int32_t b);
+
+/** The mean of some values; 0 of none. */
+static float generics_mean_f32_3(const float values[3])
 {
     float sum = 0.0F;
     for (uint32_t i = 0U; i < 3U; i++) {
@@ -11,7 +17,8 @@ float generics_mean_f32_3(const float values[3])
     return sum / 3.0F;
 }
 
-double generics_mean_f64_4(const double values[4])
+/** The mean of some values; 0 of none. */
+static double generics_mean_f64_4(const double values[4])
 {
     double sum = 0.0;
     for (uint32_t i = 0U; i < 4U; i++) {
@@ -20,7 +27,8 @@ double generics_mean_f64_4(const double values[4])
     return sum / 4.0;
 }
 
-double generics_larger_f64(double a, double b)
+/** The larger of two values. */
+static double generics_larger_f64(double a, double b)
 {
     if (b > a) {
         return b;
@@ -29,7 +37,8 @@ double generics_larger_f64(double a, double b)
     }
 }
 
-int32_t generics_larger_i32(int32_t a, int32_t b)
+/** The larger of two values. */
+static int32_t generics_larger_i32(int32_t a, int32_t b)
 {
     if (b > a) {
         return b;

@@ -2,7 +2,15 @@
 
 /* own_names.c */
 
-void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
+static void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
+    result_u8_own_names_missing_t *result);
+static void own_names_bank_first_mut(const own_names_bank_t *self, option_u8_t *result);
+static uint8_t own_names_bank_swap(own_names_bank_t *self, uint8_t by);
+static uint8_t own_names_bank_sort(const own_names_bank_t *self);
+static uint8_t own_names_bank_chunks(const own_names_bank_t *self, uint8_t size);
+static bool own_names_bank_total_cmp(const own_names_bank_t *self, const own_names_bank_t *other);
+
+static void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
     result_u8_own_names_missing_t *result)
 {
     if (index >= 4U) {
@@ -18,7 +26,7 @@ void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
     result->error.index = 0U;
 }
 
-void own_names_bank_first_mut(const own_names_bank_t *self, option_u8_t *result)
+static void own_names_bank_first_mut(const own_names_bank_t *self, option_u8_t *result)
 {
     const bool condition = self->cells[0] > 7U;
     const uint8_t value = self->cells[0];
@@ -31,23 +39,23 @@ void own_names_bank_first_mut(const own_names_bank_t *self, option_u8_t *result)
     }
 }
 
-uint8_t own_names_bank_swap(own_names_bank_t *self, uint8_t by)
+static uint8_t own_names_bank_swap(own_names_bank_t *self, uint8_t by)
 {
     self->cells[0] = (uint8_t)(self->cells[0] ^ by);
     return self->cells[0];
 }
 
-uint8_t own_names_bank_sort(const own_names_bank_t *self)
+static uint8_t own_names_bank_sort(const own_names_bank_t *self)
 {
     return self->cells[3];
 }
 
-uint8_t own_names_bank_chunks(const own_names_bank_t *self, uint8_t size)
+static uint8_t own_names_bank_chunks(const own_names_bank_t *self, uint8_t size)
 {
     return (uint8_t)((uint32_t)self->cells[1] * (uint32_t)size);
 }
 
-bool own_names_bank_total_cmp(const own_names_bank_t *self, const own_names_bank_t *other)
+static bool own_names_bank_total_cmp(const own_names_bank_t *self, const own_names_bank_t *other)
 {
     return self->cells[2] > other->cells[2];
 }

@@ -25,6 +25,9 @@ typedef struct {
 
 /* without_fields.c */
 
+static double without_fields_areas_rectangle(const double samples[4]);
+static double without_fields_areas_trapezoid(const double samples[4]);
+
 double without_fields_trapezoid_area(double left, double right, double step)
 {
     return 0.5 * (left + right) * step;
@@ -74,7 +77,7 @@ void without_fields_limited(double torque, result_f64_without_fields_trouble_t *
     }
 }
 
-double without_fields_areas_rectangle(const double samples[4])
+static double without_fields_areas_rectangle(const double samples[4])
 {
     double sum = -0.0;
     for (uint32_t i = 0U; i < 3U; i++) {
@@ -84,7 +87,7 @@ double without_fields_areas_rectangle(const double samples[4])
     return sum;
 }
 
-double without_fields_areas_trapezoid(const double samples[4])
+static double without_fields_areas_trapezoid(const double samples[4])
 {
     double sum = -0.0;
     for (uint32_t i = 0U; i < 3U; i++) {
