@@ -40,6 +40,11 @@ impl<'m> Lowering<'m> {
     /// A word within an expression.
     pub(super) fn word(&mut self, expr: Expr) -> Expr {
         let expr = self.lower(expr, Position::Nested, Purpose::Operand);
+        self.brought(expr)
+    }
+
+    /// A word that may come from elsewhere: an enum's is one of its variants, or that is a fault.
+    fn brought(&mut self, expr: Expr) -> Expr {
         let comes = matches!(expr.kind, ExprKind::Load(_) | ExprKind::Call(..));
         if !(self.brings && comes && self.facts.may_stray(&expr)) {
             return expr;
@@ -172,9 +177,14 @@ impl<'m> Lowering<'m> {
 
     /// Short circuit: an `if`, where the right side needs statements of its own.
     fn logic(&mut self, op: LogicOp, a: Expr, b: Expr, span: Span) -> Expr {
-        let a = self.word(a);
-        let (before, asked) = (self.facts.clone(), b.clone());
-        self.facts.assume(&a, op == LogicOp::And);
+        self.chain(op, a, b, span).0
+    }
+
+    /// The same, and what is known where the next of a chain of this operator is asked: each operand of a long chain is
+    /// taken for true, or for false, once.
+    fn chain(&mut self, op: LogicOp, a: Expr, b: Expr, span: Span) -> (Expr, State<'m>) {
+        let (a, behind) = self.before_next(op, a);
+        let (before, asked) = (std::mem::replace(&mut self.facts, behind.clone()), b.clone());
         let outer = std::mem::take(&mut self.out);
         let b = self.word(b);
         let mut then = std::mem::replace(&mut self.out, outer);
@@ -184,20 +194,49 @@ impl<'m> Lowering<'m> {
             Expr { kind, ty: Type::BOOL, span }
         };
         if then.is_empty() {
-            return logic(a, b);
+            let mut behind = behind;
+            behind.assume(&b, op == LogicOp::And);
+            return (logic(a, b), behind);
         }
         let start = ExprKind::Literal(u64::from(op == LogicOp::Or));
         let start = Expr { kind: start, ty: Type::BOOL, span };
         let name = logic(start.clone(), asked);
         let name = self.wish(Purpose::Operand, &name);
-        let Some(local) = self.declare(&name, start) else { return logic(a, b) };
+        let Some(local) = self.declare(&name, start) else {
+            return self.with_what_follows(op, logic(a, b));
+        };
         let place = Place { ty: Type::BOOL, span, ..whole(local) };
         let mut within = within;
         within.assign(&place, within.value(&b));
         self.facts.join(&within);
         then.push(Stmt { kind: StmtKind::Assign { place, value: b }, span, comments: Vec::new() });
         self.emit(when(op, a, then), span);
-        Expr::local(local, &Type::BOOL, span)
+        self.with_what_follows(op, Expr::local(local, &Type::BOOL, span))
+    }
+
+    /// An operand, and what is known where the next one is asked.
+    fn before_next(&mut self, op: LogicOp, operand: Expr) -> (Expr, State<'m>) {
+        match operand.kind {
+            ExprKind::Logic(of, a, b) if of == op => {
+                let (value, behind) = self.chain(op, *a, *b, operand.span);
+                if matches!(value.kind, ExprKind::Logic(..)) {
+                    return (value, behind);
+                }
+                let value = self.brought(value);
+                self.with_what_follows(op, value)
+            }
+            _ => {
+                let value = self.word(operand);
+                self.with_what_follows(op, value)
+            }
+        }
+    }
+
+    /// A value, and what is known where it is true, of `&&`, or false.
+    fn with_what_follows(&self, op: LogicOp, value: Expr) -> (Expr, State<'m>) {
+        let mut behind = self.facts.clone();
+        behind.assume(&value, op == LogicOp::And);
+        (value, behind)
     }
 
     /// Makes the indices of a place explicit.

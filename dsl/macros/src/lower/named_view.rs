@@ -116,13 +116,13 @@ impl Lowering<'_> {
                 through.expr = parse_quote! { #name.iter_mut() };
                 Some(parse_quote! { { let mut #name = #view; #through } })
             }
+            // A copy at each operator of a long chain would take time that grows with the square of its length.
+            syn::Expr::Binary(it) if super::expr::compound(&it.op).is_none() => None,
             syn::Expr::Assign(_) | syn::Expr::Binary(_) => {
                 let mut write = expr.clone();
                 let (place, value) = match &mut write {
                     syn::Expr::Assign(it) => (&mut *it.left, &mut *it.right),
-                    syn::Expr::Binary(it) if super::expr::compound(&it.op).is_some() => {
-                        (&mut *it.left, &mut *it.right)
-                    }
+                    syn::Expr::Binary(it) => (&mut *it.left, &mut *it.right),
                     _ => return None,
                 };
                 let name = self.fresh_in("part", expr);
