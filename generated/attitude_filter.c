@@ -115,17 +115,15 @@ static void attitude_filter_advance(const orientation_t *orientation, const doub
     const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];
     const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
     const double lean = orientation->s2 / c2;
-    {
-        static const double advance_value[36] = {
-            1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 1.0
-        };
-        (void)memcpy(advance, advance_value, sizeof(double[36]));
-    }
+    static const double advance_value[36] = {
+        1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 1.0
+    };
+    (void)memcpy(advance, advance_value, sizeof(double[36]));
     advance[6] = -period * along * lean / c2;
     advance[6 * 2] = period * across / c2;
     advance[1 + 6 * 2] = period * along;

@@ -76,10 +76,8 @@ void settings_mambo(settings_t *settings)
     parameters_mambo(&settings->parameters);
     injection_none(&settings->injection);
     choice_usual(&settings->choice);
-    {
-        static const space_t constants = {.reach = 3.0, .heights = {0.0, 3.0}, .latest = 3600.0};
-        settings->space = constants;
-    }
+    static const space_t new_space = {.reach = 3.0, .heights = {0.0, 3.0}, .latest = 3600.0};
+    settings->space = new_space;
 }
 
 void onboard_init(onboard_t *self)

@@ -65,13 +65,11 @@ void parameters_mambo(parameters_t *parameters)
     parameters->yaw.p = 0.005;
     parameters->yaw.i = 0.0;
     parameters->yaw.d = 0.0012;
-    {
-        static const geometric_t constants = {
-            .place = {.p = 2.5, .d = 2.5},
-            .attitude = {.p = 150.0, .d = 22.0}
-        };
-        parameters->geometric = constants;
-    }
+    static const geometric_t new_geometric = {
+        .place = {.p = 2.5, .d = 2.5},
+        .attitude = {.p = 150.0, .d = 22.0}
+    };
+    parameters->geometric = new_geometric;
 }
 
 void parameters_hexacopter(mixer_t *work, parameters_t *parameters)

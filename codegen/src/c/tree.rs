@@ -61,6 +61,15 @@ impl Expr {
         Expr::Call(function.into(), arguments)
     }
 
+    /// The last name in a place: a field's, or a variable's.
+    pub fn last_name(&self) -> Option<&str> {
+        match self {
+            Expr::Name(name) | Expr::Member(_, name) | Expr::Arrow(_, name) => Some(name),
+            Expr::Index(place, _) | Expr::Unary("*", place) => place.last_name(),
+            _ => None,
+        }
+    }
+
     /// `self[index]`.
     pub fn at(self, index: Expr) -> Expr {
         Expr::Index(Box::new(self), Box::new(index))

@@ -64,18 +64,14 @@ impl Lower<'_> {
             ExprKind::Splat(_) => self.construct(dest, value),
             _ if is_stored_whole(self.context.module, value) => {
                 let own = self.result_storage() == Some(dest.clone());
-                let wanted = if own { &*self.function.name } else { "constants" };
-                let stored = |lower: &mut Self| {
-                    let name = lower.fresh(wanted);
-                    lower.declare_table(&value.ty, &name, value);
-                    lower.copy(dest, Expr::name(name), &value.ty, false);
+                let wanted = match dest.last_name() {
+                    _ if own => self.function.name.clone(),
+                    Some(name) => format!("new_{name}"),
+                    None => "constants".to_owned(),
                 };
-                if self.out.is_empty() {
-                    stored(self);
-                } else {
-                    let block = self.scope(stored);
-                    self.emit(StmtKind::Block(block));
-                }
+                let name = self.fresh(&wanted);
+                self.declare_table(&value.ty, &name, value);
+                self.copy(dest, Expr::name(name), &value.ty, false);
             }
             _ => self.construct(dest, value),
         }

@@ -4,8 +4,8 @@
 
 void texts_height(float scale, channel_t *channel)
 {
-    static const uint8_t constants[6] = {104U, 101U, 105U, 103U, 104U, 116U};
-    (void)memcpy(channel->name, constants, sizeof(uint8_t[6]));
+    static const uint8_t new_name[6] = {104U, 101U, 105U, 103U, 104U, 116U};
+    (void)memcpy(channel->name, new_name, sizeof(uint8_t[6]));
     channel->scale = scale;
 }
 
