@@ -26,8 +26,13 @@
 /* The signed integer with these bits. */
 static inline int32_t wrap_i32(uint32_t bits)
 {
+#if defined(__GNUC__) && !defined(BESSEMER_PLAIN)
+    /* These compilers document that they keep the bits. */
+    return (int32_t)bits;
+#else
     const uint32_t rest = UINT32_MAX - bits;
     return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)rest;
+#endif
 }
 
 /* The value modulo 2^32. */
@@ -102,9 +107,14 @@ static inline double clamp_f64(double value, double low, double high)
 /* value divided by 2^count and rounded down; count is less than 32. */
 static inline int32_t shift_right_i32(int32_t value, uint32_t count)
 {
+#if defined(__GNUC__) && !defined(BESSEMER_PLAIN)
+    /* These compilers document that they shift the sign in. */
+    return value >> count;
+#else
     const uint32_t sign = 0x80000000U >> count;
     const uint32_t bits = (uint32_t)value;
     return wrap_i32(((bits >> count) ^ sign) - sign);
+#endif
 }
 
 /* The bits of a number; every NaN has the same. */

@@ -403,13 +403,20 @@ fn shift_right(name: &str, int: Int) -> String {
     let (unsigned, wrap) = (unsigned_type(held), Helper::Wrap(held).name());
     let top = if bits == 64 { "UINT64_C(0x8000000000000000)" } else { "0x80000000U" };
     let back = if bits < 32 { format!("({ty})") } else { String::new() };
+    let shifted =
+        if bits < 32 { format!("({ty})(value >> count)") } else { "value >> count".into() };
     format!(
         "/* value divided by 2^count and rounded down; count is less than {bits}. */
 static inline {ty} {name}({ty} value, uint32_t count)
 {{
+#if defined(__GNUC__) && !defined(BESSEMER_PLAIN)
+    /* These compilers document that they shift the sign in. */
+    return {shifted};
+#else
     const {unsigned} sign = {top} >> count;
     const {unsigned} bits = ({unsigned})value;
     return {back}{wrap}(((bits >> count) ^ sign) - sign);
+#endif
 }}"
     )
 }

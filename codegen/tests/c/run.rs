@@ -78,10 +78,13 @@ fn run(compiler: &str, flags: &[&str], folder: &Path, input: &str) -> String {
         .map(|entry| entry.expect("readable").path());
     let sources: Vec<_> =
         sources.filter(|path| path.extension().is_some_and(|end| end == "c")).collect();
+    // Of one compiler what it documents, of the other what stands in for that elsewhere.
+    let plain = (compiler == "clang").then_some("-DBESSEMER_PLAIN");
     super::compilers::run(
         Command::new(compiler)
             .args(["-std=c99", "-ffp-contract=off"])
             .args(flags)
+            .args(plain)
             .args(["-o", "program"])
             .args(sources)
             .arg("-lm"),

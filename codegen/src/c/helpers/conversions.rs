@@ -24,8 +24,13 @@ pub(super) fn wrap(name: &str, int: Int) -> String {
         "/* The signed integer with these bits. */
 static inline {ty} {name}(uint{bits}_t bits)
 {{
+#if defined(__GNUC__) && !defined(BESSEMER_PLAIN)
+    /* These compilers document that they keep the bits. */
+    return ({ty})bits;
+#else
     const uint{bits}_t rest = {rest};
     return bits <= (uint{bits}_t)INT{bits}_MAX ? ({ty})bits : {negative};
+#endif
 }}"
     )
 }
