@@ -2,6 +2,8 @@
 //!
 //! Must not know: where the items come from, or what a chain makes of them on the way.
 
+use core::cmp::Ordering;
+
 use crate::function;
 
 /// How many there are.
@@ -177,6 +179,90 @@ pub fn min<T: PartialOrd>(items: impl Iterator<Item = T>) -> Option<T> {
     min
 }
 
+/// The greatest by `compare`; of equal ones the last.
+#[function(expand)]
+pub fn max_by<T>(
+    items: impl Iterator<Item = T>,
+    mut compare: impl FnMut(&T, &T) -> Ordering,
+) -> Option<T> {
+    let mut found = None;
+    for value in items {
+        if let Some(best) = &found {
+            if compare(best, &value).is_le() {
+                found = Some(value);
+            }
+        } else {
+            found = Some(value);
+        }
+    }
+    found
+}
+
+/// The least by `compare`; of equal ones the first.
+#[function(expand)]
+pub fn min_by<T>(
+    items: impl Iterator<Item = T>,
+    mut compare: impl FnMut(&T, &T) -> Ordering,
+) -> Option<T> {
+    let mut found = None;
+    for value in items {
+        if let Some(best) = &found {
+            if compare(best, &value).is_gt() {
+                found = Some(value);
+            }
+        } else {
+            found = Some(value);
+        }
+    }
+    found
+}
+
+/// The one with the greatest key; of equal ones the last.
+#[function(expand)]
+pub fn max_by_key<T, K: PartialOrd>(
+    items: impl Iterator<Item = T>,
+    mut f: impl FnMut(&T) -> K,
+) -> Option<T> {
+    let mut found = None;
+    let mut largest = None;
+    for value in items {
+        let key = f(&value);
+        if let Some(best) = &largest {
+            if key >= *best {
+                largest = Some(key);
+                found = Some(value);
+            }
+        } else {
+            largest = Some(key);
+            found = Some(value);
+        }
+    }
+    found
+}
+
+/// The one with the least key; of equal ones the first.
+#[function(expand)]
+pub fn min_by_key<T, K: PartialOrd>(
+    items: impl Iterator<Item = T>,
+    mut f: impl FnMut(&T) -> K,
+) -> Option<T> {
+    let mut found = None;
+    let mut least = None;
+    for value in items {
+        let key = f(&value);
+        if let Some(best) = &least {
+            if key < *best {
+                least = Some(key);
+                found = Some(value);
+            }
+        } else {
+            least = Some(key);
+            found = Some(value);
+        }
+    }
+    found
+}
+
 /// Does `f` to each.
 #[function(expand)]
 pub fn for_each<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T)) {
@@ -223,6 +309,118 @@ pub fn ne<T: PartialEq<U>, U>(
     !eq(items, others)
 }
 
+/// Which of two comes first: the one with the lesser item in the first place in which they differ; else the shorter.
+#[function(expand)]
+pub fn cmp<T: PartialOrd>(
+    items: impl Iterator<Item = T>,
+    mut others: impl Iterator<Item = T>,
+) -> Ordering {
+    let mut order = Ordering::Equal;
+    for item in items {
+        order = Ordering::Greater;
+        if let Some(other) = others.next() {
+            if item < other {
+                order = Ordering::Less;
+            } else if item == other {
+                order = Ordering::Equal;
+            }
+        }
+        if order != Ordering::Equal {
+            break;
+        }
+    }
+    if order == Ordering::Equal && others.next().is_some() {
+        order = Ordering::Less;
+    }
+    order
+}
+
+/// Whether they come before the others.
+#[function(expand)]
+pub fn lt<T: PartialOrd<U>, U>(
+    items: impl Iterator<Item = T>,
+    mut others: impl Iterator<Item = U>,
+) -> bool {
+    let (mut less, mut same) = (false, true);
+    for item in items {
+        same = false;
+        if let Some(other) = others.next() {
+            less = item < other;
+            same = item == other;
+        }
+        if !same {
+            break;
+        }
+    }
+    less || same && others.next().is_some()
+}
+
+/// Whether they do not come behind the others.
+#[function(expand)]
+pub fn le<T: PartialOrd<U>, U>(
+    items: impl Iterator<Item = T>,
+    mut others: impl Iterator<Item = U>,
+) -> bool {
+    let (mut less, mut same) = (false, true);
+    for item in items {
+        same = false;
+        if let Some(other) = others.next() {
+            less = item < other;
+            same = item == other;
+        }
+        if !same {
+            break;
+        }
+    }
+    // Rust asks for one more of the others.
+    let more = same && others.next().is_some();
+    less || more || same
+}
+
+/// Whether they come behind the others.
+#[function(expand)]
+pub fn gt<T: PartialOrd<U>, U>(
+    items: impl Iterator<Item = T>,
+    mut others: impl Iterator<Item = U>,
+) -> bool {
+    let (mut greater, mut same) = (false, true);
+    for item in items {
+        greater = true;
+        same = false;
+        if let Some(other) = others.next() {
+            greater = item > other;
+            same = item == other;
+        }
+        if !same {
+            break;
+        }
+    }
+    // Rust asks for one more of the others.
+    let more = same && others.next().is_some();
+    greater && !more
+}
+
+/// Whether they do not come before the others.
+#[function(expand)]
+pub fn ge<T: PartialOrd<U>, U>(
+    items: impl Iterator<Item = T>,
+    mut others: impl Iterator<Item = U>,
+) -> bool {
+    let (mut greater, mut same) = (false, true);
+    for item in items {
+        greater = true;
+        same = false;
+        if let Some(other) = others.next() {
+            greater = item > other;
+            same = item == other;
+        }
+        if !same {
+            break;
+        }
+    }
+    greater || same && others.next().is_none()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -238,6 +436,13 @@ mod tests {
             assert_eq!(next(items()), items().next());
             assert_eq!(max(items()), items().max());
             assert_eq!(min(items()), items().min());
+            let places = || items().enumerate();
+            let by = |a: &(usize, u8), b: &(usize, u8)| a.1.cmp(&b.1);
+            assert_eq!(max_by(places(), by), places().max_by(by));
+            assert_eq!(min_by(places(), by), places().min_by(by));
+            let key = |it: &(usize, u8)| it.1 % 4;
+            assert_eq!(max_by_key(places(), key), places().max_by_key(key));
+            assert_eq!(min_by_key(places(), key), places().min_by_key(key));
             let joined = |so_far: u8, x: u8| so_far.wrapping_mul(5).wrapping_add(x);
             assert_eq!(fold(items(), 2, joined), items().fold(2, joined));
             assert_eq!(reduce(items(), joined), items().reduce(joined));
@@ -249,6 +454,18 @@ mod tests {
                 let others = || values[..other].iter().map(|x| x & 11);
                 assert_eq!(eq(items(), others()), items().eq(others()));
                 assert_eq!(ne(items(), others()), items().ne(others()));
+                assert_eq!(cmp(items(), others()), items().cmp(others()));
+                let halves = [2.0, f64::NAN, 4.5, -0.0, 1.5, 2.0, f64::NAN];
+                let halves = || items().zip(halves).map(|(x, half)| half * f64::from(x % 3));
+                let whole = || others().map(f64::from);
+                assert_eq!(lt(halves(), whole()), halves().lt(whole()));
+                assert_eq!(le(halves(), whole()), halves().le(whole()));
+                assert_eq!(gt(halves(), whole()), halves().gt(whole()));
+                assert_eq!(ge(halves(), whole()), halves().ge(whole()));
+                assert_eq!(lt(items(), others()), items().lt(others()));
+                assert_eq!(le(items(), others()), items().le(others()));
+                assert_eq!(gt(items(), others()), items().gt(others()));
+                assert_eq!(ge(items(), others()), items().ge(others()));
             }
             for limit in 0..10 {
                 let above = |x: u8| x > limit;

@@ -142,6 +142,10 @@ impl Leaving {
             *block = self.without_marks(std::mem::take(block), followed || shared.is_some());
         }
         let mut done = vec![turned(next)];
+        // Nothing comes behind it that the flag could keep from being done.
+        if told {
+            done.retain(|stmt| branches(&mut stmt.clone()).iter().any(|it| !it.0.is_empty()));
+        }
         if let Some(behind) = shared {
             self.flagged = true;
             let then = self.without_marks(Block(behind), followed);

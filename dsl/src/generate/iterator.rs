@@ -152,6 +152,15 @@ takes_items! { iterate:
     Rposition<T>: rposition(Items<T>, fn(T) -> bool);
     Max<T: PartialOrd>: max(Items<T>);
     Min<T: PartialOrd>: min(Items<T>);
+    MaxBy<T>: max_by(Items<T>, fn(&T, &T) -> Ordering);
+    MinBy<T>: min_by(Items<T>, fn(&T, &T) -> Ordering);
+    MaxByKey<T, K: PartialOrd>: max_by_key(Items<T>, fn(&T) -> K);
+    MinByKey<T, K: PartialOrd>: min_by_key(Items<T>, fn(&T) -> K);
+    Cmp<T: PartialOrd>: cmp(Items<T>, Items<T>);
+    Lt<T: PartialOrd<U>, U>: lt(Items<T>, Items<U>);
+    Le<T: PartialOrd<U>, U>: le(Items<T>, Items<U>);
+    Gt<T: PartialOrd<U>, U>: gt(Items<T>, Items<U>);
+    Ge<T: PartialOrd<U>, U>: ge(Items<T>, Items<U>);
     Eq<T: PartialEq<U>, U>: eq(Items<T>, Items<U>);
     Ne<T: PartialEq<U>, U>: ne(Items<T>, Items<U>);
     ForEach<T>: for_each(Items<T>, fn(T));
@@ -216,6 +225,24 @@ of_iterators! {
         __b_find[F: FnMut(&Self::Item) -> bool](F) -> Find<Item<Self>>, Option<Self::Item>;
         __b_find_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](F)
             -> FindMap<Item<Self>, U::Slot>, Option<U>;
+        __b_max_by[F: FnMut(&Self::Item, &Self::Item) -> Ordering](F)
+            -> MaxBy<Item<Self>>, Option<Self::Item>;
+        __b_min_by[F: FnMut(&Self::Item, &Self::Item) -> Ordering](F)
+            -> MinBy<Item<Self>>, Option<Self::Item>;
+        __b_max_by_key[K: Seen, F: FnMut(&Self::Item) -> K](F)
+            -> MaxByKey<Item<Self>, K::Slot>, Option<Self::Item> where K: Ord;
+        __b_min_by_key[K: Seen, F: FnMut(&Self::Item) -> K](F)
+            -> MinByKey<Item<Self>, K::Slot>, Option<Self::Item> where K: Ord;
+        __b_cmp[I: IntoIterator<Item = Self::Item>](I) -> Cmp<Item<Self>>, Ordering
+            where Self::Item: Ord;
+        __b_lt[U: Seen, I: IntoIterator<Item = U>](I) -> Lt<Item<Self>, U::Slot>, bool
+            where Self::Item: PartialOrd<U>;
+        __b_le[U: Seen, I: IntoIterator<Item = U>](I) -> Le<Item<Self>, U::Slot>, bool
+            where Self::Item: PartialOrd<U>;
+        __b_gt[U: Seen, I: IntoIterator<Item = U>](I) -> Gt<Item<Self>, U::Slot>, bool
+            where Self::Item: PartialOrd<U>;
+        __b_ge[U: Seen, I: IntoIterator<Item = U>](I) -> Ge<Item<Self>, U::Slot>, bool
+            where Self::Item: PartialOrd<U>;
         __b_eq[U: Seen, I: IntoIterator<Item = U>](I) -> Eq<Item<Self>, U::Slot>, bool
             where Self::Item: PartialEq<U>;
         __b_ne[U: Seen, I: IntoIterator<Item = U>](I) -> Ne<Item<Self>, U::Slot>, bool

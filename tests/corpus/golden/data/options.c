@@ -34,10 +34,8 @@ void programs_data_options_better(const option_u8_t *one, const option_u8_t *oth
         result->is_some = true;
         result->value = max_u8(a, b);
     } else if (!other->is_some) {
-        const option_u8_t one_2 = *one;
-        *result = one_2;
+        *result = *one;
     } else {
-        const option_u8_t other_2 = *other;
-        *result = other_2;
+        *result = *other;
     }
 }

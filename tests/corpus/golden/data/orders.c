@@ -4,10 +4,10 @@
 
 static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_length);
 
-/** Whether the first comes before the second. */
-static inline bool comparison_is_less(ordering_t order)
+/** Whether the first comes behind the second. */
+static inline bool comparison_is_greater(ordering_t order)
 {
-    return order == ORDERING_LESS;
+    return order == ORDERING_GREATER;
 }
 
 /**
@@ -22,6 +22,12 @@ static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
     } else {
         return ORDERING_GREATER;
     }
+}
+
+/** Whether the first comes before the second. */
+static inline bool comparison_is_less(ordering_t order)
+{
+    return order == ORDERING_LESS;
 }
 
 /**
@@ -72,12 +78,6 @@ static inline void comparison_partial_f64(double one, double other, option_order
         result->is_some = false;
         result->value = ORDERING_LESS;
     }
-}
-
-/** Whether the first comes behind the second. */
-static inline bool comparison_is_greater(ordering_t order)
-{
-    return order == ORDERING_GREATER;
 }
 
 bessemer_status_t orders_towards(int16_t position, int16_t target, int16_t *result)
