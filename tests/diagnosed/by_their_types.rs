@@ -19,19 +19,3 @@ pub fn inverted(a: &Matrix3x2<f64>) -> Matrix2x3<f64> {
 pub fn roots(x: u32, y: f64) -> f64 {
     f64::from(x.isqrt() + x.saturating_pow(2)) + y.midpoint(7.0)
 }
-
-/// Beside what else is gone through.
-#[function]
-pub fn weighted(m: &Matrix3<f64>, w: &[f64; 3]) -> f64 {
-    let mut sum = 0.0;
-    for (column, w) in m.column_iter().zip(w) {
-        sum += column.norm() * w;
-    }
-    sum
-}
-
-/// The same in a chain, and with what nalgebra has not the other way round.
-#[function]
-pub fn chained(m: &Matrix3<f64>, w: &[f64; 3]) -> f64 {
-    m.row_iter().zip(w).map(|(row, w)| row.norm() * w).sum()
-}

@@ -135,7 +135,7 @@ impl Lowering<'_, '_> {
 }
 
 /// `for variable in 0..to`.
-fn up_to(variable: LocalId, to: Expr, body: Block) -> StmtKind {
+pub(super) fn up_to(variable: LocalId, to: Expr, body: Block) -> StmtKind {
     let from = Expr::usize(0, to.span);
     StmtKind::For {
         variable,

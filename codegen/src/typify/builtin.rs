@@ -53,7 +53,7 @@ impl Lowering<'_, '_> {
             Builtin::Real => self.real(&arguments[0], Some(Type::F64), expr),
             Builtin::AsF64 => self.real(&arguments[0], None, expr),
             Builtin::TryFrom => self.if_it_fits(&arguments[0], expr),
-            Builtin::Owned => self.value(&arguments[0], None),
+            Builtin::Owned => self.read(&arguments[0], None),
             Builtin::Linear(routine) => self.routine(routine, arguments, expr),
             Builtin::Matrix(method) => self.matrix_method(method, arguments, expr),
             Builtin::Kernel(routine) => self.kernel_call(routine, arguments, expr),
@@ -84,6 +84,7 @@ impl Lowering<'_, '_> {
             MatrixMethod::Swizzle(axes, count) => {
                 return self.swizzle(&axes[..usize::from(count)], &arguments[0], expr);
             }
+            MatrixMethod::Part(_) => return Self::moved_part(expr.site),
             MatrixMethod::New => Constructor::New,
             MatrixMethod::Zeros => Constructor::Zeros,
             MatrixMethod::Identity => Constructor::Identity,

@@ -58,7 +58,7 @@ impl<'a> Lowering<'a, '_> {
         let parameters: Vec<_> =
             callee.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
         let result = callee.result.clone();
-        let mut passed = Vec::new();
+        let (mut passed, mut copies) = (Vec::new(), Vec::new());
         let mut parameters = parameters.into_iter();
         for (index, argument) in arguments.iter().enumerate() {
             if self.cx.is_absent(id, index) {
@@ -82,6 +82,11 @@ impl<'a> Lowering<'a, '_> {
                 continue;
             }
             let next = match mode {
+                Mode::RefMut if let Some(part) = self.submatrix(argument)? => {
+                    let copy = self.copy_of_part("part", &part, argument.site)?;
+                    copies.push((part, copy.clone()));
+                    Argument::RefMut(copy)
+                }
                 Mode::RefMut => match self.place(argument)? {
                     Some(place) => Argument::RefMut(place),
                     None => {
@@ -91,7 +96,7 @@ impl<'a> Lowering<'a, '_> {
                     }
                 },
                 Mode::Ref => {
-                    let value = self.value(argument, Some(&ty))?;
+                    let value = self.read(argument, Some(&ty))?;
                     Argument::Ref(self.as_asked(value, &ty, argument.site)?)
                 }
                 Mode::Value => Argument::Value(self.value(argument, Some(&ty))?),
@@ -107,7 +112,8 @@ impl<'a> Lowering<'a, '_> {
         passed.extend(more);
         self.keep_copies(&mut passed);
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
-        self.counted_from_lender(call)
+        let call = self.counted_from_lender(call)?;
+        self.written_back(call, copies)
     }
 
     /// Makes the copies that are passed beside what they are copied from, where a call may write that: `v.axpy(a, &v.clone(), b)`.

@@ -426,6 +426,13 @@ impl Lowering<'_, '_> {
         value: &tree::Expr,
         site: Site,
     ) -> Result<()> {
+        if self.is_submatrix(place) {
+            // Without a `*` the name is given another view.
+            return match (op, &place.kind) {
+                (None, tree::ExprKind::Local(_)) => Self::moved_part(site),
+                _ => self.assign_part(op, place, value, site),
+            };
+        }
         if op.is_none() {
             self.keeps_what_it_refers_to(place, value)?;
         }

@@ -168,6 +168,9 @@ impl Lowering<'_, '_> {
             slices.extend(self.chained(other)?);
             return Ok(slices);
         }
+        if let Some(part) = self.submatrix(array)? {
+            return Ok(vec![part.elements()]);
+        }
         Ok(vec![match self.slice(array)? {
             Some(slice) => slice,
             None => self.elements_of(array)?,
@@ -317,6 +320,8 @@ impl Lowering<'_, '_> {
         }
         match &part.pattern {
             tree::Pattern::Any => {}
+            // They are not one behind the other.
+            tree::Pattern::Name { .. } if slice.within.is_some() => return Self::moved_part(site),
             tree::Pattern::Name { name, inner: None, .. } => {
                 let part = match (way, &slice.length.kind) {
                     (Grouping::All, ExprKind::Literal(_)) => {

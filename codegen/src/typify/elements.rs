@@ -1,8 +1,11 @@
-//! Elements of an array in a row: a slice, known by its base and its ends.
+//! Elements of an array in a row: a slice, known by its base and its ends; and a part of a matrix, known by where it begins.
 
-use bessemer_ir::{Argument, Expr, Mode, Place, Step, Type};
+use bessemer_ir::{Argument, BinaryOp, Expr, Mode, Place, Scalar, Step, Type};
 
 use super::lengths::{is_number, minus, plus};
+
+/// Parts of up to so many elements are written out where they are read.
+pub(super) const SMALL: u32 = 16;
 
 /// Elements of an array, in their place.
 #[derive(Clone)]
@@ -18,12 +21,14 @@ pub(super) struct Slice {
     pub length: Expr,
     /// Whether these are all elements of the base.
     pub whole: bool,
+    /// The part of the base, a matrix, whose elements these are, by its columns.
+    pub within: Option<Box<Submatrix>>,
 }
 
 impl Slice {
     pub fn whole(base: Place, element: Type, length: Expr) -> Slice {
         let from = Expr::usize(0, base.span);
-        Slice { base, element, from, to: length.clone(), length, whole: true }
+        Slice { base, element, from, to: length.clone(), length, whole: true, within: None }
     }
 
     /// The type of what is lent.
@@ -41,6 +46,9 @@ impl Slice {
 
     /// An element of the base, by its index there.
     pub fn at(&self, index: Expr) -> Place {
+        if let Some(part) = &self.within {
+            return part.nth(index);
+        }
         let step = match &self.base.ty {
             Type::Matrix { cols: 1, .. } => Step::Element(index, Expr::usize(0, self.base.span)),
             Type::Matrix { rows: 1, .. } => Step::Element(Expr::usize(0, self.base.span), index),
@@ -77,5 +85,54 @@ impl Slice {
             _ => Argument::Ref(place.load()),
         };
         [first, Argument::Value(self.length)]
+    }
+}
+
+/// A part of a matrix.
+#[derive(Clone)]
+pub(super) struct Submatrix {
+    pub matrix: Place,
+    /// Where it begins: numbers, or locals that nothing writes, and sums of them.
+    pub row: Expr,
+    pub column: Expr,
+    pub element: Scalar,
+    pub rows: u32,
+    pub cols: u32,
+}
+
+impl Submatrix {
+    pub fn ty(&self) -> Type {
+        Type::Matrix { element: self.element, rows: self.rows, cols: self.cols }
+    }
+
+    pub fn is_large(&self) -> bool {
+        self.rows.saturating_mul(self.cols) > SMALL
+    }
+
+    /// An element, which is known to be there.
+    pub fn at(&self, row: Expr, column: Expr) -> Place {
+        let step = Step::Element(plus(self.row.clone(), row), plus(self.column.clone(), column));
+        self.matrix.inside(step, Type::Scalar(self.element))
+    }
+
+    /// The same by its number, column by column.
+    pub fn nth(&self, index: Expr) -> Place {
+        let zero = Expr::usize(0, index.span);
+        match (self.rows, self.cols) {
+            (_, 1) => self.at(index, zero),
+            (1, _) => self.at(zero, index),
+            (rows, _) => {
+                let rows = Expr::usize(u64::from(rows), index.span);
+                let row = Expr::binary(BinaryOp::Rem, index.clone(), rows.clone());
+                self.at(row, Expr::binary(BinaryOp::Div, index, rows))
+            }
+        }
+    }
+
+    /// All its elements.
+    pub fn elements(&self) -> Slice {
+        let length = Expr::usize(u64::from(self.rows * self.cols), self.matrix.span);
+        let all = Slice::whole(self.matrix.clone(), Type::Scalar(self.element), length);
+        Slice { whole: false, within: Some(Box::new(self.clone())), ..all }
     }
 }

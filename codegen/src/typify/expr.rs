@@ -135,6 +135,11 @@ impl Lowering<'_, '_> {
                 let place = Place::local(local, ty.clone(), span);
                 self.node(ExprKind::Load(place), ty, site)
             }
+            tree::ExprKind::Ref(false, part) | tree::ExprKind::Deref(part)
+                if self.is_submatrix(part) =>
+            {
+                self.read(part, None)
+            }
             tree::ExprKind::Deref(part) if self.is_part(part) => self.part_value(part, site),
             _ if control_with_value(expr) => self.control_value(expr, expected),
             _ => match self.place(expr)? {
@@ -266,7 +271,7 @@ impl Lowering<'_, '_> {
     pub(super) fn type_alone(&mut self, expr: &tree::Expr) -> Result<Type> {
         let (statements, locals) = (std::mem::take(&mut self.out), self.locals.len());
         let wrong = self.lenders.problem.take();
-        let ty = self.value(expr, None).map(|value| value.ty);
+        let ty = self.read(expr, None).map(|value| value.ty);
         self.out = statements;
         self.locals.truncate(locals);
         self.lenders.problem = wrong;
@@ -416,6 +421,9 @@ impl Lowering<'_, '_> {
         let Type::Array { element, .. } = &ty else {
             return problem(expr.site, "this is not an array", OUR_FAULT);
         };
+        if let Some(moved) = elements.iter().find(|it| self.is_submatrix(it)) {
+            return Self::moved_part(moved.site);
+        }
         let operands: Vec<_> = elements
             .iter()
             .map(|expr| Operand { expr, expected: Some((**element).clone()), role: "element" })
@@ -475,7 +483,7 @@ impl Lowering<'_, '_> {
         let mut values: Vec<Expr> = Vec::new();
         for (index, operand) in operands.iter().enumerate() {
             let mark = self.out.len();
-            let value = self.value(operand.expr, operand.expected.as_ref())?;
+            let value = self.read(operand.expr, operand.expected.as_ref())?;
             let later = self.later(mark);
             for (value, operand) in values.iter_mut().zip(&operands[..index]) {
                 self.settle(value, operand.role, &later);
@@ -513,6 +521,9 @@ impl Lowering<'_, '_> {
                 }
                 if let Some(value) = self.shorter(path, arguments, expr)? {
                     return Ok(value);
+                }
+                if let Some(called) = self.assigns_part(expr) {
+                    return self.expanded_value(called, None, expr.site);
                 }
                 let id = self.function_at(path, expr.site)?;
                 self.call_function(id, arguments, expr)

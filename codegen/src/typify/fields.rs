@@ -136,6 +136,9 @@ impl Lowering<'_, '_> {
             _ => None,
         };
         let places: Vec<_> = fields.iter().map(|(name, _)| at(self, name)).collect();
+        if let Some((_, moved)) = fields.iter().find(|(_, it)| self.is_submatrix(it)) {
+            return Self::moved_part(moved.site);
+        }
         let operands: Vec<_> = fields
             .iter()
             .zip(&places)

@@ -308,19 +308,8 @@ impl Lowering<'_, '_> {
         match meaning {
             Value::Word(value) => Ok(*value),
             Value::Nothing => Ok(self.nothing(site)),
+            Value::Submatrix(_) => Self::moved_part(site),
             tuple => self.made(&tuple, site),
-        }
-    }
-
-    /// The place that a name means; none if it means a value, or none yet.
-    pub(super) fn place_of(&self, meaning: &Value, span: Span) -> Option<Place> {
-        match meaning {
-            Value::Place(place) => Some(place.clone()),
-            Value::Slice(slice) => Some(slice.place()),
-            Value::Local(root) => {
-                Some(Place::local(*root, self.locals[root.index()].ty.clone(), span))
-            }
-            _ => None,
         }
     }
 
@@ -435,6 +424,12 @@ impl Lowering<'_, '_> {
                 iterator = self.by_hand(name, iterator, &self.source.tree.body, site)?;
             }
             self.bind(name, iterator);
+            return Ok(());
+        }
+        if let Some(value) = value
+            && let Some(part) = self.naming_as(name, |inner| inner.submatrix(value))?
+        {
+            self.bind(name, Value::Submatrix(Box::new(part)));
             return Ok(());
         }
         let lent = match slot {

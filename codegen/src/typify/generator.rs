@@ -10,8 +10,10 @@
 use std::rc::Rc;
 
 use bessemer_ir::tree::visit::{Visit, walk_expr};
-use bessemer_ir::tree::{self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt};
-use bessemer_ir::{Expr, Place, StmtKind, Type};
+use bessemer_ir::tree::{
+    self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt, Ty,
+};
+use bessemer_ir::{Expr, Int, Place, Scalar, StmtKind, Type};
 
 use super::call::Called;
 use super::closure_args::is_hidden;
@@ -121,7 +123,14 @@ impl<'a> Lowering<'a, '_> {
             },
             By::Closure(..) => None,
         };
-        let going = |way: Way| text.and_then(|it| way.of(it));
+        let going = |way: Way| match (&by, text?) {
+            (By::Call((function, _)), it @ tree::Expr { kind: Tree::For { slot, .. }, .. }) => {
+                let ty = function.slots.get(*slot as usize);
+                let counts = matches!(ty, Some(Ty::Scalar(Scalar::Int(Int::Usize))));
+                counts.then(|| way.of_range(it))?
+            }
+            (_, it) => way.of(it),
+        };
         let counted = going(Way { order, counted: index.is_some() });
         let indexed = counted.is_some();
         // From the last on with an index that goes up, a number beside it is the index.
@@ -278,9 +287,13 @@ impl Way {
     /// that cannot be said of it.
     fn of(&self, through: &tree::Expr) -> Option<tree::Expr> {
         let mut text = through.clone();
-        let Tree::Each { index: own @ None, order, cuts, body, .. } = &mut text.kind else {
+        let Tree::Each { index: own, order, cuts, body, .. } = &mut text.kind else {
             return None;
         };
+        // Its own numbers go the way that it goes.
+        if own.is_some() && (self.counted || *order != Order::Up || !cuts.is_empty()) {
+            return None;
+        }
         let mut hands = Hands { each: 0, ends: false };
         hands.block(body);
         // What ends early, or hands on in loops of its own, has no other way.
@@ -298,22 +311,53 @@ impl Way {
             _ => return None,
         };
         if self.counted {
-            let Some(Stmt::Expr(tree::Expr { kind: Tree::Apply(name, items), site, .. })) =
-                body.stmts.last_mut().filter(|_| body.tail.is_none())
-            else {
-                return None;
-            };
-            if name != EACH {
-                return None;
-            }
-            let of = |kind| tree::Expr { kind, site: *site, slot: None };
-            let counter = of(Tree::Local(COUNTER.into()));
-            let pair = std::iter::once(counter).chain(std::mem::take(items)).collect();
-            *items = vec![of(Tree::Tuple(pair))];
+            with_number(body, COUNTER)?;
             *own = Some(COUNTER.into());
         }
         Some(text)
     }
+
+    /// The same of a loop over a range from zero on, whose counter is the index.
+    fn of_range(&self, through: &tree::Expr) -> Option<tree::Expr> {
+        let mut text = through.clone();
+        let Tree::For { name, range, body, .. } = &mut text.kind else { return None };
+        let mut hands = Hands { each: 0, ends: false };
+        hands.block(body);
+        let from_zero = matches!(&range.from.kind, Tree::Int(digits, _) if digits == "0");
+        // One that begins with `_` is none that could be read.
+        let named = !name.starts_with('_');
+        let plain = from_zero && named && range.step.is_none() && !range.inclusive;
+        if !plain || hands.each != 1 || (hands.ends && self.order != Order::Up) {
+            return None;
+        }
+        range.reversed = match (range.reversed, self.order, self.counted) {
+            (own, Order::Up, false) => own,
+            (own, Order::Down, false) => !own,
+            (false, Order::Up | Order::Down, true) => self.order == Order::Down,
+            _ => return None,
+        };
+        if self.counted {
+            with_number(body, name)?;
+        }
+        Some(text)
+    }
+}
+
+/// Lets a pass hand on each item with a number beside it.
+fn with_number(body: &mut tree::Block, number: &str) -> Option<()> {
+    let Some(Stmt::Expr(tree::Expr { kind: Tree::Apply(name, items), site, .. })) =
+        body.stmts.last_mut().filter(|_| body.tail.is_none())
+    else {
+        return None;
+    };
+    if name != EACH {
+        return None;
+    }
+    let of = |kind| tree::Expr { kind, site: *site, slot: None };
+    let number = of(Tree::Local(number.into()));
+    let pair = std::iter::once(number).chain(std::mem::take(items)).collect();
+    *items = vec![of(Tree::Tuple(pair))];
+    Some(())
 }
 
 /// How a pass of a loop hands on items.

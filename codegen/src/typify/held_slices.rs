@@ -51,7 +51,7 @@ impl Lowering<'_, '_> {
             }
         }
         let to = plus(from.clone(), length.clone());
-        Ok(Some(Slice { base, element, from, to, length, whole: false }))
+        Ok(Some(Slice { base, element, from, to, length, whole: false, within: None }))
     }
 
     /// The name of the field that is the last step of a place.

@@ -176,6 +176,10 @@ impl<'a> Lowering<'a, '_> {
         if self.iterator_named(elements).is_some() {
             return Ok(());
         }
+        if let Some(part) = self.submatrix(elements)? {
+            self.stand_in(elements, "items%", Value::Submatrix(Box::new(part)));
+            return Ok(());
+        }
         match &mut elements.kind {
             Tree::Chain(one, other) => {
                 self.settle_elements(one, owned)?;

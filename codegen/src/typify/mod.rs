@@ -68,6 +68,7 @@ mod sizes;
 mod slice;
 mod spatial;
 mod stepped;
+mod submatrix;
 mod syntax;
 mod types;
 mod unmade;

@@ -1,7 +1,7 @@
 //! Names of references: other names for their places.
 
-use bessemer_ir::Place;
 use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{Place, Span};
 
 use super::lowering::Lowering;
 use super::value::Value;
@@ -22,6 +22,18 @@ fn is_held(expr: &tree::Expr) -> bool {
 }
 
 impl Lowering<'_, '_> {
+    /// The place that a name means; none if it means a value, or none yet.
+    pub(super) fn place_of(&self, meaning: &Value, span: Span) -> Option<Place> {
+        match meaning {
+            Value::Place(place) => Some(place.clone()),
+            Value::Slice(slice) => Some(slice.place()),
+            Value::Local(root) => {
+                Some(Place::local(*root, self.locals[root.index()].ty.clone(), span))
+            }
+            _ => None,
+        }
+    }
+
     /// A copy of what is at a place, under a name that nothing writes to.
     pub(super) fn hold_copy(&mut self, name: &str, place: Place) -> Place {
         self.naming_as("", |inner| inner.temporary_place(name, place.load()))

@@ -51,6 +51,9 @@ impl Lowering<'_, '_> {
         if let Some(parts) = self.parts_named(expr) {
             return Ok(parts);
         }
+        if let Some(part) = self.submatrix(expr)? {
+            return Ok(Value::Submatrix(Box::new(part)));
+        }
         if let Some(lent) = self.lent(expr)? {
             return Ok(lent);
         }
@@ -136,6 +139,10 @@ impl Lowering<'_, '_> {
                 Ok(None)
             }
             (_, Value::Place(place)) => self.test_place(pattern, place, site, names),
+            (tree::Pattern::Name { name, slot, inner: None, .. }, Value::Submatrix(_)) => {
+                names.push(Named::of(name, *slot, subject.clone(), site));
+                Ok(None)
+            }
             (tree::Pattern::Or(cases), _) => self.test_any(cases, subject, site, names),
             (_, Value::Slice(slice)) => self.test_slice(pattern, slice, site, names),
             (_, Value::Maybe(there, lent)) => self.test_maybe(pattern, (there, lent), site, names),

@@ -42,11 +42,20 @@ impl Lowering<'_, '_> {
             },
             tree::ExprKind::Try(..) => self.tried_place(expr),
             tree::ExprKind::Field(_, name) if name == "coords" && self.in_coords(expr)? => Ok(None),
+            tree::ExprKind::Field(base, name) if let Some(part) = self.submatrix(base)? => {
+                match self.field_step(&part.ty(), name, expr)?.0 {
+                    Step::Element(row, column) => Ok(Some(Place { span, ..part.at(row, column) })),
+                    _ => Ok(None),
+                }
+            }
             tree::ExprKind::Field(base, name) => {
                 let base = self.base(base)?;
                 self.field(base, name, expr).map(Some)
             }
             tree::ExprKind::Index(base, index) => {
+                if let Some(part) = self.submatrix(base)? {
+                    return self.part_element(&part, index, expr).map(Some);
+                }
                 if let Some(slice) = self.slice(base)? {
                     return self.slice_element(&slice, index, span).map(Some);
                 }
@@ -184,7 +193,7 @@ impl Lowering<'_, '_> {
         Ok(base)
     }
 
-    fn matrix_step(
+    pub(super) fn matrix_step(
         &mut self,
         index: &tree::Expr,
         rows: u32,
@@ -225,6 +234,9 @@ impl Lowering<'_, '_> {
 
     /// The type at a place that is to be assigned, without computing its indices.
     pub(super) fn place_type(&mut self, expr: &tree::Expr) -> Result<Type> {
+        if self.is_submatrix(expr) {
+            return self.type_alone(expr);
+        }
         match &expr.kind {
             tree::ExprKind::Local(name) => Ok(self.named(name, expr.site)?.ty),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place_type(inner),

@@ -347,6 +347,9 @@ impl<'a> Lowering<'a, '_> {
             {
                 return Ok(Value::Slice(Box::new(self.sliced(argument)?)));
             }
+            if let Some(part) = self.submatrix(argument)? {
+                return Ok(Value::Submatrix(Box::new(part)));
+            }
             if let Some(mut place) = self.place(argument)? {
                 self.fix(&mut place);
                 return Ok(Value::Place(place));

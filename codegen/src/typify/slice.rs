@@ -142,7 +142,10 @@ impl Lowering<'_, '_> {
                 self.narrowed(base, (from.as_deref(), to.as_deref()), *inclusive, span).map(Some)
             }
             tree::ExprKind::Cut(base, cut) => {
-                let base = self.sliced(base)?;
+                let base = match self.submatrix(base)? {
+                    Some(part) => part.elements(),
+                    None => self.sliced(base)?,
+                };
                 let count = self.value(&cut.count, Some(&Type::USIZE))?;
                 let count = least(count, base.length.clone());
                 let count = self.steady("count", count);
@@ -217,8 +220,9 @@ impl Lowering<'_, '_> {
         }
         let whole = slice.whole && open && is_number(&from, 0);
         let length = minus(to.clone(), from.clone());
-        let (from, to) = (plus(slice.from.clone(), from), plus(slice.from, to));
-        Ok(Slice { base: slice.base, element: slice.element, from, to, length, whole })
+        let (from, to) = (plus(slice.from.clone(), from), plus(slice.from.clone(), to));
+        let Slice { base, element, within, .. } = slice;
+        Ok(Slice { base, element, from, to, length, whole, within })
     }
 
     /// A value that is computed once, and written down again as it is where nothing changes it.

@@ -3,7 +3,7 @@
 use bessemer_ir::tree::Site;
 use bessemer_ir::{Expr, LocalId, Place, Type};
 
-use super::elements::Slice;
+use super::elements::{Slice, Submatrix};
 
 /// The meaning of an expression or a name.
 #[derive(Clone)]
@@ -16,6 +16,8 @@ pub(super) enum Value {
     Word(Box<Expr>),
     /// Elements in a row.
     Slice(Box<Slice>),
+    /// A part of a matrix that is written where it is.
+    Submatrix(Box<Submatrix>),
     /// A tuple that is never made: its parts, side by side, and its type, if a value of it can be.
     Tuple(Vec<Value>, Option<Type>),
     /// What is lent if the condition holds.
@@ -37,7 +39,7 @@ pub(super) struct Named {
 }
 
 impl Named {
-    /// A name of several elements, or of a zero-sized value.
+    /// A name of several elements, of a part of a matrix, or of a zero-sized value.
     pub(super) fn of(name: &str, slot: u32, stands: Value, site: Site) -> Named {
         Named { name: name.to_owned(), slot, mutable: false, stands, site }
     }

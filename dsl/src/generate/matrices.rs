@@ -11,7 +11,7 @@ use super::slot::Called;
 use crate::element::{Element, Number};
 use crate::linear::{
     blas, elementwise, inverse, matrix_edit, matrix_extremes, matrix_powers, matrix_statistics,
-    norms, parts, views,
+    norms, parts,
 };
 use crate::math::Real;
 
@@ -192,10 +192,6 @@ companions! {
         fn __b_fill_row(&mut self, row: usize, value: T) -> () { matrix_edit::fill_row(self, row, value) }
         fn __b_fill_column(&mut self, column: usize, value: T) -> () {
             matrix_edit::fill_column(self, column, value)
-        }
-        fn __b_view_fill_row(&mut self, row: usize, value: T) -> () { views::fill_row(self, row, value) }
-        fn __b_view_fill_column(&mut self, column: usize, value: T) -> () {
-            views::fill_column(self, column, value)
         }
         fn __b_fill_lower_triangle(&mut self, value: T, shift: usize) -> () {
             matrix_edit::fill_lower_triangle(self, value, shift)

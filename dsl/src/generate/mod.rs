@@ -124,7 +124,10 @@ pub mod prelude {
         UnitQuaternionBuiltins as _, UnitQuaternionMethods as _,
     };
     pub use super::swizzles::SwizzleBuiltins as _;
-    pub use super::views::{CopyBuiltin as _, OwnedBuiltins as _, ViewBuiltins as _};
+    pub use super::views::{
+        CopyBuiltin as _, LineBuiltins as _, OwnedBuiltins as _, ViewBuiltins as _,
+        WrittenViews as _,
+    };
     pub use super::whole::WholeBuiltins as _;
 }
 

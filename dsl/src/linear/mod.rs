@@ -14,6 +14,7 @@ pub mod each_element;
 pub mod elementwise;
 pub mod factored;
 pub mod kernels;
+pub mod lines;
 mod literal;
 mod lu;
 pub mod matrix_edit;

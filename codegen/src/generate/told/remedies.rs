@@ -12,9 +12,6 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
         _ if generic || !is_known(owner) => return None,
         "pseudo_inverse" => "write `bessemer::linear::svd(&a).pseudo_inverse(least)`",
         "zip_zip_map" => "write `zip_map` twice, or `from_fn(|row, column| …)`",
-        "column_iter" | "row_iter" | "column_iter_mut" | "row_iter_mut" => {
-            "number them and take the rest by the number: `for (i, column) in m.column_iter().enumerate() { … w[i] … }`"
-        }
         "eq" | "ne" | "lt" | "le" | "gt" | "ge" => {
             "compare with `==`, `<` and the like; all elements with `a[..] == b[..]`"
         }

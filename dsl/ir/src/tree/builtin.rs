@@ -89,6 +89,18 @@ builtins! {
         Elements,
         /// The vector of these components; as many as the second says.
         Swizzle([u8; 3], u8),
+        /// A part that is written where it is.
+        Part(MatrixPart),
+    }
+
+    /// Which index says where a part of a matrix begins.
+    MatrixPart {
+        /// That of its first row: it has all columns.
+        Rows,
+        /// That of its first column.
+        Columns,
+        /// Both.
+        Block,
     }
 
     /// What rotations and poses need no function for.

@@ -41,13 +41,9 @@ const ABSENT: &[(&str, usize, &str)] = &[
         2,
         "write `fixed_view::<R, C>(i, j)`: its size is known when the C is written",
     ),
-    ("row_mut column_mut", 1, VIEW),
-    ("fixed_rows_mut fixed_columns_mut", 1, VIEW),
-    ("fixed_view_mut", 2, VIEW),
 ];
 
 const BYTES: &str = "write `to_be_bytes`, `from_le_bytes` and the like: the same on every target";
-const VIEW: &str = "write what it is to become: `m.column_mut(j).copy_from(&part)`, or `.fill(x)`, `.scale_mut(x)`";
 
 /// Those that are absent for a reason of their own, with their arguments.
 const REASONS: &[(&str, usize, Reason)] = &[

@@ -80,9 +80,6 @@ impl Lowering<'_> {
     }
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
-        if let Some(lines) = self.chained_lines(it) {
-            *it = lines;
-        }
         self.functions_as_closures(it);
         let mut arguments = vec![self.receiver(&mut it.receiver)];
         // What a panic would say stays in the Rust.

@@ -98,9 +98,6 @@ impl Lowering<'_> {
     }
 
     pub(super) fn for_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
-        if let Some(by_index) = self.through_lines(it) {
-            *it = by_index;
-        }
         if !is_range(&it.expr) {
             return self.each_loop(it);
         }

@@ -47,9 +47,6 @@ impl Lowering<'_> {
 
     /// The kind of `expr`, and whether a slot has to see its value.
     fn kind(&mut self, expr: &mut syn::Expr, value: bool) -> (ExprKind, bool) {
-        if let Some(call) = self.written_view(expr).or_else(|| self.view_without_name(expr)) {
-            *expr = call;
-        }
         if let Some(other) = self.rewritten(expr) {
             *expr = other;
         }

@@ -20,7 +20,6 @@ impl Lowering<'_> {
 
     pub(super) fn statements(&mut self, stmts: &mut Vec<syn::Stmt>) -> tree::Block {
         let mut lowered = tree::Block::default();
-        self.views_with_names(stmts);
         self.iterators_with_names(stmts);
         let mut originals = std::mem::take(stmts);
         originals.retain(|stmt| !is_empty(stmt));

@@ -37,53 +37,55 @@ double named_views_changed(double covariance[16], const double noise[4], double 
     block[1] += noise[1];
     block[2] += noise[2];
     block[1 + 2] += noise[1 + 2];
-    block[0] *= 2.0;
-    block[1] *= 2.0;
-    block[2] *= 2.0;
-    block[1 + 2] *= 2.0;
-    if (block[0] < least) {
-        block[0] = least;
-    }
-    const double given = parts_trace_f64_2(block);
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
             covariance[row + 4U * (column + 2U)] = block[row + 2U * column];
         }
     }
-    return given;
+    double block_2[4] = {
+        covariance[4 * 2], covariance[1 + 4 * 2],
+        covariance[4 * 3], covariance[1 + 4 * 3]
+    };
+    block_2[0] *= 2.0;
+    block_2[1] *= 2.0;
+    block_2[2] *= 2.0;
+    block_2[1 + 2] *= 2.0;
+    for (uint32_t column = 0U; column < 2U; column++) {
+        for (uint32_t row = 0U; row < 2U; row++) {
+            covariance[row + 4U * (column + 2U)] = block_2[row + 2U * column];
+        }
+    }
+    if (covariance[4 * 2] < least) {
+        covariance[4 * 2] = least;
+    }
+    const double result_a[4] = {
+        covariance[4 * 2], covariance[1 + 4 * 2],
+        covariance[4 * 3], covariance[1 + 4 * 3]
+    };
+    return parts_trace_f64_2(result_a);
 }
 
 bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double by[4], double most,
-    option_f64_t *given)
+    option_f64_t *result)
 {
-    const uint64_t part_at = column;
-    const uint64_t part_column = part_at;
-    if (part_column > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
+    if (column > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (part_column + UINT64_C(1) > UINT64_C(4)) {
+    if (column + UINT64_C(1) > UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
     }
     double part[4] = {
-        m[4U * part_column], m[1U + 4U * part_column], m[2U + 4U * part_column],
-        m[3U + 4U * part_column]
+        m[4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
     };
     part[0] += by[0];
     part[1] += by[1];
     part[2] += by[2];
     part[3] += by[3];
-    const uint64_t column_2 = part_at;
-    if (column_2 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (column_2 + UINT64_C(1) > UINT64_C(4)) {
-        return BESSEMER_STATUS_INDEX;
-    }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * (uint32_t)column_2] = part[row];
+        m[row + 4U * (uint32_t)column] = part[row];
     }
     option_f64_t first_choice;
-    const option_f64_t first_option = {.is_some = true, .value = part[0]};
+    const option_f64_t first_option = {.is_some = true, .value = m[4U * column]};
     if (first_option.is_some && first_option.value <= most) {
         first_choice.is_some = true;
         first_choice.value = first_option.value;
@@ -92,82 +94,46 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         first_choice.value = 0.0;
     }
     if (!first_choice.is_some) {
-        given->is_some = false;
-        given->value = 0.0;
+        result->is_some = false;
+        result->value = 0.0;
         return BESSEMER_STATUS_OK;
     }
     const double first = first_choice.value;
-    const uint64_t column_3 = part_at;
-    if (column_3 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (column_3 + UINT64_C(1) > UINT64_C(4)) {
-        return BESSEMER_STATUS_INDEX;
-    }
+    double part_2[4] = {
+        m[4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
+    };
+    part_2[0] *= first;
+    part_2[1] *= first;
+    part_2[2] *= first;
+    part_2[3] *= first;
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * (uint32_t)column_3] = part[row];
-    }
-    part[0] *= first;
-    part[1] *= first;
-    part[2] *= first;
-    part[3] *= first;
-    const uint64_t column_4 = part_at;
-    if (column_4 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (column_4 + UINT64_C(1) > UINT64_C(4)) {
-        return BESSEMER_STATUS_INDEX;
-    }
-    for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * (uint32_t)column_4] = part[row];
+        m[row + 4U * (uint32_t)column] = part_2[row];
     }
     for (uint32_t i = 0U; i < 4U; i++) {
         if (i == 2U) {
             continue;
         }
-        part[i] -= by[i];
+        const double part_operand = by[i];
+        m[i + 4U * (uint32_t)column] -= part_operand;
     }
-    const uint64_t column_5 = part_at;
-    if (column_5 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (column_5 + UINT64_C(1) > UINT64_C(4)) {
-        return BESSEMER_STATUS_INDEX;
-    }
-    for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * (uint32_t)column_5] = part[row];
-    }
-    const option_f64_t given_value = {
-        .is_some = true,
-        .value = matrix_statistics_sum_f64_4_1(part)
+    const double result_a[4] = {
+        m[4U * column], m[1U + 4U * column], m[2U + 4U * column], m[3U + 4U * column]
     };
-    const uint64_t column_6 = part_at;
-    if (column_6 > UINT64_C(0xFFFFFFFFFFFFFFFE)) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (column_6 + UINT64_C(1) > UINT64_C(4)) {
-        return BESSEMER_STATUS_INDEX;
-    }
-    for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4U * (uint32_t)column_6] = part[row];
-    }
-    *given = given_value;
+    result->is_some = true;
+    result->value = matrix_statistics_sum_f64_4_1(result_a);
     return BESSEMER_STATUS_OK;
 }
 
 void named_views_scaled(double m[6], const double by[2])
 {
-    for (uint32_t column_ = 0U; column_ < 3U; column_++) {
-        const uint32_t column_at = column_;
-        const uint32_t column_column = column_at;
-        double column[2] = {m[2U * column_column], m[1U + 2U * column_column]};
-        column[0] += by[0];
-        column[1] += by[1];
-        column[1] = 0.5;
-        const uint32_t column_2 = column_at;
+    for (uint32_t column = 0U; column < 3U; column++) {
+        double column_2[2] = {m[2U * column], m[1U + 2U * column]};
+        column_2[0] += by[0];
+        column_2[1] += by[1];
         for (uint32_t row = 0U; row < 2U; row++) {
-            m[row + 2U * column_2] = column[row];
+            m[row + 2U * column] = column_2[row];
         }
+        m[1U + 2U * column] = 0.5;
     }
     for (uint32_t i = 0U; i < 2U; i++) {
         double row[3] = {m[i], m[i + 2U], m[i + 2U * 2U]};
@@ -183,46 +149,27 @@ void named_views_scaled(double m[6], const double by[2])
 double named_views_by_methods(double m[9], const double v[3], const double a[4])
 {
     double part[3] = {m[0], m[1], m[2]};
-    const double given = norms_normalize_mut_f64_3_1(part);
+    const double length = norms_normalize_mut_f64_3_1(part);
     for (uint32_t row = 0U; row < 3U; row++) {
         m[row] = part[row];
     }
-    const double length = given;
-    double part_2[3] = {m[3], m[1 + 3], m[2 + 3]};
     for (uint32_t i = 0U; i < 3U; i++) {
-        part_2[i] += v[i];
+        m[i + 3U] += v[i];
     }
-    for (uint32_t row = 0U; row < 3U; row++) {
-        m[row + 3U] = part_2[row];
-    }
-    double part_3[4] = {
+    double part_2[4] = {
         m[1 + 3], m[2 + 3],
         m[1 + 3 * 2], m[2 + 3 * 2]
     };
-    blas_gemm_f64_2_2_2(part_3, 2.0, a, a, 0.5);
+    blas_gemm_f64_2_2_2(part_2, 2.0, a, a, 0.5);
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            m[row + 1U + 3U * (column + 1U)] = part_3[row + 2U * column];
+            m[row + 1U + 3U * (column + 1U)] = part_2[row + 2U * column];
         }
     }
-    const double value = length;
-    double part_4[3] = {m[2], m[2 + 3], m[2 + 3 * 2]};
-    part_4[0] = value;
-    for (uint32_t column = 0U; column < 3U; column++) {
-        m[2U + 3U * column] = part_4[column];
-    }
-    const double value_2 = v[0];
-    double part_5[3] = {m[3 * 2], m[1 + 3 * 2], m[2 + 3 * 2]};
-    part_5[1] += value_2;
-    for (uint32_t row = 0U; row < 3U; row++) {
-        m[row + 3U * 2U] = part_5[row];
-    }
-    double part_6[3] = {m[0], m[3], m[3 * 2]};
+    m[2] = length;
+    m[1 + 3 * 2] += v[0];
     for (uint32_t i = 0U; i < 3U; i++) {
-        part_6[i] *= 0.5;
-    }
-    for (uint32_t column = 0U; column < 3U; column++) {
-        m[3U * column] = part_6[column];
+        m[3U * i] *= 0.5;
     }
     return length;
 }
@@ -230,14 +177,15 @@ double named_views_by_methods(double m[9], const double v[3], const double a[4])
 void named_views_lengths(const float m[9], pair_f32_f32_t *result)
 {
     float columns = -0.0F;
-    for (uint32_t column_ = 0U; column_ < 3U; column_++) {
-        const float column[3] = {m[3U * column_], m[1U + 3U * column_], m[2U + 3U * column_]};
-        columns += sqrtf(column[0] * column[0] + column[1] * column[1] + column[2] * column[2]);
+    for (uint32_t column = 0U; column < 3U; column++) {
+        const float column_2[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        columns += sqrtf(column_2[0] * column_2[0] + column_2[1] * column_2[1]
+            + column_2[2] * column_2[2]);
     }
     float gathered = 0.0F;
-    for (uint32_t row_ = 0U; row_ < 3U; row_++) {
-        const float row[3] = {m[row_], m[row_ + 3U], m[row_ + 3U * 2U]};
-        const float value = matrix_extremes_amax_f32_1_3(row);
+    for (uint32_t row = 0U; row < 3U; row++) {
+        const float row_2[3] = {m[row], m[row + 3U], m[row + 3U * 2U]};
+        const float value = matrix_extremes_amax_f32_1_3(row_2);
         gathered = max_f32(gathered, value);
     }
     result->first = columns;
@@ -270,20 +218,11 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
         self->fault = BESSEMER_STATUS_INDEX;
         return BESSEMER_STATUS_INDEX;
     }
-    double block[4] = {
-        self->covariance[from + 4U * from], self->covariance[from + UINT64_C(1) + 4U * from],
-        self->covariance[from + 4U * (from + UINT64_C(1))],
-            self->covariance[from + UINT64_C(1) + 4U * (from + UINT64_C(1))]
-    };
     for (uint32_t i = 0U; i < 2U; i++) {
-        block[i + 2U * i] += self->noise[i];
-        if (block[i + 2U * i] > limit) {
+        const double block_operand = self->noise[i];
+        self->covariance[from + i + 4U * (from + i)] += block_operand;
+        if (self->covariance[from + i + 4U * (from + i)] > limit) {
             count_value += 1U;
-        }
-    }
-    for (uint32_t column = 0U; column < 2U; column++) {
-        for (uint32_t row = 0U; row < 2U; row++) {
-            self->covariance[from + row + 4U * (from + column)] = block[row + 2U * column];
         }
     }
     self->noise[0] += 0.125;

@@ -29,8 +29,10 @@ void programs_matrices_views_moved(const double state[6], const double velocity[
     for (uint32_t row = 0U; row < 3U; row++) {
         next[row + 3U] = velocity[row];
     }
-    const double part_vector[3] = {next[0], next[1], next[2]};
-    const double part[3] = {part_vector[0] * 0.5, part_vector[1] * 0.5, part_vector[2] * 0.5};
+    double part[3] = {next[0], next[1], next[2]};
+    part[0] *= 0.5;
+    part[1] *= 0.5;
+    part[2] *= 0.5;
     for (uint32_t row = 0U; row < 3U; row++) {
         next[row] = part[row];
     }

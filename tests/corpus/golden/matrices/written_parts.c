@@ -28,14 +28,9 @@ void blocks_reset(blocks_t *self, const double cross[9], double noise)
             self->p[row + 3U + 6U * (column + 3U)] = part[row + 3U * column];
         }
     }
-    double part_2[4] = {
-        self->p[3 + 6 * 4], self->p[4 + 6 * 4],
-        self->p[3 + 6 * 5], self->p[4 + 6 * 5]
-    };
-    matrix_edit_fill_f64_2_2(part_2, 0.5);
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            self->p[row + 3U + 6U * (column + 4U)] = part_2[row + 2U * column];
+            self->p[row + 3U + 6U * (column + 4U)] = 0.5;
         }
     }
 }
@@ -61,12 +56,12 @@ void blocks_update(blocks_t *self, const double gain[6], const double row[6])
             self->p[row_2 + 6U * i] = gain[row_2];
         }
     }
-    double part[6];
+    double b[6];
     for (uint32_t i = 0U; i < 6U; i++) {
-        part[i] = gain[i] * 2.0;
+        b[i] = gain[i] * 2.0;
     }
     for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-        self->p[row_2 + 6U * 4U] = part[row_2];
+        self->p[row_2 + 6U * 4U] = b[row_2];
     }
     for (uint32_t column = 0U; column < 6U; column++) {
         self->p[5U + 6U * column] = row[column];

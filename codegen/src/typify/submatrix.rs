@@ -1,0 +1,346 @@
+//! Parts of matrices in their place: `m.column_mut(j)`, `m.fixed_view_mut::<2, 2>(i, j)`.
+//!
+//! What C has no type for has none here: a part is its matrix, and where it begins. An element of it is an element of the
+//! matrix. What takes all of it, such as a function, is lent a copy, which is written back behind the call.
+//!
+//! Invariants: where a part begins is computed and checked once, where Rust makes the view. Nobody can tell when a copy is
+//! written back: while the view lives, Rust lets nothing else touch the matrix.
+//!
+//! Must not know: what the methods of matrices compute.
+
+use bessemer_ir::tree::{self, Builtin, MatrixMethod, MatrixPart, Site};
+use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, Type};
+
+use super::bounded::up_to;
+use super::call::Called;
+use super::elements::Submatrix;
+use super::lengths::plus;
+use super::lowering::Lowering;
+use super::value::Value;
+use super::{Result, problem};
+
+impl<'a> Lowering<'a, '_> {
+    /// Whether an expression is a part of a matrix that is written where it is.
+    pub(super) fn is_submatrix(&self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            tree::ExprKind::Local(name) => {
+                matches!(self.lookup(name, expr.site), Ok(Value::Submatrix(_)))
+            }
+            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
+                self.is_submatrix(inner)
+            }
+            _ => {
+                matches!(self.builtin_call(expr), Some((Builtin::Matrix(MatrixMethod::Part(_)), _)))
+            }
+        }
+    }
+
+    /// The part of a matrix that an expression is; none if it is something else.
+    pub(super) fn submatrix(&mut self, expr: &tree::Expr) -> Result<Option<Submatrix>> {
+        match &expr.kind {
+            tree::ExprKind::Local(name) => match self.lookup(name, expr.site) {
+                Ok(Value::Submatrix(part)) => Ok(Some(*part)),
+                _ => Ok(None),
+            },
+            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.submatrix(inner),
+            _ => match self.builtin_call(expr) {
+                Some((Builtin::Matrix(MatrixMethod::Part(part)), [matrix, from @ ..])) => {
+                    let from = match (part, from) {
+                        (MatrixPart::Rows, [row]) => (Some(row), None),
+                        (MatrixPart::Columns, [column]) => (None, Some(column)),
+                        (MatrixPart::Block, [row, column]) => (Some(row), Some(column)),
+                        _ => return Ok(None),
+                    };
+                    let ty = self.slot_of(expr)?;
+                    self.part_from(matrix, from, &ty, expr.site)
+                }
+                _ => Ok(None),
+            },
+        }
+    }
+
+    /// The part of a matrix that begins at a row and a column, which are checked to be there.
+    pub(super) fn part_from(
+        &mut self,
+        matrix: &tree::Expr,
+        (row, column): (Option<&tree::Expr>, Option<&tree::Expr>),
+        ty: &Type,
+        site: Site,
+    ) -> Result<Option<Submatrix>> {
+        let Type::Matrix { element, rows, cols } = *ty else { return Ok(None) };
+        let span = self.span(site);
+        let outer = match self.submatrix(matrix)? {
+            Some(outer) => outer,
+            None => {
+                let mut place = self.base(matrix)?;
+                let Type::Matrix { element, rows, cols } = place.ty else { return Ok(None) };
+                self.fix(&mut place);
+                let (row, column) = (Expr::usize(0, span), Expr::usize(0, span));
+                Submatrix { matrix: place, row, column, element, rows, cols }
+            }
+        };
+        let row = self.index_from(row, span)?;
+        let row = self.steady("row", row);
+        let column = self.index_from(column, span)?;
+        let column = self.steady("column", column);
+        // As nalgebra has it: the end of the view is that of the matrix at most.
+        for (first, count, most) in [(&row, rows, outer.rows), (&column, cols, outer.cols)] {
+            let end = plus(first.clone(), Expr::usize(u64::from(count), span));
+            let most = Expr::usize(u64::from(most), span);
+            let condition = Expr::compare(CompareOp::Le, end, most).at(span);
+            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+        }
+        let (row, column) = (plus(outer.row, row), plus(outer.column, column));
+        Ok(Some(Submatrix { matrix: outer.matrix, row, column, element, rows, cols }))
+    }
+
+    fn index_from(&mut self, index: Option<&tree::Expr>, span: Span) -> Result<Expr> {
+        index.map_or(Ok(Expr::usize(0, span)), |index| self.value(index, Some(&Type::USIZE)))
+    }
+
+    /// An element of a part, its index checked.
+    pub(super) fn part_element(
+        &mut self,
+        part: &Submatrix,
+        index: &tree::Expr,
+        expr: &tree::Expr,
+    ) -> Result<Place> {
+        let span = self.span(expr.site);
+        let step = match self.matrix_step(index, part.rows, part.cols, expr)? {
+            Step::Element(row, column) => {
+                Step::Element(self.steady("row", row), self.steady("column", column))
+            }
+            Step::Index(index) => Step::Index(self.steady("index", index)),
+            other => other,
+        };
+        let mut there = |index: Expr, most: u32| {
+            let most = Expr::usize(u64::from(most), span);
+            let condition = Expr::compare(CompareOp::Lt, index.clone(), most).at(span);
+            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+            index
+        };
+        let place = match step {
+            Step::Element(row, column) => {
+                let row = there(row, part.rows);
+                part.at(row, there(column, part.cols))
+            }
+            Step::Index(index) => part.nth(there(index, part.rows * part.cols)),
+            _ => return problem(expr.site, "this is no element", super::OUR_FAULT),
+        };
+        Ok(Place { span, ..place })
+    }
+
+    /// The value of a part: its elements, or a copy.
+    pub(super) fn submatrix_value(&mut self, part: &Submatrix, site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        if part.is_large() {
+            let copy = self.part_copied("part", part, span)?;
+            self.held.insert(copy.root);
+            return Ok(copy.load());
+        }
+        let mut elements = Vec::new();
+        for column in 0..part.cols {
+            for row in 0..part.rows {
+                let index = |at: u32| Expr::usize(u64::from(at), span);
+                elements.push(part.at(index(row), index(column)).load());
+            }
+        }
+        self.node(ExprKind::Matrix(elements), part.ty(), site)
+    }
+
+    /// A copy of a part, in a local.
+    fn part_copied(&mut self, name: &str, part: &Submatrix, span: Span) -> Result<Place> {
+        let ty = part.ty();
+        let local = self.temporary_local(name, ty.clone(), span);
+        // No compiler sees that the loop assigns all of it.
+        let value = Some(self.zero(&ty, span));
+        self.emit(StmtKind::Let { local, value }, span);
+        let copy = Place::local(local, ty, span);
+        let element = Type::Scalar(part.element);
+        self.each_of_part(part, span, |row, column| {
+            let place = copy.inside(Step::Element(row.clone(), column.clone()), element.clone());
+            StmtKind::Assign { place, value: part.at(row, column).load() }
+        })?;
+        Ok(copy)
+    }
+
+    /// A copy of a part that may be changed.
+    pub(super) fn copy_of_part(
+        &mut self,
+        name: &str,
+        part: &Submatrix,
+        site: Site,
+    ) -> Result<Place> {
+        self.naming_as("", |inner| {
+            if part.is_large() {
+                let span = inner.span(site);
+                return inner.part_copied(name, part, span);
+            }
+            let value = inner.submatrix_value(part, site)?;
+            let copy = inner.temporary_place(name, value);
+            inner.held.remove(&copy.root);
+            Ok(copy)
+        })
+    }
+
+    /// A call that has changed copies of parts, and these parts written back.
+    pub(super) fn written_back(
+        &mut self,
+        mut call: Expr,
+        copies: Vec<(Submatrix, Place)>,
+    ) -> Result<Expr> {
+        if copies.is_empty() {
+            return Ok(call);
+        }
+        match call.ty {
+            Type::Unit => {
+                let span = call.span;
+                let done = Expr::literal(0, Type::Unit, span);
+                self.emit(StmtKind::Expr(std::mem::replace(&mut call, done)), span);
+            }
+            _ => call = self.temporary("given", call),
+        }
+        for (part, copy) in copies {
+            self.write_part(&part, copy.load())?;
+        }
+        Ok(call)
+    }
+
+    /// Writes a part.
+    pub(super) fn write_part(&mut self, part: &Submatrix, value: Expr) -> Result<()> {
+        let span = value.span;
+        let element = Type::Scalar(part.element);
+        match value.kind {
+            ExprKind::Splat(value) => {
+                let value = match self.is_steady(&value) {
+                    true => *value,
+                    false => self.temporary("element", *value),
+                };
+                self.each_of_part(part, span, |row, column| StmtKind::Assign {
+                    place: part.at(row, column),
+                    value: value.clone(),
+                })
+            }
+            _ => {
+                let place = match value.kind {
+                    ExprKind::Load(mut place) if place.root != part.matrix.root => {
+                        self.fix(&mut place);
+                        place
+                    }
+                    _ => self.temporary_place("part", value),
+                };
+                self.each_of_part(part, span, |row, column| {
+                    let from = Step::Element(row.clone(), column.clone());
+                    let value = place.inside(from, element.clone()).load();
+                    StmtKind::Assign { place: part.at(row, column), value }
+                })
+            }
+        }
+    }
+
+    /// Does the same for each element of a part, by columns.
+    fn each_of_part(
+        &mut self,
+        part: &Submatrix,
+        span: Span,
+        element: impl Fn(Expr, Expr) -> StmtKind,
+    ) -> Result<()> {
+        let at = |root| Place::local(root, Type::USIZE, span).load();
+        let zero = || Expr::usize(0, span);
+        let [rows, cols] = [part.rows, part.cols].map(|it| Expr::usize(u64::from(it), span));
+        let down = |walk: &mut Self, column: Expr| {
+            let row = walk.counter("row", span);
+            let body = walk.scoped(|walk| {
+                walk.emit(element(at(row), column), span);
+                Ok(())
+            })?;
+            Ok(up_to(row, rows, body))
+        };
+        if part.cols == 1 {
+            return self.repeated(None, None, span, |walk| down(walk, zero()));
+        }
+        self.repeated(None, None, span, |walk| {
+            let column = walk.counter("column", span);
+            let body = walk.scoped(|walk| match part.rows {
+                1 => {
+                    walk.emit(element(zero(), at(column)), span);
+                    Ok(())
+                }
+                _ => walk.repeated(None, None, span, |walk| down(walk, at(column))),
+            })?;
+            Ok(up_to(column, cols, body))
+        })
+    }
+
+    /// `part += value`, and `*part = value` in what is put where it is called.
+    pub(super) fn assign_part(
+        &mut self,
+        op: Option<tree::BinaryOp>,
+        place: &tree::Expr,
+        value: &tree::Expr,
+        site: Site,
+    ) -> Result<()> {
+        let Some(part) = self.submatrix(place)? else { return Ok(()) };
+        let ty = part.ty();
+        let Some(op) = op else {
+            let value = self.value(value, Some(&ty))?;
+            self.agree(&value.ty, &ty, site)?;
+            return self.write_part(&part, value);
+        };
+        let naming = match self.expanding.is_empty() {
+            true => self.name_of(place),
+            false => "part".into(),
+        };
+        let copy = self.copy_of_part(&naming, &part, site)?;
+        let value = self.naming_as(naming, |inner| match inner.operator(place.slot).cloned() {
+            Some(callee) => inner.naming_scope(|inner| {
+                inner.bind(COPY, Value::Place(copy.clone()));
+                let kind = tree::ExprKind::Local(COPY.into());
+                let held = tree::Expr { kind, site, slot: None };
+                inner.call_of(&callee, &[held, value.clone()], place)
+            }),
+            None => {
+                let expected = inner.compound_operand(op, &ty);
+                let value = inner.read(value, expected.as_ref())?;
+                inner.binary_node(op, copy.load(), value, site)
+            }
+        })?;
+        self.agree(&value.ty, &ty, site)?;
+        let span = value.span;
+        self.emit(StmtKind::Assign { place: copy.clone(), value }, span);
+        self.write_part(&part, copy.load())
+    }
+
+    /// A call that does nothing but assign all of a part, which stands where it is called.
+    pub(super) fn assigns_part<'e>(&self, expr: &'e tree::Expr) -> Option<Called<'a, 'e>> {
+        let (function, arguments) = self.called(expr)?;
+        let tree::Block { stmts, tail: None } = &function.tree.body else { return None };
+        let [tree::Stmt::Expr(tree::Expr { kind: tree::ExprKind::Assign(_, place, _), .. })] =
+            stmts.as_slice()
+        else {
+            return None;
+        };
+        let whole = matches!(&place.kind, tree::ExprKind::Deref(of) if matches!(of.kind, tree::ExprKind::Local(_)));
+        (whole && self.is_submatrix(arguments.first()?)).then_some((function, arguments))
+    }
+
+    /// The value of an operand, which may be a part.
+    pub(super) fn read(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
+        match self.submatrix(expr)? {
+            Some(part) => self.submatrix_value(&part, expr.site),
+            None => self.value(expr, expected),
+        }
+    }
+
+    /// What is wrong with a part as a value that goes elsewhere, where it would be a copy.
+    pub(super) fn moved_part<T>(site: Site) -> Result<T> {
+        problem(
+            site,
+            "a view that is written stays where it is in the DSL",
+            "give it a name by `let`, and use that; for a copy of it call `.into_owned()`",
+        )
+    }
+}
+
+/// A name that no author writes.
+const COPY: &str = "part%";

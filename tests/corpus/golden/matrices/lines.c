@@ -1,0 +1,294 @@
+/* The C of tests/corpus/src/programs/matrices/lines.rs. Written by a test. */
+
+/* lines.c */
+
+/** Whether the first comes behind the second. */
+static inline bool comparison_is_greater(ordering_t order)
+{
+    return order == ORDERING_GREATER;
+}
+
+/** Whether the first does not come behind the second. */
+static inline bool comparison_is_at_most(ordering_t order)
+{
+    return order != ORDERING_GREATER;
+}
+
+void lines_read(const double m[12], const double w[4], tuple4_f64_f64_f64_option_usize_t *result)
+{
+    double far_ = 0.0;
+    uint64_t left = UINT64_C(1);
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const double c[3] = {m[3U * i], m[1U + 3U * i], m[2U + 3U * i]};
+        if (left > UINT64_C(0)) {
+            left -= UINT64_C(1);
+        } else {
+            const double value = sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) * w[i];
+            far_ = max_f64(far_, value);
+        }
+    }
+    double zipped = -0.0;
+    uint32_t others_taken = 0U;
+    for (uint32_t column = 0U; column < 4U; column++) {
+        const double c[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        option_f64_t other = {.is_some = false};
+        if (others_taken < 4U) {
+            const uint32_t index = others_taken;
+            others_taken = index + 1U;
+            other.is_some = true;
+            other.value = w[index];
+        }
+        if (!other.is_some) {
+            break;
+        }
+        zipped += matrix_statistics_sum_f64_3_1(c) * other.value;
+    }
+    double both = -0.0;
+    uint64_t left_2 = UINT64_C(1);
+    for (uint32_t row = 0U; row < 3U; row++) {
+        const double row_2[4] = {m[row], m[row + 3U], m[row + 3U * 2U], m[row + 3U * 3U]};
+        if (left_2 > UINT64_C(0)) {
+            left_2 -= UINT64_C(1);
+        } else {
+            both += row_2[0];
+        }
+    }
+    for (uint32_t row = 0U; row < 3U; row++) {
+        const double row_2[4] = {m[row], m[row + 3U], m[row + 3U * 2U], m[row + 3U * 3U]};
+        both += row_2[0];
+    }
+    option_pair_usize_vector3_f64_t find = {.is_some = false};
+    for (uint32_t column = 4U; column-- > 0U;) {
+        const double c[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        if (c[0] > 1.0) {
+            find.is_some = true;
+            find.value.first = column;
+            find.value.second[0] = c[0];
+            find.value.second[1] = c[1];
+            find.value.second[2] = c[2];
+            break;
+        }
+    }
+    if (find.is_some) {
+        result->fourth.is_some = true;
+        result->fourth.value = find.value.first;
+    } else {
+        result->fourth.is_some = false;
+        result->fourth.value = UINT64_C(0);
+    }
+    result->first = far_;
+    result->second = zipped;
+    result->third = both;
+}
+
+void lines_written(double m[12], const double w[4])
+{
+    uint32_t others_taken = 0U;
+    for (uint32_t column = 0U; column < 4U; column++) {
+        option_f64_t other = {.is_some = false};
+        if (others_taken < 4U) {
+            const uint32_t index = others_taken;
+            others_taken = index + 1U;
+            other.is_some = true;
+            other.value = w[index];
+        }
+        if (!other.is_some) {
+            break;
+        }
+        double column_2[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        column_2[0] *= other.value;
+        column_2[1] *= other.value;
+        column_2[2] *= other.value;
+        for (uint32_t row = 0U; row < 3U; row++) {
+            m[row + 3U * column] = column_2[row];
+        }
+        if (m[3U * column] > 5.0) {
+            break;
+        }
+    }
+    for (uint32_t i = 0U; i < 3U; i++) {
+        m[i + 3U * i] = 1.0;
+    }
+    const double elements[2] = {1.0, 2.0};
+    uint32_t others_taken_2 = 0U;
+    for (uint32_t row = 0U; row < 3U; row++) {
+        option_f64_t other = {.is_some = false};
+        if (others_taken_2 < 2U) {
+            const uint32_t index = others_taken_2;
+            others_taken_2 = index + 1U;
+            other.is_some = true;
+            other.value = elements[index];
+        }
+        if (!other.is_some) {
+            break;
+        }
+        const double value = other.value;
+        for (uint32_t column = 0U; column < 4U; column++) {
+            m[row + 3U * column] = value;
+        }
+    }
+}
+
+void lines_extremes(const float m[12], pair_option_usize_option_f32_t *result)
+{
+    option_pair_usize_f32_t found = {.is_some = false};
+    for (uint32_t column = 0U; column < 4U; column++) {
+        const float column_2[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
+        if (found.is_some) {
+            const pair_usize_f32_t b = {.first = column, .second = column_2[0]};
+            const ordering_t first_value = comparison_total_f32(found.value.second, b.second);
+            if (comparison_is_at_most(first_value)) {
+                found.is_some = true;
+                found.value.first = column;
+                found.value.second = column_2[0];
+            }
+        } else {
+            found.is_some = true;
+            found.value.first = column;
+            found.value.second = column_2[0];
+        }
+    }
+    if (found.is_some) {
+        result->first.is_some = true;
+        result->first.value = found.value.first;
+    } else {
+        result->first.is_some = false;
+        result->first.value = UINT64_C(0);
+    }
+    result->second.is_some = false;
+    result->second.value = 0.0F;
+    for (uint32_t row = 0U; row < 3U; row++) {
+        const float row_2[4] = {m[row], m[row + 3U], m[row + 3U * 2U], m[row + 3U * 3U]};
+        const float value = sqrtf(norm_squared_f32(row_2, 1U, 4U));
+        if (result->second.is_some) {
+            const ordering_t result_value = comparison_total_f32(result->second.value, value);
+            if (comparison_is_greater(result_value)) {
+                result->second.is_some = true;
+                result->second.value = value;
+            }
+        } else {
+            result->second.is_some = true;
+            result->second.value = value;
+        }
+    }
+}
+
+void lines_other_names(double a[16], const double b[4], option_f64_t *result)
+{
+    double first[4] = {a[0], a[1], a[2], a[3]};
+    first[0] += b[0];
+    first[1] += b[1];
+    first[2] += b[2];
+    first[3] += b[3];
+    for (uint32_t row = 0U; row < 4U; row++) {
+        a[row] = first[row];
+    }
+    double other[4] = {a[0], a[1], a[2], a[3]};
+    other[0] += b[0];
+    other[1] += b[1];
+    other[2] += b[2];
+    other[3] += b[3];
+    for (uint32_t row = 0U; row < 4U; row++) {
+        a[row] = other[row];
+    }
+    if (b[0] > 0.0) {
+        double second[4] = {a[4], a[1 + 4], a[2 + 4], a[3 + 4]};
+        second[0] += b[0];
+        second[1] += b[1];
+        second[2] += b[2];
+        second[3] += b[3];
+        for (uint32_t row = 0U; row < 4U; row++) {
+            a[row + 4U] = second[row];
+        }
+    } else {
+        matrix_edit_fill_f64_4_4(a, 0.0);
+    }
+    if (b[1] > 0.0) {
+        option_f64_t third_choice;
+        const option_f64_t third_option = {.is_some = true, .value = b[1]};
+        if (third_option.is_some && third_option.value > 1.0) {
+            third_choice.is_some = true;
+            third_choice.value = third_option.value;
+        } else {
+            third_choice.is_some = false;
+            third_choice.value = 0.0;
+        }
+        if (!third_choice.is_some) {
+            result->is_some = false;
+            result->value = 0.0;
+            return;
+        }
+        a[2] = third_choice.value;
+        for (uint32_t i = 1U; i < 4U; i++) {
+            a[2U + 4U * i] *= 0.5;
+        }
+    }
+    result->is_some = true;
+    result->value = b[2];
+}
+
+bessemer_status_t lines_parts_of_parts(double m[36], uint64_t at, double by, double *result)
+{
+    if (at > UINT64_C(0xFFFFFFFFFFFFFFFB)) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    if (at + UINT64_C(4) > UINT64_C(6)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    double line[4] = {
+        m[2U + 6U * at], m[2U + 6U * (at + UINT64_C(1))], m[2U + 6U * (at + UINT64_C(2))],
+        m[2U + 6U * (at + UINT64_C(3))]
+    };
+    double line_elements[4];
+    line_elements[0] = by;
+    line_elements[1] = by;
+    line_elements[2] = by;
+    line_elements[3] = by;
+    line[0] += line_elements[0];
+    line[1] += line_elements[1];
+    line[2] += line_elements[2];
+    line[3] += line_elements[3];
+    for (uint32_t column = 0U; column < 4U; column++) {
+        m[2U + 6U * (at + column)] = line[column];
+    }
+    for (uint32_t row = 0U; row < 3U; row++) {
+        m[row + 1U + 6U * (at + at)] = by;
+    }
+    for (uint32_t i = 0U; i < 12U; i++) {
+        m[(i % 3U) + 1U + 6U * (at + u64_from_u32(i / 3U))] -= (double)i;
+        if (m[(i % 3U) + 1U + 6U * (at + u64_from_u32(i / 3U))] > 1000.0) {
+            *result = by;
+            return BESSEMER_STATUS_OK;
+        }
+    }
+    const double block_operand = m[3U + 6U * (at + UINT64_C(3))];
+    m[2U + 6U * (at + UINT64_C(2))] = block_operand;
+    double large[30];
+    for (uint32_t column = 0U; column < 6U; column++) {
+        for (uint32_t row = 0U; row < 5U; row++) {
+            large[row + 5U * column] = m[row + 1U + 6U * column];
+        }
+    }
+    for (uint32_t i = 0U; i < 30U; i++) {
+        large[i] *= 0.5;
+    }
+    for (uint32_t column = 0U; column < 6U; column++) {
+        for (uint32_t row = 0U; row < 5U; row++) {
+            m[row + 1U + 6U * column] = large[row + 5U * column];
+        }
+    }
+    double part[30];
+    for (uint32_t column = 0U; column < 6U; column++) {
+        for (uint32_t row = 0U; row < 5U; row++) {
+            part[row + 5U * column] = m[row + 1U + 6U * column];
+        }
+    }
+    const double result_given = norms_normalize_mut_f64_5_6(part);
+    for (uint32_t column = 0U; column < 6U; column++) {
+        for (uint32_t row = 0U; row < 5U; row++) {
+            m[row + 1U + 6U * column] = part[row + 5U * column];
+        }
+    }
+    *result = result_given;
+    return BESSEMER_STATUS_OK;
+}
