@@ -522,6 +522,9 @@ impl Lowering<'_, '_> {
                 if let Some(value) = self.shorter(path, arguments, expr)? {
                     return Ok(value);
                 }
+                if let Some(answer) = self.order_asked(path, arguments, expr.site)? {
+                    return Ok(answer);
+                }
                 if let Some(called) = self.assigns_part(expr) {
                     return self.expanded_value(called, None, expr.site);
                 }

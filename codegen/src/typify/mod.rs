@@ -8,6 +8,7 @@
 //! from the operands comes from a slot.
 
 mod arrays;
+mod asked_orders;
 mod atomic;
 mod borrowed;
 mod borrowed_slices;

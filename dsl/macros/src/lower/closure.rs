@@ -265,14 +265,6 @@ impl Lowering<'_> {
         }
     }
 
-    /// A closure whose body becomes that of a loop.
-    pub(super) fn check_closure(&mut self, closure: &syn::ExprClosure) {
-        self.check_capture(closure);
-        for span in Returns::of(&closure.body) {
-            self.refusals.add(span, refuse::CLOSURE_RETURN);
-        }
-    }
-
     /// What a closure moves is a copy: of what nobody changes it is the same.
     fn check_capture(&mut self, closure: &syn::ExprClosure) {
         if let Some(token) = &closure.capture

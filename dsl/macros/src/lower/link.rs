@@ -65,11 +65,6 @@ fn shared(method: &syn::Ident) -> String {
     name.strip_suffix("_mut").map_or(name.clone(), str::to_owned)
 }
 
-/// Whether an iterator gives pairs, as far as its syntax shows.
-pub(super) fn gives_pairs(expr: &syn::Expr) -> bool {
-    pairs(expr).is_some()
-}
-
 /// The iterators that give the two of each pair, the first of which may be the number alone.
 pub(super) fn pairs(expr: &syn::Expr) -> Option<(Option<&syn::Expr>, &syn::Expr)> {
     let syn::Expr::MethodCall(it) = bare(expr) else { return None };

@@ -151,7 +151,6 @@ reasons! {
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
     CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
     CLOSURE_MOVE: "a closure that takes a copy of what changes is not in the DSL", "leave `move` out, or copy before to a name without `mut`: `let k = k;`";
-    CLOSURE_RETURN: "`return` in a closure is not in the DSL", "let its body end in the value: `if … { a } else { b }`";
     EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
     STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";

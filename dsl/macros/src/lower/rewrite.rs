@@ -1,4 +1,4 @@
-//! Methods that stand for other code: `range.contains(&x)`, `items.min_by_key(…)`. In the tree and in the copy that code stands
+//! Methods that stand for other code: `range.contains(&x)`, `values.get(a..b)`. In the tree and in the copy that code stands
 //! in their place.
 //!
 //! Its names are those of nothing in scope, so that no name of the author's changes their meaning.
@@ -7,10 +7,9 @@ use proc_macro2::Span;
 use quote::{format_ident, quote_spanned};
 use syn::parse_quote;
 
-use super::link::gives_pairs;
 use super::names::text;
 use super::sort::Leg;
-use super::syntax::{bare, compared, is_plain, names};
+use super::syntax::{bare, is_plain, names};
 use super::walk::Lowering;
 use super::{refuse, sort};
 
@@ -30,11 +29,6 @@ impl Lowering<'_> {
         };
         match (text(&it.method).as_str(), it.args.len()) {
             ("contains", 1) => self.contained(it),
-            ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1)
-                if self.is_iterator(&it.receiver) =>
-            {
-                self.extreme(it)
-            }
             ("get" | "get_mut", 1) | ("copy_within", 2) => by_ends(it),
             _ => {
                 let sorted = sort::sorted(it, Leg::Tree);
@@ -43,17 +37,6 @@ impl Lowering<'_> {
                 }
                 sorted
             }
-        }
-    }
-
-    /// Whether an expression is an iterator if it has a method that only these have, as far as its syntax shows.
-    fn is_iterator(&self, expr: &syn::Expr) -> bool {
-        match bare(expr) {
-            syn::Expr::MethodCall(_) | syn::Expr::Call(_) | syn::Expr::Range(_) => true,
-            syn::Expr::Path(it) => {
-                it.path.get_ident().is_some_and(|name| self.is_called(&text(name)))
-            }
-            _ => false,
         }
     }
 
@@ -154,123 +137,6 @@ impl Lowering<'_> {
             true => inside,
             false => parse_quote! { { #(#names)* #inside } },
         })
-    }
-
-    /// `chain.min_by_key(|x| …)` and the like: a loop that keeps the best.
-    fn extreme(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
-        let closure = &sort::comparison(&it.args[0])?;
-        self.check_closure(closure);
-        let body = &closure.body;
-        let above: syn::Expr = match (sort::total(body), compared(body)) {
-            (Some((left, right)), _) => sort::below(&right, &left),
-            (None, Some((left, right))) => parse_quote! { #left > #right },
-            (None, None) => parse_quote! { { #body }.is_gt() },
-        };
-        let fresh = |name: &str| self.fresh_beside(name, it);
-        let (method, items) = (text(&it.method), &it.receiver);
-        let (found, best) = (fresh("found"), fresh("best"));
-        let item = fresh("item");
-        let mut named: Option<syn::Stmt> = None;
-        let (pattern, item): (syn::Pat, syn::Expr) = match gives_pairs(items) {
-            true => {
-                let (at, pair) = (fresh("at"), fresh("pair"));
-                let apart = matches!(closure.inputs.first(), Some(syn::Pat::Tuple(_)))
-                    && method.ends_with("_by_key");
-                let whole: syn::Expr = parse_quote! { (#at, #item) };
-                if !apart {
-                    named = Some(parse_quote! { let #pair = #whole; });
-                }
-                let value = if apart {
-                    whole
-                } else {
-                    parse_quote! { #pair }
-                };
-                (parse_quote! { (#at, #item) }, value)
-            }
-            false => (parse_quote! { #item }, parse_quote! { #item }),
-        };
-        let least = method.starts_with("min");
-        let by_key = method.ends_with("_by_key");
-        if by_key && !is_plain(&closure.body) {
-            let (key, kept) = (fresh("key"), fresh(if least { "least" } else { "largest" }));
-            let value = let_in(closure.inputs.first()?, &item, &closure.body);
-            let better: syn::Expr = match least {
-                true => parse_quote! { #key < #best },
-                false => parse_quote! { #key >= #best },
-            };
-            let replaces = fresh("replaces");
-            // What computes a key may fault, or do something: once for each item, the first one, too.
-            return Some(parse_quote! {
-                {
-                    let mut #found = None;
-                    let mut #kept = None;
-                    for #pattern in #items {
-                        #named
-                        let #key = #value;
-                        let #replaces = match #kept { Some(#best) => #better, None => true };
-                        if #replaces {
-                            #kept = Some(#key);
-                            #found = Some(#item);
-                        }
-                    }
-                    #found
-                }
-            });
-        }
-        let best_value: syn::Expr = parse_quote! { #best };
-        let better: syn::Expr = if by_key {
-            let key = closure.inputs.first()?;
-            let body = &closure.body;
-            let new = let_in(key, &item, body);
-            let old = let_in(key, &best_value, body);
-            if least {
-                parse_quote! { (#new < #old) }
-            } else {
-                parse_quote! { (#new >= #old) }
-            }
-        } else {
-            let (one, other) = (closure.inputs.first()?, closure.inputs.get(1)?);
-            let above = let_in(one, &best_value, &let_in(other, &item, &above));
-            match least {
-                true => above,
-                false => parse_quote! { !#above },
-            }
-        };
-        let before = fresh("before");
-        Some(parse_quote! {
-            {
-                let mut #found = None;
-                for #pattern in #items {
-                    #named
-                    let #before = #found;
-                    #found = Some(#item);
-                    if let Some(#best) = #before && !#better {
-                        #found = #before;
-                    }
-                }
-                #found
-            }
-        })
-    }
-}
-
-/// `{ let pattern = &value; body }`, or the body itself where the pattern is not used.
-fn let_in(pattern: &syn::Pat, value: &syn::Expr, body: &syn::Expr) -> syn::Expr {
-    match (pattern, value) {
-        (syn::Pat::Reference(it), _) => {
-            let pattern = &it.pat;
-            parse_quote! { { let #pattern = #value; #body } }
-        }
-        // The parts of a pair that is written out need no pair.
-        (syn::Pat::Tuple(parts), syn::Expr::Tuple(values)) if parts.elems.len() == 2 => {
-            let inner = let_in(&parts.elems[1], &values.elems[1], body);
-            match &parts.elems[0] {
-                syn::Pat::Wild(_) => inner,
-                first => let_in(first, &values.elems[0], &inner),
-            }
-        }
-        (syn::Pat::Wild(_), _) => body.clone(),
-        _ => parse_quote! { { let #pattern = &#value; #body } },
     }
 }
 

@@ -5,7 +5,7 @@ use syn::parse_quote;
 use syn::spanned::Spanned;
 
 use super::names::text;
-use super::syntax::{bare, compared, names};
+use super::syntax::names;
 
 /// Where a comparison stands: in the native item, or in the tree and the copy.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
     let (by, closure) = sorting(it)?;
     let below: syn::Expr = match (by, closure.inputs.len()) {
         (By::Key, 1) => by_key(&closure, leg),
-        (By::Comparison, 2) => by_comparison(&closure, leg),
+        (By::Comparison, 2) => by_comparison(&closure),
         _ => return None,
     };
     let values = &it.receiver;
@@ -52,7 +52,7 @@ fn sorting(it: &syn::ExprMethodCall) -> Option<(By, syn::ExprClosure)> {
 }
 
 /// The closure that compares; `f64::total_cmp` is one, too.
-pub fn comparison(argument: &syn::Expr) -> Option<syn::ExprClosure> {
+fn comparison(argument: &syn::Expr) -> Option<syn::ExprClosure> {
     match argument {
         // A type that is written for the result would be lost.
         syn::Expr::Closure(closure) if matches!(closure.output, syn::ReturnType::Default) => {
@@ -90,33 +90,7 @@ fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
     }
 }
 
-fn by_comparison(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
+fn by_comparison(closure: &syn::ExprClosure) -> syn::Expr {
     let (inputs, body) = (&closure.inputs, &closure.body);
-    let below = match (leg, total(body), compared(body)) {
-        (Leg::Tree, Some((left, right)), _) => below(&left, &right),
-        (Leg::Tree, None, Some((left, right))) => parse_quote! { #left < #right },
-        _ => parse_quote! { { #body }.is_lt() },
-    };
-    parse_quote! { |#inputs| #below }
-}
-
-/// Whether a float comes before another in the order of `total_cmp`.
-pub fn below(left: &syn::Expr, right: &syn::Expr) -> syn::Expr {
-    let left = match left {
-        syn::Expr::Reference(it) => &it.expr,
-        other => other,
-    };
-    match right {
-        syn::Expr::Reference(_) | syn::Expr::Path(_) => parse_quote! { #left.total_below(#right) },
-        right => parse_quote! { #left.total_below(&#right) },
-    }
-}
-
-/// The two numbers of `a.total_cmp(&b)`.
-pub fn total(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
-    let syn::Expr::MethodCall(it) = bare(body) else { return None };
-    if it.method != "total_cmp" || it.args.len() != 1 {
-        return None;
-    }
-    Some(((*it.receiver).clone(), it.args[0].clone()))
+    parse_quote! { |#inputs| { #body }.is_lt() }
 }

@@ -4,28 +4,6 @@ use quote::{ToTokens, quote};
 
 use super::names::text;
 
-/// The two sides of `a.cmp(&b)`, or of `a.partial_cmp(&b).unwrap_or(Ordering::Equal)`.
-pub(super) fn compared(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
-    let syn::Expr::MethodCall(it) = bare(body) else { return None };
-    let (call, known) = match (text(&it.method).as_str(), bare(&it.receiver)) {
-        ("cmp", _) => (it, "cmp"),
-        ("unwrap_or", syn::Expr::MethodCall(call))
-            if it.args.to_token_stream().to_string().ends_with("Equal") =>
-        {
-            (call, "partial_cmp")
-        }
-        _ => return None,
-    };
-    if call.method != known || call.args.len() != 1 {
-        return None;
-    }
-    let right = match &call.args[0] {
-        syn::Expr::Reference(it) => (*it.expr).clone(),
-        other => other.clone(),
-    };
-    Some(((*call.receiver).clone(), right))
-}
-
 pub(super) fn bare(expr: &syn::Expr) -> &syn::Expr {
     match expr {
         syn::Expr::Paren(it) => bare(&it.expr),

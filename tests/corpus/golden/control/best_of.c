@@ -5,83 +5,81 @@
 void best_of_cheapest(const best_of_way_t ways[4], best_of_way_t *way)
 {
     option_best_of_way_t found = {.is_some = false};
+    option_u16_t least = {.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
-        const option_best_of_way_t before = found;
-        found.is_some = true;
-        found.value = ways[i];
-        uint16_t result_choice = 0U;
-        uint16_t result_choice_2 = 0U;
-        bool result_holds = before.is_some;
-        if (result_holds) {
-            result_choice = ways[i].cost;
-            result_choice_2 = before.value.cost;
-            result_holds = !(result_choice < result_choice_2);
-        }
-        if (result_holds) {
-            found = before;
+        const uint16_t key = ways[i].cost;
+        if (least.is_some) {
+            if (key < least.value) {
+                least.is_some = true;
+                least.value = key;
+                found.is_some = true;
+                found.value = ways[i];
+            }
+        } else {
+            least.is_some = true;
+            least.value = key;
+            found.is_some = true;
+            found.value = ways[i];
         }
     }
-    const option_best_of_way_t result_choice = found;
     *way = ways[0];
-    if (result_choice.is_some) {
-        *way = result_choice.value;
+    if (found.is_some) {
+        *way = found.value;
     }
 }
 
 void best_of_nearest(const float values[5], float to, option_usize_t *result)
 {
-    option_pair_usize_f32_t found = {.is_some = false};
-    for (uint32_t at = 0U; at < 5U; at++) {
-        const pair_usize_f32_t pair = {.first = at, .second = values[at]};
-        const option_pair_usize_f32_t before = found;
-        found.is_some = true;
-        found.value = pair;
-        bool best_choice = false;
-        bool best_holds = before.is_some;
-        if (best_holds) {
-            best_choice = fabsf(before.value.second - to) > fabsf(pair.second - to);
-            best_holds = !best_choice;
-        }
-        if (best_holds) {
-            found = before;
+    option_pair_usize_f32_t best = {.is_some = false};
+    for (uint32_t i = 0U; i < 5U; i++) {
+        if (best.is_some) {
+            const pair_usize_f32_t a = best.value;
+            const pair_usize_f32_t b = {.first = i, .second = values[i]};
+            if (fabsf(a.second - to) > fabsf(b.second - to)) {
+                best.is_some = true;
+                best.value.first = i;
+                best.value.second = values[i];
+            }
+        } else {
+            best.is_some = true;
+            best.value.first = i;
+            best.value.second = values[i];
         }
     }
-    const option_pair_usize_f32_t best_choice = found;
-    if (!best_choice.is_some) {
+    if (!best.is_some) {
         result->is_some = false;
         result->value = UINT64_C(0);
         return;
     }
-    const pair_usize_f32_t best = best_choice.value;
     result->is_some = true;
-    result->value = best.first;
+    result->value = best.value.first;
 }
 
 void best_of_peak(const uint8_t values[5], option_usize_t *result)
 {
     option_pair_usize_u8_t found = {.is_some = false};
-    for (uint32_t at = 0U; at < 5U; at++) {
-        const option_pair_usize_u8_t before = found;
-        found.is_some = true;
-        found.value.first = at;
-        found.value.second = values[at];
-        uint8_t result_choice = 0U;
-        uint8_t result_choice_2 = 0U;
-        bool result_holds = before.is_some;
-        if (result_holds) {
-            result_choice = values[at];
-            result_choice_2 = before.value.second;
-            result_holds = !(result_choice >= result_choice_2);
-        }
-        if (result_holds) {
-            found = before;
+    option_u8_t largest = {.is_some = false};
+    for (uint32_t i = 0U; i < 5U; i++) {
+        const uint8_t key = values[i];
+        if (largest.is_some) {
+            if (key >= largest.value) {
+                largest.is_some = true;
+                largest.value = key;
+                found.is_some = true;
+                found.value.first = i;
+                found.value.second = values[i];
+            }
+        } else {
+            largest.is_some = true;
+            largest.value = key;
+            found.is_some = true;
+            found.value.first = i;
+            found.value.second = values[i];
         }
     }
-    const option_pair_usize_u8_t result_choice = found;
-    if (result_choice.is_some) {
-        const uint64_t index = result_choice.value.first;
+    if (found.is_some) {
         result->is_some = true;
-        result->value = index;
+        result->value = found.value.first;
     } else {
         result->is_some = false;
         result->value = UINT64_C(0);

@@ -2,30 +2,13 @@
 
 /* compared_iterators.c */
 
-/** Whether the first comes behind the second. */
-static inline bool comparison_is_greater(ordering_t order)
+/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
+static inline bool sort_below_f64(double one, double other)
 {
-    return order == ORDERING_GREATER;
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
+    if (one == other) {
+        return copysign_f64(1.0, one) < 0.0 && !(copysign_f64(1.0, other) < 0.0);
     }
-}
-
-/** Whether the first does not come behind the second. */
-static inline bool comparison_is_at_most(ordering_t order)
-{
-    return order != ORDERING_GREATER;
+    return one < other || (isnan(one) == 0 && isnan(other) != 0);
 }
 
 void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
@@ -297,8 +280,7 @@ void compared_iterators_best(const int16_t a[5], const double x[4],
     for (uint32_t i = 0U; i < 5U; i++) {
         if ((int16_t)(a[i] % 2) == 1) {
             if (result->first.is_some) {
-                const ordering_t result_value = comparison_compare_i16(a[i], result->first.value);
-                if (comparison_is_greater(result_value)) {
+                if (a[i] > result->first.value) {
                     result->first.is_some = true;
                     result->first.value = a[i];
                 }
@@ -313,8 +295,7 @@ void compared_iterators_best(const int16_t a[5], const double x[4],
     for (uint32_t i = 0U; i < 4U; i++) {
         const double b = 0.5 * x[i];
         if (result->second.is_some) {
-            const ordering_t result_value = comparison_total_f64(result->second.value, b);
-            if (comparison_is_at_most(result_value)) {
+            if (!sort_below_f64(b, result->second.value)) {
                 result->second.is_some = true;
                 result->second.value = b;
             }

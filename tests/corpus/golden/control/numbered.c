@@ -23,20 +23,18 @@ float bin_take(bin_t *self)
 void numbered_strongest(bin_t bins[4], option_pair_usize_f32_t *result)
 {
     *result = (option_pair_usize_f32_t){.is_some = false};
-    for (uint32_t at = 0U; at < 4U; at++) {
-        const float item = bin_take(&bins[at]);
-        const pair_usize_f32_t pair = {.first = at, .second = item};
-        const option_pair_usize_f32_t before = *result;
-        result->is_some = true;
-        result->value = pair;
-        bool result_choice = false;
-        bool result_holds = before.is_some;
-        if (result_holds) {
-            result_choice = sort_below_f32(pair.second, before.value.second);
-            result_holds = !(!result_choice);
-        }
-        if (result_holds) {
-            *result = before;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const float b = bin_take(&bins[i]);
+        if (result->is_some) {
+            if (!sort_below_f32(b, result->value.second)) {
+                result->is_some = true;
+                result->value.first = i;
+                result->value.second = b;
+            }
+        } else {
+            result->is_some = true;
+            result->value.first = i;
+            result->value.second = b;
         }
     }
 }

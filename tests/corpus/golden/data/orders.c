@@ -4,10 +4,10 @@
 
 static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_length);
 
-/** Whether the first comes behind the second. */
-static inline bool comparison_is_greater(ordering_t order)
+/** Whether the first comes before the second. */
+static inline bool comparison_is_less(ordering_t order)
 {
-    return order == ORDERING_GREATER;
+    return order == ORDERING_LESS;
 }
 
 /**
@@ -22,12 +22,6 @@ static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
     } else {
         return ORDERING_GREATER;
     }
-}
-
-/** Whether the first comes before the second. */
-static inline bool comparison_is_less(ordering_t order)
-{
-    return order == ORDERING_LESS;
 }
 
 /**
@@ -78,6 +72,18 @@ static inline void comparison_partial_f64(double one, double other, option_order
         result->is_some = false;
         result->value = ORDERING_LESS;
     }
+}
+
+/** Whether the first comes behind the second. */
+static inline bool comparison_is_greater(ordering_t order)
+{
+    return order == ORDERING_GREATER;
+}
+
+/** Whether the first does not come behind the second. */
+static inline bool comparison_is_at_most(ordering_t order)
+{
+    return order != ORDERING_GREATER;
 }
 
 bessemer_status_t orders_towards(int16_t position, int16_t target, int16_t *result)
@@ -148,21 +154,16 @@ void orders_longest(const orders_task_t tasks[4], option_task_t *result)
 {
     *result = (option_task_t){.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
-        const option_task_t before = *result;
-        result->is_some = true;
-        result->value = tasks[i];
-        bool result_choice = false;
-        ordering_t result_choice_2 = ORDERING_LESS;
-        bool result_holds = before.is_some;
-        if (result_holds) {
-            result_choice_2 = comparison_then(
-                comparison_total_f32(before.value.effort, tasks[i].effort),
-                comparison_compare_u32(before.value.deadline, tasks[i].deadline));
-            result_choice = comparison_is_greater(result_choice_2);
-            result_holds = !(!result_choice);
-        }
-        if (result_holds) {
-            *result = before;
+        if (result->is_some) {
+            if (comparison_is_at_most(comparison_then(
+                    comparison_total_f32(result->value.effort, tasks[i].effort),
+                    comparison_compare_u32(result->value.deadline, tasks[i].deadline)))) {
+                result->is_some = true;
+                result->value = tasks[i];
+            }
+        } else {
+            result->is_some = true;
+            result->value = tasks[i];
         }
     }
 }

@@ -136,17 +136,14 @@ void sorted_nearest(const double values[5], double guess, option_f64_t *result)
     result->is_some = false;
     result->value = 0.0;
     for (uint32_t i = 0U; i < 5U; i++) {
-        const option_f64_t before = *result;
-        result->is_some = true;
-        result->value = values[i];
-        bool result_choice = false;
-        bool result_holds = before.is_some;
-        if (result_holds) {
-            result_choice = sort_below_f64(fabs(values[i] - guess), fabs(before.value - guess));
-            result_holds = !result_choice;
-        }
-        if (result_holds) {
-            *result = before;
+        if (result->is_some) {
+            if (sort_below_f64(fabs(values[i] - guess), fabs(result->value - guess))) {
+                result->is_some = true;
+                result->value = values[i];
+            }
+        } else {
+            result->is_some = true;
+            result->value = values[i];
         }
     }
 }

@@ -75,7 +75,8 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
 
 void readings_largest(const readings_t *self, option_f64_t *result)
 {
-    option_f64_t found = {.is_some = false};
+    result->is_some = false;
+    result->value = 0.0;
     uint32_t most;
     if (self->valid > UINT64_C(6)) {
         most = 0U;
@@ -85,21 +86,18 @@ void readings_largest(const readings_t *self, option_f64_t *result)
     const uint32_t result_end = most;
     for (uint32_t i = 0U; i < result_end; i++) {
         if (self->values[i] < self->most) {
-            const option_f64_t before = found;
-            found.is_some = true;
-            found.value = self->values[i];
-            bool result_choice = false;
-            bool result_holds = before.is_some;
-            if (result_holds) {
-                result_choice = sort_below_f64(self->values[i], before.value);
-                result_holds = !(!result_choice);
-            }
-            if (result_holds) {
-                found = before;
+            if (result->is_some) {
+                const double one = result->value;
+                if (!sort_below_f64(self->values[i], one)) {
+                    result->is_some = true;
+                    result->value = self->values[i];
+                }
+            } else {
+                result->is_some = true;
+                result->value = self->values[i];
             }
         }
     }
-    *result = found;
 }
 
 void readings_before(const readings_t *self, double limit, option_usize_t *result)

@@ -2,16 +2,13 @@
 
 /* lines.c */
 
-/** Whether the first comes behind the second. */
-static inline bool comparison_is_greater(ordering_t order)
+/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
+static inline bool sort_below_f32(float one, float other)
 {
-    return order == ORDERING_GREATER;
-}
-
-/** Whether the first does not come behind the second. */
-static inline bool comparison_is_at_most(ordering_t order)
-{
-    return order != ORDERING_GREATER;
+    if (one == other) {
+        return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
+    }
+    return one < other || (isnan(one) == 0 && isnan(other) != 0);
 }
 
 void lines_read(const double m[12], const double w[4], tuple4_f64_f64_f64_option_usize_t *result)
@@ -136,8 +133,7 @@ void lines_extremes(const float m[12], pair_option_usize_option_f32_t *result)
         const float column_2[3] = {m[3U * column], m[1U + 3U * column], m[2U + 3U * column]};
         if (found.is_some) {
             const pair_usize_f32_t b = {.first = column, .second = column_2[0]};
-            const ordering_t first_value = comparison_total_f32(found.value.second, b.second);
-            if (comparison_is_at_most(first_value)) {
+            if (!sort_below_f32(b.second, found.value.second)) {
                 found.is_some = true;
                 found.value.first = column;
                 found.value.second = column_2[0];
@@ -161,8 +157,7 @@ void lines_extremes(const float m[12], pair_option_usize_option_f32_t *result)
         const float row_2[4] = {m[row], m[row + 3U], m[row + 3U * 2U], m[row + 3U * 3U]};
         const float value = sqrtf(norm_squared_f32(row_2, 1U, 4U));
         if (result->second.is_some) {
-            const ordering_t result_value = comparison_total_f32(result->second.value, value);
-            if (comparison_is_greater(result_value)) {
+            if (sort_below_f32(value, result->second.value)) {
                 result->second.is_some = true;
                 result->second.value = value;
             }
