@@ -17,7 +17,7 @@ const IN_CIRCLES: [(&str, &str, usize); 3] =
 
 /// Words in quotation marks that a method could be called, and by which something could be decided, by folder.
 const METHOD_NAMES: [(&str, usize); 2] =
-    [("dsl/macros/src/lower", 132), ("codegen/src/typify", 105)];
+    [("dsl/macros/src/lower", 132), ("codegen/src/typify", 52)];
 
 /// A module's path from the root of its crate.
 type Module = Vec<String>;
@@ -39,9 +39,12 @@ fn circles_of_imports_only_go() {
 fn names_of_methods_only_go() {
     let mut figures = Vec::new();
     for (folder, bound) in METHOD_NAMES {
+        let files = files(&root().join(folder));
+        let table = vec![TABLE.to_owned()];
+        let words = files.get(&table).map(|path| constants(&read(path))).unwrap_or_default();
         let mut names = Vec::new();
-        for path in files(&root().join(folder)).values() {
-            names.extend(deciding(&read(path)));
+        for path in files.iter().filter(|(module, _)| **module != table).map(|(_, path)| path) {
+            names.extend(deciding(&read(path), &words));
         }
         figures.push((folder.to_owned(), names.len(), bound));
     }
@@ -262,17 +265,65 @@ const NAMING: [&str; 17] = [
     "zeros",
 ];
 
-/// The words in quotation marks that a method could be called, and by which something could be decided: all but those
-/// that are handed straight to what names a temporary, and the roles of operands.
-fn deciding(text: &str) -> Vec<String> {
-    let mut words = Words(Vec::new());
-    words.visit_file(&syn::parse_file(text).expect("Rust"));
-    words.0
+/// The file of a folder that has nothing but words for the C. Such a word counts where something is compared with it.
+const TABLE: &str = "words";
+
+/// The names of the constants of a file that has nothing else.
+fn constants(text: &str) -> Vec<String> {
+    let items = syn::parse_file(text).expect("Rust").items.into_iter();
+    let name = |item| match item {
+        syn::Item::Const(it) => it.ident.to_string(),
+        _ => panic!("`{TABLE}.rs` has words, and nothing that could decide by them"),
+    };
+    items.map(name).collect()
 }
 
-struct Words(Vec<String>);
+/// The words in quotation marks that a method could be called, and by which something could be decided: all but those
+/// that are handed straight to what names a temporary, and the roles of operands; and what is compared with a constant
+/// of the table.
+fn deciding(text: &str, table: &[String]) -> Vec<String> {
+    let mut words = Words { found: Vec::new(), table };
+    words.visit_file(&syn::parse_file(text).expect("Rust"));
+    words.found
+}
 
-impl Words {
+/// All names in a piece of Rust.
+struct Names(Vec<String>);
+
+impl Names {
+    fn tokens(&mut self, tokens: TokenStream) {
+        for token in tokens {
+            match token {
+                TokenTree::Group(group) => self.tokens(group.stream()),
+                TokenTree::Ident(it) => self.0.push(it.to_string()),
+                _ => {}
+            }
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for Names {
+    fn visit_ident(&mut self, it: &'ast syn::Ident) {
+        self.0.push(it.to_string());
+    }
+}
+
+/// Methods that compare.
+const COMPARING: [&str; 5] = ["contains", "eq", "ne", "starts_with", "ends_with"];
+
+struct Words<'t> {
+    found: Vec<String>,
+    table: &'t [String],
+}
+
+impl Words<'_> {
+    /// Notes the constants of the table in what something is compared with.
+    fn compared(&mut self, visit: impl FnOnce(&mut Names)) {
+        let mut names = Names(Vec::new());
+        visit(&mut names);
+        self.found.extend(names.0.into_iter().filter(|name| self.table.contains(name)));
+    }
+
     fn arguments<'ast>(
         &mut self,
         callee: Option<&syn::Ident>,
@@ -284,7 +335,7 @@ impl Words {
     }
 }
 
-impl<'ast> Visit<'ast> for Words {
+impl<'ast> Visit<'ast> for Words<'_> {
     fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
         self.visit_expr(&call.func);
         let callee = match &*call.func {
@@ -295,6 +346,9 @@ impl<'ast> Visit<'ast> for Words {
     }
 
     fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+        if COMPARING.iter().any(|it| call.method == it) {
+            self.compared(|names| names.visit_expr_method_call(call));
+        }
         self.visit_expr(&call.receiver);
         self.arguments(Some(&call.method), &call.args);
     }
@@ -306,18 +360,35 @@ impl<'ast> Visit<'ast> for Words {
         }
     }
 
+    fn visit_expr_binary(&mut self, it: &'ast syn::ExprBinary) {
+        if matches!(it.op, syn::BinOp::Eq(_) | syn::BinOp::Ne(_)) {
+            self.compared(|names| names.visit_expr_binary(it));
+        }
+        visit::visit_expr_binary(self, it);
+    }
+
+    fn visit_pat(&mut self, it: &'ast syn::Pat) {
+        if matches!(it, syn::Pat::Path(_) | syn::Pat::Ident(_)) {
+            self.compared(|names| names.visit_pat(it));
+        }
+        visit::visit_pat(self, it);
+    }
+
     fn visit_lit_str(&mut self, literal: &'ast syn::LitStr) {
-        self.0.extend(Some(literal.value()).filter(|word| is_name(word)));
+        self.found.extend(Some(literal.value()).filter(|word| is_name(word)));
     }
 
     // What syn leaves as tokens.
     fn visit_macro(&mut self, it: &'ast syn::Macro) {
-        quoted(it.tokens.clone(), &mut self.0);
+        if !it.path.is_ident("format") {
+            self.compared(|names| names.tokens(it.tokens.clone()));
+        }
+        quoted(it.tokens.clone(), &mut self.found);
     }
 
     fn visit_attribute(&mut self, it: &'ast syn::Attribute) {
         if let syn::Meta::List(list) = &it.meta {
-            quoted(list.tokens.clone(), &mut self.0);
+            quoted(list.tokens.clone(), &mut self.found);
         }
     }
 }
@@ -383,18 +454,28 @@ fn imports_are_read_as_rustc_reads_them() {
 
 #[test]
 fn words_are_told_from_texts() {
-    let found = |body: &str| deciding(&format!("fn f() {{ {body} }}"));
+    let found = |body: &str| deciding(&format!("fn f() {{ {body} }}"), &[]);
     assert_eq!(found("match m { \"map_or\" => say(\"two words\"), b\"x\" => f('c') }"), ["map_or"]);
     assert_eq!(found("/// A comment.\nmatches!(name, \"zip\" | \"Sum\" | \"_\");"), ["zip"]);
 }
 
 #[test]
 fn names_of_temporaries_decide_nothing() {
-    let found = |body: &str| deciding(&format!("fn f() {{ {body} }}"));
+    let found = |body: &str| deciding(&format!("fn f() {{ {body} }}"), &[]);
     assert_eq!(
         found("walk.temporary(\"end\", is(\"rev\")); fresh(\"at\"); hold(\"by\");"),
         ["rev", "by"]
     );
     assert_eq!(found("fresh(if name == \"min\" { \"least\" } else { x });"), ["min", "least"]);
     assert_eq!(found("Operand { role: \"left\", name: \"right\" };"), ["right"]);
+}
+
+#[test]
+fn words_of_the_table_count_where_they_are_compared() {
+    let table = constants("const TAG: &str = \"tag\"; const ENDS: [&str; 2] = [\"from\", \"to\"];");
+    let found = |body: &str| deciding(&format!("fn f() {{ {body} }}"), &table);
+    assert_eq!(found("field(words::TAG, words::ENDS[0]); format!(\"{}\", words::TAG);"), [""; 0]);
+    assert_eq!(found("if name == words::TAG { x } else { words::TAG };"), ["TAG"]);
+    assert_eq!(found("match name { words::TAG => a, _ => b }"), ["TAG"]);
+    assert_eq!(found("words::ENDS.contains(&name); matches!(it, words::TAG);"), ["ENDS", "TAG"]);
 }

@@ -6,6 +6,7 @@ use bessemer_ir::{Block, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type
 
 use super::lowering::Lowering;
 use super::order::is_free;
+use super::words;
 
 impl Lowering<'_, '_> {
     /// Makes the body that was lowered write to copies.
@@ -45,7 +46,7 @@ impl Lowering<'_, '_> {
                     if let Some(value) = value.as_mut().filter(|value| !is_free(value)) {
                         let ty = value.ty.clone();
                         let local = LocalId(self.locals.len() as u32);
-                        let name = "outcome".to_owned();
+                        let name = words::OUTCOME.to_owned();
                         self.locals.push(Local { name, ty: ty.clone(), mode: Mode::Value, span });
                         let place = Place::local(local, ty.clone(), span);
                         let held = place.load();

@@ -11,9 +11,9 @@ use super::elements::Slice;
 use super::lengths::{minus, plus};
 use super::lowering::Lowering;
 use super::pattern::both;
-use super::regions::ENDS;
 use super::syntax::is_rest;
 use super::value::{Named, Value};
+use super::words;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -52,7 +52,7 @@ impl Lowering<'_, '_> {
                 maybe(there, Value::Place(array.at(plus(array.from.clone(), index))))
             }
             (M::GetPart, [from, to]) => {
-                let from = self.steady_index(ENDS[0], from)?;
+                let from = self.steady_index(words::ENDS[0], from)?;
                 let to = self.steady_index("to", to)?;
                 let inside = compared(CompareOp::Le, &to, &length);
                 let there = match from.kind {
@@ -62,7 +62,7 @@ impl Lowering<'_, '_> {
                 maybe(there, slice(array.between(from, to)))
             }
             (M::GetFrom, [from]) => {
-                let from = self.steady_index(ENDS[0], from)?;
+                let from = self.steady_index(words::ENDS[0], from)?;
                 maybe(compared(CompareOp::Le, &from, &length), slice(array.behind(from)))
             }
             (M::SplitAt, [at]) => {

@@ -5,6 +5,7 @@ use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar,
 
 use super::expr::Operand;
 use super::lowering::Lowering;
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 /// How a matrix is made of elements.
@@ -195,14 +196,13 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expected: Option<Type>,
     ) -> Result<Vec<Expr>> {
-        let roles = ["left", "middle", "right"];
         let operands: Vec<_> = arguments
             .iter()
             .enumerate()
             .map(|(index, expr)| Operand {
                 expr,
                 expected: expected.clone(),
-                role: roles.get(index).copied().unwrap_or("element"),
+                role: words::OPERANDS.get(index).copied().unwrap_or(words::ELEMENT),
             })
             .collect();
         self.operands(&operands)

@@ -3,8 +3,9 @@
 use bessemer_ir::tree::{self, Builtin};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
 
+use super::Result;
 use super::lowering::Lowering;
-use super::{Result, order};
+use super::words;
 use crate::effects;
 
 /// A function, and what it is called with.
@@ -92,7 +93,7 @@ impl<'a> Lowering<'a, '_> {
                     None => {
                         self.not_coords(argument)?;
                         let value = self.value(argument, Some(&ty))?;
-                        Argument::RefMut(self.temporary_place(order::ARGUMENT, value))
+                        Argument::RefMut(self.temporary_place(words::ARGUMENT, value))
                     }
                 },
                 Mode::Ref => {
@@ -128,7 +129,7 @@ impl<'a> Lowering<'a, '_> {
                 && effects::reads(value, &lent)
             {
                 let mark = self.out.len();
-                *value = self.temporary(order::ARGUMENT, value.clone());
+                *value = self.temporary(words::ARGUMENT, value.clone());
                 let later = self.later(mark);
                 self.settle_arguments(before, &later);
                 self.out.extend(later);

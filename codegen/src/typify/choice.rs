@@ -9,6 +9,7 @@ use bessemer_ir::{
 use super::lowering::{Lowering, Target};
 use super::value::Value;
 use super::within::test;
+use super::words;
 use super::{Result, problem};
 
 /// An arm with more values than this is told by their ends.
@@ -64,7 +65,7 @@ impl Lowering<'_, '_> {
         };
         let chained = guarded || taken.iter().any(wide);
         if name.is_some() || chained && !is_still(&value) {
-            value = self.held(name.unwrap_or("selector"), value);
+            value = self.held(name.unwrap_or(words::SELECTOR), value);
         }
         if chained {
             let Block(stmts) = self.scoped(|inner| inner.chain(&value, &taken, target, span))?;

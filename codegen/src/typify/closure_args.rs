@@ -12,7 +12,8 @@ use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Pl
 
 use super::lowering::{Closure, Lowering, Scope, Target, UNNAMED};
 use super::value::Value;
-use super::{OUR_FAULT, Result, names, order, problem};
+use super::words;
+use super::{OUR_FAULT, Result, names, problem};
 use crate::effects;
 
 impl<'a> Lowering<'a, '_> {
@@ -352,7 +353,7 @@ impl<'a> Lowering<'a, '_> {
     /// The arguments of a closure, under the closure's names.
     fn named_argument(&mut self, parameter: Option<&tree::Pattern>, value: Expr) -> Expr {
         let Some(tree::Pattern::Name { name, .. }) = parameter else {
-            return self.temporary(order::ARGUMENT, value);
+            return self.temporary(words::ARGUMENT, value);
         };
         self.naming_as("", |inner| inner.temporary(name, value))
     }

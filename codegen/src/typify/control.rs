@@ -7,6 +7,7 @@ use super::conditions::{decided, has_let};
 use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
 use super::value::Value;
+use super::words;
 use super::{OUR_FAULT, Result, order, problem};
 use crate::effects;
 
@@ -465,7 +466,7 @@ impl Lowering<'_, '_> {
                 let mark = self.out.len();
                 let place = self.writable(place)?;
                 let later = self.later(mark);
-                self.settle(&mut value, order::OPERAND, &later);
+                self.settle(&mut value, words::OPERAND, &later);
                 self.out.extend(later);
                 self.emit(StmtKind::Assign { place, value }, span);
             }
@@ -516,9 +517,9 @@ impl Lowering<'_, '_> {
             if !fixed && !order::may_follow(&value, &place)
                 || effects::reads(&place.load(), &written)
             {
-                value = self.temporary(order::OPERAND, value);
+                value = self.temporary(words::OPERAND, value);
             } else {
-                self.settle(&mut value, order::OPERAND, &later);
+                self.settle(&mut value, words::OPERAND, &later);
             }
             self.out.append(&mut later);
             self.keep_indices(&mut place, order::has_effect);
@@ -553,7 +554,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Index(base, _)
             | tree::ExprKind::Deref(base)
             | tree::ExprKind::Ref(_, base) => self.name_of(base),
-            _ => "value".into(),
+            _ => words::VALUE.into(),
         }
     }
 

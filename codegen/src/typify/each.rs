@@ -14,6 +14,7 @@ use super::elements::Slice;
 use super::lengths::{divided, greatest, is_number, least, lesser, minus, plus, same, times};
 use super::lowering::Lowering;
 use super::value::Value;
+use super::words;
 use super::{Result, problem};
 use crate::effects;
 
@@ -187,7 +188,7 @@ impl Lowering<'_, '_> {
         let (first, span) = (&passed.slice, counter.span);
         let name = match &part.pattern {
             tree::Pattern::Name { name, .. } => name.as_str(),
-            _ => "element",
+            _ => words::ELEMENT,
         };
         let (local, ty) = (LocalId(self.locals.len() as u32), first.element.clone());
         self.locals.push(Local { name: name.to_owned(), ty: ty.clone(), mode: Mode::Value, span });
@@ -260,7 +261,7 @@ impl Lowering<'_, '_> {
 
     /// The name for the counter of a loop whose author has none.
     fn next_index(&self) -> &'static str {
-        let names = ["i", "j", "k"];
+        let names = words::COUNTERS;
         let taken =
             self.counters.iter().filter(|id| names.contains(&&*self.locals[id.index()].name));
         names[taken.count() % names.len()]
@@ -429,7 +430,7 @@ impl Lowering<'_, '_> {
             let copy = LocalId(self.locals.len() as u32);
             let ty = place.ty.clone();
             self.locals.push(Local {
-                name: "elements".into(),
+                name: words::ELEMENTS.into(),
                 ty: ty.clone(),
                 mode: Mode::Value,
                 span,

@@ -13,6 +13,7 @@ use bessemer_ir::{
 
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
+use super::words;
 use super::{Result, problem};
 
 /// Up to so many elements are compared one by one.
@@ -170,8 +171,8 @@ impl Lowering<'_, '_> {
         let place = |root| Place { root: LocalId(root), steps: Vec::new(), ty: ty.clone(), span };
         let (one, other) = (place(0), place(1));
         let mut inner = Lowering::new(&mut *self.cx, self.source)?;
-        inner.naming = "all".into();
-        for name in ["one", "other"] {
+        inner.naming = words::ALL_PARTS.into();
+        for name in words::COMPARED {
             let (name, ty) = (name.to_owned(), ty.clone());
             inner.locals.push(Local { name, ty, mode: Mode::Ref, span });
         }
@@ -206,7 +207,8 @@ impl Lowering<'_, '_> {
         let own = super::names::snake(&self.cx.module.structs[id.index()].name);
         homes.push(format!("::{own}::equal"));
         let taken = |known: &String| homes.iter().any(|home| known.ends_with(home));
-        let name = if self.cx.authored.iter().any(taken) { "same_parts" } else { "equal" };
+        let name =
+            if self.cx.authored.iter().any(taken) { words::SAME_PARTS } else { words::EQUAL };
         name.to_owned()
     }
 

@@ -10,6 +10,7 @@ use super::function::takes_closures;
 use super::lengths::plus;
 use super::lowering::{Lowering, Target};
 use super::syntax::{control_with_value, is_question};
+use super::words;
 use super::{OUR_FAULT, Result, literal, order, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
@@ -364,7 +365,7 @@ impl Lowering<'_, '_> {
             (Op::Mul, Type::Matrix { .. }, _) => (Routine::Scale, vec![left, right], left_ty),
             (Op::Mul, _, Type::Matrix { .. }) => {
                 if !order::may_change_places(&left, &right) {
-                    left = self.temporary(order::OPERAND, left);
+                    left = self.temporary(words::OPERAND, left);
                 }
                 (Routine::Scale, vec![right, left], right_ty)
             }

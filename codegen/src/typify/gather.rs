@@ -6,6 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Float, Local, LocalId, Mode, Scalar, Stmt, Stm
 use super::lowering::Lowering;
 use super::order::{is_free, is_settled};
 use super::value::Value;
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -75,7 +76,7 @@ impl Lowering<'_, '_> {
     /// Computes the bounds of a loop that may fault.
     fn settle_bounds(&mut self, passes: Option<&mut Stmt>) {
         let Some(Stmt { kind: StmtKind::For { from, to, .. }, .. }) = passes else { return };
-        for (bound, role) in [(from, "first"), (to, "end")] {
+        for (bound, role) in [from, to].into_iter().zip(words::BOUNDS) {
             if !is_free(bound) {
                 *bound = self.temporary(role, bound.clone());
             }

@@ -8,12 +8,8 @@ use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::{Enum, EnumId, Field, Form, Given, Scalar, Span, Struct, StructId, Type};
 
 use super::names::snake;
-use super::regions::ENDS;
+use super::words;
 use super::{Context, OUR_FAULT, Result, problem};
-
-/// The names of a tuple's parts in the C.
-const PARTS: [&str; 8] =
-    ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
 
 /// A variant of a [`Form::Choice`]; its word is its index.
 #[derive(Clone)]
@@ -81,18 +77,16 @@ pub(super) fn position(fields: &[Field], name: &str) -> Option<usize> {
 
 /// The name of a tuple of so many parts.
 pub(super) fn arity(count: usize) -> String {
-    match count {
-        1 => "single".into(),
-        2 => "pair".into(),
-        3 => "triple".into(),
-        more => format!("tuple{more}"),
+    match count.checked_sub(1).and_then(|at| words::TUPLES.get(at)) {
+        Some(name) => (*name).to_owned(),
+        None => format!("tuple{count}"),
     }
 }
 
 /// The name in the C of the part `index` of a tuple of `count`.
 fn part(index: usize, count: usize) -> String {
-    match (PARTS.get(index), count) {
-        (_, 1) => "value".to_owned(),
+    match (words::PARTS.get(index), count) {
+        (_, 1) => words::VALUE.to_owned(),
         (Some(name), _) => (*name).to_owned(),
         (None, _) => format!("part_{}", index + 1),
     }
@@ -148,8 +142,8 @@ impl Context<'_> {
             ": some elements of an array, which stands beside it",
         );
         let fields = vec![
-            field(ENDS[0], "The index of the first one.", Type::USIZE),
-            field(ENDS[1], "How many there are.", Type::USIZE),
+            field(words::ENDS[0], "The index of the first one.", Type::USIZE),
+            field(words::ENDS[1], "How many there are.", Type::USIZE),
         ];
         self.own_struct(name, shown, fields, Form::Record, site)
     }
@@ -170,8 +164,8 @@ impl Context<'_> {
         let shown = (format!("List<{}, {n}>", self.show(&element)), ": elements, and how many");
         let items = Type::Array { element: Box::new(element), len: n };
         let fields = vec![
-            field("length", "How many elements there are.", Type::USIZE),
-            field("items", "The elements; those behind the length mean nothing.", items),
+            field(words::LENGTH, "How many elements there are.", Type::USIZE),
+            field(words::ITEMS, "The elements; those behind the length mean nothing.", items),
         ];
         self.own_struct(name, shown, fields, Form::Sequence, site)
     }
@@ -180,8 +174,8 @@ impl Context<'_> {
         let value = self.value_type(ty, site)?;
         let name = format!("Option{}", self.content(ty, &value));
         let shown = (format!("Option<{}>", self.shown_content(ty, &value)), ": a value, or none");
-        let mut fields = vec![field("is_some", "Whether there is a value.", Type::BOOL)];
-        let some = held(&mut fields, "value", "The value, if there is one.", value);
+        let mut fields = vec![field(words::IS_SOME, "Whether there is a value.", Type::BOOL)];
+        let some = held(&mut fields, words::VALUE, "The value, if there is one.", value);
         let form = Form::Choice(vec![None, some]);
         let id = self.own_struct(name, shown, fields, form, site)?;
         self.note_equality(id, &[ty]);
@@ -197,9 +191,9 @@ impl Context<'_> {
         let shown = (self.shown_content(of, &value), self.shown_content(or, &error));
         let shown = format!("Result<{}, {}>", shown.0, shown.1);
         let shown = (shown, ": a value, or why there is none");
-        let mut fields = vec![field("is_ok", "Whether there is a value.", Type::BOOL)];
-        let ok = held(&mut fields, "value", "The value, if there is one.", value);
-        let err = held(&mut fields, "error", "Why there is none.", error);
+        let mut fields = vec![field(words::IS_OK, "Whether there is a value.", Type::BOOL)];
+        let ok = held(&mut fields, words::VALUE, "The value, if there is one.", value);
+        let err = held(&mut fields, words::ERROR, "Why there is none.", error);
         let id = self.own_struct(name, shown, fields, Form::Choice(vec![err, ok]), site)?;
         self.note_equality(id, &[of, or]);
         self.errors.insert(id, or.clone());
@@ -324,7 +318,7 @@ impl Context<'_> {
         }
         let Enum { name, module, docs, given, span, .. } = named.clone();
         let tag = EnumId(self.module.enums.len() as u32);
-        let mut fields = vec![field("tag", "Which variant it is.", Type::Enum(tag))];
+        let mut fields = vec![field(words::TAG, "Which variant it is.", Type::Enum(tag))];
         let mut cases = Vec::new();
         for variant in variants {
             let payload = self.payload(&named, variant, site)?;
@@ -347,7 +341,7 @@ impl Context<'_> {
         self.module.enums.push(Enum {
             name: self.free_name(format!("{name}Tag")),
             docs: vec![format!("Which variant of `{name}`.")],
-            given: beside(&named.given, "tag"),
+            given: beside(&named.given, words::TAG),
             ..named
         });
         let form = Form::Choice(cases.iter().map(|case| case.field).collect());

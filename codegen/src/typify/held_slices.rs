@@ -14,9 +14,9 @@ use super::elements::Slice;
 use super::lenders::{FROM, LENGTH};
 use super::lengths::plus;
 use super::lowering::{Lowering, UNNAMED};
-use super::regions::ENDS;
 use super::syntax::{Writes, control_with_value, slots_of};
 use super::value::Value;
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
@@ -43,7 +43,7 @@ impl Lowering<'_, '_> {
                 Some(Step::Field(at)) => self.field_name(&place, *at),
                 _ => self.locals[place.root.index()].name.clone(),
             };
-            for (part, role) in [&mut from, &mut length].into_iter().zip(ENDS) {
+            for (part, role) in [&mut from, &mut length].into_iter().zip(words::ENDS) {
                 let held =
                     self.naming_as(&*name, |inner| inner.temporary_place(role, part.clone()));
                 self.lenders.taken.push(held.root);
@@ -174,7 +174,7 @@ impl Lowering<'_, '_> {
             }
             (Value::Maybe(there, lent), Type::Struct(id)) => {
                 let none = self.choice(*id, 0, None, site)?;
-                let place = self.temporary_place(super::slice::FOUND, none);
+                let place = self.temporary_place(words::FOUND, none);
                 let held = place.load();
                 let payload =
                     self.cx.cases.get(id).and_then(|cases| cases.iter().find_map(|it| it.field));

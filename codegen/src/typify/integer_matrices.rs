@@ -13,6 +13,7 @@ use bessemer_ir::{
 
 use super::counted::{counted, local};
 use super::lowering::Lowering;
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 /// The operation of a routine on two elements, on an element and a number, or on one.
@@ -38,14 +39,14 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<Expr> {
         let (name, each) = match routine {
-            Routine::Neg => ("negative", Each::Negated),
-            Routine::Add => ("sum", Each::Joined(BinaryOp::Add)),
-            Routine::Sub => ("difference", Each::Joined(BinaryOp::Sub)),
-            Routine::ComponentMul => ("product", Each::Joined(BinaryOp::Mul)),
-            Routine::ComponentDiv => ("quotient", Each::Joined(BinaryOp::Div)),
-            Routine::Scale => ("scaled", Each::Joined(BinaryOp::Mul)),
-            Routine::Unscale => ("quotient", Each::Joined(BinaryOp::Div)),
-            Routine::Product => ("product", Each::Terms),
+            Routine::Neg => (words::NEGATIVE, Each::Negated),
+            Routine::Add => (words::SUM, Each::Joined(BinaryOp::Add)),
+            Routine::Sub => (words::DIFFERENCE, Each::Joined(BinaryOp::Sub)),
+            Routine::ComponentMul => (words::PRODUCT, Each::Joined(BinaryOp::Mul)),
+            Routine::ComponentDiv => (words::QUOTIENT, Each::Joined(BinaryOp::Div)),
+            Routine::Scale => (words::SCALED, Each::Joined(BinaryOp::Mul)),
+            Routine::Unscale => (words::QUOTIENT, Each::Joined(BinaryOp::Div)),
+            Routine::Product => (words::PRODUCT, Each::Terms),
             _ => {
                 let remedy = "write a loop over their elements";
                 return problem(site, "this takes matrices of `f64` or `f32`", remedy);

@@ -14,8 +14,9 @@ use crate::termination::{self, Loop, Proof};
 
 use super::conditions::has_let;
 use super::expr::{Operand, two};
-use super::lowering::{Behind, Frame, Leaving, Lowering, PASS, Target};
+use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
 use super::value::Named;
+use super::words;
 use super::{OUR_FAULT, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
@@ -47,7 +48,7 @@ impl Lowering<'_, '_> {
             Operand { expr: &range.to, expected: Some(ty.clone()), role: "end" },
         ])?;
         let [from, to] = two(bounds, site)?;
-        let name = if name.starts_with('_') { PASS } else { name };
+        let name = if name.starts_with('_') { words::PASS } else { name };
         if range.step.is_some() {
             return self.stepped(site, label, (name, ty), range, [from, to], body);
         }
@@ -295,7 +296,7 @@ impl Lowering<'_, '_> {
     /// The counter of the passes of a loop with a bound; the author has no name for it.
     fn pass(&mut self, bound: &Expr, span: Span) -> LocalId {
         let id = LocalId(self.locals.len() as u32);
-        let (name, ty) = (PASS.into(), bound.ty.clone());
+        let (name, ty) = (words::PASS.into(), bound.ty.clone());
         self.locals.push(Local { name, ty, mode: Mode::Value, span });
         id
     }
@@ -477,10 +478,10 @@ impl Lowering<'_, '_> {
             same.next().map(|behind| behind.flag)
         });
         let flag = known.unwrap_or_else(|| {
-            let label = named.unwrap_or_else(|| "loop".into());
+            let label = named.unwrap_or_else(|| words::LOOP.into());
             let role = match leaving {
-                Leaving::Break => "done",
-                Leaving::Continue => "next",
+                Leaving::Break => words::DONE,
+                Leaving::Continue => words::NEXT,
             };
             let id = LocalId(self.locals.len() as u32);
             let name = format!("{label}_{role}");

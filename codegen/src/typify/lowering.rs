@@ -18,9 +18,6 @@ pub(super) const UNNAMED: &str = "value";
 /// The name of what a function gives, where its author named nothing.
 pub(super) const RESULT: &str = "result";
 
-/// The name of a pass for which its author has none.
-pub(super) const PASS: &str = "pass";
-
 /// A function being lowered.
 pub(super) struct Lowering<'a, 'c> {
     pub cx: &'a mut Context<'c>,

@@ -77,6 +77,7 @@ mod unreached;
 mod value;
 mod views;
 mod within;
+mod words;
 mod zero_sized;
 
 use std::collections::{HashMap, HashSet};

@@ -13,6 +13,7 @@ use bessemer_ir::{
 
 use super::expr::Operand;
 use super::lowering::Lowering;
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 /// A method of a number.
@@ -231,9 +232,6 @@ fn of(int: Int) -> Type {
     Type::Scalar(Scalar::Int(int))
 }
 
-/// The names of the operands' temporaries.
-const ROLES: [&str; 2] = ["value", "by"];
-
 const U32: Type = Type::Scalar(Scalar::Int(Int::U32));
 
 impl Lowering<'_, '_> {
@@ -254,7 +252,7 @@ impl Lowering<'_, '_> {
             Method::Two(Two::AbsDiff) => [None, self.partner(arguments)?],
             Method::Two(Two::Shift(_) | Two::RotateLeft | Two::RotateRight) => [same, Some(U32)],
         };
-        let operands = arguments.iter().zip(ROLES).zip(expected);
+        let operands = arguments.iter().zip(words::OF_NUMBERS).zip(expected);
         let operands: Vec<_> =
             operands.map(|((expr, role), expected)| Operand { expr, expected, role }).collect();
         let values = self.operands(&operands)?;
@@ -307,7 +305,7 @@ impl Lowering<'_, '_> {
         }
         let constant =
             |value: &Expr| matches!(value.kind, ExprKind::Literal(_) | ExprKind::Const(_));
-        let kept = values.into_iter().zip(ROLES).map(|(value, role)| {
+        let kept = values.into_iter().zip(words::OF_NUMBERS).map(|(value, role)| {
             if constant(&value) { value } else { self.temporary(role, value) }
         });
         kept.collect()

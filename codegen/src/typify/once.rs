@@ -4,7 +4,8 @@ use bessemer_ir::Type;
 use bessemer_ir::tree::{self, Site};
 
 use super::Result;
-use super::lowering::{Frame, Lowering, PASS};
+use super::lowering::{Frame, Lowering};
+use super::words;
 
 impl Lowering<'_, '_> {
     /// Whether what is gone through is an `Option`.
@@ -42,6 +43,6 @@ impl Lowering<'_, '_> {
         let frame = Frame { pass: true, ..Frame::block(label, None) };
         let then = tree::Block { stmts: vec![tree::Stmt::Expr(of(then))], tail: None };
         let span = self.span(site);
-        self.left(PASS, frame, span, |inner| inner.block_effect(&then))
+        self.left(words::PASS, frame, span, |inner| inner.block_effect(&then))
     }
 }

@@ -12,11 +12,8 @@ use bessemer_ir::{
 };
 
 use super::lowering::Lowering;
+use super::words;
 use crate::effects;
-
-/// What temporaries for operands and for arguments are called.
-pub(super) const OPERAND: &str = "operand";
-pub(super) const ARGUMENT: &str = "argument";
 
 impl Lowering<'_, '_> {
     /// The statements since `mark`, taken out; what comes before them can still be emitted.
@@ -46,7 +43,7 @@ impl Lowering<'_, '_> {
                 Ok(Expr { kind: ExprKind::Load(place), ty: Type::Slice(_), .. }) => {
                     self.settle_place(place, later);
                 }
-                Ok(value) => self.settle(value, ARGUMENT, later),
+                Ok(value) => self.settle(value, words::ARGUMENT, later),
                 Err(place) => self.settle_place(place, later),
             }
         }
@@ -59,7 +56,7 @@ impl Lowering<'_, '_> {
             shows |= first.as_slice().iter().any(|other| !may_change_places(one, other));
         }
         for value in values.iter_mut().filter(|value| shows && !value.is_literal()) {
-            *value = self.temporary(OPERAND, value.clone());
+            *value = self.temporary(words::OPERAND, value.clone());
         }
     }
 

@@ -5,6 +5,7 @@ use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 
 use super::expr::{Operand, two};
 use super::lowering::{Lowering, RESULT, UNNAMED};
+use super::words;
 use super::zero_sized::At;
 use super::{Result, problem};
 use crate::effects;
@@ -92,15 +93,15 @@ impl Lowering<'_, '_> {
                 if self.cx.shown.contains_key(id) && !self.cx.borrowed.contains_key(id) =>
             {
                 match self.cx.cases.get(id).map(|cases| cases[0].name.as_str()) {
-                    Some("None") => "option".into(),
-                    Some("Err") => "outcome".into(),
-                    _ => "pair".into(),
+                    Some("None") => words::OPTION.into(),
+                    Some("Err") => words::OUTCOME.into(),
+                    _ => words::TUPLES[1].into(),
                 }
             }
             Type::Struct(id) => super::names::role(&self.cx.module.structs[id.index()].name),
-            Type::Matrix { .. } => "vector".into(),
-            Type::Array { .. } => "elements".into(),
-            _ => "selector".into(),
+            Type::Matrix { .. } => words::VECTOR.into(),
+            Type::Array { .. } => words::ELEMENTS.into(),
+            _ => words::SELECTOR.into(),
         };
         // One that is looked into once has the name of what comes of it, if the author gave that one.
         let shown = |id| self.cx.shown.contains_key(id) && self.cx.cases.contains_key(id);

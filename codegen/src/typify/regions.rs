@@ -13,9 +13,6 @@ pub(super) type Path = Vec<u32>;
 pub(super) const MANY: &str = "an array or a list of slices is not in the DSL";
 pub(super) const ONE: &str = "keep their ends, an array of pairs, or a field for each slice";
 
-/// The names of its fields: the index of the first element, and how many there are.
-pub(super) const ENDS: [&str; 2] = ["from", "length"];
-
 /// Two slices in a struct that have one lender, since a function makes one a part of the other.
 pub(super) type Joined = (StructId, [Path; 2]);
 

@@ -16,9 +16,6 @@ use super::syntax::{Writes, control_with_value};
 use super::value::Value;
 use super::{Result, problem};
 
-/// The name of what is looked for.
-pub(super) const FOUND: &str = "found";
-
 impl Lowering<'_, '_> {
     /// A parameter that is a slice, and the one of its length.
     pub(super) fn slice_parameter(

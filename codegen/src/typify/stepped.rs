@@ -6,7 +6,8 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::lowering::{Lowering, PASS};
+use super::lowering::Lowering;
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 /// Where a stepped range begins, and what it takes to get on.
@@ -41,7 +42,7 @@ impl Lowering<'_, '_> {
             let pass = LocalId(inner.locals.len() as u32);
             let passes = steps.passes.clone();
             let counted = passes.ty.clone();
-            let local = Local { name: PASS.into(), ty: counted, mode: Mode::Value, span };
+            let local = Local { name: words::PASS.into(), ty: counted, mode: Mode::Value, span };
             inner.locals.push(local);
             let body = inner.scoped(|inner| {
                 let pass = Expr::local(pass, &passes.ty, span);

@@ -17,6 +17,7 @@ use super::elements::Submatrix;
 use super::lengths::plus;
 use super::lowering::Lowering;
 use super::value::Value;
+use super::words;
 use super::{Result, problem};
 
 impl<'a> Lowering<'a, '_> {
@@ -289,7 +290,7 @@ impl<'a> Lowering<'a, '_> {
         };
         let naming = match self.expanding.is_empty() {
             true => self.name_of(place),
-            false => "part".into(),
+            false => words::PART.into(),
         };
         let copy = self.copy_of_part(&naming, &part, site)?;
         let value = self.naming_as(naming, |inner| match inner.operator(place.slot).cloned() {

@@ -1,0 +1,57 @@
+//! Words that the C reads and nothing decides by: the names of fields that no author named, and of temporaries.
+//!
+//! Invariants: none of them is compared with anything, which `xtask/tests/structure.rs` holds.
+
+/// Tuples of one, two and three parts, and their parts.
+pub(super) const TUPLES: [&str; 3] = ["single", "pair", "triple"];
+pub(super) const PARTS: [&str; 8] =
+    ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
+
+/// The fields of a list, of an `Option` and a `Result`, of an enum with payload, and of a slice in a value: the index of
+/// its first element, and how many there are.
+pub(super) const LENGTH: &str = "length";
+pub(super) const ITEMS: &str = "items";
+pub(super) const IS_SOME: &str = "is_some";
+pub(super) const IS_OK: &str = "is_ok";
+pub(super) const VALUE: &str = "value";
+pub(super) const ERROR: &str = "error";
+pub(super) const TAG: &str = "tag";
+pub(super) const ENDS: [&str; 2] = ["from", "length"];
+
+/// What a function that compares part by part is called, and its parameters.
+pub(super) const EQUAL: &str = "equal";
+pub(super) const SAME_PARTS: &str = "same_parts";
+pub(super) const ALL_PARTS: &str = "all";
+pub(super) const COMPARED: [&str; 2] = ["one", "other"];
+
+/// What holds a value that is taken apart, by its type.
+pub(super) const OPTION: &str = "option";
+pub(super) const OUTCOME: &str = "outcome";
+pub(super) const VECTOR: &str = "vector";
+pub(super) const ELEMENTS: &str = "elements";
+pub(super) const SELECTOR: &str = "selector";
+pub(super) const PART: &str = "part";
+pub(super) const ELEMENT: &str = "element";
+
+/// What holds the result of an operation on matrices of integers.
+pub(super) const NEGATIVE: &str = "negative";
+pub(super) const SUM: &str = "sum";
+pub(super) const DIFFERENCE: &str = "difference";
+pub(super) const PRODUCT: &str = "product";
+pub(super) const QUOTIENT: &str = "quotient";
+pub(super) const SCALED: &str = "scaled";
+
+/// What holds an operand or an argument that is computed before its turn.
+pub(super) const OPERAND: &str = "operand";
+pub(super) const ARGUMENT: &str = "argument";
+pub(super) const OPERANDS: [&str; 3] = ["left", "middle", "right"];
+pub(super) const OF_NUMBERS: [&str; 2] = ["value", "by"];
+pub(super) const BOUNDS: [&str; 2] = ["first", "end"];
+
+/// What is looked for; a loop and the flags behind one; a pass, and the counters, for which their author has no name.
+pub(super) const FOUND: &str = "found";
+pub(super) const LOOP: &str = "loop";
+pub(super) const DONE: &str = "done";
+pub(super) const NEXT: &str = "next";
+pub(super) const PASS: &str = "pass";
+pub(super) const COUNTERS: [&str; 3] = ["i", "j", "k"];
