@@ -4,7 +4,8 @@
 //! as rustc compiles it, the test, the interpreter, the compilers and emulators, the processor, the settings of the
 //! run. After a change of the compiler the C of most programs is as before, and so is what each leg makes of it.
 //!
-//! Invariants: only what passed is stored; in a full run nothing is.
+//! Invariants: only what passed is stored; in a full run nothing is, nor where a source is younger than the program that
+//! checks, which was built of an older one.
 //!
 //! What it must not know: what a check is about.
 
@@ -12,6 +13,7 @@ use std::collections::BTreeMap;
 use std::hash::Hash;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
+use std::time::SystemTime;
 
 use crate::{name, place, root, version};
 
@@ -21,7 +23,7 @@ use crate::{name, place, root, version};
 /// # Panics
 /// If the check does.
 pub fn once(title: &str, content: &impl Hash, check: impl FnOnce()) {
-    let stored = place("passed", &(title, content, &*SURROUNDINGS));
+    let stored = SURROUNDINGS.as_ref().and_then(|it| place("passed", &(title, content, it)));
     if stored.as_ref().is_some_and(|it| it.exists()) {
         println!("{title}: has passed before, and nothing that decides it has changed");
         return;
@@ -34,10 +36,15 @@ pub fn once(title: &str, content: &impl Hash, check: impl FnOnce()) {
     }
 }
 
-/// All that decides a check beside what the compiler made: a hash.
-static SURROUNDINGS: LazyLock<String> = LazyLock::new(|| {
+/// All that decides a check beside what the compiler made: a hash. None where nobody knows what the program was built of.
+static SURROUNDINGS: LazyLock<Option<String>> = LazyLock::new(|| {
+    let program = std::env::current_exe().ok()?;
+    let built = program.metadata().and_then(|it| it.modified()).ok()?;
+    let texts = texts(&root(), built)?;
+    // Debug or release, each in its folder.
+    let profile = program.parent()?.to_owned();
     let settings: BTreeMap<_, _> = std::env::vars()
-        .filter(|(name, _)| name.starts_with("BESSEMER_") || name == "PATH")
+        .filter(|(name, _)| name.starts_with("BESSEMER_") || SETTINGS.contains(&name.as_str()))
         .collect();
     let versions: Vec<_> = PROGRAMS.iter().map(|program| version(program)).collect();
     // `-march=native` is another machine's on another machine.
@@ -48,8 +55,11 @@ static SURROUNDINGS: LazyLock<String> = LazyLock::new(|| {
         .take(2)
         .map(str::to_owned)
         .collect();
-    name(&(settings, versions, processor, texts(&root())))
+    Some(name(&(profile, settings, versions, processor, texts)))
 });
+
+/// Variables by which others find their programs, and rustc its flags.
+const SETTINGS: [&str; 3] = ["PATH", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"];
 
 /// The programs that checks run, and rustc, which compiles the models.
 const PROGRAMS: [&str; 14] = [
@@ -82,8 +92,8 @@ const LEFT_OUT: [&str; 8] = [
     "xtask",
 ];
 
-/// The files of a folder, each with its content: those that are not left out.
-fn texts(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+/// The files of a folder, each with its content: those that are not left out. None if a source in Rust is younger than `built`.
+fn texts(root: &Path, built: SystemTime) -> Option<BTreeMap<PathBuf, Vec<u8>>> {
     let mut texts = BTreeMap::new();
     let mut open = vec![PathBuf::new()];
     while let Some(folder) = open.pop() {
@@ -98,24 +108,33 @@ fn texts(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
             }
             match entry.file_type() {
                 Ok(kind) if kind.is_dir() => open.push(path),
-                _ => _ = texts.insert(path, std::fs::read(entry.path()).unwrap_or_default()),
+                _ => {
+                    let is_rust = path.extension().is_some_and(|it| it == "rs");
+                    let written = entry.metadata().and_then(|it| it.modified());
+                    if is_rust && written.is_ok_and(|it| it > built) {
+                        return None;
+                    }
+                    texts.insert(path, std::fs::read(entry.path()).unwrap_or_default());
+                }
             }
         }
     }
-    texts
+    Some(texts)
 }
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
 
     #[test]
     fn what_passed_is_not_asked_again_and_what_failed_is() {
-        if std::env::var_os("BESSEMER_FULL").is_some() {
+        if std::env::var_os("BESSEMER_FULL").is_some() || SURROUNDINGS.is_none() {
             return;
         }
         // Another content in each run: what is stored stays.
-        let content = (std::process::id(), std::time::SystemTime::now());
+        let content = (std::process::id(), SystemTime::now());
         let mut asked = 0;
         let failed = std::panic::catch_unwind(|| once("it fails", &content, || panic!("it does")));
         assert!(failed.is_err());
@@ -139,8 +158,12 @@ mod tests {
             write(path)?;
         }
         write("tests/tests/.lib.rs.swp")?;
-        let found: Vec<_> = texts(folder.path()).into_keys().collect();
-        assert_eq!(found, ["codegen/interpret/lib.rs", "dsl/src/lib.rs"].map(PathBuf::from));
+        let now = SystemTime::now();
+        let found = texts(folder.path(), now).map(|texts| texts.into_keys().collect::<Vec<_>>());
+        let expected = ["codegen/interpret/lib.rs", "dsl/src/lib.rs"].map(PathBuf::from);
+        assert_eq!(found, Some(expected.to_vec()));
+        let before = now - Duration::from_secs(60);
+        assert_eq!(texts(folder.path(), before), None, "they are younger than the program");
         Ok(())
     }
 }
