@@ -22,7 +22,7 @@ impl Program {
     /// # Panics
     /// If it does not compile.
     pub fn start(kernels: &[Kernel], tuning: Tuning, toolchain: &Toolchain) -> Program {
-        let files = files(kernels, &tuning);
+        let files = files(kernels, &Options { kernels: tuning, ..Options::default() });
         let process = Process::run_files(&files, &main(kernels, &tuning), toolchain, &[])
             .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()));
         Program { kernels: kernels.to_vec(), process }
@@ -53,11 +53,11 @@ impl Program {
 }
 
 /// The C of some kernels.
-pub fn files(kernels: &[Kernel], tuning: &Tuning) -> Vec<CFile> {
+pub fn files(kernels: &[Kernel], options: &Options) -> Vec<CFile> {
     let functions = kernels.iter().map(Kernel::function).collect();
-    let options = Options { kernels: *tuning, ..Options::default() };
     let module = Module { name: "kernels".into(), functions, ..Module::default() };
-    c::emit(&passes::lend(module, tuning, options.layout != c::Layout::Array), &options)
+    let flat = options.layout != c::Layout::Array;
+    c::emit(&passes::lend(module, &options.kernels, flat), options)
 }
 
 /// Words in and out, in loops: the matrices are large.

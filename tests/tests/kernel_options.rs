@@ -4,10 +4,10 @@
 
 use std::process::Command;
 
-use bessemer_codegen::c::{self, CFile, Options};
+use bessemer_codegen::c::Options;
 use bessemer_codegen::kernels::{self, Mode, Tuning, replace};
-use bessemer_codegen::passes;
-use bessemer_ir::{Float, Kernel, KernelRoutine, Module};
+use bessemer_ir::{Float, Kernel, KernelRoutine};
+use bessemer_tests::kernels::files;
 use bessemer_tests::store::once;
 use bessemer_tests::texts;
 
@@ -16,7 +16,7 @@ fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -
     let folder = tempfile::tempdir().expect("a folder");
     let own = bessemer_tests::root().join("tests/kernels");
     let mut sources = vec![own.join(program), own.join("own_product.c")];
-    for file in emitted(kernels, options) {
+    for file in files(kernels, options) {
         let path = folder.path().join(&file.name);
         std::fs::write(&path, &file.text).expect("a folder of ours");
         if file.name.ends_with(".c") {
@@ -38,14 +38,6 @@ fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -
     assert!(output.status.success());
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     Some(text.lines().map(|line| line.parse().expect("a word of ours")).collect())
-}
-
-/// The C of some kernels.
-fn emitted(kernels: &[Kernel], options: &Options) -> Vec<CFile> {
-    let functions = kernels.iter().map(Kernel::function).collect();
-    let module = Module { name: "options".into(), functions, ..Module::default() };
-    let by_column = options.layout != c::Layout::Array;
-    c::emit(&passes::lend(module, &options.kernels, by_column), options)
 }
 
 fn kernel(routine: KernelRoutine, element: Float, dims: &[u32]) -> Kernel {
@@ -97,8 +89,8 @@ fn threads_change_no_bit() {
         kernel(KernelRoutine::Solve, Float::F64, &[90, 50]),
         kernel(KernelRoutine::Product, Float::F64, &[65, 90, 70]),
     ];
-    let files = emitted(&kernels, &Options::default());
-    once("threads", &texts(&files), || each_number_of_threads_agrees(&kernels));
+    let threaded = files(&kernels, &Options::default());
+    once("threads", &texts(&threaded), || each_number_of_threads_agrees(&kernels));
 }
 
 fn each_number_of_threads_agrees(kernels: &[Kernel]) {
@@ -143,7 +135,7 @@ fn a_budget_changes_size_and_no_bit() {
     let kernels = of_several_ways();
     let of_budget = |code_bytes| {
         let tuning = Tuning { code_bytes, ..Tuning::default() };
-        emitted(&kernels, &Options { kernels: tuning, ..Options::default() })
+        files(&kernels, &Options { kernels: tuning, ..Options::default() })
     };
     let usual = Tuning::default().code_bytes;
     let files: Vec<_> = BUDGETS.into_iter().chain([usual]).flat_map(of_budget).collect();
@@ -214,13 +206,8 @@ fn a_budget_makes_objects_smaller() {
 /// Bytes of machine code of a kernel in plain C.
 fn object_bytes(kernel: &Kernel, tuning: Tuning) -> Option<u64> {
     let folder = tempfile::tempdir().expect("a folder");
-    let functions = vec![kernel.function()];
-    let module = Module { name: "options".into(), functions, ..Module::default() };
     let options = Options { kernels: tuning, ..Options::default() };
-    for file in c::emit(
-        &passes::lend(module, &options.kernels, options.layout != c::Layout::Array),
-        &options,
-    ) {
+    for file in files(std::slice::from_ref(kernel), &options) {
         std::fs::write(folder.path().join(&file.name), &file.text).expect("a folder of ours");
     }
     let mut command = Command::new("gcc");

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use bessemer::math::Real;
 use bessemer::nalgebra::SMatrix;
+use bessemer_codegen::c::Options;
 use bessemer_codegen::kernels::Tuning;
 use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, FunctionId, Kernel, KernelRoutine, Module};
@@ -229,7 +230,7 @@ fn the_c_agrees() {
         ways.entry((it.emulator, it.more)).or_default().push(it);
         ways
     });
-    let files = kernels::files(&kernels, &Tuning::default());
+    let files = kernels::files(&kernels, &Options::default());
     let natives: Vec<_> = calls.iter().map(|call| (&call.kernel, &call.native)).collect();
     for toolchain in ways.into_values().flat_map(turn::one_of) {
         once("large systems", &(texts(&files), &toolchain, &natives), || {

@@ -1,5 +1,5 @@
-//! What is asked of an `Ordering` that nothing else sees: `a.cmp(&b).is_lt()` is `a < b`, and a closure that compares
-//! stands where it is called.
+//! An `Ordering` that is asked one thing and then forgotten is never computed: `a.cmp(&b).is_lt()` is lowered as `a < b`, and a
+//! closure that compares is inlined where it is called.
 //!
 //! Must not know: what becomes of the answer.
 
@@ -21,7 +21,8 @@ const ASKED: [(&str, Op); 6] = [
     ("bessemer::comparison::is_unequal", Op::Ne),
 ];
 
-/// Those that compare: what is ordered, what may be, and floats in their total order, by the last of these.
+/// The functions of the library that compare: values of an ordered type, values of a partially ordered one, and floats in
+/// their total order, which calls `BELOW`.
 const COMPARE: &str = "bessemer::comparison::compare";
 const PARTIAL: &str = "bessemer::comparison::partial";
 const TOTAL: &str = "bessemer::comparison::total";
@@ -74,7 +75,7 @@ impl Lowering<'_, '_> {
 
     fn answered_of_two(&mut self, op: Op, order: &tree::Expr, site: Site) -> Result<Option<Expr>> {
         let (compared, or_equal) = match self.builtin_call(order) {
-            // What has no order counts as equal.
+            // The author takes two values without an order for equal.
             Some((Builtin::Option(OptionMethod::UnwrapOr), [partial, other])) if matches!(&other.kind, Tree::Path(_, name) if name.ends_with("Equal")) => {
                 (partial, true)
             }

@@ -347,7 +347,7 @@ fn wrapping_sign(intrinsic: Intrinsic) -> Option<&'static str> {
     }
 }
 
-/// Whether the outermost operator has the type of its operands: MISRA C:2012 calls such an expression composite.
+/// Whether an expression is composite in the sense of MISRA C:2012: its outermost operator computes in the type of its operands.
 fn is_composite(value: &Expr) -> bool {
     match value {
         Expr::Binary(op, ..) => {

@@ -175,7 +175,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether `expr` is a constant, which has 64 bits, and `other` an operator that computes in 32: the constant is cast.
+    /// Whether the constant `expr`, which has 64 bits, is cast to 32, since the operator `other` beside it computes in 32.
     fn is_shortened(&self, expr: &Ir, other: &Ir) -> bool {
         let computed = matches!(other.kind, ExprKind::Binary(..)) && !self.is_wide(other);
         matches!(expr.kind, ExprKind::Const(_)) && computed
