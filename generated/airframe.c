@@ -95,11 +95,11 @@ void airframe_drag_factors(const airframe_t *self, double result[AIRFRAME_MOST_M
 
 void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_MOST_MOTORS])
 {
-    double thrust[8];
+    double thrust[AIRFRAME_MOST_MOTORS];
     airframe_thrust_factors(self, thrust);
-    double drag[8];
+    double drag[AIRFRAME_MOST_MOTORS];
     airframe_drag_factors(self, drag);
-    double spins[8];
+    double spins[AIRFRAME_MOST_MOTORS];
     airframe_spins(self, spins);
     for (uint32_t i = 0U; i < 32U; i++) {
         effect[i] = 0.0;
@@ -115,11 +115,11 @@ void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_
 
 void airframe_allocation(const airframe_t *self, double share[AIRFRAME_MOST_MOTORS * 4U])
 {
-    double thrust[8];
+    double thrust[AIRFRAME_MOST_MOTORS];
     airframe_thrust_factors(self, thrust);
-    double drag[8];
+    double drag[AIRFRAME_MOST_MOTORS];
     airframe_drag_factors(self, drag);
-    double spins[8];
+    double spins[AIRFRAME_MOST_MOTORS];
     airframe_spins(self, spins);
     const double count = (double)self->motors;
     for (uint32_t i = 0U; i < 32U; i++) {

@@ -19,6 +19,7 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_inline.h"
 #include "bessemer_target.h"
 #include "pair.h"
 
@@ -113,29 +114,6 @@ static const double ARCTANGENT_ROWS[64][3] = {
     {15.5, 1.5063694873693432, -1.0553391013319709e-16}
 };
 
-/** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
-static inline void pair_ordered_sum(double a, double b, pair_t *pair)
-{
-    const double high = a + b;
-    pair->high = high;
-    pair->low = b - (high - a);
-}
-
-/** `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp). */
-static inline void pair_product(double a, double b, pair_t *pair)
-{
-    const double a_scaled = PAIR_SPLITTER * a;
-    const double a_high = a_scaled - (a_scaled - a);
-    const double a_low = a - a_high;
-    const double b_scaled = PAIR_SPLITTER * b;
-    const double b_high = b_scaled - (b_scaled - b);
-    const double b_low = b - b_high;
-    const double high = a * b;
-    const double low = a_high * b_high - high + a_high * b_low + a_low * b_high + a_low * b_low;
-    pair->high = high;
-    pair->low = low;
-}
-
 /** The row for a ratio: 0 to 63 from 1/16 to 16, more outside. */
 static inline uint32_t arctangent_row_of_ratio(double ratio)
 {
@@ -148,20 +126,6 @@ static inline double arctangent_small_curve(double t)
 {
     const double z = t * t;
     return t * z * (A3 + z * (A5 + z * (A7 + z * A9)));
-}
-
-/** `a / b` to about 100 bits. */
-static inline void pair_quotient(const pair_t *a, const pair_t *b, pair_t *pair)
-{
-    pair_t above;
-    pair_ordered_sum(a->high, a->low, &above);
-    pair_t below;
-    pair_ordered_sum(b->high, b->low, &below);
-    const double high = above.high / below.high;
-    pair_t back;
-    pair_product(high, below.high, &back);
-    const double rest = above.high - back.high - back.low + above.low - high * below.low;
-    pair_ordered_sum(high, rest / below.high, pair);
 }
 
 /** What the arctangent adds to `t` for |t| ≤ 1/16. */

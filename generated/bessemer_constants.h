@@ -61,6 +61,20 @@ static const double EXPONENTIAL_E6 = 0.001388888888888889;
 /** To here e^x is normal, and so is what its last rounding takes in. */
 static const double EXPONENTIAL_NORMAL = 660.0;
 
+/** ln c less the second of `FINER_COARSE_ROWS`, to a double. */
+extern const double FINER_COARSE_REST[128];
+
+/** 1/c, of ten bits at most, and ln c to multiples of 2⁻⁴². */
+extern const double FINER_COARSE_ROWS[128][2];
+
+/**
+ * (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, which is such a row, through the 7 Chebyshev points; off by less than 2⁻⁵⁵.
+ */
+static const double FINER_FINER_LN[7] = {
+    0.3333333333333333, -0.2500000000000011, 0.19999999999998155, -0.16666666647591571,
+    0.14285714407282019, -0.1250081705872971, 0.11109474244766557
+};
+
 /**
  * So much older than the last packet, ms, a STOP is still taken: it may have been overtaken. Whoever
  * repeats one within that time stops what has been stopped.
@@ -69,6 +83,12 @@ static const uint64_t GATE_OVERTAKEN = UINT64_C(2000);
 
 /** Least cosine of the pitch that is divided by: 89.4°. */
 static const double GEOMETRY_STEEP = 0.01;
+
+/** The logarithm of 2 to a multiple of 2⁻⁴². */
+static const double LOGARITHMS_LN_2_HIGH = 0.6931471805598903;
+
+/** The logarithm of 2 less its high part. */
+static const double LOGARITHMS_LN_2_LOW = 5.497923018708371e-14;
 
 /** 2²⁷ + 1: a product by it splits a double into halves of 26 bits (Veltkamp). */
 static const double PAIR_SPLITTER = 134217729.0;

@@ -19,62 +19,13 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_inline.h"
 #include "bessemer_target.h"
 
 /** Two to a power from −1022 to 1023. */
 static inline double exponential_power_of_two(int32_t exponent)
 {
     return f64_from_bits(u64_from_u32((uint32_t)exponent + 1023U) << 52);
-}
-
-/** What `step` leaves out, as a fraction. */
-static inline double exponential_step_rest(uint64_t steps)
-{
-    return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
-}
-
-/** e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding. */
-static inline void exponential_power_of_pair(double high, double low, power_t *power)
-{
-    const double shifted = high * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
-    const double steps = shifted - SINE_TO_INTEGER;
-    const double r = high - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW + low;
-
-    /* As in `step_power`, a term longer. */
-    const double z = r * r;
-    const double tail = EXPONENTIAL_E2 + r * EXPONENTIAL_E3
-        + z * (EXPONENTIAL_E4 + r * EXPONENTIAL_E5 + z * EXPONENTIAL_E6);
-    const uint64_t steps_2 = raw_bits_of_f64(shifted);
-    power->steps = steps_2;
-    power->rest = exponential_step_rest(steps_2) + r + z * tail;
-}
-
-/** The double next to 2^(`steps`/128), for a normal number. */
-static inline double exponential_step(uint64_t steps)
-{
-    /* The upper half alone changes: one addition where a word has 32 bits. */
-    const uint64_t bits = POWERS_OF_TWO[steps & UINT64_C(0x7F)][1];
-    const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
-    return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
-}
-
-/** 2^(`steps`/128) · e^`r` for |r| ≤ (ln 2)/256. */
-static inline void exponential_step_power(uint64_t steps, double r, power_t *power)
-{
-    const double z = r * r;
-    const double tail = EXPONENTIAL_E2 + r * EXPONENTIAL_E3
-        + z * (EXPONENTIAL_E4 + r * EXPONENTIAL_E5);
-    power->steps = steps;
-    power->rest = exponential_step_rest(steps) + r + z * tail;
-}
-
-/** e^x for −750 to 750, before its last rounding. */
-static inline void exponential_power(double x, power_t *power)
-{
-    const double shifted = x * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
-    const double steps = shifted - SINE_TO_INTEGER;
-    exponential_step_power(raw_bits_of_f64(shifted),
-        x - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW, power);
 }
 
 double exponential_rounded(const power_t *power, int32_t more)

@@ -120,7 +120,7 @@ void feed_forward_compensation(const airframe_t *airframe, const estimate_t *est
         + drag_thrust_direction[1] * estimate->velocity[1]
         + drag_thrust_direction[2] * estimate->velocity[2]) * friction;
     const double each = max_f64((weight + drag) / (double)airframe->motors, 0.0);
-    double factors[8];
+    double factors[AIRFRAME_MOST_MOTORS];
     airframe_thrust_factors(airframe, factors);
     for (uint32_t i = 0U; i < 8U; i++) {
         speeds[i] = 0.0;

@@ -62,7 +62,7 @@ void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, p
         return;
     }
     self->counter = max_u64(self->counter, counter);
-    uint8_t payload[56] = {0};
+    uint8_t payload[PACKET_MOST_PAYLOAD] = {0};
     for (uint32_t n = 0U; n < PACKET_MOST_PAYLOAD; n++) {
         if (n < size) {
             payload[n] = packet_byte(packet, n);

@@ -43,9 +43,9 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted,
     const double feed_forward[AIRFRAME_MOST_MOTORS], command_t *command)
 {
     const double torque[3] = {wanted->torque[0], wanted->torque[1], wanted->torque[2]};
-    double lift[8];
-    double tilt[8];
-    double twist[8];
+    double lift[AIRFRAME_MOST_MOTORS];
+    double tilt[AIRFRAME_MOST_MOTORS];
+    double twist[AIRFRAME_MOST_MOTORS];
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         const double own = sqrt(max_f64(self->allocation[n] * wanted->thrust, 0.0));
         const double speed = own + feed_forward[n];
@@ -54,7 +54,7 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted,
         twist[n] = self->allocation[n + 8U * 3U] * torque[2];
     }
     const double largest = self->largest_command * self->square_per_command;
-    double squares[8];
+    double squares[AIRFRAME_MOST_MOTORS];
     mixer_fit(self, lift, tilt, twist, largest, squares);
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         const double square = min_f64(max_f64(squares[n], 0.0), largest);
@@ -90,7 +90,7 @@ static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTOR
 {
     static const double kept_base[8] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double kept_share = mixer_share(kept_base, tilt, largest);
-    double kept[8];
+    double kept[AIRFRAME_MOST_MOTORS];
     for (uint32_t i = 0U; i < 8U; i++) {
         kept[i] = tilt[i] * kept_share;
     }

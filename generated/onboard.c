@@ -18,6 +18,7 @@
 
 #include "airframe.h"
 #include "bessemer_helpers.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "calibration.h"
 #include "clock_monitor.h"
@@ -123,10 +124,10 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
     onboard_swell(self, settings, &outputs->reference);
     command_still(&outputs->command);
     if (outputs->reference.motors) {
-        double whole[8];
+        double whole[AIRFRAME_MOST_MOTORS];
         feed_forward_compensation(&settings->airframe, &outputs->estimate,
             settings->injection.friction, whole);
-        double share[8];
+        double share[AIRFRAME_MOST_MOTORS];
         for (uint32_t i = 0U; i < 8U; i++) {
             share[i] = whole[i] * self->gain;
         }

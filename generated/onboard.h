@@ -121,18 +121,16 @@ typedef struct {
     reply_t reply;
 } onboard_t;
 
-/** What `Onboard::step` works with at one time. */
-typedef struct {
-    double signals[64];
-    logger_step_work_t logger_step;
-} onboard_step_with_signals_work_t;
-
 /**
  * What `Onboard::step` works with; its content means nothing between calls.
  * No two of its fields are in use at one time.
  */
 typedef union {
-    onboard_step_with_signals_work_t with_signals;
+    /** What `Onboard::step` works with at one time. */
+    struct {
+        double signals[64];
+        logger_step_work_t logger_step;
+    } with_signals;
     receiver_step_work_t receiver_step;
     estimator_step_work_t estimator_step;
 } onboard_step_work_t;

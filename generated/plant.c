@@ -111,7 +111,7 @@ void airframe_wrench(const airframe_t *self, const double speeds[AIRFRAME_MOST_M
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         squares[n] = speeds[n] * speeds[n];
     }
-    double effect_effectiveness[32];
+    double effect_effectiveness[4U * AIRFRAME_MOST_MOTORS];
     airframe_effectiveness(self, effect_effectiveness);
     double effect[4];
     product_f64_4x8_8x1(effect_effectiveness, squares, effect);

@@ -22,6 +22,7 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_inline.h"
 #include "bessemer_target.h"
 #include "pair.h"
 
@@ -62,58 +63,6 @@ static inline uint64_t reduction_window(uint64_t word, uint64_t next, uint64_t s
 {
     const uint64_t shift_2 = shift & UINT64_C(0x3F);
     return (word << shift_2) | (next >> 1 >> (UINT64_C(63) - shift_2));
-}
-
-/** The upper 64 bits of a product. */
-static inline uint64_t reduction_upper_product(uint64_t a, uint64_t b)
-{
-    const uint64_t a_high = a >> 32;
-    const uint64_t a_low = a & UINT64_C(0xFFFFFFFF);
-    const uint64_t b_high = b >> 32;
-    const uint64_t b_low = b & UINT64_C(0xFFFFFFFF);
-    const uint64_t first = a_high * b_low + ((a_low * b_low) >> 32);
-    const uint64_t second = a_low * b_high + (first & UINT64_C(0xFFFFFFFF));
-    return a_high * b_high + (first >> 32) + (second >> 32);
-}
-
-/** `a + b` without loss (Knuth). */
-static inline void pair_sum(double a, double b, pair_t *pair)
-{
-    const double high = a + b;
-    const double from_b = high - a;
-    pair->high = high;
-    pair->low = a - (high - from_b) + (b - from_b);
-}
-
-/** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
-static inline void pair_ordered_sum(double a, double b, pair_t *pair)
-{
-    const double high = a + b;
-    pair->high = high;
-    pair->low = b - (high - a);
-}
-
-/** `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp). */
-static inline void pair_product(double a, double b, pair_t *pair)
-{
-    const double a_scaled = PAIR_SPLITTER * a;
-    const double a_high = a_scaled - (a_scaled - a);
-    const double a_low = a - a_high;
-    const double b_scaled = PAIR_SPLITTER * b;
-    const double b_high = b_scaled - (b_scaled - b);
-    const double b_low = b - b_high;
-    const double high = a * b;
-    const double low = a_high * b_high - high + a_high * b_low + a_low * b_high + a_low * b_low;
-    pair->high = high;
-    pair->low = low;
-}
-
-/** `a * b` to about 100 bits. */
-static inline void pair_times(const pair_t *a, const pair_t *b, pair_t *pair)
-{
-    pair_t lead;
-    pair_product(a->high, b->high, &lead);
-    pair_ordered_sum(lead.high, lead.low + (a->high * b->low + a->low * b->high), pair);
 }
 
 void reduction_reduce(double x, reduced_angle_t *reduced_angle)

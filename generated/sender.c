@@ -102,7 +102,7 @@ void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status
 /** A part of the record, framed. */
 static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet)
 {
-    uint8_t payload[56] = {0};
+    uint8_t payload[PACKET_MOST_PAYLOAD] = {0};
     sender_put(payload, UINT64_C(0), self->record.period);
     payload[4] = self->record.tag;
     payload[5] = (uint8_t)part;
@@ -121,7 +121,7 @@ static void sender_state(uint16_t sequence, const sender_status_t *status, packe
         status->tally.taken, status->tally.broken, status->tally.old, status->tally.senseless,
         status->refused.unsealed, status->refused.forged, status->refused.replayed, status->lost
     };
-    uint8_t payload[56] = {0};
+    uint8_t payload[PACKET_MOST_PAYLOAD] = {0};
     for (uint32_t n = 0U; n < COUNTS; n++) {
         sender_put(payload, u64_from_u32(4U * n), counts[n]);
     }
@@ -134,7 +134,7 @@ static void sender_state(uint16_t sequence, const sender_status_t *status, packe
 /** A parameter, framed. */
 static void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
 {
-    uint8_t payload[56] = {0};
+    uint8_t payload[PACKET_MOST_PAYLOAD] = {0};
     payload[0] = reply->number;
     const uint64_t bytes_value = bits_of_f64(reply->value);
     const uint8_t bytes[8] = {

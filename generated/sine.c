@@ -20,6 +20,7 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_inline.h"
 #include "bessemer_target.h"
 #include "reduction.h"
 
@@ -131,16 +132,6 @@ static const double SINE_ROWS[64][3] = {
 
 /** Below this an angle is its own sine and tangent: 2⁻²⁷. */
 static const double TINY = 7.450580596923828e-9;
-
-/** `value`, negated where `row` is in the second half of a turn, which has 128 rows. */
-static inline double sine_signed(double value, uint64_t row)
-{
-    if ((row & UINT64_C(0x40)) == UINT64_C(0)) {
-        return value;
-    } else {
-        return -value;
-    }
-}
 
 /** Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more. */
 static inline double sine_from_row(uint64_t row, double rest)

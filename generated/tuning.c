@@ -52,7 +52,7 @@ double settings_parameter(const settings_t *self, uint8_t number)
     if (n >= TUNING_TUNABLE) {
         return (double)NAN;
     }
-    double elements[20];
+    double elements[TUNING_TUNABLE];
     tuning_values(self, elements);
     return elements[n];
 }
@@ -85,7 +85,7 @@ bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
     if (!good) {
         return false;
     }
-    double all[20];
+    double all[TUNING_TUNABLE];
     tuning_values(self, all);
     all[n] = value;
     settings_take_gains(self, all);

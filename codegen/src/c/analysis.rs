@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 
 use bessemer_ir::visit::{Access, Visit, Walk, walk_place, walk_stmt};
 use bessemer_ir::{
-    ExprKind, Fault, Function, FunctionId, LocalId, Mode, Module, Owner, Place, Role, Stmt,
-    StmtKind, StructId,
+    ExprKind, Fault, Form, Function, FunctionId, LocalId, Mode, Module, Owner, Place, Role, Stmt,
+    StmtKind, Struct, StructId, Type,
 };
 
 /// Who can fault.
@@ -169,6 +169,30 @@ fn follow(module: &Module, marked: &mut [bool], through: impl Fn(FunctionId) -> 
                 }
             });
         }
+    }
+}
+
+/// The structs that C need not name: parts of the memory that an entry is lent, of which nothing speaks as a whole.
+pub fn unnamed(module: &Module) -> BTreeSet<StructId> {
+    let of_union = |item: &Struct| item.form == Form::Shared;
+    let parts = module.structs.iter().filter(|it| of_union(it)).flat_map(|it| &it.fields);
+    let mut unnamed: BTreeSet<StructId> = parts.filter_map(|field| struct_of(&field.ty)).collect();
+    unnamed.retain(|id| module.structs[id.index()].form == Form::Lent);
+    let elsewhere = module.structs.iter().filter(|it| !of_union(it)).flat_map(|it| &it.fields);
+    let spoken = module.functions.iter().flat_map(|it| &it.locals).map(|local| &local.ty);
+    for ty in elsewhere.map(|field| &field.ty).chain(spoken) {
+        if let Some(id) = struct_of(ty) {
+            unnamed.remove(&id);
+        }
+    }
+    unnamed
+}
+
+fn struct_of(ty: &Type) -> Option<StructId> {
+    match ty {
+        Type::Struct(id) => Some(*id),
+        Type::Array { element, .. } | Type::Slice(element) => struct_of(element),
+        _ => None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! The names of constants, and which of them stand beside all sources.
 //!
 //! A constant that its author marked, and that is `pub`, stands once, with its module's name before it, as a function has; so where it stands and
-//! what it is called follow from it alone. Any other is `static` in each file that uses it, under the author's own name; it is
+//! what it is called follow from it alone. So does one of an inline function that other modules may call. Any other is `static` in each file that uses it, under the author's own name; it is
 //! qualified where two in one file differ in value, or where a type, a variant or a function has the name. So what another
 //! file uses changes nothing.
 
@@ -34,14 +34,17 @@ impl ConstNames {
         prefix: &str,
     ) -> ConstNames {
         let mut used: BTreeMap<&str, BTreeSet<ConstId>> = BTreeMap::new();
-        let inline = |id: FunctionId| functions[id.index()].storage == Storage::Inline;
+        let storage = |id: FunctionId| functions[id.index()].storage;
+        let own_inline = |id: FunctionId| storage(id) == Storage::OwnInline;
+        let mut of_inline = BTreeSet::new();
         for (index, signature) in functions.iter().enumerate() {
             let id = FunctionId(index as u32);
-            if inline(id) {
-                continue;
-            }
-            let file = used.entry(&signature.header).or_default();
-            for id in [id].into_iter().chain(inline_callees(module, [id], inline)) {
+            let file = match storage(id) {
+                Storage::OwnInline => continue,
+                Storage::Inline => &mut of_inline,
+                _ => used.entry(&signature.header).or_default(),
+            };
+            for id in [id].into_iter().chain(inline_callees(module, [id], own_inline)) {
                 module.functions[id.index()].body.each_expr(|expr| {
                     if let ExprKind::Const(id) = expr.kind {
                         file.insert(id);
@@ -50,8 +53,9 @@ impl ConstNames {
             }
         }
         let everything = used.values().flatten().copied().chain(sizes::named(module));
-        let marked: BTreeSet<ConstId> =
+        let mut marked: BTreeSet<ConstId> =
             everything.filter(|id| module.consts[id.index()].given.public).collect();
+        marked.append(&mut of_inline);
         let shared = beside_all(module, &marked, globals, prefix);
         let taken: BTreeSet<String> = globals.iter().chain(shared.values()).cloned().collect();
         let own = |ids: &BTreeSet<ConstId>| {

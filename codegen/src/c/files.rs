@@ -7,13 +7,13 @@
 
 mod about;
 mod constants;
+mod includes;
+mod inline;
 mod kernel;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{
-    ConstId, EnumId, Form, Function, FunctionId, Owner, Scalar, Span, StructId, Type,
-};
+use bessemer_ir::{EnumId, Form, Function, FunctionId, Owner, Span, StructId, Type};
 
 use super::analysis::{inline_callees, reachable};
 use super::assemble::assemble;
@@ -23,12 +23,13 @@ use super::library::{self, is_mathematics};
 use super::names::OVERLAY;
 use super::options::Options;
 use super::shell::Shell;
-use super::signature::{Returned, Signature};
-use super::tree::{Declarator, Head, Item, Origin, Stmt, StmtKind, Storage, plain};
+use super::signature::Returned;
+use super::tree::{Declarator, Head, Item, Member, Origin, Stmt, StmtKind, Storage, plain};
 use super::{
     asked, described, helpers_header, init, lower, self_test, sizes, status_header, target,
 };
 use crate::kernels;
+use includes::Includes;
 
 /// What one pair of files holds.
 #[derive(Default)]
@@ -56,6 +57,7 @@ enum Callable {
 pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     let mut list = Vec::new();
     let (mut helpers, mut consts) = (BTreeSet::new(), BTreeSet::new());
+    let mut called = BTreeSet::new();
     if context.faults.any() {
         list.push(status_header::header(context, options));
     }
@@ -67,8 +69,13 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
             list.push(source);
             helpers.append(&mut uses.helpers);
             consts.append(&mut uses.consts);
+            called.append(&mut uses.called);
         }
     }
+    let (inline, mut uses) = inline::shared(context, options, &called);
+    list.extend(inline);
+    helpers.append(&mut uses.helpers);
+    consts.append(&mut uses.consts);
     list.extend(helpers_header::header(context, options, &helpers));
     consts.extend(sizes::named(context.module));
     list.extend(constants::shared(context, options, &consts));
@@ -119,7 +126,7 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         let id = FunctionId(index as u32);
         if matches!(
             names.signature(id).storage,
-            Storage::Inline | Storage::Foreign | Storage::Library
+            Storage::Inline | Storage::OwnInline | Storage::Foreign | Storage::Library
         ) {
             continue;
         }
@@ -257,7 +264,7 @@ impl Writer<'_> {
             let function = &module.functions[id.index()];
             let signature = names.signature(id);
             // What called it may be decided without it.
-            let is_own = matches!(signature.storage, Storage::Static | Storage::Inline);
+            let is_own = matches!(signature.storage, Storage::Static | Storage::OwnInline);
             if is_own && !uses.called.contains(&id) {
                 continue;
             }
@@ -266,41 +273,10 @@ impl Writer<'_> {
                 definitions.extend(items.into_iter().map(|item| (at, item)));
                 continue;
             }
-            let lowered = lower::function(self.context, id, &mut uses);
-            match signature.storage {
-                Storage::Extern | Storage::Foreign | Storage::Library => {}
-                Storage::Static => {
-                    signature.params.iter().for_each(|it| includes.sizes(self.options, &it.sizes));
-                    prototypes.push((at, self.prototype(id, false)));
-                }
-                Storage::Inline => includes.signature(self.context, self.options, signature),
+            if signature.storage == Storage::Static {
+                prototypes.push((at, self.prototype(id, false)));
             }
-            if signature.returned == Returned::Status {
-                includes.own.insert(names.status.header.clone());
-            }
-            let declared = signature.storage == Storage::Extern;
-            let mut head = names.head(signature);
-            for (wanted, text) in asked::of(&function.attributes, self.options) {
-                asked.insert(wanted);
-                head.asked.push(text);
-            }
-            let mut body = lowered.body;
-            if let Some((fast, name)) = library::instruction(function) {
-                uses.system.insert("math.h");
-                body = by_instruction(fast, name, &head, body);
-            }
-            let item = Item::Function {
-                docs: if declared {
-                    Vec::new()
-                } else {
-                    described::function(self.context.names, function, signature)
-                },
-                head,
-                body,
-                origin: origin(function.span),
-                function: rust_path(self.context, function),
-            };
-            definitions.push((at, item));
+            definitions.push((at, self.definition(id, &mut uses, &mut includes, &mut asked)));
         }
         let mut items: Vec<Item> = Vec::new();
         asked.extend(uses.unroll.then_some(asked::Macro::Unroll));
@@ -313,29 +289,62 @@ impl Writer<'_> {
             part.sort_by_key(|(at, _)| *at);
             items.extend(part.into_iter().map(|(_, item)| item));
         }
-        includes.system.extend(["stdbool.h", "stdint.h"]);
-        includes.own.insert(target::name(self.options));
-        includes.system.append(&mut uses.system);
-        includes.own.append(&mut uses.headers);
-        let calls_helpers = !uses.helpers.is_empty();
-        includes.own.extend(calls_helpers.then(|| helpers_header::name(self.options)));
-        for id in uses.consts.iter().filter(|id| names.shared_constant(**id).is_some()) {
-            let is_size = sizes::is_one(&module.consts[id.index()]);
-            includes.own.insert(match is_size {
-                true => sizes::header(self.options),
-                false => constants::header(self.options),
-            });
-        }
+        includes.uses(self.context, self.options, &mut uses);
         (self.file("c", &items, includes), uses)
     }
 
-    /// The inline functions that this file calls, callees first.
+    /// The definition of a function, and what its text needs.
+    fn definition(
+        &self,
+        id: FunctionId,
+        uses: &mut Uses,
+        includes: &mut Includes,
+        asked: &mut BTreeSet<asked::Macro>,
+    ) -> Item {
+        let names = self.context.names;
+        let (function, signature) =
+            (&self.context.module.functions[id.index()], names.signature(id));
+        match signature.storage {
+            Storage::Extern | Storage::Foreign | Storage::Library => {}
+            Storage::Static => {
+                signature.params.iter().for_each(|it| includes.sizes(self.options, &it.sizes));
+            }
+            Storage::Inline | Storage::OwnInline => {
+                includes.signature(self.context, self.options, signature);
+            }
+        }
+        if signature.returned == Returned::Status {
+            includes.own.insert(names.status.header.clone());
+        }
+        let lowered = lower::function(self.context, id, uses);
+        let mut head = names.head(signature);
+        for (wanted, text) in asked::of(&function.attributes, self.options) {
+            asked.insert(wanted);
+            head.asked.push(text);
+        }
+        let mut body = lowered.body;
+        if let Some((fast, name)) = library::instruction(function) {
+            uses.system.insert("math.h");
+            body = by_instruction(fast, name, &head, body);
+        }
+        let declared = signature.storage == Storage::Extern;
+        let docs = || described::function(names, function, signature);
+        Item::Function {
+            docs: if declared { Vec::new() } else { docs() },
+            head,
+            body,
+            origin: origin(function.span),
+            function: rust_path(self.context, function),
+        }
+    }
+
+    /// The inline functions of this file's own, callees first.
     fn inline(&self) -> impl Iterator<Item = Callable> {
         let own = self.unit.functions.iter().filter_map(|callable| match callable {
             Callable::Function(id) => Some(*id),
             Callable::Init(_) => None,
         });
-        let is_inline = |id| self.context.names.signature(id).storage == Storage::Inline;
+        let is_inline = |id| self.context.names.signature(id).storage == Storage::OwnInline;
         inline_callees(self.context.module, own, is_inline).into_iter().map(Callable::Function)
     }
 
@@ -398,23 +407,44 @@ impl Writer<'_> {
                         self.type_item(needed, done, items, includes);
                     }
                 }
-                items.push(self.struct_item(id, includes));
+                if names.structs[id.index()].named {
+                    items.push(self.struct_item(id, includes));
+                }
             }
         }
     }
 
     fn struct_item(&self, id: StructId, includes: &mut Includes) -> Item {
         let item = &self.context.module.structs[id.index()];
+        Item::Struct {
+            shared: item.form == Form::Shared,
+            docs: item.docs.clone(),
+            name: self.context.names.structs[id.index()].ty.clone(),
+            fields: self.members(id, includes),
+            origin: origin(item.span),
+        }
+    }
+
+    fn members(&self, id: StructId, includes: &mut Includes) -> Vec<Member> {
+        let item = &self.context.module.structs[id.index()];
         let names = &self.context.names.structs[id.index()];
         let held =
             item.fields.iter().zip(&names.fields).filter(|(field, _)| field.ty != Type::Unit);
-        let mut fields: Vec<(Vec<String>, Declarator)> = held
+        let mut fields: Vec<Member> = held
             .map(|(field, name)| {
+                if let Some(inside) = self.inside(&field.ty) {
+                    return Member::Inside {
+                        docs: self.context.module.structs[inside.index()].docs.clone(),
+                        shared: false,
+                        fields: self.members(inside, includes),
+                        name: name.clone(),
+                    };
+                }
                 let given = &field.given;
                 let docs = described::field(self.context.names, &field.docs, given, &field.ty);
                 let sizes = sizes::sizes(self.context.module, &field.given);
                 includes.sizes(self.options, &sizes);
-                (docs, self.context.names.sized(&field.ty, name, &sizes))
+                Member::Field(docs, self.context.names.sized(&field.ty, name, &sizes))
             })
             .collect();
         if let Some(fault) = &names.fault {
@@ -427,28 +457,37 @@ impl Writer<'_> {
                 name: fault.clone(),
                 dimensions: String::new(),
             };
-            fields.push((vec![docs], field));
+            fields.push(Member::Field(vec![docs], field));
         }
-        // Of those that share their memory, the names say so.
-        let own = if item.overlaid() { 1 } else { fields.len() };
-        let overlaid = fields.split_off(own).into_iter().map(|(docs, mut field)| {
-            field.name = field.name.replacen(OVERLAY, "", 1);
-            (docs, field)
-        });
-        Item::Struct {
-            shared: item.form == Form::Shared,
-            docs: item.docs.clone(),
-            name: names.ty.clone(),
-            overlaid: overlaid.collect(),
-            fields,
-            origin: origin(item.span),
+        if item.overlaid() {
+            // Of those that share their memory, the names say so.
+            let mut overlaid = fields.split_off(1);
+            for member in &mut overlaid {
+                if let Member::Field(_, field) = member {
+                    field.name = field.name.replacen(OVERLAY, "", 1);
+                }
+            }
+            fields.push(Member::Inside {
+                docs: vec!["What it holds.".to_owned()],
+                shared: true,
+                fields: overlaid,
+                name: OVERLAY.trim_end_matches('.').to_owned(),
+            });
+        }
+        fields
+    }
+
+    /// The struct that is written inside of the one which has it as a field.
+    fn inside(&self, ty: &Type) -> Option<StructId> {
+        match ty {
+            Type::Struct(id) if !self.context.names.structs[id.index()].named => Some(*id),
+            _ => None,
         }
     }
 
-    fn file(&self, extension: &str, items: &[Item], mut includes: Includes) -> CFile {
+    fn file(&self, extension: &str, items: &[Item], includes: Includes) -> CFile {
         let header = self.options.header(&self.name);
         let name = if extension == "h" { header.clone() } else { format!("{}.c", self.name) };
-        includes.own.remove(&header);
         let source: Vec<&str> = match self.unit.kernel {
             true => vec!["its kernels"],
             false => self.unit.modules.iter().map(String::as_str).collect(),
@@ -464,10 +503,12 @@ impl Writer<'_> {
                 source.join(", ")
             },
             license: &self.options.license,
-            system_includes: includes.system.into_iter().map(str::to_owned).collect(),
-            own_includes: includes.own.into_iter().collect(),
+            system_includes: includes.system(),
+            own_includes: includes.own(&header),
             calls: items.iter().any(declares),
             refuses: true,
+            computes: extension == "h"
+                && self.unit.functions.iter().any(|it| self.in_header(it).is_some()),
         };
         assemble(self.context, &name, &shell, extension == "h", items)
     }
@@ -489,56 +530,6 @@ fn named(ty: &Type) -> Option<TypeId> {
         Type::Enum(id) => Some(TypeId::Enum(*id)),
         Type::Array { element, .. } | Type::Slice(element) => named(element),
         _ => None,
-    }
-}
-
-/// What a file includes.
-#[derive(Default)]
-struct Includes {
-    system: BTreeSet<&'static str>,
-    own: BTreeSet<String>,
-}
-
-impl Includes {
-    fn ty(&mut self, context: Context<'_>, ty: &Type) {
-        match ty {
-            Type::Unit => {}
-            Type::Scalar(scalar) => self.scalar(*scalar),
-            Type::Matrix { element, .. } => self.scalar(*element),
-            Type::Array { element, .. } | Type::Slice(element) => self.ty(context, element),
-            Type::Struct(id) => {
-                self.own.insert(context.names.structs[id.index()].header.clone());
-            }
-            Type::Enum(id) => {
-                self.own.insert(context.names.enums[id.index()].header.clone());
-            }
-        }
-    }
-
-    fn scalar(&mut self, scalar: Scalar) {
-        match scalar {
-            Scalar::Bool => self.system.extend(["stdbool.h"]),
-            Scalar::Int(_) => self.system.extend(["stdint.h"]),
-            Scalar::Float(_) => {}
-        }
-    }
-
-    fn sizes(&mut self, options: &Options, sizes: &[Option<ConstId>]) {
-        self.own.extend(sizes.iter().any(Option::is_some).then(|| sizes::header(options)));
-    }
-
-    fn signature(&mut self, context: Context<'_>, options: &Options, signature: &Signature) {
-        for param in &signature.params {
-            self.ty(context, &param.ty);
-            self.sizes(options, &param.sizes);
-        }
-        match &signature.returned {
-            Returned::Nothing => {}
-            Returned::Value(ty) => self.ty(context, ty),
-            Returned::Status => {
-                self.own.insert(context.names.status.header.clone());
-            }
-        }
     }
 }
 

@@ -47,6 +47,7 @@ pub fn header(
         own_includes: vec![target::name(options)],
         calls: false,
         refuses: true,
+        computes: false,
     };
     let copy = asked::Macro::Copy;
     let copies = helpers.iter().any(|it| it.needs_string()).then(|| copy.text(options));

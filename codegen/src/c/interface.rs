@@ -228,15 +228,7 @@ impl Writer<'_> {
             (&self.context.module.structs[id.index()], &self.context.names.structs[id.index()]);
         let int = offsets(self.context, id, Enums::Int);
         let short = offsets(self.context, id, Enums::Short);
-        let all = item.fields.iter().zip(&own.fields).zip(int.iter().zip(&short));
-        let held = all.filter(|((field, _), _)| field.ty != Type::Unit);
-        let fields = held.map(|((field, name), (int_enums, short_enums))| Field {
-            name: name.clone(),
-            docs: field.docs.clone(),
-            offset: Bytes { int_enums: *int_enums, short_enums: *short_enums },
-            value: self.value(&field.ty, &field.given),
-        });
-        let mut fields: Vec<Field> = fields.collect();
+        let mut fields = self.fields(id);
         if let (Some(name), [.., int_enums], [.., short_enums]) = (&own.fault, &*int, &*short) {
             self.status();
             fields.push(Field {
@@ -267,6 +259,38 @@ impl Writer<'_> {
             size,
             fields,
         });
+    }
+
+    /// The fields of a struct; of one that is written inside, its own.
+    fn fields(&mut self, id: StructId) -> Vec<Field> {
+        let (item, own) =
+            (&self.context.module.structs[id.index()], &self.context.names.structs[id.index()]);
+        let int = offsets(self.context, id, Enums::Int);
+        let short = offsets(self.context, id, Enums::Short);
+        let mut fields = Vec::new();
+        for (at, (field, name)) in item.fields.iter().zip(&own.fields).enumerate() {
+            let (int_enums, short_enums) = (int[at], short[at]);
+            match field.ty {
+                Type::Unit => {}
+                Type::Struct(inner) if !self.context.names.structs[inner.index()].named => {
+                    fields.extend(self.fields(inner).into_iter().map(|inner| Field {
+                        name: format!("{name}.{}", inner.name),
+                        offset: Bytes {
+                            int_enums: int_enums + inner.offset.int_enums,
+                            short_enums: short_enums + inner.offset.short_enums,
+                        },
+                        ..inner
+                    }));
+                }
+                _ => fields.push(Field {
+                    name: name.clone(),
+                    docs: field.docs.clone(),
+                    offset: Bytes { int_enums, short_enums },
+                    value: self.value(&field.ty, &field.given),
+                }),
+            }
+        }
+        fields
     }
 
     fn size(&self, ty: &Type) -> Bytes {

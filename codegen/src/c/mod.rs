@@ -21,6 +21,7 @@ mod helpers;
 mod helpers_header;
 mod init;
 pub mod interface;
+mod internal;
 mod layout;
 mod layout_text;
 mod library;

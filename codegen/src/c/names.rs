@@ -16,9 +16,10 @@ use bessemer_ir::{
     ConstId, EnumId, Function, FunctionId, Given, Module, Owner, Role, StructId, Type,
 };
 
-use super::analysis::Faults;
+use super::analysis::{Faults, unnamed};
 use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
+use super::internal;
 use super::library::{self, Math};
 use super::matrices::{Layout, Size};
 use super::options::Options;
@@ -37,6 +38,8 @@ pub struct StructNames {
     pub base: String,
     /// The type, `pid_t`.
     pub ty: String,
+    /// Whether C calls it so: else it is written inside of the one that has it as a field.
+    pub named: bool,
     /// The fields, in order.
     pub fields: Vec<String>,
     /// The field that holds the fault which stopped the component, if it can fault. It comes last.
@@ -214,6 +217,7 @@ impl Names {
             format!("{}{base}", options.prefix)
         };
         let bases: Vec<String> = wanted.iter().map(base).collect();
+        let unnamed = unnamed(module);
         for (index, item) in module.structs.iter().enumerate() {
             let id = StructId(index as u32);
             let mut fields: Vec<String> = item
@@ -231,6 +235,7 @@ impl Names {
             let base = bases[index].clone();
             self.structs.push(StructNames {
                 ty: given_or(&item.given, format!("{base}_t")),
+                named: !unnamed.contains(&id),
                 init: set_by(module, id).map(|word| format!("{base}_{word}")),
                 header: options.header(self.placing.struct_file(id)),
                 base,
@@ -295,7 +300,7 @@ impl Names {
                 *name = theirs;
             }
         }
-        let private = self.placing.private(module);
+        let (private, moved) = (self.placing.private(module), self.placing.moved(module));
         self.gather_globals(&chosen);
         for (index, function) in module.functions.iter().enumerate() {
             let id = FunctionId(index as u32);
@@ -305,13 +310,15 @@ impl Names {
                     _ if function.attributes.external.is_some() => Storage::Foreign,
                     _ if library(function).is_some() => Storage::Library,
                     _ if private[index] => Storage::Static,
-                    bessemer_ir::Role::Inline => Storage::Inline,
+                    Role::Inline { .. } if moved[index] => Storage::Inline,
+                    Role::Inline { .. } => Storage::OwnInline,
                     _ => Storage::Extern,
                 },
                 params: Vec::new(),
                 returned: Returned::Nothing,
                 header: match &function.attributes.external {
                     Some(header) => header.clone(),
+                    None if moved[index] => internal::inline(options),
                     None => options.header(self.placing.function_file(id)),
                 },
             });

@@ -80,6 +80,7 @@ impl Placing {
     /// One that nothing calls is for others, or it would vanish without a word; a method of a component is not, since a remark
     /// tells of it.
     pub fn private(&self, module: &Module) -> Vec<bool> {
+        let moved = self.moved(module);
         let is_private = |function: &Function| function.role == Role::Private;
         let mut locally: Vec<bool> = module.functions.iter().map(is_private).collect();
         let mut called: Vec<bool> = (module.functions.iter())
@@ -91,7 +92,7 @@ impl Placing {
         for (caller, function) in module.functions.iter().enumerate() {
             function.body.each_expr(|expr| {
                 if let ExprKind::Call(callee, _) = &expr.kind {
-                    let moves = function.role == Role::Inline;
+                    let moves = moved[caller];
                     let together = self.functions[callee.index()] == self.functions[caller];
                     locally[callee.index()] &= !moves && together;
                     called[callee.index()] = true;
@@ -99,6 +100,25 @@ impl Placing {
             });
         }
         locally.into_iter().zip(called).map(|(locally, called)| locally && called).collect()
+    }
+
+    /// Which inline functions stand in the header that the sources share: those that other modules may call, and what these
+    /// call inline. The others are of their own file, whatever else is in the package.
+    pub fn moved(&self, module: &Module) -> Vec<bool> {
+        let is_inline = |function: &Function| matches!(function.role, Role::Inline { .. });
+        let is_public = |function: &Function| function.role == Role::Inline { public: true };
+        let mut moved: Vec<bool> = module.functions.iter().map(is_public).collect();
+        // Callees stand before callers.
+        for caller in (0..moved.len()).rev() {
+            module.functions[caller].body.each_expr(|expr| {
+                let ExprKind::Call(callee, _) = &expr.kind else { return };
+                let elsewhere = self.functions[callee.index()] != self.functions[caller];
+                if is_inline(&module.functions[callee.index()]) && (moved[caller] || elsewhere) {
+                    moved[callee.index()] = true;
+                }
+            });
+        }
+        moved
     }
 
     /// Where a struct stands; `components` says how many components ask for a name.
@@ -154,7 +174,8 @@ impl Placing {
         for (index, function) in module.functions.iter().enumerate() {
             let elsewhere = function.attributes.external.is_some()
                 || options.math == Math::Target && library::name(function).is_some();
-            if !elsewhere && !private[index] && function.role != Role::Inline {
+            let inline = matches!(function.role, Role::Inline { .. });
+            if !elsewhere && !private[index] && !inline {
                 signature(function).for_each(|ty| need(&self.functions[index], ty));
             }
         }

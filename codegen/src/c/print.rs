@@ -5,7 +5,7 @@
 use super::file::MapLine;
 use super::layout_text::{Pieces, WIDTH, fill, flat};
 use super::tree::{
-    Declarator, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, Storage, SwitchArm,
+    Declarator, Head, Init, Item, Lines, Member, Origin, Step, Stmt, StmtKind, Storage, SwitchArm,
 };
 
 /// Columns of one level.
@@ -77,11 +77,24 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn fields(&mut self, fields: &[(Vec<String>, Declarator)]) {
-        for (docs, field) in fields {
-            self.docs(docs);
-            self.put(&format!("{};", field.text()));
+    /// Fields in braces, and the name behind them.
+    fn fields(&mut self, before: &str, shared: bool, fields: &[Member], name: &str) {
+        self.put(&format!("{before}{} {{", if shared { "union" } else { "struct" }));
+        self.level += 1;
+        for field in fields {
+            match field {
+                Member::Field(docs, field) => {
+                    self.docs(docs);
+                    self.put(&format!("{};", field.text()));
+                }
+                Member::Inside { docs, shared, fields, name } => {
+                    self.docs(docs);
+                    self.fields("", *shared, fields, name);
+                }
+            }
         }
+        self.level -= 1;
+        self.put(&format!("}} {name};"));
     }
 
     /// Prints an item, with an empty line before it unless it is the first.
@@ -91,22 +104,10 @@ impl<'a> Printer<'a> {
         }
         self.function.clear();
         match item {
-            Item::Struct { shared, docs, name, fields, overlaid, origin } => {
+            Item::Struct { shared, docs, name, fields, origin } => {
                 self.docs(docs);
                 self.mark(Some(*origin));
-                self.put(if *shared { "typedef union {" } else { "typedef struct {" });
-                self.level += 1;
-                self.fields(fields);
-                if !overlaid.is_empty() {
-                    self.docs(&["What it holds.".to_owned()]);
-                    self.put("union {");
-                    self.level += 1;
-                    self.fields(overlaid);
-                    self.level -= 1;
-                    self.put("} as;");
-                }
-                self.level -= 1;
-                self.put(&format!("}} {name};"));
+                self.fields("typedef ", *shared, fields, name);
             }
             Item::Enum { docs, name, variants, origin } => {
                 self.docs(docs);
@@ -166,7 +167,7 @@ impl<'a> Printer<'a> {
         let storage = match head.storage {
             Storage::Extern | Storage::Foreign | Storage::Library => "",
             Storage::Static => "static ",
-            Storage::Inline => "static inline ",
+            Storage::Inline | Storage::OwnInline => "static inline ",
         };
         let gap = if head.result.ends_with('*') { "" } else { " " };
         pieces.glue(&format!("{storage}{}{gap}{}(", head.result, head.name));

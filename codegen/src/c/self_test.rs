@@ -36,6 +36,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
             own_includes: Vec::new(),
             calls: false,
             refuses: false,
+            computes: false,
         };
         let (before, after) = frame(&shell, is_header, is_header);
         let body = Tera::one_off(template, &values, false);

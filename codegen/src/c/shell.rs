@@ -1,5 +1,5 @@
 //! The frame around the body of a file: banner, guards, includes. The text is in
-//! `codegen/templates/`. A header that includes `float.h` computes: it states and checks what a source does.
+//! `codegen/templates/`. A header that computes by itself states and checks what a source does.
 
 use tera::{Context, Tera};
 
@@ -33,6 +33,8 @@ pub struct Shell<'a> {
     pub calls: bool,
     /// Whether it refuses compilers that would compute other bits.
     pub refuses: bool,
+    /// Whether it is a header of which others, too, may include what computes.
+    pub computes: bool,
 }
 
 /// The text before and after the body. `links`: whether it declares what other files define, which C++ is told of.
@@ -67,6 +69,7 @@ fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> 
     context.insert("links", &links);
     context.insert("calls", &shell.calls);
     context.insert("refuses", &shell.refuses);
+    context.insert("computes", &shell.computes);
     context.insert("body", BODY);
     let mut tera = Tera::default();
     let parts = [

@@ -68,6 +68,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
         own_includes: Vec::new(),
         calls: false,
         refuses: true,
+        computes: false,
     };
     assemble(context, &status.header, &shell, true, &items)
 }

@@ -57,6 +57,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
         own_includes: Vec::new(),
         calls: false,
         refuses: true,
+        computes: false,
     };
     let text = whole(&shell, include_str!("../../templates/target.h.tera"), &decided(options));
     CFile { name, text, map: Vec::new() }

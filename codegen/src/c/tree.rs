@@ -274,8 +274,10 @@ pub enum Storage {
     Extern,
     /// Its own file.
     Static,
-    /// Each file that calls it has it.
+    /// The sources, which have it of a header of their own.
     Inline,
+    /// Its own file, at whose calls it may stand.
+    OwnInline,
     /// The firmware's.
     Foreign,
     /// It is the target's own, of `math.h`.
@@ -297,6 +299,24 @@ pub struct Head {
     pub params: Vec<Declarator>,
 }
 
+/// A part of a struct or of a union, with its doc comment.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Member {
+    /// A field.
+    Field(Vec<String>, Declarator),
+    /// `struct { … } name;`, or `union`: fields whose type nothing else speaks of.
+    Inside {
+        /// The doc comment.
+        docs: Vec<String>,
+        /// Whether they share their memory.
+        shared: bool,
+        /// They.
+        fields: Vec<Member>,
+        /// The name of all of them.
+        name: String,
+    },
+}
+
 /// What stands at the top level of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
@@ -308,10 +328,8 @@ pub enum Item {
         docs: Vec<String>,
         /// The name of the type.
         name: String,
-        /// The fields, each with its doc comment.
-        fields: Vec<(Vec<String>, Declarator)>,
-        /// Those that share their memory, in a union named `as`.
-        overlaid: Vec<(Vec<String>, Declarator)>,
+        /// The fields.
+        fields: Vec<Member>,
         /// Where it comes from.
         origin: Origin,
     },

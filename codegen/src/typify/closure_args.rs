@@ -157,8 +157,8 @@ impl<'a> Lowering<'a, '_> {
         function.name = self.copy_name(template, &given);
         function.module.clone_from(&self.source.module);
         function.owner = self.owner();
-        if self.source.tree.role == tree::Role::Inline {
-            function.role = Role::Inline;
+        if let tree::Role::Inline { public } = self.source.tree.role {
+            function.role = Role::Inline { public };
         }
         Ok((self.cx.add(lowered), captured))
     }

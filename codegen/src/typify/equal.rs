@@ -183,7 +183,7 @@ impl Lowering<'_, '_> {
             name,
             module,
             owner: Some(Owner::Struct(id)),
-            role: Role::Inline,
+            role: Role::Inline { public: true },
             attributes: Attributes::default(),
             docs: vec!["Whether the two are equal, part by part.".to_owned()],
             locals: locals.into_iter().map(super::function::without_marks).collect(),

@@ -61,7 +61,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
         tree::Role::Entry { infallible } => Role::Entry { infallible },
         tree::Role::Public => Role::Public,
         tree::Role::Private | tree::Role::Expanded | tree::Role::Rewritten => Role::Private,
-        tree::Role::Inline => Role::Inline,
+        tree::Role::Inline { public } => Role::Inline { public },
     };
     Ok(Lowered { function: Function { name, module, role, ..lowered.function }, ..lowered })
 }

@@ -20,7 +20,9 @@ fn named<'f>(files: &'f [CFile], end: &str) -> Vec<&'f str> {
 
 /// The headers for firmware: what sources share is theirs alone.
 fn public(files: &[CFile]) -> impl Iterator<Item = &str> {
-    let internal = |name: &&str| name.ends_with("_helpers.h") || name.ends_with("_constants.h");
+    let internal = |name: &&str| {
+        ["_helpers.h", "_constants.h", "_inline.h"].iter().any(|it| name.ends_with(it))
+    };
     named(files, ".h").into_iter().filter(move |name| !internal(name))
 }
 

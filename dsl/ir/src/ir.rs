@@ -181,8 +181,11 @@ pub enum Role {
     Public,
     /// Called only beside its definition: a component's own method, or what is not `pub`.
     Private,
-    /// Small enough to stand in each file that calls it.
-    Inline,
+    /// Small enough to stand where it is called.
+    Inline {
+        /// Other modules may call it.
+        public: bool,
+    },
 }
 
 /// A parameter or a variable. Names need not be unique; handles are.

@@ -239,7 +239,9 @@ pub enum Role {
     },
     Public,
     Private,
-    Inline,
+    Inline {
+        public: bool,
+    },
     /// Stands where it is called: nothing in the C.
     Expanded,
     /// A call of it stands for its body, which has no types of its own: nothing in the C.

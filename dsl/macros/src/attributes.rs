@@ -25,7 +25,10 @@ pub struct Asked {
 pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked {
     let attributes = &mut function.attrs;
     let inlining = inlining(attributes);
-    let role = if is_inline(attributes) { Role::Inline } else { visible(&function.vis) };
+    let role = match is_inline(attributes) {
+        true => Role::Inline { public: is_public(&function.vis) },
+        false => visible(&function.vis),
+    };
     let mut asked = Asked { role, attributes: Attributes { inlining, ..Attributes::default() } };
     asked.take(attributes, refusals);
     given::parameters(&mut function.sig, &mut asked.attributes, refusals);
@@ -45,8 +48,10 @@ fn visible(visibility: &syn::Visibility) -> Role {
 /// Of a method of a type's own.
 pub fn of_own_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusals) -> Asked {
     let mut asked = of_method(kind, method, refusals);
-    if asked.role == Role::Public {
-        asked.role = visible(&method.vis);
+    match &mut asked.role {
+        Role::Public => asked.role = visible(&method.vis),
+        Role::Inline { public } => *public = is_public(&method.vis),
+        _ => {}
     }
     asked
 }
@@ -56,9 +61,9 @@ pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusa
     let attributes = &mut method.attrs;
     let inlining = inlining(attributes);
     let role = match kind {
-        Kind::Data if is_inline(attributes) => Role::Inline,
+        Kind::Data if is_inline(attributes) => Role::Inline { public: true },
         Kind::Data => Role::Public,
-        Kind::Component if inlining == Inlining::Always => Role::Inline,
+        Kind::Component if inlining == Inlining::Always => Role::Inline { public: true },
         Kind::Component => Role::Private,
     };
     let mut asked = Asked { role, attributes: Attributes { inlining, ..Attributes::default() } };
@@ -130,7 +135,7 @@ impl Asked {
                     self.attributes.name = Some(text.value());
                 } else if meta.path.is_ident("section") {
                     check_section(&text, refusals);
-                    if role == Role::Inline {
+                    if matches!(role, Role::Inline { .. }) {
                         refusals.add(&text, refuse::INLINE_SECTION);
                     }
                     self.attributes.section = Some(text.value());

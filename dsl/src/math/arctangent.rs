@@ -29,7 +29,7 @@ const A9: f64 = 1.0 / 9.0;
 /// The row for a ratio: 0 to 63 from 1/16 to 16, more outside.
 #[inline]
 #[function]
-pub fn row_of_ratio(ratio: f64) -> u32 {
+fn row_of_ratio(ratio: f64) -> u32 {
     // The exponent and three bits more, less those of 1/16.
     ((ratio.raw_bits() >> 49) as u32).wrapping_sub(0x1fd8)
 }
@@ -37,7 +37,7 @@ pub fn row_of_ratio(ratio: f64) -> u32 {
 /// What the arctangent adds to `t` for |t| ≤ 1/32.
 #[inline]
 #[function]
-pub fn small_curve(t: f64) -> f64 {
+fn small_curve(t: f64) -> f64 {
     let z = t * t;
     t * z * (A3 + z * (A5 + z * (A7 + z * A9)))
 }
@@ -45,7 +45,7 @@ pub fn small_curve(t: f64) -> f64 {
 /// What the arctangent adds to `t` for |t| ≤ 1/16.
 #[inline]
 #[function]
-pub fn curve(t: f64) -> f64 {
+fn curve(t: f64) -> f64 {
     let z = t * t;
     let upper =
         ARCTANGENT_POLYNOMIAL[3] + z * (ARCTANGENT_POLYNOMIAL[4] + z * ARCTANGENT_POLYNOMIAL[5]);
@@ -92,7 +92,7 @@ pub fn atan(x: f64) -> f64 {
 /// `height`/`width`, and all are from 2^−900 to 2^900.
 #[inline]
 #[function]
-pub fn angle_of_ratio(height: f64, width: f64, ratio: f64) -> Pair {
+fn angle_of_ratio(height: f64, width: f64, ratio: f64) -> Pair {
     let row = row_of_ratio(ratio);
     if row < 64 {
         let centre = ARCTANGENT_ROWS[row as usize][0];
@@ -121,7 +121,7 @@ pub fn far_angle(height: f64, width: f64, ratio: f64) -> Pair {
 /// The angle as it is, or its supplement to π for a point on the left.
 #[inline]
 #[function]
-pub fn angle_on_side(angle: Pair, left: bool) -> f64 {
+fn angle_on_side(angle: Pair, left: bool) -> f64 {
     if left {
         let rest = ordered_sum(WHOLE_PI_HIGH, -angle.high);
         rest.high + (rest.low + (WHOLE_PI_LOW - angle.low))
@@ -180,7 +180,7 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 /// (asin √z − √z)/z^(3/2) for 0 to 1/4.
 #[inline]
 #[function]
-pub fn arcsine_curve(z: f64) -> f64 {
+fn arcsine_curve(z: f64) -> f64 {
     let w = z * z;
     let v = w * w;
     let lower = (ARCSINE_POLYNOMIAL[0] + z * ARCSINE_POLYNOMIAL[1])
@@ -196,7 +196,7 @@ pub fn arcsine_curve(z: f64) -> f64 {
 /// and what is added to it.
 #[inline]
 #[function]
-pub fn half_arccosine(size: f64) -> Pair {
+fn half_arccosine(size: f64) -> Pair {
     let z = 0.5 - 0.5 * size;
     let root = z.sqrt();
     // What the root is off by is (z − r²)/2r; half its last place, so that three bits of 1/r will do:

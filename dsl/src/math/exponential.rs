@@ -63,7 +63,7 @@ pub struct Power {
 /// Two to a power from −1022 to 1023.
 #[inline]
 #[function]
-pub fn power_of_two(exponent: i32) -> f64 {
+fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits((exponent.wrapping_add(1023) as u32 as u64) << 52)
 }
 
@@ -87,7 +87,7 @@ pub fn step_rest(steps: u64) -> f64 {
 /// 2^(`steps`/128) · e^`r` for |r| ≤ (ln 2)/256.
 #[inline]
 #[function]
-pub fn step_power(steps: u64, r: f64) -> Power {
+fn step_power(steps: u64, r: f64) -> Power {
     let z = r * r;
     let tail = (E2 + r * E3) + z * (E4 + r * E5);
     Power { steps, rest: (step_rest(steps) + r) + z * tail }
@@ -175,7 +175,7 @@ pub fn exp(x: f64) -> f64 {
 /// 2^x for −1080 to 1080, before its last rounding.
 #[inline]
 #[function]
-pub fn binary(x: f64) -> Power {
+fn binary(x: f64) -> Power {
     let shifted = x + TO_STEP;
     let r = x - (shifted - TO_STEP);
     let steps = shifted.raw_bits();

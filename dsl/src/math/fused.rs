@@ -17,7 +17,7 @@ use crate::prelude::*;
 /// `a + b`, and where that rounds, the one of the two doubles next to it whose last bit is 1.
 #[inline]
 #[function]
-pub fn odd_sum(a: f64, b: f64) -> f64 {
+fn odd_sum(a: f64, b: f64) -> f64 {
     let near = sum(a, b);
     let bits = near.high.raw_bits();
     if near.low.abs() <= 0.0 || (bits & 1) == 1 {
@@ -32,7 +32,7 @@ pub fn odd_sum(a: f64, b: f64) -> f64 {
 /// Whether a number is from 2^−`range` to 2^`range`.
 #[inline]
 #[function]
-pub fn is_within(x: f64, range: u32) -> bool {
+fn is_within(x: f64, range: u32) -> bool {
     let exponent = (x.raw_bits() >> 52) as u32 & 0x7ff;
     exponent.wrapping_sub(1023_u32.wrapping_sub(range)) < range.wrapping_add(range)
 }

@@ -29,7 +29,7 @@ const T9: f64 = 62.0 / 2_835.0;
 /// Half of e^x + `sign` · e^(−x) for 0 to 660; with a `sign` of −1, from 0.3.
 #[inline]
 #[function]
-pub fn half_of_both(x: f64, sign: f64) -> f64 {
+fn half_of_both(x: f64, sign: f64) -> f64 {
     let shifted = x * STEPS_PER_UNIT + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     let r = (x - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW;

@@ -63,7 +63,7 @@ pub fn is_plain(bits: u64) -> bool {
 /// The bits of a positive number, of one below the normal ones times 2⁵⁴.
 #[inline]
 #[function]
-pub fn normal_bits(x: f64) -> u64 {
+fn normal_bits(x: f64) -> u64 {
     if x < f64::MIN_POSITIVE { (x * 18_014_398_509_481_984.0).raw_bits() } else { x.raw_bits() }
 }
 
@@ -87,14 +87,14 @@ pub fn ln_near_one(r: f64) -> Pair {
 /// How far the significand is from its c in the table of natural logarithms; exact.
 #[inline]
 #[function]
-pub fn offset(parts: Parts) -> f64 {
+fn offset(parts: Parts) -> f64 {
     parts.significand - LN_CENTRES[parts.row & 127]
 }
 
 /// The natural logarithm of 2^`exponent` times what is `offset` from the c of `row`, and not next to 1.
 #[inline]
 #[function]
-pub fn ln_of_offset(row: usize, exponent: f64, offset: f64) -> f64 {
+fn ln_of_offset(row: usize, exponent: f64, offset: f64) -> f64 {
     let r = offset * LN_ROWS[row & 127][0];
     let z = r * r;
     let tail =
@@ -118,7 +118,7 @@ pub fn at_limit(x: f64) -> f64 {
 /// Whether a number is below the normal ones, and above zero.
 #[inline]
 #[function]
-pub fn is_small(x: f64) -> bool {
+fn is_small(x: f64) -> bool {
     x > 0.0 && x < f64::MIN_POSITIVE
 }
 
@@ -156,7 +156,7 @@ pub fn near_one_in_base(r: f64, e_high: f64, e_low: f64) -> f64 {
 /// The logarithm to base 2 of 2^`exponent` · `parts` that is not next to 1.
 #[inline]
 #[function]
-pub fn log2_of_parts(parts: Parts, exponent: f64) -> f64 {
+fn log2_of_parts(parts: Parts, exponent: f64) -> f64 {
     let row = parts.row & 127;
     let r = (parts.significand - LOG2_CENTRES[row]) * LOG2_ROWS[row][0];
     let z = r * r;
@@ -189,7 +189,7 @@ pub fn log2(x: f64) -> f64 {
 /// The logarithm to base 10 of 2^`exponent` · `parts` that is not next to 1.
 #[inline]
 #[function]
-pub fn log10_of_parts(parts: Parts, exponent: f64) -> f64 {
+fn log10_of_parts(parts: Parts, exponent: f64) -> f64 {
     let row = parts.row & 127;
     let r = (parts.significand - LOG10_CENTRES[row]) * LOG10_ROWS[row][0];
     let z = r * r;

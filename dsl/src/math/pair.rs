@@ -77,14 +77,3 @@ pub fn quotient(a: Pair, b: Pair) -> Pair {
     let rest = ((above.high - back.high) - back.low + above.low) - high * below.low;
     ordered_sum(high, rest / below.high)
 }
-
-/// The square root to about 100 bits.
-#[inline]
-#[function]
-pub fn root(a: Pair) -> Pair {
-    let high = a.high.sqrt();
-    let back = product(high, high);
-    let rest = ((a.high - back.high) - back.low) + a.low;
-    // Of nothing the root is nothing.
-    if high <= 0.0 { Pair { high, low: 0.0 } } else { Pair { high, low: rest / (2.0 * high) } }
-}

@@ -79,7 +79,7 @@ pub fn upper_product(a: u64, b: u64) -> u64 {
 /// 64 bits of 2/π from bit `shift` of a word on; the next word follows.
 #[inline]
 #[function]
-pub fn window(word: u64, next: u64, shift: u64) -> u64 {
+fn window(word: u64, next: u64, shift: u64) -> u64 {
     let shift = shift & 63;
     (word << shift) | ((next >> 1) >> (63 - shift))
 }

@@ -51,7 +51,7 @@ pub(crate) const COARSE: u32 = 0x2a9f_7100;
 /// differences that lose nothing (C. F. Borges, *An improved algorithm for hypot(a, b)*, 2019).
 #[inline]
 #[function]
-pub fn length(large: f64, small: f64) -> f64 {
+fn length(large: f64, small: f64) -> f64 {
     let guess = (large * large + small * small).sqrt();
     let off = if guess <= 2.0 * small {
         let delta = guess - small;

@@ -54,7 +54,7 @@ pub(crate) fn signed(value: f64, row: u64) -> f64 {
 /// Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more.
 #[inline]
 #[function]
-pub fn from_row(row: u64, rest: f64) -> f64 {
+fn from_row(row: u64, rest: f64) -> f64 {
     let index = (row & 63) as usize;
     let lead = SINE_ROWS[index][0];
     let slope = SINE_ROWS[index][2];
@@ -67,7 +67,7 @@ pub fn from_row(row: u64, rest: f64) -> f64 {
 /// Sine of `high` + `low` for −0.27 to 0.27.
 #[inline]
 #[function]
-pub fn near_zero(high: f64, low: f64) -> f64 {
+fn near_zero(high: f64, low: f64) -> f64 {
     let z = high * high;
     let tail = SINE_POLYNOMIAL[0]
         + z * (SINE_POLYNOMIAL[1]
@@ -101,7 +101,7 @@ pub fn by_reduction(x: f64, quarter_turns: u64) -> f64 {
 /// Sine of `x` + `quarter_turns` · π/2.
 #[inline]
 #[function]
-pub fn turned(x: f64, quarter_turns: u64) -> f64 {
+fn turned(x: f64, quarter_turns: u64) -> f64 {
     let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
     let row = shifted.raw_bits().wrapping_add(quarter_turns << 5);
     // Within 5½ rows of a multiple of π the sine is below 0.27, and the sum loses too much.

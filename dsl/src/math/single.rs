@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// polynomials.
 #[inline]
 #[function]
-pub fn moderate_sine(x: f64, quarter_turns: u64) -> f64 {
+fn moderate_sine(x: f64, quarter_turns: u64) -> f64 {
     let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     let rest = (x - steps * STEP_HIGH) - steps * STEP_LOW;
@@ -73,7 +73,7 @@ pub fn tanf(x: f32) -> f32 {
 /// (asin √z)/√z for 0 to 1/4.
 #[inline]
 #[function]
-pub fn arcsine_ratio(z: f64) -> f64 {
+fn arcsine_ratio(z: f64) -> f64 {
     let upper = ARCSINE_F32[3] + z * (ARCSINE_F32[4] + z * ARCSINE_F32[5]);
     1.0 + z * (ARCSINE_F32[0] + z * (ARCSINE_F32[1] + z * (ARCSINE_F32[2] + z * upper)))
 }
@@ -116,7 +116,7 @@ pub fn atanf(x: f32) -> f32 {
 /// 2^`x` for a normal number.
 #[inline]
 #[function]
-pub fn power_of_two(x: f64) -> f64 {
+fn power_of_two(x: f64) -> f64 {
     let shifted = x + TO_STEP;
     let r = x - (shifted - TO_STEP);
     let lead = step(shifted.raw_bits());
@@ -145,7 +145,7 @@ pub fn exp_m1f(x: f32) -> f32 {
 /// Whether a number is positive, normal and finite.
 #[inline]
 #[function]
-pub fn is_plain(x: f32) -> bool {
+fn is_plain(x: f32) -> bool {
     x.raw_bits().wrapping_sub(0x0080_0000) < 0x7f00_0000
 }
 
@@ -164,7 +164,7 @@ pub struct PartsF32 {
 /// The parts of a normal number.
 #[inline]
 #[function]
-pub fn partsf(x: f32) -> PartsF32 {
+fn partsf(x: f32) -> PartsF32 {
     let bits = x.raw_bits();
     // Above 1 + 52.5/128 a significand is halved.
     let above = bits.wrapping_sub(0x3f34_8000);
@@ -179,7 +179,7 @@ pub fn partsf(x: f32) -> PartsF32 {
 /// The logarithm to base 2 of 2^`exponent` · `significand`.
 #[inline]
 #[function]
-pub fn logarithm_in_row(exponent: i32, row: usize, significand: f64) -> f64 {
+fn logarithm_in_row(exponent: i32, row: usize, significand: f64) -> f64 {
     let r = significand * LOG2_ROWS_F32[row & 127][0] - 1.0;
     let upper = LOG2_F32[2] + r * LOG2_F32[3];
     (exponent as f64 + LOG2_ROWS_F32[row & 127][1])
@@ -189,7 +189,7 @@ pub fn logarithm_in_row(exponent: i32, row: usize, significand: f64) -> f64 {
 /// The logarithm to base 2 of a positive, normal number.
 #[inline]
 #[function]
-pub fn binary_logarithm(x: f32) -> f64 {
+fn binary_logarithm(x: f32) -> f64 {
     let parts = partsf(x);
     logarithm_in_row(parts.exponent, parts.row, parts.significand as f64)
 }

@@ -27,7 +27,7 @@ const T9: f64 = 62.0 / 2_835.0;
 /// Tangent of `row`·π/64 + `rest` for |rest| ≤ π/128, 2½ rows and more away from zero, 4½ from the pole.
 #[inline]
 #[function]
-pub fn from_row(row: u64, rest: f64) -> f64 {
+fn from_row(row: u64, rest: f64) -> f64 {
     let index = (row & 63) as usize;
     let lead = TANGENT_ROWS[index][0];
     let z = rest * rest;

@@ -20,6 +20,8 @@ use bessemer_tests::{corpus, golden, root};
 const BOOK: &str = "docs/book";
 const PROGRAMS: &str = "tests/corpus/src/programs";
 const GOLDEN: &str = "tests/corpus/golden";
+/// The header of the functions that stand where they are called, which is golden as it is.
+const INLINE: &str = "bessemer_inline.h";
 /// Before the name of an example.
 const EXAMPLE: &str = "<!-- example: ";
 /// Folders whose programs are no part of the book.
@@ -233,6 +235,9 @@ fn pages_and_golden_files_are_as_the_programs_are() {
     let file = |name: &String| Path::new(GOLDEN).join(format!("{name}.c"));
     let mut wanted: BTreeMap<PathBuf, String> =
         all.iter().map(|(name, c)| (file(name), c.clone())).collect();
+    // What several programs call, once.
+    let inline = compiled.files.iter().filter(|file| file.name == INLINE);
+    wanted.extend(inline.map(|file| (Path::new(GOLDEN).join(INLINE), file.text.clone())));
     for path in below(&root().join(BOOK), "md") {
         let path = Path::new(BOOK).join(path);
         let depth = path.components().count() - 1;

@@ -1,13 +1,14 @@
 //! Constants in files: of one source, those that its functions use; and those that other modules may read, once.
 //!
-//! Of these, sizes stand in a header for callers, too ([`sizes`]); other words in the header, for C's compilers to compute with; of tables it says that they are, and a source
-//! beside it holds them.
+//! Of these, sizes stand in a header for callers, too ([`sizes`]); other words in the header, for C's compilers to compute with, and so do the
+//! polynomials of inline functions; of tables it says that they are, and a source beside it holds them.
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::{ConstId, Type};
+use bessemer_ir::{Const, ConstId, Type};
 
-use super::{Includes, Writer};
+use super::Writer;
+use super::includes::Includes;
 use crate::c::assemble::assemble;
 use crate::c::context::Context;
 use crate::c::file::CFile;
@@ -15,14 +16,12 @@ use crate::c::options::Options;
 use crate::c::shell::Shell;
 use crate::c::spelling::identifier;
 use crate::c::tree::{Init, Item, Lines, Storage};
-use crate::c::{asked, described, literal, sizes, target};
+use crate::c::{asked, described, internal, literal, sizes, target};
+
+/// Words of a polynomial, not of a table.
+const FEW: usize = 16;
 
 const SUMMARY: &str = "constants, for the sources beside it alone.";
-
-/// The header's name.
-pub(super) fn header(options: &Options) -> String {
-    options.header(&format!("{}_constants", identifier(&options.status)))
-}
 
 impl Writer<'_> {
     /// The constants of a source's own.
@@ -54,7 +53,7 @@ pub(super) fn shared(
             sizes.push(size(context, id, name));
             continue;
         }
-        if item.ty.is_word() && item.given.section.is_none() {
+        if stands_in_header(item) {
             declared.push(constant(context, options, id, name, &mut of_header));
             continue;
         }
@@ -75,9 +74,8 @@ pub(super) fn shared(
     if defined.iter().any(|it| matches!(it, Item::Constant { asked: Some(_), .. })) {
         defined.insert(0, Item::Verbatim(asked::Macro::Section.text(options)));
     }
-    let header = header(options);
-    let file = |name: &str, summary: &str, items: &[Item], mut includes: Includes| {
-        includes.own.remove(&header);
+    let header = internal::constants(options);
+    let file = |name: &str, summary: &str, items: &[Item], includes: Includes| {
         let shell = Shell {
             about: &[],
             file: name,
@@ -85,10 +83,11 @@ pub(super) fn shared(
             summary,
             source: &context.module.name,
             license: &options.license,
-            system_includes: includes.system.into_iter().map(str::to_owned).collect(),
-            own_includes: includes.own.into_iter().collect(),
+            system_includes: includes.system(),
+            own_includes: includes.own(&header),
             calls: false,
             refuses: true,
+            computes: false,
         };
         assemble(context, name, &shell, name.ends_with(".h"), items)
     };
@@ -116,6 +115,13 @@ pub(super) fn shared(
         ));
     }
     files
+}
+
+/// Whether its value is to be seen where it is used: that of a word, and those of the few words of an inline function's own, of which
+/// compilers leave no table.
+fn stands_in_header(item: &Const) -> bool {
+    let few = !item.given.public && item.words.len() <= FEW;
+    item.given.section.is_none() && (item.ty.is_word() || few)
 }
 
 fn size(context: Context<'_>, id: ConstId, name: &str) -> Item {
@@ -158,11 +164,25 @@ fn constant(
     let section = item.given.section.as_ref();
     Item::Constant {
         storage: Storage::Static,
-        docs: described::constant(context.names, item),
+        docs: docs(context, item),
         asked: section.map(|section| asked::section(section, options)),
         declarator,
         init: Some(init),
     }
+}
+
+/// A constant's comment, in which those beside it that have other names in C are called by these.
+fn docs(context: Context<'_>, item: &Const) -> Vec<String> {
+    let mut docs = described::constant(context.names, item);
+    for (index, other) in context.module.consts.iter().enumerate() {
+        if let Some(name) = context.names.shared_constant(ConstId(index as u32))
+            && other.module == item.module
+        {
+            let (word, name) = (format!("`{}`", other.name), format!("`{name}`"));
+            docs.iter_mut().for_each(|line| *line = line.replace(&word, &name));
+        }
+    }
+    docs
 }
 
 /// The numbers of one constant are all in base sixteen, or none is.

@@ -80,7 +80,7 @@ impl Lower<'_> {
         }
         let block = self.scope(|lower| {
             let name = lower.fresh("next");
-            lower.begin(&dest.ty, &name);
+            lower.begin(&dest.ty, &name, &[]);
             if plain {
                 let call = lower.call_value(callee, arguments);
                 lower.assign(Expr::name(&name), call);
@@ -133,11 +133,10 @@ impl Lower<'_> {
         self.uses.called.insert(callee);
         let signature = self.context.names.signature(callee);
         match signature.storage {
-            Storage::Inline => {}
             Storage::Library => {
                 self.uses.system.insert("math.h");
             }
-            Storage::Extern | Storage::Static | Storage::Foreign => {
+            _ => {
                 self.uses.headers.insert(signature.header.clone());
             }
         }

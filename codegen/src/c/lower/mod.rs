@@ -12,6 +12,7 @@ mod bits;
 mod call;
 mod compare;
 mod copy;
+mod extents;
 mod fill;
 mod loops;
 mod numbers;
@@ -95,6 +96,8 @@ pub(super) struct Lower<'a> {
     in_place: Option<LocalId>,
     /// The locals that are names for what lies elsewhere.
     names: BTreeMap<LocalId, Place>,
+    /// The constants that say how many elements a local has, of those that are not declared yet.
+    sizes: BTreeMap<LocalId, Vec<Option<ConstId>>>,
     /// The locals that are parts of the result from the start.
     parts: BTreeMap<LocalId, built::Path>,
     bytes: u64,
@@ -126,6 +129,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
             function,
             context.names.layout != super::matrices::Layout::Array,
         ),
+        sizes: extents::of_locals(context.names, function),
         parts: BTreeMap::new(),
         bytes: 0,
         unroll: None,
@@ -344,8 +348,21 @@ impl<'a> Lower<'a> {
 
     /// Declares a variable.
     fn declare(&mut self, ty: &Type, name: &str, init: Option<Init>, constant: bool) {
+        self.declare_sized(ty, name, &[], init, constant);
+    }
+
+    /// The same, with the constants that name its sizes.
+    fn declare_sized(
+        &mut self,
+        ty: &Type,
+        name: &str,
+        sizes: &[Option<ConstId>],
+        init: Option<Init>,
+        constant: bool,
+    ) {
         self.bytes += size_of(self.context, ty, Enums::Int);
-        let mut declarator = self.context.names.declarator(ty, name);
+        self.uses.consts.extend(sizes.iter().flatten());
+        let mut declarator = self.context.names.sized(ty, name, sizes);
         if constant {
             declarator.ty.insert_str(0, "const ");
         }
@@ -355,9 +372,9 @@ impl<'a> Lower<'a> {
 
     /// Declares a variable whose parts are written after that, perhaps by a callee: a variant writes no more of a
     /// union than it has, and where the whole is then copied, compilers warn of the rest.
-    fn begin(&mut self, ty: &Type, name: &str) {
+    fn begin(&mut self, ty: &Type, name: &str, sizes: &[Option<ConstId>]) {
         if !self.has_union(ty) {
-            self.declare(ty, name, None, false);
+            self.declare_sized(ty, name, sizes, None, false);
         } else if self.signature.storage == Storage::Inline {
             // In a header, which is C++ too: there, zero is no value of an enum.
             self.uses.system.insert("string.h");

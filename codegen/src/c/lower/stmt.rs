@@ -2,7 +2,7 @@
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    Arm, Block, Expr as Ir, ExprKind, Fault, Int, LocalId, Mode, Place, Role, Scalar,
+    Arm, Block, ConstId, Expr as Ir, ExprKind, Fault, Int, LocalId, Mode, Place, Role, Scalar,
     Stmt as IrStmt, StmtKind as IrKind, Type,
 };
 
@@ -130,6 +130,7 @@ impl Lower<'_> {
             }
         }
         let constant = value.is_some() && !self.usage.assigned[local.index()];
+        let sizes = self.sizes.remove(&local).unwrap_or_default();
         match value {
             _ if self.counters[local.index()].is_some() => {
                 let value = value.map(|value| Init::Value(self.size(value)));
@@ -138,7 +139,7 @@ impl Lower<'_> {
             }
             None => {
                 let name = self.bind(local);
-                self.begin(&ty, &name);
+                self.begin(&ty, &name, &sizes);
             }
             Some(value) if ty.is_word() && !self.is_status_call(value) => {
                 match self.range(value).filter(|_| constant) {
@@ -163,7 +164,7 @@ impl Lower<'_> {
             }
             Some(value) => {
                 let name = self.bind(local);
-                self.define(&ty, &name, value, constant);
+                self.define_sized(&ty, &name, &sizes, value, constant);
             }
         }
         if !self.usage.read[local.index()] && ty != Type::Unit {
@@ -210,6 +211,17 @@ impl Lower<'_> {
 
     /// Declares `name` with a value: with an initialiser where C has one for it.
     pub(super) fn define(&mut self, ty: &Type, name: &str, value: &Ir, constant: bool) {
+        self.define_sized(ty, name, &[], value, constant);
+    }
+
+    fn define_sized(
+        &mut self,
+        ty: &Type,
+        name: &str,
+        sizes: &[Option<ConstId>],
+        value: &Ir,
+        constant: bool,
+    ) {
         if *ty == Type::Unit {
             self.effect(value);
             return;
@@ -219,12 +231,14 @@ impl Lower<'_> {
             self.declare(ty, name, Some(Init::Value(value)), constant);
         } else if self.initialisable(value) {
             let init = self.initialiser(value);
-            self.declare(ty, name, Some(init), constant);
+            self.declare_sized(ty, name, sizes, Some(init), constant);
         } else {
             match value.kind {
                 // Copied whole.
-                ExprKind::Load(_) | ExprKind::Const(_) => self.declare(ty, name, None, false),
-                _ => self.begin(ty, name),
+                ExprKind::Load(_) | ExprKind::Const(_) => {
+                    self.declare_sized(ty, name, sizes, None, false);
+                }
+                _ => self.begin(ty, name, sizes),
             }
             self.store(Expr::name(name), None, value);
         }

@@ -414,9 +414,9 @@ impl Parser {
         let role = if self.eat_word("entry") {
             Role::Entry { infallible: self.eat_word("infallible") }
         } else if self.eat_word("private") {
-            Role::Private
+            if self.eat_word("inline") { Role::Inline { public: false } } else { Role::Private }
         } else if self.eat_word("inline") {
-            Role::Inline
+            Role::Inline { public: true }
         } else {
             Role::Public
         };

@@ -249,7 +249,8 @@ impl<'m> Printer<'m> {
             Role::Entry { infallible: false } => "entry ",
             Role::Public => "",
             Role::Private => "private ",
-            Role::Inline => "inline ",
+            Role::Inline { public: true } => "inline ",
+            Role::Inline { public: false } => "private inline ",
         };
         let place = relative(function.span, Span::default(), Span::default());
         self.out.push('\n');

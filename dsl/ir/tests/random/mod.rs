@@ -250,7 +250,8 @@ impl Source<'_> {
             role: self.pick(&[
                 Role::Public,
                 Role::Private,
-                Role::Inline,
+                Role::Inline { public: true },
+                Role::Inline { public: false },
                 Role::Entry { infallible: true },
                 Role::Entry { infallible: false },
             ]),

@@ -23,7 +23,7 @@ const A5: f32 = 1.0 / 5.0;
 /// The row for a ratio: 0 to 15 from 1/4 to 4, more outside.
 #[inline]
 #[function]
-pub fn row_of_ratio(ratio: f32) -> u32 {
+fn row_of_ratio(ratio: f32) -> u32 {
     // The exponent and two bits more, less those of 1/4.
     (ratio.raw_bits() >> 21).wrapping_sub(0x1f4)
 }
@@ -31,7 +31,7 @@ pub fn row_of_ratio(ratio: f32) -> u32 {
 /// What the arctangent adds to `t` for |t| ≤ 1/16.
 #[inline]
 #[function]
-pub fn small_curve(t: f32) -> f32 {
+fn small_curve(t: f32) -> f32 {
     let z = t * t;
     t * z * (A3 + z * A5)
 }
@@ -39,7 +39,7 @@ pub fn small_curve(t: f32) -> f32 {
 /// What the arctangent adds to `t` for |t| ≤ 1/4.
 #[inline]
 #[function]
-pub fn curve(t: f32) -> f32 {
+fn curve(t: f32) -> f32 {
     let z = t * t;
     let upper = NARROW_ARCTANGENT[2] + z * NARROW_ARCTANGENT[3];
     t * z * (NARROW_ARCTANGENT[0] + z * (NARROW_ARCTANGENT[1] + z * upper))
@@ -77,7 +77,7 @@ pub fn atanf(x: f32) -> f32 {
 /// all are from 2⁻⁶⁰ to 2⁶⁰.
 #[inline]
 #[function]
-pub fn angle_of_ratio(height: f32, width: f32, ratio: f32) -> PairF32 {
+fn angle_of_ratio(height: f32, width: f32, ratio: f32) -> PairF32 {
     let row = row_of_ratio(ratio);
     if row < 16 {
         let centre = NARROW_ARCTANGENT_ROWS[row as usize][0];
@@ -101,7 +101,7 @@ pub fn angle_of_ratio(height: f32, width: f32, ratio: f32) -> PairF32 {
 /// The angle as it is, or its supplement to π for a point on the left.
 #[inline]
 #[function]
-pub fn angle_on_side(angle: PairF32, left: bool) -> f32 {
+fn angle_on_side(angle: PairF32, left: bool) -> f32 {
     if left {
         let rest = ordered_sum(2.0 * NARROW_HALF_PI_HIGH, -angle.high);
         rest.high + (rest.low + (2.0 * NARROW_HALF_PI_LOW - angle.low))
@@ -158,7 +158,7 @@ pub fn atan2f(y: f32, x: f32) -> f32 {
 /// (asin √z − √z)/z^(3/2) for 0 to 1/4.
 #[inline]
 #[function]
-pub fn arcsine_curve(z: f32) -> f32 {
+fn arcsine_curve(z: f32) -> f32 {
     let upper = NARROW_ARCSINE[2] + z * (NARROW_ARCSINE[3] + z * NARROW_ARCSINE[4]);
     NARROW_ARCSINE[0] + z * (NARROW_ARCSINE[1] + z * upper)
 }
@@ -166,7 +166,7 @@ pub fn arcsine_curve(z: f32) -> f32 {
 /// Half the arccosine of `size` from 1/2 to 1: the root r of (1 − `size`)/2 as it is rounded, and what is added to it.
 #[inline]
 #[function]
-pub fn half_arccosine(size: f32) -> PairF32 {
+fn half_arccosine(size: f32) -> PairF32 {
     let z = 0.5 - 0.5 * size;
     let root = z.sqrt();
     // What the root is off by is (z − r²)/2r; of nothing it is nothing.

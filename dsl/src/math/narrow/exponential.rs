@@ -90,7 +90,7 @@ pub fn expf(x: f32) -> f32 {
 /// What 2^r has beyond 1 + r, for −1/2 to 1/2.
 #[inline]
 #[function]
-pub fn beyond_binary(r: f32) -> f32 {
+fn beyond_binary(r: f32) -> f32 {
     let upper = NARROW_BINARY[3] + r * (NARROW_BINARY[4] + r * NARROW_BINARY[5]);
     r * (NARROW_BINARY[0] + r * (NARROW_BINARY[1] + r * (NARROW_BINARY[2] + r * upper)))
 }

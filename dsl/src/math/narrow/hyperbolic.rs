@@ -32,14 +32,14 @@ const BOTH: f32 = 9.0;
 /// The even part of e^r less 1, for r² to 0.12.
 #[inline]
 #[function]
-pub fn even_part(z: f32) -> f32 {
+fn even_part(z: f32) -> f32 {
     z * (E2 + z * (E4 + z * E6))
 }
 
 /// Half of e^x + `sign` · e^(−x), of the larger's exponent, from 0.35 to 9; with a `sign` of −1, from 1.04.
 #[inline]
 #[function]
-pub fn half_of_both(exponent: StepsF32, sign: f32) -> f32 {
+fn half_of_both(exponent: StepsF32, sign: f32) -> f32 {
     let r = exponent.high - exponent.low;
     let z = r * r;
     let even = even_part(z);

@@ -26,7 +26,7 @@ pub struct SplitF32 {
 /// The parts of a normal number; of its exponent, `less` is taken off.
 #[inline]
 #[function]
-pub fn split(x: f32, less: i32) -> SplitF32 {
+fn split(x: f32, less: i32) -> SplitF32 {
     let bits = x.raw_bits();
     // Above 1 + 52.5/128 a significand is halved.
     let exponent = bits.wrapping_sub(0x3f34_8000) as i32 >> 23;
@@ -39,7 +39,7 @@ pub fn split(x: f32, less: i32) -> SplitF32 {
 /// s · (f²/2 + R(s²)) for a half square f²/2.
 #[inline]
 #[function]
-pub fn beyond_square(f: f32, half: f32) -> f32 {
+fn beyond_square(f: f32, half: f32) -> f32 {
     let s = f / (2.0 + f);
     let z = s * s;
     let tail = z * (NARROW_LOGARITHM[0] + z * (NARROW_LOGARITHM[1] + z * NARROW_LOGARITHM[2]));
@@ -49,7 +49,7 @@ pub fn beyond_square(f: f32, half: f32) -> f32 {
 /// The natural logarithm of 2^`exponent` · (1 + `rest`), and `lost` with it.
 #[inline]
 #[function]
-pub fn natural(parts: SplitF32, lost: f32) -> f32 {
+fn natural(parts: SplitF32, lost: f32) -> f32 {
     let f = parts.rest;
     let half = 0.5 * f * f;
     let lead = ordered_sum(parts.exponent * NARROW_LN_2_HIGH, f);
@@ -60,7 +60,7 @@ pub fn natural(parts: SplitF32, lost: f32) -> f32 {
 /// ln(1 + `f`) as a sum of two, the first of 12 bits.
 #[inline]
 #[function]
-pub fn natural_pair(f: f32) -> PairF32 {
+fn natural_pair(f: f32) -> PairF32 {
     let half = 0.5 * f * f;
     let high = leading(f - half);
     PairF32 { high, low: ((f - high) - half) + beyond_square(f, half) }
@@ -76,7 +76,7 @@ pub fn is_plain(x: f32) -> bool {
 /// Logarithms of what is no positive, normal number.
 #[inline]
 #[function]
-pub fn limit(x: f32) -> f32 {
+fn limit(x: f32) -> f32 {
     if x.abs() <= 0.0 {
         f32::NEG_INFINITY
     } else if x > 0.0 {
@@ -174,7 +174,7 @@ pub fn log2f(x: f32) -> f32 {
 /// The logarithm to base 10 of the parts of a number.
 #[inline]
 #[function]
-pub fn decimal(parts: SplitF32) -> f32 {
+fn decimal(parts: SplitF32) -> f32 {
     let ln = natural_pair(parts.rest);
     let lead = ordered_sum(parts.exponent * NARROW_LOG10_2_HIGH, ln.high * NARROW_LOG10_E_HIGH);
     let small = (ln.high + ln.low) * NARROW_LOG10_E_LOW + ln.low * NARROW_LOG10_E_HIGH;

@@ -70,7 +70,7 @@ pub struct ExponentF32 {
 /// The parts of an exponent that is less than 2¹⁵ in magnitude.
 #[inline]
 #[function]
-pub fn exponent_of(power: PairF32) -> ExponentF32 {
+fn exponent_of(power: PairF32) -> ExponentF32 {
     let shifted = power.high + TO_STEPS;
     ExponentF32 { bits: shifted.raw_bits(), rest: (power.high - (shifted - TO_STEPS)) + power.low }
 }
@@ -78,7 +78,7 @@ pub fn exponent_of(power: PairF32) -> ExponentF32 {
 /// `scale` · 2^s for the exponent s less its whole powers of two.
 #[inline]
 #[function]
-pub fn binary(exponent: ExponentF32, scale: f32) -> f32 {
+fn binary(exponent: ExponentF32, scale: f32) -> f32 {
     let row = (exponent.bits & 127) as usize;
     let base = NARROW_BINARY_ROWS[row][0] * scale;
     let beyond = (base * exponent.rest) * (FIRST + exponent.rest * SECOND);
@@ -88,7 +88,7 @@ pub fn binary(exponent: ExponentF32, scale: f32) -> f32 {
 /// y · log₂ x of a positive, normal x; of its exponent, `less` is taken off.
 #[inline]
 #[function]
-pub fn binary_power(x: f32, less: i32, y: f32) -> PairF32 {
+fn binary_power(x: f32, less: i32, y: f32) -> PairF32 {
     let logarithm = binary_pair(x, less);
     let high = y * logarithm.high;
     PairF32 { high, low: exact_mul_addf(y, logarithm.high, -high) + y * logarithm.low }

@@ -34,7 +34,7 @@ pub(crate) const FEW_TURNS: f32 = 400.0;
 /// Takes whole quarter turns off `x`, rad, of up to [`FEW_TURNS`].
 #[inline]
 #[function]
-pub fn reduced_moderate(x: f32) -> ReducedF32 {
+fn reduced_moderate(x: f32) -> ReducedF32 {
     let shifted = x * FRAC_2_PI + TO_INTEGER;
     let quarter_turns = shifted - TO_INTEGER;
     // Two products without loss, and a first difference; what the second loses is kept.
@@ -79,7 +79,7 @@ pub fn upper_product(a: u32, b: u32) -> u32 {
 /// 32 bits of 2/π from bit `shift` of a word on; the next word follows.
 #[inline]
 #[function]
-pub fn window(word: u32, next: u32, shift: u32) -> u32 {
+fn window(word: u32, next: u32, shift: u32) -> u32 {
     let shift = shift & 31;
     (word << shift) | ((next >> 1) >> (31 - shift))
 }
@@ -87,7 +87,7 @@ pub fn window(word: u32, next: u32, shift: u32) -> u32 {
 /// A fraction of a quarter turn, of 64 bits behind the point, in rad.
 #[inline]
 #[function]
-pub fn radians(head: u32, tail: u32) -> PairF32 {
+fn radians(head: u32, tail: u32) -> PairF32 {
     // Three parts of 24, 24 and 16 bits.
     let lead = (head >> 8) as f32 * 5.9604645e-8;
     let next = (((head & 0xff) << 16) | (tail >> 16)) as f32 * 3.5527137e-15;

@@ -13,7 +13,7 @@ const COARSE: u32 = 0x2a51_3000;
 /// w = (x − g³)/(x + 2g³), Halley's step is g + g·w; what that leaves out is a polynomial's.
 #[inline]
 #[function]
-pub fn plain_root(x: f32, less: u32) -> f32 {
+fn plain_root(x: f32, less: u32) -> f32 {
     let raw = x.raw_bits();
     // A third of the upper half, in the upper half.
     let third = ((raw >> 16) & 0x7fff).wrapping_mul(0x5556);
@@ -52,7 +52,7 @@ pub fn cbrtf(x: f32) -> f32 {
 /// nothing (C. F. Borges, *An improved algorithm for hypot(a, b)*, 2019).
 #[inline]
 #[function]
-pub fn length(large: f32, small: f32) -> f32 {
+fn length(large: f32, small: f32) -> f32 {
     let guess = (large * large + small * small).sqrt();
     let off = if guess <= 2.0 * small {
         let delta = guess - small;

@@ -12,7 +12,7 @@ pub(crate) const TINY: f32 = 2.4414063e-4;
 /// Sine of `high` + `low` for −π/4 to π/4.
 #[inline]
 #[function]
-pub fn near_sine(high: f32, low: f32) -> f32 {
+fn near_sine(high: f32, low: f32) -> f32 {
     let z = high * high;
     let tail = NARROW_SINE[0] + z * (NARROW_SINE[1] + z * NARROW_SINE[2]);
     // The slope is the cosine.
@@ -22,7 +22,7 @@ pub fn near_sine(high: f32, low: f32) -> f32 {
 /// Cosine of `high` + `low` for −π/4 to π/4.
 #[inline]
 #[function]
-pub fn near_cosine(high: f32, low: f32) -> f32 {
+fn near_cosine(high: f32, low: f32) -> f32 {
     let z = high * high;
     let half = 0.5 * z;
     let lead = 1.0 - half;
@@ -33,7 +33,7 @@ pub fn near_cosine(high: f32, low: f32) -> f32 {
 /// Sine of a reduced angle + `quarter_turns` · π/2.
 #[inline]
 #[function]
-pub fn turned(angle: ReducedF32, quarter_turns: u32) -> f32 {
+fn turned(angle: ReducedF32, quarter_turns: u32) -> f32 {
     let quadrant = angle.quadrant.wrapping_add(quarter_turns);
     let value = if (quadrant & 1) == 0 {
         near_sine(angle.high, angle.low)

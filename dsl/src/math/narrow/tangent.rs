@@ -23,7 +23,7 @@ const MODERATE: f32 = 0.62;
 /// Tangent of `high` + `low` for −0.62 to 0.62.
 #[inline]
 #[function]
-pub fn near_tangent(high: f32, low: f32) -> PairF32 {
+fn near_tangent(high: f32, low: f32) -> PairF32 {
     let z = high * high;
     let upper = NARROW_TANGENT[3]
         + z * (NARROW_TANGENT[4] + z * (NARROW_TANGENT[5] + z * NARROW_TANGENT[6]));
@@ -38,7 +38,7 @@ pub fn near_tangent(high: f32, low: f32) -> PairF32 {
 /// Tangent of `high` + `low` for 0.62 to π/4: with t the tangent of what is left to π/4, 1 − 2t/(1 + t).
 #[inline]
 #[function]
-pub fn steep_tangent(high: f32, low: f32) -> PairF32 {
+fn steep_tangent(high: f32, low: f32) -> PairF32 {
     let left = 0.5 * NARROW_HALF_PI_HIGH - high;
     let z = left * left;
     let curve = (0.5 * NARROW_HALF_PI_LOW - low) + left * z * (T3 + z * (T5 + z * T7));

@@ -2,15 +2,6 @@
 
 /* compared_iterators.c */
 
-/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
-static inline bool sort_below_f64(double one, double other)
-{
-    if (one == other) {
-        return copysign_f64(1.0, one) < 0.0 && !(copysign_f64(1.0, other) < 0.0);
-    }
-    return one < other || (isnan(one) == 0 && isnan(other) != 0);
-}
-
 void compared_iterators_compared(const int16_t a[5], const int16_t b[4],
     triple_ordering_bool_bool_t *result)
 {

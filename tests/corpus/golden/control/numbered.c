@@ -2,15 +2,6 @@
 
 /* numbered.c */
 
-/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
-static inline bool sort_below_f32(float one, float other)
-{
-    if (one == other) {
-        return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
-    }
-    return one < other || (isnan(one) == 0 && isnan(other) != 0);
-}
-
 float bin_take(bin_t *self)
 {
     const float a = self->parts[0];

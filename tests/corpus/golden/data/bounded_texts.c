@@ -2,14 +2,6 @@
 
 /* log_channel.c */
 
-/** Whether the two are equal, part by part. */
-static inline bool text_4_equal(const text_4_t *one, const text_4_t *other)
-{
-    return one->length == other->length
-        && (one->bytes[0] == other->bytes[0] && one->bytes[1] == other->bytes[1]
-        && one->bytes[2] == other->bytes[2] && one->bytes[3] == other->bytes[3]);
-}
-
 void log_channel_init(log_channel_t *self)
 {
     self->name.length = UINT64_C(6);

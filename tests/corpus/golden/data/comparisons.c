@@ -2,13 +2,6 @@
 
 /* comparisons.c */
 
-/** Whether the two are equal, part by part. */
-static inline bool target_equal(const target_t *one, const target_t *other)
-{
-    return one->position[0] == other->position[0] && one->position[1] == other->position[1]
-        && one->position[2] == other->position[2] && one->land == other->land;
-}
-
 bool comparisons_is_new(const target_t *before, const target_t *now)
 {
     return !target_equal(before, now);

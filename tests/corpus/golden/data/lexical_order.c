@@ -5,55 +5,6 @@
 static void lexical_order_sort_by_in_queue(message_t values[], uint64_t values_length);
 static void lexical_order_sort_by_in_archive(message_t values[], uint64_t values_length);
 
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_u8_3(const uint8_t one[3], const uint8_t other[3])
-{
-    if (one[0] < other[0] || (one[0] == other[0]
-            && (one[1] < other[1] || (one[1] == other[1] && one[2] < other[2])))) {
-        return ORDERING_LESS;
-    } else if (one[0] == other[0] && one[1] == other[1] && one[2] == other[2]) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/** Whether the first comes before the second. */
-static inline bool comparison_is_less(ordering_t order)
-{
-    return order == ORDERING_LESS;
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_urgency(urgency_t one, urgency_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_u16(uint16_t one, uint16_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
 bool lexical_order_is_older(const triple_u8_u8_u16_t *version, const triple_u8_u8_u16_t *other)
 {
     return version->first < other->first

@@ -6,30 +6,6 @@ static const float TAU = 6.2831855F;
 
 static int8_t lever_direction(lever_t self);
 
-/** Whether the two are equal, part by part. */
-static inline bool option_lever_equal(const option_lever_t *one, const option_lever_t *other)
-{
-    return one->is_some == other->is_some && (!one->is_some || lever_eq(one->value, other->value));
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool heading_equal(const heading_t *one, const heading_t *other)
-{
-    bool all_equal = false;
-    bool all_holds = bearing_eq(&one->to, &other->to) && lever_eq(one->lever, other->lever);
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            if (!bearing_eq(&one->turns[i], &other->turns[i])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
-    }
-    return all_holds && option_lever_equal(&one->next, &other->next);
-}
-
 bool bearing_eq(const bearing_t *self, const bearing_t *other)
 {
     return own_equality_difference(self, other) < 0.001F;

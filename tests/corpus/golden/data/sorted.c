@@ -7,24 +7,6 @@ static void sorted_sort_by_in_schedule(switching_t values[], uint64_t values_len
 static void sorted_sort_by_in_latest_first(switching_t values[], uint64_t values_length);
 static void sorted_sort_by_in_downwards(float values[], uint64_t values_length);
 
-/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
-static inline bool sort_below_f64(double one, double other)
-{
-    if (one == other) {
-        return copysign_f64(1.0, one) < 0.0 && !(copysign_f64(1.0, other) < 0.0);
-    }
-    return one < other || (isnan(one) == 0 && isnan(other) != 0);
-}
-
-/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
-static inline bool sort_below_f32(float one, float other)
-{
-    if (one == other) {
-        return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
-    }
-    return one < other || (isnan(one) == 0 && isnan(other) != 0);
-}
-
 double sorted_median(const double values[9])
 {
     double sorted[9];

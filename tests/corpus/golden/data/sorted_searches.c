@@ -9,52 +9,6 @@ static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_
 static void sorted_searches_binary_search_by_in_nearest(const float values[],
     uint64_t values_length, float x, result_usize_usize_t *result);
 
-/** The index of the first element that is not among the first ones. */
-static inline uint64_t bessemer_search_partition_point_in_binary_search_u8(const uint8_t values[],
-    uint64_t values_length, uint8_t wanted)
-{
-    uint64_t from = UINT64_C(0);
-    uint64_t left = values_length;
-    for (int32_t pass = 0; pass < 64; pass++) {
-        const uint64_t middle = from + left / UINT64_C(2);
-        if (left == UINT64_C(0) || middle >= values_length) {
-            break;
-        }
-        const uint8_t value = values[middle];
-        const bool is_first = value < wanted;
-        if (is_first) {
-            from = middle + UINT64_C(1);
-            left = left - left / UINT64_C(2) - UINT64_C(1);
-        } else {
-            left /= UINT64_C(2);
-        }
-    }
-    return from;
-}
-
-/**
- * The index of an element that is `wanted`, or where it would have to be put in. Inline, so that it stands beside the
- * type, which may be an author's.
- *
- * # Errors
- * That index, if no element is `wanted`.
- */
-static inline void bessemer_search_binary_search_u8(const uint8_t values[], uint64_t values_length,
-    uint8_t wanted, result_usize_usize_t *result)
-{
-    const uint64_t from = bessemer_search_partition_point_in_binary_search_u8(values, values_length,
-        wanted);
-    if (from < values_length && values[from] == wanted) {
-        result->is_ok = true;
-        result->value = from;
-        result->error = UINT64_C(0);
-    } else {
-        result->is_ok = false;
-        result->value = UINT64_C(0);
-        result->error = from;
-    }
-}
-
 uint64_t sorted_searches_below(const double steps[6], double x)
 {
     return sorted_searches_partition_point_in_below(steps, UINT64_C(6), x);

@@ -4,15 +4,6 @@
 
 static const uint32_t U16_BITS = 16U;
 
-/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
-static inline bool sort_below_f64(double one, double other)
-{
-    if (one == other) {
-        return copysign_f64(1.0, one) < 0.0 && !(copysign_f64(1.0, other) < 0.0);
-    }
-    return one < other || (isnan(one) == 0 && isnan(other) != 0);
-}
-
 bool inputs_contains(const inputs_t *self, uint16_t n)
 {
     return n < 16U && ((self->bits >> n) & 1U) == 1U;

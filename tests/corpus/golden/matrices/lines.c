@@ -2,15 +2,6 @@
 
 /* lines.c */
 
-/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
-static inline bool sort_below_f32(float one, float other)
-{
-    if (one == other) {
-        return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
-    }
-    return one < other || (isnan(one) == 0 && isnan(other) != 0);
-}
-
 void lines_read(const double m[12], const double w[4], tuple4_f64_f64_f64_option_usize_t *result)
 {
     double far_ = 0.0;

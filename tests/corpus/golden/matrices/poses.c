@@ -49,24 +49,6 @@ typedef struct {
 
 /* poses.c */
 
-/** Whether the two are equal, part by part. */
-static inline bool unit_quaternion_f64_equal(const unit_quaternion_f64_t *one,
-    const unit_quaternion_f64_t *other)
-{
-    return (one->i == other->i && one->j == other->j && one->k == other->k && one->w == other->w)
-        || (one->i == -other->i && one->j == -other->j && one->k == -other->k
-        && one->w == -other->w);
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool isometry3_f64_equal(const isometry3_f64_t *one, const isometry3_f64_t *other)
-{
-    return unit_quaternion_f64_equal(&one->rotation, &other->rotation)
-        && (one->translation[0] == other->translation[0]
-        && one->translation[1] == other->translation[1]
-        && one->translation[2] == other->translation[2]);
-}
-
 void poses_seen(const isometry3_f64_t *camera, const double point[3],
     pair_vector3_f64_vector3_f64_t *result)
 {

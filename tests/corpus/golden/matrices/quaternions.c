@@ -4,12 +4,6 @@
 
 static const quaternion_f64_t QUATERNION_DEFAULT = {.i = 0.0, .j = 0.0, .k = 0.0, .w = 0.0};
 
-/** The real part. */
-static inline float quaternion_scalar_f32(const quaternion_f32_t *q)
-{
-    return q->w;
-}
-
 void quaternions_rate(const quaternion_f64_t *q, const double rates[3],
     quaternion_f64_t *quaternion)
 {

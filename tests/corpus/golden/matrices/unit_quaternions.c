@@ -2,22 +2,6 @@
 
 /* unit_quaternions.c */
 
-/** Whether the two are equal, part by part. */
-static inline bool unit_quaternion_f64_equal(const unit_quaternion_f64_t *one,
-    const unit_quaternion_f64_t *other)
-{
-    return (one->i == other->i && one->j == other->j && one->k == other->k && one->w == other->w)
-        || (one->i == -other->i && one->j == -other->j && one->k == -other->k
-        && one->w == -other->w);
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool attitudes_equal(const attitudes_t *one, const attitudes_t *other)
-{
-    return unit_quaternion_f64_equal(&one->body, &other->body)
-        && unit_quaternion_f64_equal(&one->camera, &other->camera);
-}
-
 void unit_quaternions_in_world(const attitudes_t *attitudes, const double seen[3], double result[3])
 {
     unit_quaternion_f64_t result_q;

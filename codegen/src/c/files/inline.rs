@@ -1,0 +1,61 @@
+//! The inline functions that several sources may call, once: a header for the sources alone.
+//!
+//! Invariants: it holds what the sources call, and what that calls, callees first; what stands here follows from the
+//! function and its module ([`crate::c::placing::Placing::moved`]), so that a source's text does not depend on who else calls.
+
+use std::collections::BTreeSet;
+
+use bessemer_ir::FunctionId;
+
+use super::includes::Includes;
+use super::{Unit, Writer};
+use crate::c::assemble::assemble;
+use crate::c::context::{Context, Uses};
+use crate::c::file::CFile;
+use crate::c::options::Options;
+use crate::c::shell::Shell;
+use crate::c::tree::{Item, Storage};
+use crate::c::{asked, internal};
+
+/// The header of those that are called, if there are any, and what it uses.
+pub(super) fn shared(
+    context: Context<'_>,
+    options: &Options,
+    called: &BTreeSet<FunctionId>,
+) -> (Option<CFile>, Uses) {
+    let name = internal::inline(options);
+    let mut uses = Uses { file: name.clone(), called: called.clone(), ..Uses::default() };
+    let (mut includes, mut asked) = (Includes::default(), BTreeSet::new());
+    let writer = Writer { context, options, name: String::new(), unit: Unit::default() };
+    let mut definitions = Vec::new();
+    // Callees stand before callers: what one calls is known when its turn comes.
+    for index in (0..context.module.functions.len()).rev() {
+        let id = FunctionId(index as u32);
+        let is_inline = context.names.signature(id).storage == Storage::Inline;
+        if is_inline && uses.called.contains(&id) {
+            definitions.push(writer.definition(id, &mut uses, &mut includes, &mut asked));
+        }
+    }
+    if definitions.is_empty() {
+        return (None, uses);
+    }
+    asked.extend(uses.unroll.then_some(asked::Macro::Unroll));
+    let mut items: Vec<Item> =
+        asked.iter().map(|asked| Item::Verbatim(asked.text(options))).collect();
+    items.extend(definitions.into_iter().rev());
+    includes.uses(context, options, &mut uses);
+    let shell = Shell {
+        about: &[],
+        file: &name,
+        header: &name,
+        summary: "small functions that stand where they are called; for the sources beside it alone.",
+        source: &context.module.name,
+        license: &options.license,
+        system_includes: includes.system(),
+        own_includes: includes.own(&name),
+        calls: false,
+        refuses: true,
+        computes: false,
+    };
+    (Some(assemble(context, &name, &shell, true, &items)), uses)
+}

@@ -1,0 +1,18 @@
+//! The names of headers that the sources alone share, which signatures say and files write.
+
+use super::options::Options;
+use super::spelling::identifier;
+
+/// Of the inline functions.
+pub fn inline(options: &Options) -> String {
+    named(options, "inline")
+}
+
+/// Of the constants.
+pub fn constants(options: &Options) -> String {
+    named(options, "constants")
+}
+
+fn named(options: &Options, what: &str) -> String {
+    options.header(&format!("{}_{what}", identifier(&options.status)))
+}
