@@ -9,7 +9,7 @@ use bessemer_codegen::kernels::{self, Mode, Tuning, replace};
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 use bessemer_tests::kernels::files;
 use bessemer_tests::store::once;
-use bessemer_tests::texts;
+use bessemer_tests::{texts, turn};
 
 /// The words that a program of `tests/kernels` prints, with these kernels; none if it does not link.
 fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -> Option<Vec<u64>> {
@@ -99,11 +99,11 @@ fn each_number_of_threads_agrees(kernels: &[Kernel]) {
         println!("left out: there is no gcc");
         return;
     };
-    for threads in ["-DBESSEMER_THREADS=2U", "-DBESSEMER_THREADS=3U", "-DBESSEMER_THREADS=8U"] {
-        assert_eq!(run(&[threads, "-pthread"]).as_ref(), Some(&alone), "{threads}");
-        for more in ["-DBESSEMER_PLAIN", "-march=native"] {
-            let found = run(&[threads, "-pthread", more]);
-            assert_eq!(found.as_ref(), Some(&alone), "{threads} {more}");
+    let threads = ["-DBESSEMER_THREADS=2U", "-DBESSEMER_THREADS=3U", "-DBESSEMER_THREADS=8U"];
+    for (number, threads) in threads.into_iter().enumerate() {
+        for more in ways(number) {
+            let found = run(&[&[threads, "-pthread"], more].concat());
+            assert_eq!(found.as_ref(), Some(&alone), "{threads} {more:?}");
         }
     }
 }
@@ -127,6 +127,12 @@ fn of_several_ways() -> [Kernel; 8] {
     ]
 }
 
+/// The flags for vectors of every machine's, for none, and for the widest of this one: for each number another at each turn, so
+/// that a run of a few numbers has each; all of them in a full run.
+fn ways(number: usize) -> Vec<&'static [&'static str]> {
+    turn::some_of_shifted(vec![&[], &["-DBESSEMER_PLAIN"], &["-march=native"]], 1, number)
+}
+
 /// Bytes of code that a kernel may have.
 const BUDGETS: [u32; 5] = [4096, 2048, 1024, 512, 0];
 
@@ -147,9 +153,9 @@ fn each_budget_agrees() {
         println!("left out: there is no gcc");
         return;
     };
-    for code_bytes in BUDGETS {
+    for (number, code_bytes) in BUDGETS.into_iter().enumerate() {
         let tuning = Tuning { code_bytes, ..Tuning::default() };
-        for flags in [&[][..], &["-DBESSEMER_PLAIN"], &["-march=native"]] {
+        for flags in ways(number) {
             assert_eq!(solves(tuning, flags).as_ref(), Some(&roomy), "{code_bytes} {flags:?}");
         }
     }

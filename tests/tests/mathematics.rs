@@ -6,6 +6,7 @@
 mod probe;
 
 use std::process::Command;
+use std::sync::OnceLock;
 use std::thread;
 
 use bessemer_codegen::compile::{Compiled, Options};
@@ -29,7 +30,12 @@ fn range(call: u32) -> f64 {
     [1.0, 12.5, 750.0, 1e6, 1e12, 1e-3][call as usize % 6]
 }
 
-fn compiled() -> Compiled {
+fn compiled() -> &'static Compiled {
+    static COMPILED: OnceLock<Compiled> = OnceLock::new();
+    COMPILED.get_or_init(compile)
+}
+
+fn compile() -> Compiled {
     let text = format!("#![no_std]\n{}", include_str!("../mathematics/probe.rs"));
     let workspace = Workspace::with_source(&text).expect("a workspace");
     workspace.compiled().unwrap_or_else(|said| panic!("{said}"))
@@ -66,10 +72,10 @@ fn in_c(compiled: &Compiled, toolchain: &Toolchain) -> Vec<u64> {
 
 #[test]
 fn every_elementary_function_computes_the_same_bits() {
-    let compiled = &compiled();
+    let compiled = compiled();
     let native = &native();
     thread::scope(|scope| {
-        for toolchain in toolchain::all() {
+        for toolchain in turn::levels(toolchain::all()) {
             scope.spawn(move || hold(compiled, &toolchain, native));
         }
     });
@@ -84,8 +90,8 @@ fn a_fused_instruction_computes_the_same_bits() {
         let text: String = compiled.files.iter().map(|file| file.text.as_str()).collect();
         assert!(text.contains("return fma(x, a, b);") && text.contains("return fmaf(x, a, b);"));
         let native = native();
-        for toolchain in toolchain::host().into_iter().filter(|it| it.level != 3) {
-            hold(&compiled, &Toolchain { more: &["-mfma"], ..toolchain }, &native);
+        for toolchain in turn::levels(toolchain::host()) {
+            hold(compiled, &Toolchain { more: &["-mfma"], ..toolchain }, &native);
         }
         return;
     }
@@ -114,7 +120,7 @@ fn no_table_is_larger_than_two_kibibytes() {
 #[test]
 fn no_call_slips_past_to_the_platform() {
     let compiled = compiled();
-    once("calls of a library", &texts(&compiled.files), || nothing_else_is_called(&compiled));
+    once("calls of a library", &texts(&compiled.files), || nothing_else_is_called(compiled));
 }
 
 fn nothing_else_is_called(compiled: &Compiled) {
@@ -153,7 +159,7 @@ fn nothing_else_is_called(compiled: &Compiled) {
 #[test]
 fn no_floats_are_compared_for_equality() {
     let compiled = compiled();
-    once("floats compared", &texts(&compiled.files), || no_float_is_compared(&compiled));
+    once("floats compared", &texts(&compiled.files), || no_float_is_compared(compiled));
 }
 
 fn no_float_is_compared(compiled: &Compiled) {
@@ -178,7 +184,7 @@ fn it_takes_few_more_instructions_where_the_library_is_unknown() {
         return;
     }
     let compiled = compiled();
-    let functions: Vec<_> = functions(&compiled);
+    let functions: Vec<_> = functions(compiled);
     assert!(functions.len() > 30, "{} functions", functions.len());
     let flags: [&[&str]; 3] = [
         &[],
@@ -186,7 +192,7 @@ fn it_takes_few_more_instructions_where_the_library_is_unknown() {
         &["-ffreestanding", "-fno-builtin"],
     ];
     let [known, told, unknown] =
-        flags.map(|more| instructions(&compiled, &Toolchain { more, ..ARM }, &functions));
+        flags.map(|more| instructions(compiled, &Toolchain { more, ..ARM }, &functions));
     let mut dearer = Vec::new();
     for (at, (id, _)) in functions.iter().enumerate() {
         let name = &compiled.explicit.functions[id.index()].name;

@@ -297,12 +297,9 @@ fn the_c_agrees() {
     let compiled = corpus();
     let cases = cases();
     thread::scope(|scope| {
-        for (toolchain, flags) in legs() {
-            scope.spawn(move || match flags {
-                // The dearest, of every second program.
-                [_, ..] => run_c(compiled, &every(2, cases), &toolchain, flags),
-                [] => run_c(compiled, cases, &toolchain, flags),
-            });
+        for (number, (toolchain, flags)) in legs().into_iter().enumerate() {
+            // Legs that follow one another take other programs, so that none of these is left out by all.
+            scope.spawn(move || run_c(compiled, &every(2, number, cases), &toolchain, flags));
         }
     });
 }
@@ -325,9 +322,9 @@ fn the_c_agrees_on_other_machines() {
     println!("{} entries, {calls} calls, the same bits: {}", cases.len(), names.join(", "));
 }
 
-/// One of so many cases that follow one another, others at each turn; all of them in a full run.
-fn every(count: usize, cases: &[Case]) -> Vec<Case> {
-    cases.chunks(count).flat_map(|some| turn::one_of(some.to_vec())).collect()
+/// One of so many cases that follow one another, others at each turn and for each number; all of them in a full run.
+fn every(count: usize, number: usize, cases: &[Case]) -> Vec<Case> {
+    cases.chunks(count).flat_map(|some| turn::some_of_shifted(some.to_vec(), 1, number)).collect()
 }
 
 /// Each file of C includes what it needs: compiled with others, one could do so for another.
@@ -378,7 +375,7 @@ fn the_c_agrees_in_every_layout() {
     let has_matrices =
         |name: &str| chapters.iter().any(|chapter| name.contains(&format!("programs::{chapter}")));
     cases.retain(|case| has_matrices(&case.name));
-    let mut cases = every(3, &cases);
+    let mut cases = every(3, 0, &cases);
     let natives = |case: &Case| {
         let is = |native: &&Entry| case.name == name(native);
         corpus::programs::ENTRIES.iter().find(is).expect("a program of the corpus")
@@ -426,7 +423,7 @@ fn what_was_proved_holds() {
     }
     let chosen = toolchain::host().into_iter().find(|it| it.level == 2);
     if let Some(toolchain) = chosen {
-        run_c_with(kept, &every(2, cases), &toolchain, &["-w"], &kept_options());
+        run_c_with(kept, &every(3, 0, cases), &toolchain, &["-w"], &kept_options());
     }
 }
 
