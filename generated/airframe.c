@@ -54,7 +54,7 @@ void airframe_hexacopter(airframe_t *airframe)
 
 void airframe_for_each(uint64_t count, double value, double all[AIRFRAME_MOST_MOTORS])
 {
-    for (uint32_t i = 0U; i < 8U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
         all[i] = 0.0;
     }
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
@@ -78,7 +78,7 @@ void airframe_thrust_factors(const airframe_t *self, double result[AIRFRAME_MOST
 {
     const double area = self->disc_area * self->propeller_radius * self->propeller_radius;
     const double result_product = self->air_density * area;
-    for (uint32_t i = 0U; i < 8U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
         result[i] = self->thrust_coefficients[i] * result_product;
     }
 }
@@ -88,7 +88,7 @@ void airframe_drag_factors(const airframe_t *self, double result[AIRFRAME_MOST_M
     const double radius = self->propeller_radius;
     const double volume = self->disc_area * radius * radius * radius;
     const double result_product = self->air_density * volume;
-    for (uint32_t i = 0U; i < 8U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
         result[i] = self->drag_coefficients[i] * result_product;
     }
 }

@@ -122,7 +122,7 @@ void feed_forward_compensation(const airframe_t *airframe, const estimate_t *est
     const double each = max_f64((weight + drag) / (double)airframe->motors, 0.0);
     double factors[AIRFRAME_MOST_MOTORS];
     airframe_thrust_factors(airframe, factors);
-    for (uint32_t i = 0U; i < 8U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
         speeds[i] = 0.0;
     }
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {

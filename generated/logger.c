@@ -43,10 +43,10 @@ void choice_usual(choice_t *choice)
 
 void logger_init(logger_t *self)
 {
-    for (uint32_t i = 0U; i < 16U; i++) {
+    for (uint32_t i = 0U; i < LOGGER_DEPTH; i++) {
         self->records[i].period = 0U;
         self->records[i].tag = 0U;
-        for (uint32_t j = 0U; j < 36U; j++) {
+        for (uint32_t j = 0U; j < LOGGER_WIDTH; j++) {
             self->records[i].values[j] = 0.0;
         }
     }

@@ -91,7 +91,7 @@ static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTOR
     static const double kept_base[8] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double kept_share = mixer_share(kept_base, tilt, largest);
     double kept[AIRFRAME_MOST_MOTORS];
-    for (uint32_t i = 0U; i < 8U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
         kept[i] = tilt[i] * kept_share;
     }
     const double turn_share = mixer_share(kept, twist, largest);
@@ -110,7 +110,7 @@ static void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTOR
         }
     }
     const double shift = max_f64(-least, 0.0) - max_f64(most - largest, 0.0);
-    for (uint32_t i = 0U; i < 8U; i++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
         squares[i] = 0.0;
     }
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {

@@ -128,7 +128,7 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
         feed_forward_compensation(&settings->airframe, &outputs->estimate,
             settings->injection.friction, whole);
         double share[AIRFRAME_MOST_MOTORS];
-        for (uint32_t i = 0U; i < 8U; i++) {
+        for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
             share[i] = whole[i] * self->gain;
         }
         controller_step(&self->controller, &settings->parameters, &outputs->estimate,

@@ -29,7 +29,7 @@ static uint16_t packet_checksum(const uint8_t bytes[], uint64_t bytes_length);
 void packet_defaults(packet_t *self)
 {
     self->length = UINT64_C(0);
-    for (uint32_t i = 0U; i < 64U; i++) {
+    for (uint32_t i = 0U; i < PACKET_MOST_BYTES; i++) {
         self->bytes[i] = 0U;
     }
 }

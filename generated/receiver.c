@@ -60,7 +60,7 @@ void orders_defaults(orders_t *self)
     /* In Rust: `NEVER`. */
     self->silence = 1000000000.0;
     self->trajectory.count = UINT64_C(0);
-    for (uint32_t i = 0U; i < 16U; i++) {
+    for (uint32_t i = 0U; i < TRAJECTORY_MOST_POINTS; i++) {
         self->trajectory.points[i].time = 0.0;
         self->trajectory.points[i].position[0] = 0.0;
         self->trajectory.points[i].position[1] = 0.0;
@@ -90,7 +90,7 @@ void receiver_init(receiver_t *self)
     /* In Rust: `NEVER`. */
     self->orders.silence = 1000000000.0;
     self->orders.trajectory.count = UINT64_C(0);
-    for (uint32_t i = 0U; i < 16U; i++) {
+    for (uint32_t i = 0U; i < TRAJECTORY_MOST_POINTS; i++) {
         self->orders.trajectory.points[i].time = 0.0;
         self->orders.trajectory.points[i].position[0] = 0.0;
         self->orders.trajectory.points[i].position[1] = 0.0;
@@ -120,7 +120,7 @@ void receiver_init(receiver_t *self)
     self->tally.old = 0U;
     self->tally.senseless = 0U;
     self->collected.count = UINT64_C(0);
-    for (uint32_t i = 0U; i < 16U; i++) {
+    for (uint32_t i = 0U; i < TRAJECTORY_MOST_POINTS; i++) {
         self->collected.points[i].time = 0.0;
         self->collected.points[i].position[0] = 0.0;
         self->collected.points[i].position[1] = 0.0;

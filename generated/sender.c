@@ -56,7 +56,7 @@ void sender_init(sender_t *self)
 {
     self->record.period = 0U;
     self->record.tag = 0U;
-    for (uint32_t i = 0U; i < 36U; i++) {
+    for (uint32_t i = 0U; i < LOGGER_WIDTH; i++) {
         self->record.values[i] = 0.0;
     }
     self->part = UINT64_C(0);

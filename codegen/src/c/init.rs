@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::{Module, StructId, Type};
+use bessemer_ir::{ConstId, Module, StructId, Type};
 
 use super::context::{Context, Uses};
 use super::spelling::unique;
 use super::tree::{
     Declarator, Expr, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, Storage, plain,
 };
-use super::{described, literal};
+use super::{described, literal, sizes};
 
 /// Up to so many equal elements are set by a line each.
 const LINES: usize = 4;
@@ -87,7 +87,8 @@ impl Writer<'_> {
                 let told = vec![described::in_rust(expression)];
                 self.body.push(plain(StmtKind::Comment(told)));
             }
-            self.value(place.clone().field(name), &field.ty, own);
+            let sizes = sizes::sizes(module, &field.given);
+            self.value(place.clone().field(name), &field.ty, &sizes, own);
         }
         if let Some(fault) = &names.fault {
             self.set(place.clone().field(fault), Expr::name(&self.context.names.status.ok));
@@ -98,7 +99,8 @@ impl Writer<'_> {
         self.body.push(plain(StmtKind::Assign(place, "=", value)));
     }
 
-    fn value(&mut self, place: Expr, ty: &Type, words: &[u64]) {
+    /// A value; `sizes` name how many elements it has.
+    fn value(&mut self, place: Expr, ty: &Type, sizes: &[Option<ConstId>], words: &[u64]) {
         match ty {
             Type::Unit | Type::Slice(_) => {}
             Type::Scalar(_) | Type::Enum(_) => {
@@ -107,11 +109,13 @@ impl Writer<'_> {
                 self.set(place, value);
             }
             Type::Struct(id) => self.structure(place, *id, words),
-            Type::Array { element, len } => self.array(place, element, *len as usize, words),
+            Type::Array { element, len } => self.array(place, element, *len, sizes, words),
             Type::Matrix { element, rows, cols } => {
                 let (layout, shape) = (self.context.names.layout, (*rows, *cols));
                 let words = layout.in_memory(words, shape);
-                self.value(place, &layout.array(*element, shape), &words);
+                // Of a column, the rows are the elements.
+                let sizes = if *cols == 1 { sizes } else { &[] };
+                self.value(place, &layout.array(*element, shape), sizes, &words);
             }
         }
     }
@@ -130,23 +134,36 @@ impl Writer<'_> {
         }
     }
 
-    fn array(&mut self, place: Expr, element: &Type, len: usize, words: &[u64]) {
+    fn array(
+        &mut self,
+        place: Expr,
+        element: &Type,
+        count: u32,
+        sizes: &[Option<ConstId>],
+        words: &[u64],
+    ) {
+        let len = count as usize;
         let size = words.len() / len.max(1);
+        let (own, inner) = sizes.split_first().unwrap_or((&None, &[]));
         let parts: Vec<&[u64]> = words.chunks(size.max(1)).collect();
         let equal = parts.windows(2).all(|pair| pair[0] == pair[1]);
         if equal && (len > LINES || len > 1 && size > LINES) {
             let counter = ["i", "j", "k", "l", "m", "n"][self.depth.min(5)];
             let outer = std::mem::take(&mut self.body);
             self.depth += 1;
-            self.value(place.at(Expr::name(counter)), element, parts[0]);
+            self.value(place.at(Expr::name(counter)), element, inner, parts[0]);
             self.depth -= 1;
             let body = std::mem::replace(&mut self.body, outer);
-            self.body.push(plain(count_up(counter, len, body)));
+            let named = own.and_then(|id| self.context.names.shared_constant(id));
+            self.uses.consts.extend(own.filter(|_| named.is_some()));
+            let count = named.map_or_else(|| format!("{count}U"), str::to_owned);
+            self.body.push(plain(count_up(counter, count, body)));
         } else if element.is_word() && len > WORDS {
             self.table(place, element, words);
         } else {
             for (index, part) in parts.iter().enumerate() {
-                self.value(place.clone().at(Expr::name(index.to_string())), element, part);
+                let place = place.clone().at(Expr::name(index.to_string()));
+                self.value(place, element, inner, part);
             }
         }
     }
@@ -178,7 +195,7 @@ impl Writer<'_> {
     }
 }
 
-fn count_up(counter: &str, count: usize, body: Vec<Stmt>) -> StmtKind {
+fn count_up(counter: &str, count: String, body: Vec<Stmt>) -> StmtKind {
     let name = Expr::name(counter);
     StmtKind::For {
         init: (
@@ -189,7 +206,7 @@ fn count_up(counter: &str, count: usize, body: Vec<Stmt>) -> StmtKind {
             },
             Expr::name("0U"),
         ),
-        condition: Expr::binary("<", name.clone(), Expr::name(format!("{count}U"))),
+        condition: Expr::binary("<", name.clone(), Expr::name(count)),
         step: Some(Step::Expr(Expr::Postfix(Box::new(name), "++"))),
         body,
     }

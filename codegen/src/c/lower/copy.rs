@@ -227,7 +227,7 @@ impl Lower<'_> {
             self.declare(&item.ty, &name, Some(Init::Value(once)), true);
             value = Some(Expr::name(name));
         }
-        self.count_up(count, |lower, index| match value {
+        self.count_up(count, &dest.clone(), |lower, index| match value {
             Some(value) => lower.assign(dest.at(index), value),
             None => lower.store(dest.at(index), None, item),
         });
@@ -236,16 +236,22 @@ impl Lower<'_> {
     /// The same value in each element of arrays.
     fn fill_rows(&mut self, dest: Expr, ty: &Type, value: &Expr) {
         match ty {
-            Type::Array { element, len } => self.count_up(*len, |lower, index| {
+            Type::Array { element, len } => self.count_up(*len, &dest.clone(), |lower, index| {
                 lower.fill_rows(dest.at(index), element, value);
             }),
             _ => self.assign(dest, value.clone()),
         }
     }
 
-    /// `for (uint32_t i = 0U; i < count; i++) { body }`.
-    pub(super) fn count_up(&mut self, count: u32, body: impl FnOnce(&mut Self, Expr)) {
-        self.count_from("i", 0, count, body);
+    /// `for (uint32_t i = 0U; i < count; i++) { body }`, through all of an array: to what names its size, if anything does.
+    pub(super) fn count_up(
+        &mut self,
+        count: u32,
+        array: &Expr,
+        body: impl FnOnce(&mut Self, Expr),
+    ) {
+        let end = self.extent(array, count);
+        self.count_to("i", 0, count, end, body);
     }
 
     /// The same, with a name for the counter and a first value.
@@ -254,6 +260,17 @@ impl Lower<'_> {
         name: &str,
         first: u32,
         count: u32,
+        body: impl FnOnce(&mut Self, Expr),
+    ) {
+        self.count_to(name, first, count, Expr::name(format!("{count}U")), body);
+    }
+
+    fn count_to(
+        &mut self,
+        name: &str,
+        first: u32,
+        count: u32,
+        end: Expr,
         body: impl FnOnce(&mut Self, Expr),
     ) {
         if first + 1 == count {
@@ -274,7 +291,7 @@ impl Lower<'_> {
                 Declarator { ty: "uint32_t".to_owned(), name: counter, dimensions: String::new() },
                 Expr::name(format!("{first}U")),
             ),
-            condition: Expr::binary("<", counter_name.clone(), Expr::name(format!("{count}U"))),
+            condition: Expr::binary("<", counter_name.clone(), end),
             step: Some(ForStep::Expr(Expr::Postfix(Box::new(counter_name), "++"))),
             body,
         });

@@ -1,6 +1,7 @@
 //! How many elements a local has, by the constants that its author named for it.
 //!
-//! No type of Rust keeps the name. What a local is lent to as a whole has it, if it is a parameter.
+//! No type of Rust keeps the name. What a local is lent to as a whole has it, if it is a parameter. Loops through all of an array
+//! count to it.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +10,30 @@ use bessemer_ir::{
     Argument, ConstId, Expr, ExprKind, Function, FunctionId, LocalId, Place, Stmt, StmtKind,
 };
 
+use super::Lower;
 use crate::c::names::Names;
+use crate::c::tree::Expr as CExpr;
+
+impl Lower<'_> {
+    /// The number of elements of an array, by its name if it is a variable or a parameter that has one.
+    pub(super) fn extent(&mut self, array: &CExpr, count: u32) -> CExpr {
+        let named = match array {
+            CExpr::Name(name) => self.named_extent(name, count),
+            _ => None,
+        };
+        self.uses.consts.extend(named);
+        let name = named.and_then(|id| self.context.names.shared_constant(id));
+        CExpr::name(name.map_or_else(|| format!("{count}U"), str::to_owned))
+    }
+
+    fn named_extent(&self, array: &str, count: u32) -> Option<ConstId> {
+        let param = || self.signature.params.iter().find(|param| param.name == array);
+        let sizes = self.declared.get(array).or_else(|| Some(&param()?.sizes))?;
+        let is_all =
+            |id: &&ConstId| self.context.module.consts[id.index()].words == [u64::from(count)];
+        sizes.iter().flatten().find(is_all).copied()
+    }
+}
 
 /// The constants of the sizes of a function's locals: those of the parameters that they are lent to as a whole, unless two of
 /// these differ.

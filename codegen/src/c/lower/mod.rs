@@ -98,6 +98,8 @@ pub(super) struct Lower<'a> {
     names: BTreeMap<LocalId, Place>,
     /// The constants that say how many elements a local has, of those that are not declared yet.
     sizes: BTreeMap<LocalId, Vec<Option<ConstId>>>,
+    /// The same of variables, by the names that they have in C.
+    declared: BTreeMap<String, Vec<Option<ConstId>>>,
     /// The locals that are parts of the result from the start.
     parts: BTreeMap<LocalId, built::Path>,
     bytes: u64,
@@ -130,6 +132,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
             context.names.layout != super::matrices::Layout::Array,
         ),
         sizes: extents::of_locals(context.names, function),
+        declared: BTreeMap::new(),
         parts: BTreeMap::new(),
         bytes: 0,
         unroll: None,
@@ -362,6 +365,7 @@ impl<'a> Lower<'a> {
     ) {
         self.bytes += size_of(self.context, ty, Enums::Int);
         self.uses.consts.extend(sizes.iter().flatten());
+        self.declared.insert(name.to_owned(), sizes.to_vec());
         let mut declarator = self.context.names.sized(ty, name, sizes);
         if constant {
             declarator.ty.insert_str(0, "const ");

@@ -205,7 +205,7 @@ impl Lower<'_> {
     fn store_each(&mut self, dest: &Expr, fused: &Fused, scalar: Scalar, shape: (u32, u32)) {
         let layout = self.context.names.layout;
         if fused.is_flat() && layout.is_flat(shape) {
-            self.count_up(shape.0 * shape.1, |lower, index| {
+            self.count_up(shape.0 * shape.1, dest, |lower, index| {
                 let value = lower.fused_element(fused, scalar, &At::Counted(&index));
                 lower.assign(dest.clone().at(index), value);
             });
