@@ -116,7 +116,8 @@ fn function(kernel: &Kernel) -> Function {
 
 /// Each kernel on copies of what it changes.
 fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
-    let mut before = String::from("#include <string.h>\n");
+    // As each emitted source begins: compilers put a kernel of a header where it is called only if both were told the same.
+    let mut before = String::from("#include <string.h>\n#include \"bessemer_target.h\"\n");
     for (case, kernels) in known {
         for kernel in kernels {
             let file = match kernel.is_function() {
