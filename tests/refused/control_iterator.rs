@@ -7,9 +7,6 @@ use bessemer::prelude::*;
 #[function]
 pub fn iterator(samples: &[f64; 4]) -> f64 {
     let mut sum: f64 = samples.iter().chain(samples.iter().step_by(2)).sum();
-    for pair in samples.rchunks(2) {
-        sum += pair[0];
-    }
     for (i, sample) in samples.iter().zip(samples).skip(1).enumerate() {
         sum += sample.0 * i as f64;
     }

@@ -11,10 +11,4 @@ pub fn functions(x: f64, y: f64) -> f64 {
     angle + growth
 }
 
-/// Nor these, of integers.
-#[function]
-pub fn integers(n: u32) -> u32 {
-    n.max(n.to_be())
-}
-
 fn main() {}

@@ -345,7 +345,8 @@ pub enum ExprKind {
     AssignEach(Box<Places>, Box<Expr>),
     /// A call, a method's receiver first: index into [`Function::callees`].
     Call(u32, Vec<Expr>),
-    /// `|x| …` as the argument of a call.
+    /// `|x| …` as the argument of a call. Before the builder has seen it, one with a slot is a function by its name: what
+    /// the slot has are the types of its arguments.
     Closure(Closure),
     /// `f(x)`, where `f` is a parameter that takes a closure.
     Apply(String, Vec<Expr>),

@@ -10,7 +10,7 @@ use quote::{format_ident, quote};
 use crate::attributes::{self, Asked};
 use crate::closures;
 use crate::docs;
-use crate::generics::{Floats, Scope};
+use crate::generics::Scope;
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 use crate::owned;
 use crate::place::place;
@@ -343,8 +343,13 @@ fn builder(
     let (declared, bounds) = (scope.own().declared(), build_bounds(subject, scope));
     let (told, own) = (scope.told(), scope.own().told());
     let interface = interface(subject.home, scope);
-    let floats = scope.floats().map(Floats::companions);
-    let floats = floats.map(|name| quote! { use ::bessemer::generate::generic::#name as _; });
+    let floats = scope.floats().map(|floats| {
+        let (companions, methods) = (floats.companions(), floats.methods());
+        quote! {
+            use ::bessemer::generate::generic::#companions as _;
+            use ::bessemer::math::#methods as _;
+        }
+    });
     quote! {
         #[doc(hidden)]
         #[allow(warnings, clippy::all)]

@@ -22,7 +22,7 @@ pub fn block(block: &mut syn::Block, scope: Scope<'_>) {
         let import = syn::parse_quote_spanned! { Span::call_site() =>
             #[allow(unused_imports)]
             use ::bessemer::math::{
-                AngleMethods as _, BetweenMethods as _, ByteMethods as _, ComplexMethods as _, DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _, MatrixMethods as _,
+                AbsentMethods as _, AngleMethods as _, BetweenMethods as _, ByteMethods as _, ComplexMethods as _, DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _, MatrixMethods as _,
                 OrderMethods as _, RankMethods as _, RotationMethods as _, RoundMethods as _, SearchMethods as _,
                 SignMethods as _, SquareMethods as _, TotalMethods as _, TurnMethods as _,
             };

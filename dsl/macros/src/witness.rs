@@ -17,7 +17,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::visit::{self, Visit};
 
-use crate::lower::{self, Begin, Lowering, Parameter};
+use crate::lower::{self, Begin, Constant, Lowering, Parameter};
 
 /// How many slots end a part: so few that little is open in it, and so many that there are few parts, each of which costs
 /// rustc some 20 ms. Of 128 to 768, 192 to 512 take the least, within a twentieth of each other.
@@ -142,10 +142,14 @@ fn told(walk: &Lowering<'_>, (begin, end): (Begin, Begin), copy: &TokenStream) -
     let slots: Vec<_> = (begin.slots..end.slots).map(lower::slot_name).collect();
     let callees: Vec<_> = (begin.callees..end.callees).map(lower::callee_name).collect();
     let owned: Vec<_> = (begin.operators..end.operators).map(lower::own_name).collect();
-    let constants = walk.constants[begin.constants..end.constants].iter().map(|(slot, path)| {
-        let slot = lower::slot_name(*slot);
-        quote! { ::bessemer::generate::constant(cx, &#slot, #path) }
-    });
+    let constants =
+        walk.constants[begin.constants..end.constants].iter().map(|(slot, path, of)| {
+            let slot = lower::slot_name(*slot);
+            match of {
+                Constant::Value => quote! { ::bessemer::generate::constant(cx, &#slot, #path) },
+                Constant::Made => quote! { ::bessemer::generate::made(cx, &#slot, #path) },
+            }
+        });
     quote! {
         (|| {
             #(let #slots = [];)*

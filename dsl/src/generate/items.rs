@@ -13,8 +13,8 @@ use bessemer_ir::tree::{self, Argument, Site, Ty};
 use super::builder::{
     Arguments, Builder, Callee, Named, Said, Witness, owned, path, said, type_text, words,
 };
-use super::operators;
 use super::slot::{DslType, ScalarType};
+use super::{handed, operators};
 use crate::Plain;
 
 /// Where an item stands: its module, and the folder of its package.
@@ -215,9 +215,9 @@ impl Builder {
             self.recursion(&path, named.file, text);
         } else if self.known.insert(path.clone()) {
             self.stack.push(path.clone());
-            let witness = witness(self);
+            let mut witness = witness(self);
             self.stack.pop();
-            let tree = match tree::read::<tree::FunctionTree>(text) {
+            let mut tree = match tree::read::<tree::FunctionTree>(text) {
                 Ok(tree) => tree,
                 Err(error) => {
                     let message = format!("the tree of `{path}` cannot be read: {error}");
@@ -226,6 +226,7 @@ impl Builder {
                     return tree::Callee::Function(path);
                 }
             };
+            handed::as_closures(&mut tree, &mut witness);
             let operators =
                 operators::called(self, &tree.operators, witness.operators, &witness.slots);
             self.package.functions.push(tree::Function {

@@ -15,6 +15,7 @@ pub mod each_element;
 pub mod elementary;
 pub mod factored;
 pub mod generic;
+mod handed;
 mod items;
 pub mod iterator;
 pub mod linear;
@@ -39,6 +40,7 @@ pub use bessemer_ir::tree;
 pub use builder::{Builder, Callee, Defaults, Named, NoDefault, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
 pub use core::ops::RangeInclusive;
+pub use handed::made;
 pub use inventory;
 pub use items::{
     Generics, Registered, argument, data, field, folders, function, number, package, variant,
@@ -79,6 +81,7 @@ pub mod prelude {
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
         SquareQrMethods as _, SymmetricBuiltins as _, TriangularBuiltins as _, UduMethods as _,
     };
+    pub use super::handed::{__function, __made};
     pub use super::iterator::{
         ByHand as _, Ends as _, ExtendBuiltin as _, FromIteratorBuiltin as _,
     };
@@ -129,6 +132,13 @@ pub mod prelude {
         WrittenViews as _,
     };
     pub use super::whole::WholeBuiltins as _;
+    pub use crate::math::{
+        AngleMethods as _, BetweenMethods as _, ByteMethods as _, ComplexMethods as _,
+        DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _,
+        MatrixMethods as _, OrderMethods as _, RankMethods as _, RotationMethods as _,
+        RoundMethods as _, SearchMethods as _, SignMethods as _, SquareMethods as _,
+        TotalMethods as _, TurnMethods as _,
+    };
 }
 
 /// Registers an item with the package; expanded by the attributes.

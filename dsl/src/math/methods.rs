@@ -122,3 +122,68 @@ elementary! {
         dsl_hypot of_f32::hypotf;
         of_f32::powif, fused::mul_addf, of_f32::sin_cosf;
 }
+
+/// Elementary functions that the attributes redirect to the DSL, and that it does not have: rustc says where one is called
+/// what to write in its place.
+#[allow(missing_docs)]
+pub trait AbsentMethods: Copy {
+    fn dsl_asinh(self) -> Self
+    where
+        Self: HasAsinh,
+    {
+        self
+    }
+    fn dsl_acosh(self) -> Self
+    where
+        Self: HasAcosh,
+    {
+        self
+    }
+    fn dsl_atanh(self) -> Self
+    where
+        Self: HasAtanh,
+    {
+        self
+    }
+    fn dsl_log(self, _base: Self) -> Self
+    where
+        Self: HasLog,
+    {
+        self
+    }
+}
+
+impl AbsentMethods for f64 {}
+impl AbsentMethods for f32 {}
+
+/// A type with `asinh`: none.
+#[diagnostic::on_unimplemented(
+    message = "`asinh` is not in the DSL yet",
+    label = "not in the DSL",
+    note = "write `(x + (x * x + 1.0).sqrt()).ln()`"
+)]
+pub trait HasAsinh {}
+
+/// A type with `acosh`: none.
+#[diagnostic::on_unimplemented(
+    message = "`acosh` is not in the DSL yet",
+    label = "not in the DSL",
+    note = "write `(x + (x * x - 1.0).sqrt()).ln()`"
+)]
+pub trait HasAcosh {}
+
+/// A type with `atanh`: none.
+#[diagnostic::on_unimplemented(
+    message = "`atanh` is not in the DSL yet",
+    label = "not in the DSL",
+    note = "write `0.5 * (2.0 * x / (1.0 - x)).ln_1p()`"
+)]
+pub trait HasAtanh {}
+
+/// A type with `log`: none.
+#[diagnostic::on_unimplemented(
+    message = "`log` is not in the DSL yet",
+    label = "not in the DSL",
+    note = "write `x.ln() / base.ln()`"
+)]
+pub trait HasLog {}

@@ -61,6 +61,8 @@ pub use float::{Real, real};
 pub use generic::{AnyFloatMethods, AnyRealMethods};
 pub use integral::Integer;
 pub use matrix::{MatrixMethods, SquareMethods};
+#[doc(hidden)]
+pub use methods::AbsentMethods;
 pub use methods::ElementaryMethods;
 pub use number::{DivisionMethods, RoundMethods, SignMethods};
 

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 use super::rustc::{Mark, Message};
-use super::wording::{Once, Words};
+use super::wording::{Once, UNNAMED, Words};
 use crate::source::Sources;
 
 /// A message, and its words if they are ours.
@@ -53,7 +53,22 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
             && others().any(|(_, (other, _))| {
                 other.1.is_none() && other.0.is_error && line(other.0) == line(one.0)
             });
-        kept[index] &= !(within || elsewhere || refused_before || said_better);
+        // The type of what a call is given that is not part of the DSL.
+        let given = one.1.as_ref().is_some_and(|words| words.of_type.is_some())
+            && others().any(|(_, ((other, words), _))| {
+                other.code == "E0599"
+                    && words.is_some()
+                    && line(other) == line(one.0)
+                    && other.mark().map(|it| it.start) < one.0.mark().map(|it| it.start)
+            });
+        // Of two at one place, the one that knows what is there.
+        let known = one.1.as_ref().is_some_and(|words| words.title == UNNAMED)
+            && others().any(|(_, (other, _))| {
+                title(other) != UNNAMED
+                    && line(other.0) == line(one.0)
+                    && position(other) == position(one)
+            });
+        kept[index] &= !(within || elsewhere || refused_before || said_better || given || known);
     }
     let mut seen = BTreeMap::new();
     let mut told: Vec<Worded<'m, 'a>> = Vec::new();

@@ -9,6 +9,9 @@ pub fn of(message: &Message<'_>) -> Option<String> {
     let (title, quoted) = (message.title, message.quoted());
     let marked = message.mark().map(super::rustc::Mark::text).unwrap_or_default();
     let help = match message.code {
+        "E0277" if title.ends_with("is not in the DSL yet") => {
+            message.below().find(|it| it.starts_with("write "))?.to_owned()
+        }
         "E0277" if title.starts_with("cannot ") => operands(&quoted)?,
         "E0277" if title.contains("f64: Ord") || title.contains("f32: Ord") => match &*marked {
             "max" => "floats have no greatest with NaN among them: `.fold(f64::NEG_INFINITY, |a, b| a.max(b))`",
@@ -71,7 +74,6 @@ pub fn of(message: &Message<'_>) -> Option<String> {
             "saturating_add" | "saturating_sub" | "saturating_mul" => {
                 "floats do not overflow: add, and keep the sum within limits with `.clamp(low, high)`".to_owned()
             }
-            "log" => "write `x.ln() / base.ln()`".to_owned(),
             _ if message.own_help().is_none() => {
                 "floats have no such method: write a function marked `#[function]`".to_owned()
             }

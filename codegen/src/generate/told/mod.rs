@@ -44,8 +44,7 @@ fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) ->
         ..Diagnostic::default()
     };
     if let Some(words) = words {
-        let told =
-            Diagnostic { message: words.title, help: words.help, notes: words.notes, ..place };
+        let told = Diagnostic { message: words.title, help: words.help, ..place };
         return match (words.of_type, mark) {
             (Some(name), Some(mark)) => place::of_type(told, &name, mark, sources),
             _ => told,

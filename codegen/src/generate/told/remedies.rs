@@ -16,9 +16,60 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
             "compare with `==`, `<` and the like; all elements with `a[..] == b[..]`"
         }
         "midpoint" => "write `0.5 * (a + b)`",
-        "saturating_add_signed" | "wrapping_add_signed" => {
-            "convert both to the wider signed type, `i64::from(x)`, and back with `try_from`"
+        "to_be" | "to_le" | "to_ne_bytes" | "from_be" | "from_le" | "from_ne_bytes" => {
+            "write `to_be_bytes`, `from_le_bytes` and the like: the same on every target"
         }
+        "is_sorted_by" | "is_sorted_by_key" => {
+            "write `values.windows(2).all(|pair| pair[0] <= pair[1])`"
+        }
+        "rchunks" | "rchunks_exact" => {
+            "go through the whole from its end with `.chunks(n).rev()`, or by indices: `for i in (0..n).rev()`"
+        }
+        "to_vec" | "into_vec" => {
+            "a model has no heap: use `List<T, N>`, a list of at most `N` elements, or an array `[T; N]`"
+        }
+        "to_string" | "to_owned" => {
+            "a model has no heap: use `Text<N>`, a text of at most `N` bytes; for a choice an enum"
+        }
+        "try_inverse_mut" => "call `bessemer::inverse_mut`",
+        "symmetric_eigen" | "symmetric_eigenvalues" => {
+            "call `bessemer::linear::symmetric_eigen(&a)`"
+        }
+        "svd" | "svd_unordered" | "singular_values" => "call `bessemer::linear::svd(&a)`",
+        "ln_determinant" => "add up the logarithms of the diagonal of `l()`, twice",
+        "angle" => {
+            "write `a.cross(&b).norm().atan2(a.dot(&b))`, in the plane `a.perp(&b).atan2(a.dot(&b))`"
+        }
+        "full_piv_lu" | "col_piv_qr" => "call `lu` or `qr`, or `bessemer::linear::svd(&a)`",
+        "schur" | "hessenberg" | "eigenvalues" => "compute it ahead, or write the iteration out",
+        "unpack" => "call `l()`: what stands above the diagonal is zero",
+        "rows" | "rows_mut" | "columns" | "columns_mut" => {
+            "write `fixed_rows::<N>(i)`, `fixed_columns::<N>(j)`"
+        }
+        "view" | "view_mut" => {
+            "write `fixed_view::<R, C>(i, j)`: its size is known when the C is written"
+        }
+        "from_partial_diagonal" => {
+            "write `from_diagonal(&v)` of a whole diagonal, or `zeros()` and the elements"
+        }
+        "from_iterator" | "from_row_iterator" => {
+            "write `from_fn(|row, column| …)`, or `from_column_slice(&values)`"
+        }
+        "from_vec" => "write `from_column_slice(&values)`",
+        "new" | "rotation" if owner.starts_with("Isometry") => ANGLES,
+        "from_angle"
+        | "from_matrix"
+        | "face_towards"
+        | "look_at_rh"
+        | "look_at_lh"
+        | "rotation_between"
+        | "from_euler_angles"
+        | "from_axis_angle"
+        | "from_scaled_axis"
+        | "new_rotation"
+        | "new_rotation_wrt_point" => ANGLES,
         _ => return None,
     })
 }
+
+const ANGLES: &str = "nalgebra takes sine and cosine from the platform here: call the function of `bessemer::rotation`, `from_euler_angles(roll, pitch, yaw)`, `from_axis_angle(&axis, angle)`, `from_scaled_axis(v)`, `matrix_from_euler_angles(…)` and the like";

@@ -11,8 +11,6 @@ pub struct Words {
     pub title: String,
     /// The remedy.
     pub help: String,
-    /// A note.
-    pub notes: Vec<String>,
     /// The name of the type that it is about.
     pub of_type: Option<String>,
     /// In what it is told once.
@@ -34,14 +32,7 @@ pub enum Once {
 
 fn words(title: impl Into<String>, help: impl Into<String>) -> Option<Words> {
     let (title, help) = (title.into(), help.into());
-    Some(Words {
-        title,
-        help,
-        notes: Vec::new(),
-        of_type: None,
-        once: Once::Item,
-        is_refusal: false,
-    })
+    Some(Words { title, help, of_type: None, once: Once::Item, is_refusal: false })
 }
 
 /// The words for a message that speaks of the DSL; none for rustc's own.
@@ -56,12 +47,8 @@ pub fn of(message: &Message<'_>) -> Option<Words> {
 
 /// A refusal by an attribute: its remedies stand in lines of their own.
 fn refused(message: &Message<'_>) -> Option<Words> {
-    let (title, rest) = message.title.split_once("\nhelp: ")?;
-    let mut lines = rest.split("\nnote: ");
-    let mut told = words(title, lines.next().unwrap_or_default())?;
-    told.notes = lines.map(str::to_owned).collect();
-    told.is_refusal = true;
-    Some(told)
+    let (title, help) = message.title.split_once("\nhelp: ")?;
+    Some(Words { is_refusal: true, ..words(title, help)? })
 }
 
 /// The attributes of the DSL.
@@ -141,6 +128,9 @@ fn global(message: &Message<'_>) -> Option<Words> {
     is_static.then(|| words(format!("`{name}` is a global that anybody changes"), types::STATE))?
 }
 
+/// What is said of something of which nothing is known.
+pub const UNNAMED: &str = "this is not part of the DSL";
+
 /// Other messages with names that no author has written.
 fn unnamed(message: &Message<'_>) -> Option<Words> {
     const INTERNAL: [&str; 4] = ["__", OWNED, "bessemer::generate", "ScalarType"];
@@ -148,7 +138,7 @@ fn unnamed(message: &Message<'_>) -> Option<Words> {
     let shows = |text: &str| INTERNAL.iter().any(|it| text.contains(it));
     (shows(message.title) || shows(label)).then(|| {
         words(
-            "this is not part of the DSL",
+            UNNAMED,
             "write it out with the operations that the DSL has: see docs/book/reference/methods.md",
         )
     })?
@@ -157,6 +147,12 @@ fn unnamed(message: &Message<'_>) -> Option<Words> {
 /// A function that is not marked has no builder of its name.
 fn function(message: &Message<'_>) -> Option<Words> {
     let label = message.mark()?.label.strip_suffix(" is not a crate or module")?;
+    if let Some(name) = label.strip_prefix("constant ").or_else(|| label.strip_prefix("static ")) {
+        return words(
+            format!("{name} is no function, which a name of small letters means here"),
+            "give the constant a name in capitals, as rustc advises, too",
+        );
+    }
     let name = label.strip_prefix("function ")?;
     let help = match name {
         "`swap`" | "`replace`" | "`take`" => MEM,

@@ -34,10 +34,6 @@ impl Lowering<'_> {
             self.refusals.add(&it.func, refuse::FUNCTION_VALUE);
             return UNIT;
         };
-        let own = of_libm(&function.path).or_else(|| of_nalgebra(&function.path));
-        if let Some(own) = own.filter(|_| function.qself.is_none()) {
-            function.path = own;
-        }
         if arguments.is_empty() && is_default(function) {
             return self.default_value(function);
         }
@@ -50,14 +46,10 @@ impl Lowering<'_> {
         if let Some(name) = name.as_ref().filter(|name| self.is_called(name)) {
             return ExprKind::Apply(name.clone(), arguments);
         }
-        let local = name.is_some_and(|name| self.is_local(&name));
-        let reason = if local {
+        let reason = match name.is_some_and(|name| self.is_local(&name)) {
             // A closure or a function pointer was refused where it came from.
-            self.refusals.is_empty().then_some(refuse::FUNCTION_VALUE)
-        } else if function.qself.is_none() && self.is_itself(&function.path) {
-            Some(refuse::RECURSION)
-        } else {
-            absent::function(function, arguments.len())
+            true => self.refusals.is_empty().then_some(refuse::FUNCTION_VALUE),
+            false => self.redirected(function),
         };
         if let Some(reason) = reason {
             self.refusals.add(&function, reason);
@@ -70,6 +62,18 @@ impl Lowering<'_> {
         ExprKind::Call(self.take(it), arguments)
     }
 
+    /// Leads a path to what the DSL has in the place of a function of nalgebra or `libm`; the reason if it is out of reach.
+    pub(super) fn redirected(&self, function: &mut syn::ExprPath) -> Option<refuse::Reason> {
+        let own = of_libm(&function.path).or_else(|| of_nalgebra(&function.path));
+        if let Some(own) = own.filter(|_| function.qself.is_none()) {
+            function.path = own;
+        }
+        if function.qself.is_none() && self.is_itself(&function.path) {
+            return Some(refuse::RECURSION);
+        }
+        absent::function(function)
+    }
+
     /// `T::default()`: a constant, since it depends on nothing.
     fn default_value(&mut self, function: &syn::ExprPath) -> ExprKind {
         let mut path = function.path.clone();
@@ -80,22 +84,17 @@ impl Lowering<'_> {
     }
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
-        self.functions_as_closures(it);
         let mut arguments = vec![self.receiver(&mut it.receiver)];
         // What a panic would say stays in the Rust. Nothing else takes a text alone: rustc tells of it.
         let message = it.args.len() == 1
             && matches!(&it.args[0], syn::Expr::Lit(it) if matches!(it.lit, syn::Lit::Str(_)));
         if !message {
-            arguments.extend(it.args.iter_mut().map(|argument| self.argument(argument)));
+            arguments.extend(it.args.iter_mut().map(|argument| self.handed(argument)));
         }
         let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == "self");
         let itself = own && self.method && it.method == self.name;
-        let reason = match own {
-            true => itself.then_some(refuse::RECURSION),
-            false => absent::method(it),
-        };
-        if let Some(reason) = reason {
-            self.refusals.add(&it.method, reason);
+        if itself {
+            self.refusals.add(&it.method, refuse::RECURSION);
             return UNIT;
         }
         it.method = companion_name(&it.method);
@@ -122,8 +121,7 @@ impl Lowering<'_> {
 
     /// Wraps a call of a companion so that a slot learns which function it is.
     pub(super) fn take<T: WitnessCall + Spanned>(&mut self, call: &mut T) -> u32 {
-        let callee = self.callees;
-        self.callees += 1;
+        let callee = self.callee();
         if GENERATING {
             call.wrap(call.span(), &callee_name(callee));
         }
@@ -151,7 +149,7 @@ pub fn companion_name(method: &syn::Ident) -> syn::Ident {
 }
 
 /// The path of the companion: none if the path is a constructor.
-fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
+pub(super) fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
     let mut path = function.path.clone();
     let upper =
         |ident: &syn::Ident| ident.to_string().starts_with(|first: char| first.is_uppercase());

@@ -4,45 +4,17 @@
 
 use bessemer_ir::tree::{self, ExprKind};
 use proc_macro2::Span;
-use quote::{quote, quote_spanned};
+use quote::quote;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
+use super::handed::is_of_type;
 use super::made::plain;
 use super::names::{site, text};
 use super::refuse::Refusals;
 use super::syntax::names;
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
-
-/// Methods whose last argument could be a function: how many arguments they have, and how many it takes.
-const TAKES_FUNCTION: [(&str, usize, usize); 25] = [
-    ("map", 1, 1),
-    ("map_err", 1, 1),
-    ("and_then", 1, 1),
-    ("map_or", 2, 1),
-    ("is_some_and", 1, 1),
-    ("is_ok_and", 1, 1),
-    ("zip_map", 2, 2),
-    ("map_with_location", 1, 3),
-    ("fold", 2, 2),
-    ("zip_fold", 3, 3),
-    ("filter", 1, 1),
-    ("filter_map", 1, 1),
-    ("map_while", 1, 1),
-    ("take_while", 1, 1),
-    ("skip_while", 1, 1),
-    ("flat_map", 1, 1),
-    ("inspect", 1, 1),
-    ("for_each", 1, 1),
-    ("any", 1, 1),
-    ("all", 1, 1),
-    ("find", 1, 1),
-    ("position", 1, 1),
-    ("rposition", 1, 1),
-    ("reduce", 1, 2),
-    ("try_fold", 2, 2),
-];
 
 /// The label of a body that is left early.
 const ANSWER: &str = "answer";
@@ -138,26 +110,18 @@ impl Lowering<'_> {
                 });
                 plain(kind, &place)
             }
-            syn::Expr::Path(path)
-                if path.qself.is_none()
-                    && let Some(name) = path.path.get_ident().map(text) =>
-            {
-                if self.is_called(&name) {
-                    // Handed on as it came.
-                    return plain(ExprKind::Local(name), path);
+            syn::Expr::Path(path) => match path.path.get_ident().map(text) {
+                // Handed on as it came.
+                Some(name) if self.is_called(&name) => plain(ExprKind::Local(name), path),
+                Some(name) if self.is_local(&name) => {
+                    match self.closure_value(&name, path.span()) {
+                        Some(kind) => plain(kind, path),
+                        None => self.value(expr),
+                    }
                 }
-                match self.closure_value(&name, path.span()) {
-                    Some(kind) => plain(kind, path),
-                    None => self.value(expr),
-                }
-            }
-            // The one function of numbers that an order is taken from.
-            syn::Expr::Path(path)
-                if path.path.segments.last().is_some_and(|it| it.ident == "total_cmp") =>
-            {
-                in_full(expr, true);
-                self.argument(expr)
-            }
+                _ if is_of_type(path) => self.named_argument(expr),
+                _ => self.value(expr),
+            },
             other => self.value(other),
         }
     }
@@ -188,28 +152,6 @@ impl Lowering<'_> {
     /// Whether a name that the closure uses means something else by now.
     fn is_shadowed(&self, closure: &Closure) -> bool {
         !closure.uses.iter().all(|(count, known)| self.bindings(known) == *count)
-    }
-
-    /// `reading.map(f64::from)` as `reading.map(|value| f64::from(value))`.
-    pub(super) fn functions_as_closures(&self, it: &mut syn::ExprMethodCall) {
-        let method = text(&it.method);
-        let mut methods = TAKES_FUNCTION.iter();
-        let takes = methods.find(|(name, count, _)| *name == method && it.args.len() == *count);
-        let Some(&(.., taken)) = takes else { return };
-        let Some(syn::Expr::Path(function)) = it.args.last() else { return };
-        if function.path.get_ident().is_some_and(|name| self.is_local(&text(name))) {
-            return;
-        }
-        let names = match taken {
-            2 if method != "zip_map" => ["gathered", "value", ""],
-            _ => ["value", "second", "third"],
-        };
-        let names = names.into_iter().take(taken);
-        let names: Vec<_> = names.map(|it| syn::Ident::new(it, Span::mixed_site())).collect();
-        let closure = quote_spanned! { function.span() => |#(#names),*| #function(#(#names),*) };
-        if let (Ok(closure), Some(last)) = (syn::parse2(closure), it.args.last_mut()) {
-            *last = closure;
-        }
     }
 
     /// The value of a closure's body; `looks` at its parameters come first in the copy.
@@ -314,15 +256,6 @@ pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosu
         syn::Expr::Closure(it) => Some(it),
         _ => None,
     }
-}
-
-/// `f64::abs`, or the name of a function or a closure, as the closure that it stands for.
-pub(super) fn in_full(argument: &mut syn::Expr, of_two: bool) {
-    let syn::Expr::Path(path) = argument else { return };
-    *argument = match of_two {
-        true => syn::parse_quote! { |gathered, value| #path(gathered, value) },
-        false => syn::parse_quote! { |value| #path(value) },
-    };
 }
 
 /// The expressions that would leave a closure early.

@@ -30,7 +30,7 @@ impl Lowering<'_> {
         let slot = match (&kind, seen) {
             (_, true) if call::may_refer(expr) => Some(self.glance(expr)),
             (ExprKind::Path(index, _), _) => {
-                let slot = self.constants.get(*index as usize).map(|(slot, _)| *slot);
+                let slot = self.constants.get(*index as usize).map(|(slot, ..)| *slot);
                 if let (true, Some(slot)) = (seen, slot) {
                     self.see_in(slot, expr);
                 }

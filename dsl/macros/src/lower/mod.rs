@@ -21,6 +21,7 @@ mod each;
 mod expr;
 mod from_fn;
 mod generator;
+mod handed;
 mod items;
 mod link;
 pub mod macros;
@@ -51,4 +52,4 @@ pub use signature::{
 };
 pub use strip::{check_attributes, lasting_path, lasting_type, name_lifetimes, strip};
 pub use syntax::last_ident;
-pub use walk::{Begin, Lowering};
+pub use walk::{Begin, Constant, Lowering};

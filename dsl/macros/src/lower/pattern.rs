@@ -9,7 +9,7 @@ use super::names::{site, slot_name, text};
 use super::refuse;
 use super::refuse::Refusals;
 use super::syntax::{is_variant, last_segment};
-use super::walk::Lowering;
+use super::walk::{Constant, Lowering};
 use crate::owned::associated;
 
 /// The name that a pattern binds, if that is all it does.
@@ -214,9 +214,19 @@ impl Lowering<'_> {
         tokens: proc_macro2::TokenStream,
         path: &syn::Path,
     ) -> tree::Expr {
+        self.evaluated(tokens, path, Constant::Value)
+    }
+
+    /// A path that rustc evaluates.
+    pub(super) fn evaluated(
+        &mut self,
+        tokens: proc_macro2::TokenStream,
+        path: &syn::Path,
+        constant: Constant,
+    ) -> tree::Expr {
         let slot = self.slot();
         let index = self.constants.len() as u32;
-        self.constants.push((slot, tokens));
+        self.constants.push((slot, tokens, constant));
         let segments: Vec<_> = path.segments.iter().map(|segment| text(&segment.ident)).collect();
         let name = segments.join("::");
         tree::Expr { kind: tree::ExprKind::Path(index, name), site: site(path), slot: Some(slot) }

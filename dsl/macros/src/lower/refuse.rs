@@ -3,36 +3,21 @@
 //! Every reason says what is wrong in the author's terms, then the remedy. A construct that is absent
 //! here and from the lowering is refused as [`SYNTAX`]: never a panic, never wrong C.
 
-use std::borrow::Cow;
 use std::fmt::{self, Display, Formatter};
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 
 /// Why something is refused.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub struct Reason {
-    what: Cow<'static, str>,
+    what: &'static str,
     remedy: &'static str,
-    note: Option<String>,
-}
-
-impl Reason {
-    /// A reason that names what the author wrote.
-    pub fn new(what: String, remedy: &'static str) -> Reason {
-        Reason { what: Cow::Owned(what), remedy, note: None }
-    }
-
-    /// The reason, with a note for who meant something else.
-    pub fn with_note(self, note: String) -> Reason {
-        Reason { note: Some(note), ..self }
-    }
 }
 
 impl Display for Reason {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{}\nhelp: {}", self.what, self.remedy)?;
-        self.note.iter().try_for_each(|note| write!(f, "\nnote: {note}"))
+        write!(f, "{}\nhelp: {}", self.what, self.remedy)
     }
 }
 
@@ -111,7 +96,7 @@ pub fn first_token(syntax: &impl ToTokens) -> Span {
 
 macro_rules! reasons {
     ($($name:ident: $what:literal, $remedy:literal;)*) => {$(
-        pub const $name: Reason = Reason { what: Cow::Borrowed($what), remedy: $remedy, note: None };
+        pub const $name: Reason = Reason { what: $what, remedy: $remedy };
     )*};
 }
 
@@ -194,7 +179,6 @@ reasons! {
     MAP: "a model has no heap, on which a map grows", "use a `List<(K, V), N>` that is searched, or an array with the key as index";
     HEAP: "a model has no heap", "hold the value itself; of several kinds make an `enum`";
     DYNAMIC_MATRIX: "the size of a dynamic matrix is not known when the C is written", "use `SMatrix<f64, R, C>` or `SVector<f64, N>`";
-    NALGEBRA_ANGLES: "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target", "call the function of `bessemer::rotation` for it: `from_euler_angles(roll, pitch, yaw)`, `from_axis_angle(&axis, angle)`, `from_scaled_axis(v)`, `euler_angles(&q)`, `slerp(&a, &b, t)`, `matrix_from_euler_angles(…)` and the like";
     STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
     SHARED_CELL: "shared mutable state is not in the DSL", "state belongs into the component: a field, which its methods change through `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";

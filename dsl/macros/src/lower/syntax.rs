@@ -49,12 +49,15 @@ pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
     count(quote! { #expr }, name)
 }
 
-/// Whether a path is that of a variant: a constant has no small letters.
+/// Whether a path is that of a variant.
 pub(super) fn is_variant(path: &syn::Path) -> bool {
-    let last = last_segment(path);
-    path.segments.len() > 1
-        && last.starts_with(|first: char| first.is_uppercase())
-        && last.contains(|letter: char| letter.is_lowercase())
+    path.segments.len() > 1 && is_constructor_name(&last_segment(path))
+}
+
+/// Whether a name is that of a variant or a struct: a constant has no small letters.
+pub(super) fn is_constructor_name(name: &str) -> bool {
+    name.starts_with(|first: char| first.is_uppercase())
+        && name.contains(|letter: char| letter.is_lowercase())
 }
 
 /// The name of a type without its modules.

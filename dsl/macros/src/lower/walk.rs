@@ -33,8 +33,8 @@ pub struct Lowering<'a> {
     pub(super) before: Vec<TokenStream>,
     /// Where each statement of the body begins in the witness copy, and where the last ends.
     pub begins: Vec<Begin>,
-    /// Paths that rustc has to evaluate: the slot, and the path.
-    pub constants: Vec<(u32, TokenStream)>,
+    /// Paths that rustc has to evaluate: the slot, the path, and what it is that of.
+    pub constants: Vec<(u32, TokenStream, Constant)>,
     /// The macros of Rust's that are called, each once.
     pub macros: Vec<syn::Ident>,
     /// `const` items of the body: the builder needs them too.
@@ -63,6 +63,15 @@ pub struct Begin {
     pub operators: usize,
     /// Constants.
     pub constants: usize,
+}
+
+/// A path that rustc evaluates.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Constant {
+    /// That of a value.
+    Value,
+    /// That of a value, or of what makes one of its parts.
+    Made,
 }
 
 /// A closure with a name.
@@ -118,6 +127,12 @@ impl<'a> Lowering<'a> {
     pub fn slot(&mut self) -> u32 {
         self.slots += 1;
         self.slots - 1
+    }
+
+    /// A fresh slot for the function that is called.
+    pub(super) fn callee(&mut self) -> u32 {
+        self.callees += 1;
+        self.callees - 1
     }
 
     /// Makes `name` a local of the innermost scope.

@@ -1,0 +1,111 @@
+//! Functions, constructors and constants as arguments: `readings.map(f64::from)`, `codes.map(Reading)`, `self.set(Mode::Idle)`.
+//!
+//! How many arguments a function takes rustc knows, and whether a name with a capital is that of a value or of what makes
+//! one. So the witness copy asks it for both, and the builder puts in the closure that calls the function.
+
+use bessemer_ir::tree::{self, ExprKind};
+use quote::quote_spanned;
+use syn::parse_quote;
+use syn::spanned::Spanned;
+
+use super::call::companion;
+use super::made::{UNIT, plain};
+use super::names::{GENERATING, callee_name, site, slot_name, text};
+use super::syntax::{is_constructor_name, last_segment};
+use super::walk::{Constant, Lowering};
+use crate::owned::{associated, of_path};
+
+impl Lowering<'_> {
+    /// An argument of a method. There is no telling a constant of small letters from a function: it is taken for one.
+    pub(super) fn handed(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        match expr {
+            syn::Expr::Path(it)
+                if !it.path.get_ident().is_some_and(|it| self.is_local(&text(it))) =>
+            {
+                self.named_argument(expr)
+            }
+            _ => self.argument(expr),
+        }
+    }
+
+    /// An argument that is a path, and no local.
+    pub(super) fn named_argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        let syn::Expr::Path(path) = &*expr else { return self.value(expr) };
+        let last = last_segment(&path.path);
+        let alone = path.path.get_ident().map(text);
+        match alone.as_deref() {
+            _ if is_small(&last) => self.function_argument(expr),
+            // Rust's own, whose type only its use says.
+            Some("None" | "PhantomData") => self.value(expr),
+            Some("Some" | "Ok" | "Err") => {
+                *expr = parse_quote! { |value| #path(value) };
+                self.argument(expr)
+            }
+            _ if is_constructor_name(&last) => self.made_argument(expr),
+            _ => self.value(expr),
+        }
+    }
+
+    /// A function. The closure that it stands for gets its parameters, and the call its arguments, where their types are
+    /// known: they are those in its slot.
+    fn function_argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        let syn::Expr::Path(function) = &*expr else { return self.value(expr) };
+        let mut asked = function.clone();
+        if let Some(reason) = self.redirected(&mut asked) {
+            self.refusals.add(function, reason);
+            return plain(UNIT, function);
+        }
+        let Some(companion) = companion(&asked) else { return plain(UNIT, function) };
+        let native = native(function, &asked);
+        let (place, span) = (site(function), function.span());
+        let (arguments, result) = (self.slot(), self.slot());
+        let callee = self.callee();
+        if GENERATING {
+            let [given, gives] = [arguments, result].map(slot_name);
+            let callee = callee_name(callee);
+            asked.path = companion;
+            *expr = syn::Expr::Verbatim(quote_spanned! { span =>
+                __function(&#callee, &#given, &#gives, #asked, #native)
+            });
+        }
+        let kind = ExprKind::Call(callee, Vec::new());
+        let body = Box::new(tree::Expr { kind, site: place, slot: Some(result) });
+        let closure = tree::Closure { name: None, parameters: Vec::new(), body };
+        tree::Expr { kind: ExprKind::Closure(closure), site: place, slot: Some(arguments) }
+    }
+
+    /// A variant or a struct, or what makes one of its parts.
+    fn made_argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        let syn::Expr::Path(path) = &*expr else { return self.value(expr) };
+        let span = path.span();
+        let made = self.evaluated(quote::quote! { #path }, &path.path, Constant::Made);
+        if let (true, Some(slot)) = (GENERATING, made.slot.map(slot_name)) {
+            *expr = syn::Expr::Verbatim(quote_spanned! { span => __made(&#slot, #expr) });
+        }
+        made
+    }
+}
+
+/// Whether a path is that of a function of a type.
+pub(super) fn is_of_type(path: &syn::ExprPath) -> bool {
+    is_small(&last_segment(&path.path)) && associated(path.qself.as_ref(), &path.path)
+}
+
+/// Whether a name is that of a function, and not of a constant or a variant.
+fn is_small(name: &str) -> bool {
+    name.starts_with(|first: char| first.is_lowercase() || first == '_')
+}
+
+/// A function as the simulation calls it: in the witness copy its type says what its arguments are, references of any
+/// lifetime among them.
+fn native(function: &syn::ExprPath, asked: &syn::ExprPath) -> syn::ExprPath {
+    let mut native =
+        if associated(asked.qself.as_ref(), &asked.path) { asked } else { function }.clone();
+    if associated(native.qself.as_ref(), &native.path)
+        && let Some(name) = of_path(&native.path)
+        && let Some(last) = native.path.segments.last_mut()
+    {
+        last.ident = name;
+    }
+    native
+}

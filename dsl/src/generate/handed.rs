@@ -1,0 +1,170 @@
+//! Functions and constructors as arguments: what rustc says of them, and the closures that they stand for.
+//!
+//! A tree that travels has closures alone: each calls its function with what it is given.
+
+use alloc::boxed::Box;
+use alloc::string::ToString;
+use alloc::vec::Vec;
+use core::marker::PhantomData;
+
+use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
+use bessemer_ir::tree::{self, Closure, Expr, ExprKind, Pattern, Ty};
+
+use super::builder::{Builder, Witness, words};
+use super::slot::{Called, DslType, Seen, Slot};
+use crate::Plain;
+
+/// A companion with parameters of the types `A`.
+pub trait CompanionOf<A> {
+    /// Which function it is.
+    type Marker;
+    /// The type of its result.
+    type Result: Seen;
+}
+
+/// A function with parameters of the types `A`.
+pub trait Takes<A> {}
+
+/// Passes a function through: the slots learn which it is by its companion, and the types of its arguments and its result.
+pub fn __function<A: Seen, C: CompanionOf<A>, F: Takes<A>>(
+    _: &Slot<C::Marker>,
+    _: &Slot<A::Slot>,
+    _: &Slot<<C::Result as Seen>::Slot>,
+    _: C,
+    function: F,
+) -> F {
+    function
+}
+
+/// A value, or what makes one; `K` tells the two apart.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a type of the DSL",
+    label = "not a type of the DSL",
+    note = "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
+)]
+pub trait Made<K>: Sized {
+    /// The type in the slot.
+    type Slot;
+    /// The value; of what makes one the type of that, without words.
+    fn constant(self, cx: &mut Builder) -> tree::Constant;
+}
+
+/// What tells values apart.
+pub struct Itself;
+
+impl<T: DslType + Plain> Made<Itself> for T {
+    type Slot = T;
+    fn constant(self, cx: &mut Builder) -> tree::Constant {
+        tree::Constant { ty: T::ty(cx), words: words(&self) }
+    }
+}
+
+/// Holds the place of what makes an `R` of parts of the types `A`.
+pub struct Constructor<A, R>(PhantomData<(A, R)>);
+
+impl<A: DslType, R> DslType for Constructor<A, R> {
+    fn ty(cx: &mut Builder) -> Ty {
+        A::ty(cx)
+    }
+}
+
+/// Passes a value or what makes one through, and its type into the slot.
+pub fn __made<K, T: Made<K>>(_: &Slot<T::Slot>, value: T) -> T {
+    value
+}
+
+/// The value of a path that rustc evaluated, or the type of what it makes.
+pub fn made<K, T: Made<K>>(cx: &mut Builder, _: &Slot<T::Slot>, value: T) -> tree::Constant {
+    value.constant(cx)
+}
+
+macro_rules! of_arguments {
+    ($($($of:ident),*;)*) => {$(
+        impl<F: FnOnce($($of),*) -> Called<M, R>, M, R: Seen, $($of),*> CompanionOf<($($of,)*)> for F {
+            type Marker = M;
+            type Result = R;
+        }
+
+        impl<F: FnOnce($($of),*) -> R, R, $($of),*> Takes<($($of,)*)> for F {}
+
+        impl<F: FnOnce($($of),*) -> R, R: DslType, $($of: DslType),*> Made<($($of,)*)> for F {
+            type Slot = Constructor<($($of,)*), R>;
+            fn constant(self, cx: &mut Builder) -> tree::Constant {
+                tree::Constant { ty: R::ty(cx), words: Vec::new() }
+            }
+        }
+    )*};
+}
+
+of_arguments! { ; A; A, B; A, B, C; }
+
+/// Puts the closures in, for which functions and constructors stand.
+pub(super) fn as_closures(tree: &mut tree::FunctionTree, witness: &mut Witness) {
+    Closures { witness }.block(&mut tree.body);
+}
+
+struct Closures<'w> {
+    witness: &'w mut Witness,
+}
+
+impl Closures<'_> {
+    fn slot(&mut self, ty: Ty) -> u32 {
+        self.witness.slots.push(ty);
+        self.witness.slots.len() as u32 - 1
+    }
+
+    /// The parameters of a closure, by the slot that has their types, and the same as arguments.
+    fn parameters(&mut self, slot: u32, site: tree::Site) -> (Vec<Pattern>, Vec<Expr>) {
+        let types = match self.witness.slots.get(slot as usize) {
+            Some(Ty::Tuple(types)) => types.clone(),
+            _ => Vec::new(),
+        };
+        let names = match types.len() {
+            2 => ["gathered", "value", ""],
+            _ => ["value", "second", "third"],
+        };
+        let of = |(ty, name): (Ty, &str)| {
+            let pattern = Pattern::Name {
+                name: name.to_string(),
+                slot: self.slot(ty),
+                mutable: false,
+                inner: None,
+            };
+            (pattern, Expr { kind: ExprKind::Local(name.to_string()), site, slot: None })
+        };
+        types.into_iter().zip(names).map(of).unzip()
+    }
+
+    /// What a path makes, if it is no value.
+    fn made(&self, constant: u32, slot: u32) -> Option<Ty> {
+        let constant = self.witness.constants.get(constant as usize)?;
+        let made = self.witness.slots.get(slot as usize) != Some(&constant.ty);
+        made.then(|| constant.ty.clone())
+    }
+}
+
+impl VisitMut for Closures<'_> {
+    fn expr(&mut self, expr: &mut Expr) {
+        walk_expr_mut(self, expr);
+        let Some(slot) = expr.slot else { return };
+        let site = expr.site;
+        let (parameters, body) = match &mut expr.kind {
+            ExprKind::Closure(closure) => {
+                let ExprKind::Call(callee, _) = closure.body.kind else { return };
+                let (parameters, arguments) = self.parameters(slot, site);
+                let kind = ExprKind::Call(callee, arguments);
+                (parameters, Expr { kind, site, slot: closure.body.slot })
+            }
+            ExprKind::Path(constant, path) => {
+                let Some(made) = self.made(*constant, slot) else { return };
+                let name = path.rsplit("::").next().unwrap_or_default().to_string();
+                let (parameters, parts) = self.parameters(slot, site);
+                let kind = ExprKind::Constructor(name, parts);
+                (parameters, Expr { kind, site, slot: Some(self.slot(made)) })
+            }
+            _ => return,
+        };
+        let closure = Closure { name: None, parameters, body: Box::new(body) };
+        *expr = Expr { kind: ExprKind::Closure(closure), site, slot: None };
+    }
+}
