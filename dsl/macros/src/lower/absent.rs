@@ -5,6 +5,7 @@ use syn::spanned::Spanned;
 use super::names::text;
 use super::refuse;
 use super::refuse::Reason;
+use super::syntax::{Library, library};
 
 /// The reason for a function that its path shows to be out of reach.
 pub fn function(function: &syn::ExprPath) -> Option<Reason> {
@@ -17,9 +18,8 @@ pub fn function(function: &syn::ExprPath) -> Option<Reason> {
     if bessemer_ir::Scalar::from_name(owner).is_some() {
         return None;
     }
-    match names[0].as_str() {
-        "std" => Some(refuse::STD),
-        "core" | "alloc" => Some(refuse::CORE),
-        _ => None,
-    }
+    Some(match library(&function.path)? {
+        Library::Std => refuse::STD,
+        Library::Core => refuse::CORE,
+    })
 }

@@ -16,9 +16,6 @@ use super::syntax::names;
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
 
-/// The label of a body that is left early.
-const ANSWER: &str = "answer";
-
 impl Lowering<'_> {
     /// `let f = |x| …;`: the closure is known by its name from here on.
     pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> bool {
@@ -164,7 +161,7 @@ impl Lowering<'_> {
         // Slots are no part of what it moves.
         closure.capture = None;
         // What leaves the closure leaves its body, which stands where the closure is called.
-        let label = (!Returns::of(&closure.body).is_empty()).then(|| self.hidden(ANSWER));
+        let label = (!Returns::of(&closure.body).is_empty()).then(|| self.hidden("answer"));
         let outer = std::mem::replace(&mut self.leaves, label.clone());
         let mut body = self.value(&mut closure.body);
         self.leaves = outer;
@@ -190,7 +187,7 @@ impl Lowering<'_> {
         if returns.0.is_empty() {
             return self.block(body);
         }
-        let label = self.hidden(ANSWER);
+        let label = self.hidden("answer");
         self.leaves = Some(label.clone());
         let body = self.block(body);
         self.leaves = None;

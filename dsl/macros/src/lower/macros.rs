@@ -8,6 +8,7 @@ use quote::{format_ident, quote};
 
 use super::names::{site, text};
 use super::refuse;
+use super::syntax::library;
 use super::walk::Lowering;
 
 /// `matches!`, which is a `match`.
@@ -17,8 +18,7 @@ impl Lowering<'_> {
     /// Whether a path may be that of a macro of Rust's; where it stands alone, rustc is asked.
     pub(super) fn is_rusts(&mut self, path: &syn::Path) -> bool {
         let Some(ident) = path.get_ident() else {
-            let first = path.segments.first().map(|first| text(&first.ident));
-            return path.segments.len() == 2 && matches!(first.as_deref(), Some("core" | "std"));
+            return path.segments.len() == 2 && library(path).is_some();
         };
         self.ask(ident);
         true

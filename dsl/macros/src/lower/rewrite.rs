@@ -9,7 +9,7 @@ use syn::parse_quote;
 
 use super::names::text;
 use super::sort::Leg;
-use super::syntax::{bare, is_plain, names};
+use super::syntax::{bare, is_plain, library, names};
 use super::walk::Lowering;
 use super::{refuse, sort};
 
@@ -69,7 +69,11 @@ impl Lowering<'_> {
         let segments = &function.path.segments;
         let names: Vec<_> = segments.iter().map(|part| text(&part.ident)).collect();
         let names: Vec<_> = names.iter().map(String::as_str).collect();
-        let (["core" | "std", home, name] | [home, name]) = names.as_slice() else { return None };
+        let (home, name) = match names.as_slice() {
+            [_, home, name] if library(&function.path).is_some() => (home, name),
+            [home, name] => (home, name),
+            _ => return None,
+        };
         if *home != module {
             return None;
         }

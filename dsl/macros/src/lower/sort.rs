@@ -1,6 +1,7 @@
 //! `values.sort_by_key(|x| …)` and the like: a call of the DSL's own routine, in the simulation as in the C, since
 //! another would put equal elements in another order.
 
+use quote::ToTokens;
 use syn::parse_quote;
 use syn::spanned::Spanned;
 
@@ -47,37 +48,40 @@ fn sorting(it: &syn::ExprMethodCall) -> Option<(By, syn::ExprClosure)> {
         "sort_by" | "sort_unstable_by" => By::Comparison,
         _ => return None,
     };
-    let closure = comparison(it.args.first().filter(|_| it.args.len() == 1)?)?;
+    let closure = closure(it.args.first().filter(|_| it.args.len() == 1)?, &by)?;
     Some((by, closure))
 }
 
-/// The closure that compares; `f64::total_cmp` is one, too.
-fn comparison(argument: &syn::Expr) -> Option<syn::ExprClosure> {
+/// The closure that compares, or gives the key; or that calls the function that does.
+fn closure(argument: &syn::Expr, by: &By) -> Option<syn::ExprClosure> {
     match argument {
         // A type that is written for the result would be lost.
         syn::Expr::Closure(closure) if matches!(closure.output, syn::ReturnType::Default) => {
             Some(closure.clone())
         }
         syn::Expr::Path(it) => {
-            let is_total = it.path.segments.last().is_some_and(|last| last.ident == "total_cmp");
-            (is_total && it.path.segments.len() > 1)
-                .then(|| parse_quote! { |one, other| one.total_cmp(other) })
+            let (one, other) = (fresh("one", it), fresh("other", it));
+            Some(match by {
+                By::Key => parse_quote! { |#one| #it(#one) },
+                By::Comparison => parse_quote! { |#one, #other| #it(#one, #other) },
+            })
         }
         _ => None,
     }
 }
 
+/// A name that stands nowhere in what it is put beside.
+fn fresh(name: &str, beside: &impl ToTokens) -> syn::Ident {
+    let mut fresh = name.to_owned();
+    while names(beside, &fresh) {
+        fresh.push('_');
+    }
+    syn::Ident::new(&fresh, proc_macro2::Span::call_site())
+}
+
 fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
     let (pattern, key) = (&closure.inputs[0], &closure.body);
-    let whole = syn::Expr::Closure(closure.clone());
-    let fresh = |name: &str| {
-        let mut fresh = name.to_owned();
-        while names(&whole, &fresh) {
-            fresh.push('_');
-        }
-        syn::Ident::new(&fresh, proc_macro2::Span::call_site())
-    };
-    let (one, other) = (fresh("one"), fresh("other"));
+    let (one, other) = (fresh("one", closure), fresh("other", closure));
     match leg {
         // What has no order is told where the key stands.
         Leg::Native => syn::parse_quote_spanned! { key.span() => |#one, #other| {

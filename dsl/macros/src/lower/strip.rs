@@ -12,10 +12,15 @@ use super::{bound, refuse, unroll};
 /// `#[cfg]` above the DSL's attribute is gone by now: rustc has acted on it.
 pub fn check_attributes(attributes: &[syn::Attribute], refusals: &mut Refusals) {
     for attribute in attributes {
-        if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {
+        if is_conditional(attribute) {
             refusals.add(attribute.path(), refuse::CFG);
         }
     }
+}
+
+/// Whether an attribute leaves out what it stands on, by how the crate is built.
+fn is_conditional(attribute: &syn::Attribute) -> bool {
+    attribute.path().get_ident().is_some_and(|name| name.to_string().starts_with("cfg"))
 }
 
 /// Takes attributes and lifetimes off a copy of a function.
@@ -87,7 +92,7 @@ impl VisitMut for Strip<'_> {
             let name =
                 path.segments.first().map(|first| first.ident.to_string()).unwrap_or_default();
             let tool = ["rustfmt", "clippy"].contains(&name.as_str());
-            if !tool && !name.starts_with("cfg") && !HARMLESS.contains(&name.as_str()) {
+            if !tool && !is_conditional(&attribute) && !HARMLESS.contains(&name.as_str()) {
                 self.refusals.add(path, refuse::ATTRIBUTE);
             }
         }

@@ -1,5 +1,7 @@
 //! Functions and constructors in the place of closures: of none, one, two and three arguments, by reference, of types.
 
+use core::cmp::Ordering;
+
 use bessemer::prelude::*;
 
 /// A length in the sum of which a function of its own has a part.
@@ -116,4 +118,24 @@ pub fn own(amplifier: &mut Amplifier, code: u8) -> f64 {
     let first = amplifier.applied(halved) + amplifier.applied(f64::cos);
     amplifier.set(Lapse::Unknown);
     first + twice(first, f64::sin)
+}
+
+#[function]
+fn descending(one: &i16, other: &i16) -> Ordering {
+    other.cmp(one)
+}
+
+#[function]
+fn low_bits(number: &i16) -> i16 {
+    *number & 7
+}
+
+/// What sorts is given functions, too.
+#[function]
+pub fn sorted(mut numbers: [i16; 5], mut levels: [f32; 4]) -> ([i16; 5], [i16; 5], [f32; 4]) {
+    numbers.sort_by(descending);
+    let before = numbers;
+    numbers.sort_by_key(low_bits);
+    levels.sort_unstable_by(f32::total_cmp);
+    (before, numbers, levels)
 }
