@@ -6,7 +6,7 @@
 //! last place of 1 and `γ(n) = n u / (1 − n u)`: `|P A − L U| ≤ γ(n) |L| |U|` (theorem 9.3), `|b − A x| ≤ γ(3 n) |L| |U| |x|`
 //! (theorem 9.4), `|C − A B| ≤ γ(n) |A| |B|` (section 3.5). L and U are those that the kernel `lu_solve` of the size gives.
 
-use bessemer_codegen::kernels::{Mode, Tuning};
+use bessemer_codegen::kernels::{Mode, Processors, Tuning};
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 use bessemer_tests::kernels::{Program, kernel, number, word};
 use bessemer_tests::toolchain::{self, Toolchain};
@@ -14,8 +14,9 @@ use bessemer_tests::turn;
 
 use KernelRoutine::{Inverse, LuSolve, Product, ProductTr, Solve, TrProduct};
 
-const FAST: Tuning = Tuning { code_bytes: 8 * 1024, mode: Mode::Fast };
-const EXACT: Tuning = Tuning { code_bytes: 8 * 1024, mode: Mode::Exact };
+const FAST: Tuning =
+    Tuning { code_bytes: 8 * 1024, mode: Mode::Fast, processors: Processors::Every };
+const EXACT: Tuning = Tuning { mode: Mode::Exact, ..FAST };
 
 /// Right-hand sides of the solves of many.
 const SIDES: usize = 9;

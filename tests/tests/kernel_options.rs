@@ -5,7 +5,7 @@
 use std::process::Command;
 
 use bessemer_codegen::c::Options;
-use bessemer_codegen::kernels::{self, Mode, Tuning, replace};
+use bessemer_codegen::kernels::{self, Mode, Processors, Tuning, replace};
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 use bessemer_tests::kernels::files;
 use bessemer_tests::store::once;
@@ -182,6 +182,49 @@ fn plain_kernels_are_c99_alone_and_change_no_bit() {
             let other = ["#", "__", "vector_size", "_mm"].iter().find(|it| text.contains(**it));
             assert_eq!(other, None, "{}", kernel.name());
         }
+    }
+}
+
+/// The ways of one family of processors speak of no other, compile everywhere without a warning, and have the same bits.
+#[test]
+fn the_ways_of_one_family_are_those_of_all() {
+    use KernelRoutine::*;
+    let families = [
+        (Processors::CortexA, &["__x86_64__", "__AVX", "__SSE", "__ARM_ARCH_PROFILE"][..]),
+        (Processors::CortexM, &["__x86_64__", "__AVX", "__SSE", "__ARM_NEON"]),
+        (Processors::X86, &["__arm__", "__ARM_"]),
+    ];
+    let of_three = [Product, ProductTr, TrProduct, TrMul].map(|it| (it, 3));
+    let of_two =
+        [LuSolve, Solve, CholeskySolve, SolveLower, SolveUpper, TrSolveLower, TrSolveUpper];
+    let of_two = of_two.map(|it| (it, 2));
+    let of_one = [Inverse, Determinant, Cholesky, CholeskyLower].map(|it| (it, 1));
+    let routines: Vec<_> = of_three.into_iter().chain(of_two).chain(of_one).collect();
+    for (number, (processors, others)) in families.into_iter().enumerate() {
+        for mode in [Mode::Exact, Mode::Fast] {
+            let tuning = Tuning { processors, mode, ..Tuning::default() };
+            for (routine, count) in &routines {
+                for (size, element) in (1..25).flat_map(|it| [(it, Float::F32), (it, Float::F64)]) {
+                    let kernel = kernel(*routine, element, &vec![size; *count]);
+                    let source = kernels::source(&kernel, &tuning);
+                    assert!(!source.body.trim().is_empty(), "{} does something", kernel.name());
+                    let text = source.before + &source.body;
+                    let other = others.iter().find(|it| text.contains(**it));
+                    assert_eq!(other, None, "{}\n{text}", kernel.name());
+                }
+            }
+        }
+        let tuning = Tuning { processors, ..Tuning::default() };
+        let options = Options { kernels: tuning, ..Options::default() };
+        once("ways of a family", &texts(&files(&of_several_ways(), &options)), || {
+            let Some(all) = solves(Tuning::default(), &[]) else {
+                println!("left out: there is no gcc");
+                return;
+            };
+            for flags in ways(number) {
+                assert_eq!(solves(tuning, flags).as_ref(), Some(&all), "{processors:?} {flags:?}");
+            }
+        });
     }
 }
 

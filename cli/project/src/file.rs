@@ -212,7 +212,7 @@ fn nearest<'k>(written: &str, known: impl Iterator<Item = &'k str>) -> Option<&'
 mod tests {
     use super::*;
     use bessemer_codegen::compile::{Layout, Math, Standard};
-    use bessemer_codegen::kernels::{Mode, Tuning};
+    use bessemer_codegen::kernels::{Mode, Processors, Tuning};
 
     #[test]
     fn what_is_there_is_set() {
@@ -233,7 +233,7 @@ mod tests {
     fn every_option_has_a_key() {
         let text = "prefix = \"acme_\"\nheaders = \"acme\"\nstatus = \"motor\"\nhook = \"stop\"\nc_standard = \"gnu11\"\n\
             math = \"target\"\nlayout = \"array\"\nself_test = true\nkeep_checks = true\n\
-            [kernels]\nmode = \"plain\"\ncode_bytes = 9\nthreads = 2\n\
+            [kernels]\nmode = \"plain\"\nprocessors = \"cortex-m\"\ncode_bytes = 9\nthreads = 2\n\
             [[replacements]]\nroutine = \"product\"\nlibrary = \"CBLAS\"\ninclude = \"<cblas.h>\"\nbody = [\"x();\"]\n";
         let set = read(NAME, text).expect("it is sound").options;
         let Options {
@@ -245,7 +245,7 @@ mod tests {
             license: _,
             standard,
             replacements,
-            kernels: Tuning { code_bytes, mode },
+            kernels: Tuning { code_bytes, mode, processors },
             threads,
             math,
             layout,
@@ -260,7 +260,10 @@ mod tests {
             (hook.as_deref(), standard, replacements.len()),
             (Some("stop"), Standard::Gnu11, 1)
         );
-        assert_eq!((code_bytes, mode, threads), (9, Mode::Plain, 2));
+        assert_eq!(
+            (code_bytes, mode, processors, threads),
+            (9, Mode::Plain, Processors::CortexM, 2)
+        );
         assert_eq!(
             (math, layout, self_test, keep_checks),
             (Math::Target, Layout::Array, true, true)

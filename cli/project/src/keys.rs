@@ -1,7 +1,7 @@
 //! The keys of `bessemer.toml`: one table, which the reader, the JSON Schema and the page of the documentation follow.
 
 use bessemer_codegen::compile::{Layout, Math, Standard};
-use bessemer_codegen::kernels::Mode;
+use bessemer_codegen::kernels::{Mode, Processors};
 
 use crate::settings::{Limit, Settings};
 
@@ -201,6 +201,15 @@ pub const KEYS: &[Key] = &[
         }),
         default: "\"exact\"",
         says: "How kernels of linear algebra are made: with the bits of the Rust; faster, within stated bounds of error; or with the bits of the Rust as plain loops of C99, one way of each, without vectors, `__asm__` and `#if`.",
+    },
+    Key {
+        name: "kernels.processors",
+        kind: Kind::Choice(&["every", "cortex-a", "cortex-m", "x86-64"], |to, which| {
+            use Processors::{CortexA, CortexM, Every, X86};
+            to.options.kernels.processors = [Every, CortexA, CortexM, X86][which];
+        }),
+        default: "\"every\"",
+        says: "Whose ways the files of kernels have, beside the loops that they open with: those of every processor, or of one family alone. A build for another takes a way in C99, with the same bits.",
     },
     Key {
         name: "kernels.code_bytes",

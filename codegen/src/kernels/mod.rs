@@ -26,6 +26,7 @@ mod cholesky;
 pub mod fast;
 mod loops;
 pub mod plain;
+mod processors;
 mod product;
 pub mod replace;
 mod rows;
@@ -35,6 +36,8 @@ mod tiled;
 mod written_out;
 
 use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
+
+pub use processors::Processors;
 
 /// Bytes of buffers that a kernel may put on the stack.
 pub const LARGEST: u64 = 256;
@@ -86,11 +89,13 @@ pub struct Tuning {
     pub code_bytes: u32,
     /// How they round.
     pub mode: Mode,
+    /// Whose ways their files have.
+    pub processors: Processors,
 }
 
 impl Default for Tuning {
     fn default() -> Tuning {
-        Tuning { code_bytes: 8 * 1024, mode: Mode::Exact }
+        Tuning { code_bytes: 8 * 1024, mode: Mode::Exact, processors: Processors::Every }
     }
 }
 
@@ -137,7 +142,28 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     if kernel.element == Float::F32 && !stands_in_header(kernel) && !tiled {
         source.before = format!("{SINGLE_STORES}\n{}", source.before).trim_end().to_owned();
     }
-    source
+    of_processors(source, tuning.processors)
+}
+
+/// A line of no C between what stands before a kernel's function and its body, which decide together what is left of both.
+const BODY: &str = "\u{1}\n";
+
+fn of_processors(source: Source, processors: Processors) -> Source {
+    if processors == Processors::Every {
+        return source;
+    }
+    let text = processors.alone(&format!("{}\n{BODY}{}", source.before, source.body));
+    let (before, body) = text.split_once(BODY).unwrap_or_default();
+    let end = |text: &str, like: &str| {
+        let text = text.trim_end();
+        if like.ends_with('\n') { format!("{text}\n") } else { text.to_owned() }
+    };
+    // What stood around what is gone leaves one empty line.
+    let mut before = before.trim_start().to_owned();
+    while before.contains("\n\n\n") {
+        before = before.replace("\n\n\n", "\n\n");
+    }
+    Source { before: end(&before, &source.before), body: end(body, &source.body), ..source }
 }
 
 /// Four numbers of `f32` would go to the stack and from there, as one vector, to their place: up to a fifth more

@@ -12,7 +12,7 @@ use std::process::{Child, Command, Stdio};
 
 use bessemer::linear::kernels::{cholesky_lower, cholesky_solve_mut};
 use bessemer::prelude::*;
-use bessemer_codegen::kernels::{Mode, Tuning};
+use bessemer_codegen::kernels::{Mode, Processors, Tuning};
 use bessemer_ir::KernelRoutine;
 use bessemer_legs::kernels::{Program, kernel};
 use bessemer_legs::toolchain::{self, Toolchain};
@@ -24,7 +24,8 @@ const PRECISION: u32 = 266;
 const SYSTEMS: u64 = 40;
 
 /// The C of the fast mode: of more than twenty rows, where the processor fuses.
-const FAST: Tuning = Tuning { code_bytes: 8 * 1024, mode: Mode::Fast };
+const FAST: Tuning =
+    Tuning { code_bytes: 8 * 1024, mode: Mode::Fast, processors: Processors::Every };
 const FUSING: Toolchain = Toolchain { level: 3, more: &["-march=native"], ..toolchain::GCC };
 const FAST_SIZE: usize = 33;
 const FAST_SOLVE: &str = "solve, fast mode";

@@ -76,7 +76,8 @@ mod tests {
                         (512, Mode::Exact),
                         (8192, Mode::Fast),
                     ] {
-                        let text = source(&kernel, &Tuning { code_bytes, mode });
+                        let text =
+                            source(&kernel, &Tuning { code_bytes, mode, ..Tuning::default() });
                         assert!(!(text.before + &text.body).contains('$'), "{}", kernel.name());
                     }
                 }
