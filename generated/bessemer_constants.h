@@ -58,7 +58,9 @@ static const double EXPONENTIAL_E5 = 0.008333333333333333;
  */
 static const double EXPONENTIAL_E6 = 0.001388888888888889;
 
-/** To here e^x is normal, and so is what its last rounding takes in. */
+/**
+ * To here e^x is normal, and so is what its last rounding takes in: e^−660 is above 2⁻⁹⁵³, its last place above 2⁻¹⁰⁰⁶.
+ */
 static const double EXPONENTIAL_NORMAL = 660.0;
 
 /** ln c less the second of `FINER_COARSE_ROWS`, to a double. */
@@ -104,7 +106,9 @@ extern const uint64_t POWERS_OF_TWO[128][2];
 /** 128/ln 2. */
 static const double POWERS_STEPS_PER_UNIT = 184.6649652337873;
 
-/** The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact. */
+/**
+ * The leading 36 bits of (ln 2)/128: a multiple by up to 138 499 is exact, in units of 2⁻⁴³ and below 1024.
+ */
 static const double POWERS_UNIT_STEP_HIGH = 0.005415212348111709;
 
 /** The rest of (ln 2)/128. */

@@ -20,18 +20,17 @@
 extern "C" {
 #endif
 
-/** The power 2^(`steps`/128) · (1 + `rest`). */
+/** A power: s · (1 + `rest`), where s is the double next to 2^(`steps`/128). */
 typedef struct {
     /** An integer in the last 19 bits, signed; the bits above mean nothing. */
     uint64_t steps;
-    /** What the double next to 2^(`steps`/128) leaves out, as a fraction. */
+    /** What s leaves out, and what the power has more than 2^(`steps`/128), as a fraction of s. */
     double rest;
 } power_t;
 
-/** The power times 2^`more`, rounded once, for a result that may not be a normal number. */
-double exponential_rounded(const power_t *power, int32_t more);
-
-/** e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN. */
+/**
+ * e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN; `low` is at most 1/200, `more` 0 or −1.
+ */
 double exponential_far(double x, double low, int32_t more);
 
 /** e^x; measured within 0.51 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN. */

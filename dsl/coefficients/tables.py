@@ -228,7 +228,7 @@ module("powers", "Powers of two and hyperbolic functions.")
 two = log(mpf(2))
 steps = [mpf(2) ** (mpf(k) / 128) for k in range(128)]
 constant("STEPS_PER_UNIT", double(128 / two), "128/ln 2.", shared=True)
-constant("UNIT_STEP_HIGH", cut(two / 128, 36), "The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact.",
+constant("UNIT_STEP_HIGH", cut(two / 128, 36), "The leading 36 bits of (ln 2)/128: a multiple by up to 138 499 is exact, in units of 2⁻⁴³ and below 1024.",
          shared=True)
 constant("UNIT_STEP_LOW", double(two / 128 - cut(two / 128, 36)), "The rest of (ln 2)/128.", shared=True)
 rows("OF_TWO", [(bits((v - double(v)) / v), (bits(double(v)) - (k << 45)) % 2**64) for k, v in enumerate(steps)],

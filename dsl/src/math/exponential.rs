@@ -2,8 +2,11 @@
 //!
 //! After P. T. P. Tang, *Table-driven implementation of the exponential function* (ACM TOMS 15,
 //! 1989): e^x = 2^k · 2^(j/128) · e^r with |r| ≤ (ln 2)/256, the middle factor from a table with what
-//! its double leaves out, the last from its Taylor polynomial. The result is rounded once, below the
-//! normal numbers too.
+//! its double leaves out, the last from its Taylor polynomial. The last addition rounds the result, below the
+//! normal numbers too; the polynomial is off by less than 2⁻⁶⁰, and so is each rounding before.
+//!
+//! Up to |x| = 750 the steps of (ln 2)/128 are at most 138 499, which 19 bits hold with their sign, and their product with the
+//! leading part of the step is exact: a multiple of 2⁻⁴³ below 1024.
 
 use core::f64::consts::LN_2;
 
@@ -46,17 +49,32 @@ const P5: f64 = LN_2 * LN_2 * LN_2 * LN_2 * LN_2 / 120.0;
 #[crate::data]
 pub(crate) const TO_STEP: f64 = TO_INTEGER / 128.0;
 
-/// To here e^x is normal, and so is what its last rounding takes in.
+/// To here e^x is normal, and so is what its last rounding takes in: e^−660 is above 2⁻⁹⁵³, its last place above 2⁻¹⁰⁰⁶.
 #[crate::data]
 pub const NORMAL: f64 = 660.0;
+/// From here on e^x is ∞ or 0, its half, too: the largest number is below e^710, half of the smallest above e^−746.
+#[crate::data]
+const BEYOND: f64 = 750.0;
+/// 2¹⁰²³, the largest power of two.
+#[crate::data]
+const LARGEST_POWER: f64 = 8.98846567431158e307;
+/// 2⁻²⁰⁰, which takes back what an exponent was raised by.
+#[crate::data]
+const LOWER: f64 = 6.223015277861142e-61;
+/// By so much an exponent is raised where the power itself would be no normal number.
+#[crate::data]
+const RAISED: i32 = 200;
+/// Below this exponent a power is less than half of the smallest number, 2⁻¹⁰⁷⁴.
+#[crate::data]
+const NOTHING: i32 = -1080;
 
-/// The power 2^(`steps`/128) · (1 + `rest`).
+/// A power: s · (1 + `rest`), where s is the double next to 2^(`steps`/128).
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Power {
     /// An integer in the last 19 bits, signed; the bits above mean nothing.
     pub steps: u64,
-    /// What the double next to 2^(`steps`/128) leaves out, as a fraction.
+    /// What s leaves out, and what the power has more than 2^(`steps`/128), as a fraction of s.
     pub rest: f64,
 }
 
@@ -116,9 +134,9 @@ pub fn power_of_pair(high: f64, low: f64) -> Power {
     Power { steps, rest: (step_rest(steps) + r) + z * tail }
 }
 
-/// The power times 2^`more`, rounded once, for a result that may not be a normal number.
+/// The power times 2^`more`, which is 1 or ½, for a result that may not be a normal number: the last addition rounds it.
 #[function]
-pub fn rounded(power: Power, more: i32) -> f64 {
+fn rounded(power: Power, more: i32) -> f64 {
     // From 1 to 2.
     let high = f64::from_bits(
         OF_TWO[(power.steps & 127) as usize][1].wrapping_add((power.steps & 127) << 45),
@@ -129,12 +147,12 @@ pub fn rounded(power: Power, more: i32) -> f64 {
     let low = high * power.rest;
     let value = high + low;
     if exponent > 1023 {
-        // 2¹⁰²³
-        let half = value * 8.98846567431158e307;
+        // The power of two itself would be no number.
+        let half = value * LARGEST_POWER;
         if exponent > 1024 { f64::INFINITY } else { half * 2.0 }
     } else if exponent > -1022 || (exponent == -1022 && value >= 1.0) {
         value * power_of_two(exponent)
-    } else if exponent < -1080 {
+    } else if exponent < NOTHING {
         0.0
     } else {
         // Beside this one, the last place is that of the smallest number.
@@ -142,14 +160,14 @@ pub fn rounded(power: Power, more: i32) -> f64 {
         let lead = large + high;
         let total = lead + (((large - lead) + high) + low);
         // By 2²⁰⁰ and back: neither step rounds.
-        (total - large) * power_of_two(exponent.wrapping_add(200)) * 6.223015277861142e-61
+        (total - large) * power_of_two(exponent.wrapping_add(RAISED)) * LOWER
     }
 }
 
-/// e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN.
+/// e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN; `low` is at most 1/200, `more` 0 or −1.
 #[function]
 pub fn far(x: f64, low: f64, more: i32) -> f64 {
-    if x.abs() <= 750.0 {
+    if x.abs() <= BEYOND {
         rounded(power_of_pair(x, low), more)
     } else if x > 0.0 {
         f64::INFINITY

@@ -5,7 +5,7 @@
 /// 128/ln 2.
 #[crate::data]
 pub const STEPS_PER_UNIT: f64 = 184.6649652337873;
-/// The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact.
+/// The leading 36 bits of (ln 2)/128: a multiple by up to 138 499 is exact, in units of 2⁻⁴³ and below 1024.
 #[crate::data]
 pub const UNIT_STEP_HIGH: f64 = 0.005415212348111709;
 /// The rest of (ln 2)/128.
