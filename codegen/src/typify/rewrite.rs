@@ -10,7 +10,7 @@
 //!
 //! Must not know: what any such function computes.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::visit::{self, Visit, VisitMut};
 use bessemer_ir::tree::{
@@ -133,7 +133,15 @@ impl<'e> Rewriting<'e> {
     ) -> Vec<Stmt> {
         let (first, written) = (computed_first(body), self.writes_when_asked(body));
         let mut values: Vec<_> = rule.params.iter().zip(arguments).collect();
-        values.retain(|(param, argument)| !param.closure && (written || !is_quiet(argument)));
+        let moved = |at: usize| {
+            let later = rule.params.iter().zip(arguments).skip(at + 1);
+            later.filter(|(param, _)| !param.closure).any(|(_, it)| may_move(it, &arguments[at]))
+        };
+        let mut at = 0..;
+        values.retain(|(param, argument)| {
+            let moved = at.next().is_some_and(moved);
+            !param.closure && (written || moved || !is_quiet(argument))
+        });
         if !written && values.iter().all(|(param, _)| first.contains(&param.name.as_str())) {
             return Vec::new();
         }
@@ -283,6 +291,32 @@ pub(super) fn is_plain(expr: &Expr) -> bool {
             matches!(inner.kind, ExprKind::Int(..) | ExprKind::Float(..))
         }
         _ => false,
+    }
+}
+
+/// Whether computing an expression may change what another reads that was to be computed before: it does more than read, and
+/// speaks of the same variable.
+fn may_move(later: &Expr, read: &Expr) -> bool {
+    !is_pure(later) && !Named::of(later).0.is_disjoint(&Named::of(read).0)
+}
+
+/// The variables that an expression names.
+struct Named(HashSet<String>);
+
+impl Named {
+    fn of(expr: &Expr) -> Named {
+        let mut named = Named(HashSet::new());
+        named.expr(expr);
+        named
+    }
+}
+
+impl Visit for Named {
+    fn expr(&mut self, expr: &Expr) {
+        if let ExprKind::Local(name) = &expr.kind {
+            self.0.insert(name.clone());
+        }
+        visit::walk_expr(self, expr);
     }
 }
 
