@@ -47,7 +47,7 @@ impl Lowering<'_, '_> {
         };
         Ok(Some(match (method, at) {
             (M::Get | M::GetMut, [index]) => {
-                let index = self.steady_index("index", index)?;
+                let index = self.steady_index(words::INDEX, index)?;
                 let there = compared(CompareOp::Lt, &index, &length);
                 maybe(there, Value::Place(array.at(plus(array.from.clone(), index))))
             }

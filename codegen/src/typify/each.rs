@@ -247,7 +247,7 @@ impl Lowering<'_, '_> {
                 && !self.is_counter(index)
                 && !self.is_steady(index)
             {
-                *index = self.temporary("index", index.clone());
+                *index = self.temporary(words::INDEX, index.clone());
             }
         }
         place

@@ -486,9 +486,8 @@ impl Lowering<'_, '_> {
             let mark = self.out.len();
             let value = self.read(operand.expr, operand.expected.as_ref())?;
             let later = self.later(mark);
-            for (value, operand) in values.iter_mut().zip(&operands[..index]) {
-                self.settle(value, operand.role, &later);
-            }
+            let roles = operands[..index].iter().map(|operand| operand.role);
+            self.settle_all(values.iter_mut().zip(roles), &later);
             self.out.extend(later);
             values.push(value);
         }

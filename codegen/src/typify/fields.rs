@@ -5,7 +5,7 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, Step, StmtKind, StructId, Type};
 
 use super::expr::Operand;
 use super::lowering::Lowering;
-use super::order::{has_effect, is_free, is_settled};
+use super::order::{has_effect, is_free};
 use super::zero_sized::At;
 use super::{OUR_FAULT, Result, problem};
 
@@ -230,13 +230,9 @@ impl Lowering<'_, '_> {
         let place = self.base(rest)?;
         if self.out.len() > mark {
             let later = self.out.split_off(mark);
-            for (value, (name, _)) in values.iter_mut().zip(fields) {
-                if let Some(value) = value
-                    && !is_settled(value, &later)
-                {
-                    *value = self.temporary(name, value.clone());
-                }
-            }
+            let named = values.iter_mut().zip(fields);
+            let there = named.filter_map(|(value, (name, _))| Some((value.as_mut()?, name.as_str())));
+            self.settle_all(there, &later);
             self.out.extend(later);
         }
         Ok(place)

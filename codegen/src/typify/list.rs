@@ -10,6 +10,7 @@ use bessemer_ir::{
 
 use super::lengths::lesser;
 use super::lowering::Lowering;
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 /// A list in its place.
@@ -72,7 +73,7 @@ impl Lowering<'_, '_> {
         let Some((_, element, capacity)) = self.list_type(&place.ty) else { return place };
         let index = match super::order::is_free(&index) {
             true => index,
-            false => self.temporary("index", index),
+            false => self.temporary(words::INDEX, index),
         };
         let length = self.length_of(&place);
         // The first half holds of every list, and keeps a damaged one from being read beyond its end.

@@ -23,29 +23,52 @@ impl Lowering<'_, '_> {
 
     /// Computes `value` now if the statements to come could change it.
     pub(super) fn settle(&mut self, value: &mut Expr, role: &str, later: &[Stmt]) {
-        if !later.is_empty() && !is_settled(value, later) {
-            *value = self.temporary(role, value.clone());
-        }
+        self.settle_all([(value, role)], later);
     }
 
     /// Computes the indices of `place` now that the statements to come could change.
     pub(super) fn settle_place(&mut self, place: &mut Place, later: &[Stmt]) {
-        if !later.is_empty() {
-            self.keep_indices(place, |index| !is_settled(index, later));
-        }
+        self.settle_all(indices_mut(place).map(|index| (index, words::INDEX)), later);
     }
 
     /// Computes now what of the arguments so far the statements to come could change.
     pub(super) fn settle_arguments(&mut self, passed: &mut [Argument], later: &[Stmt]) {
+        let mut values = Vec::new();
         for argument in passed {
             match value_of(argument) {
                 // A slice is never a local. What it shows stays while it is borrowed; where it begins may not.
-                Ok(Expr { kind: ExprKind::Load(place), ty: Type::Slice(_), .. }) => {
-                    self.settle_place(place, later);
+                Ok(Expr { kind: ExprKind::Load(place), ty: Type::Slice(_), .. }) | Err(place) => {
+                    values.extend(indices_mut(place).map(|index| (index, words::INDEX)));
                 }
-                Ok(value) => self.settle(value, words::ARGUMENT, later),
-                Err(place) => self.settle_place(place, later),
+                Ok(value) => values.push((value, words::ARGUMENT)),
             }
+        }
+        self.settle_all(values, later);
+    }
+
+    /// Computes now what of the values so far, in their order, the statements to come could change. What is computed now
+    /// comes before the values that are not, and so is among what could change these.
+    pub(super) fn settle_all<'e>(
+        &mut self,
+        values: impl IntoIterator<Item = (&'e mut Expr, &'e str)>,
+        later: &[Stmt],
+    ) {
+        if later.is_empty() {
+            return;
+        }
+        let mut later = later.to_vec();
+        let mut moving: Vec<_> = values.into_iter().collect();
+        for at in (0..moving.len()).rev() {
+            let value = &*moving[at].0;
+            if is_settled(value, &later) {
+                moving.remove(at);
+            } else {
+                let (kind, span) = (StmtKind::Expr(value.clone()), value.span);
+                later.push(Stmt { kind, span, comments: Vec::new() });
+            }
+        }
+        for (value, role) in moving {
+            *value = self.temporary(role, value.clone());
         }
     }
 
@@ -122,7 +145,7 @@ impl Lowering<'_, '_> {
         };
         for index in [first, second].into_iter().flatten() {
             if keep(index) {
-                *index = self.temporary("index", index.clone());
+                *index = self.temporary(words::INDEX, index.clone());
             }
         }
     }
@@ -142,9 +165,13 @@ pub(super) fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
         && !later.iter().any(|stmt| writes_what_is_read(stmt, value))
 }
 
-/// Whether a statement does nothing but give a name to what can be had without effect or fault.
+/// Whether a statement does nothing but compute what can be had without effect or fault.
 fn is_quiet(stmt: &Stmt) -> bool {
-    matches!(&stmt.kind, StmtKind::Let { value, .. } if value.as_ref().is_none_or(is_free))
+    match &stmt.kind {
+        StmtKind::Let { value, .. } => value.as_ref().is_none_or(is_free),
+        StmtKind::Expr(value) => is_free(value),
+        _ => false,
+    }
 }
 
 /// Whether a statement writes a part of a local that an expression reads.
@@ -195,6 +222,14 @@ pub(super) fn may_change_places(first: &Expr, second: &Expr) -> bool {
 
 fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
     place.steps.iter().flat_map(|step| match step {
+        Step::Field(_) => [None, None].into_iter().flatten(),
+        Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),
+        Step::Element(row, column) => [Some(row), Some(column)].into_iter().flatten(),
+    })
+}
+
+fn indices_mut(place: &mut Place) -> impl Iterator<Item = &mut Expr> {
+    place.steps.iter_mut().flat_map(|step| match step {
         Step::Field(_) => [None, None].into_iter().flatten(),
         Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),
         Step::Element(row, column) => [Some(row), Some(column)].into_iter().flatten(),

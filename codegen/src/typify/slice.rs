@@ -14,6 +14,7 @@ use super::lengths::{is_number, least, minus, plus, same};
 use super::lowering::Lowering;
 use super::syntax::{Writes, control_with_value};
 use super::value::Value;
+use super::words;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -260,7 +261,7 @@ impl Lowering<'_, '_> {
         }
         let index = match super::order::is_free(&index) {
             true => index,
-            false => self.temporary("index", index),
+            false => self.temporary(words::INDEX, index),
         };
         let there = Expr::compare(CompareOp::Lt, index.clone(), slice.length.clone()).at(span);
         self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);

@@ -111,7 +111,7 @@ impl<'a> Lowering<'a, '_> {
             Step::Element(row, column) => {
                 Step::Element(self.steady("row", row), self.steady("column", column))
             }
-            Step::Index(index) => Step::Index(self.steady("index", index)),
+            Step::Index(index) => Step::Index(self.steady(words::INDEX, index)),
             other => other,
         };
         let mut there = |index: Expr, most: u32| {

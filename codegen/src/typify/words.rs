@@ -44,6 +44,7 @@ pub(super) const SCALED: &str = "scaled";
 /// What holds an operand or an argument that is computed before its turn.
 pub(super) const OPERAND: &str = "operand";
 pub(super) const ARGUMENT: &str = "argument";
+pub(super) const INDEX: &str = "index";
 pub(super) const OPERANDS: [&str; 3] = ["left", "middle", "right"];
 pub(super) const OF_NUMBERS: [&str; 2] = ["value", "by"];
 pub(super) const BOUNDS: [&str; 2] = ["first", "end"];
