@@ -231,7 +231,8 @@ impl Lowering<'_, '_> {
         if self.out.len() > mark {
             let later = self.out.split_off(mark);
             let named = values.iter_mut().zip(fields);
-            let there = named.filter_map(|(value, (name, _))| Some((value.as_mut()?, name.as_str())));
+            let there =
+                named.filter_map(|(value, (name, _))| Some((value.as_mut()?, name.as_str())));
             self.settle_all(there, &later);
             self.out.extend(later);
         }

@@ -90,23 +90,33 @@ magnitudes! {
 #[allow(missing_docs)]
 pub trait CheckedSignedBuiltin<S>: Sized {
     type AddSigned: Callee;
+    type SaturatingAddSigned: Callee;
+    type WrappingAddSigned: Callee;
     fn __b_checked_add_signed(self, _other: S) -> Called<Self::AddSigned, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_saturating_add_signed(self, _other: S) -> Called<Self::SaturatingAddSigned, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_add_signed(self, _other: S) -> Called<Self::WrappingAddSigned, Self> {
         unreachable!()
     }
 }
 
 macro_rules! signed_operands {
-    ($($int:ident $signed:ident $function:ident;)*) => {$(
+    ($($int:ident $signed:ident $function:ident $saturating:ident $wrapping:ident;)*) => {$(
         impl CheckedSignedBuiltin<$signed> for $int {
             type AddSigned = checked::$function;
+            type SaturatingAddSigned = integer::$saturating;
+            type WrappingAddSigned = integer::$wrapping;
         }
     )*};
 }
 
 signed_operands! {
-    u8 i8 add_signed_u8;
-    u16 i16 add_signed_u16;
-    u32 i32 add_signed_u32;
-    u64 i64 add_signed_u64;
-    usize isize add_signed_usize;
+    u8 i8 add_signed_u8 saturating_add_signed_u8 wrapping_add_signed_u8;
+    u16 i16 add_signed_u16 saturating_add_signed_u16 wrapping_add_signed_u16;
+    u32 i32 add_signed_u32 saturating_add_signed_u32 wrapping_add_signed_u32;
+    u64 i64 add_signed_u64 saturating_add_signed_u64 wrapping_add_signed_u64;
+    usize isize add_signed_usize saturating_add_signed_usize wrapping_add_signed_usize;
 }

@@ -1,6 +1,6 @@
-//! Powers of integers.
+//! Powers of integers, and what saturates or wraps besides.
 //!
-//! By squaring: a factor for each bit of the exponent. Where the result fits, so does each step on the
+//! Powers go by squaring: a factor for each bit of the exponent. Where the result fits, so does each step on the
 //! way to it, so a fault means what Rust's own means.
 
 use crate::prelude::*;
@@ -27,6 +27,30 @@ magnitudes! {
     i32 neg_i32 abs_i32;
     i64 neg_i64 abs_i64;
     isize neg_isize abs_isize;
+}
+
+macro_rules! with_signed {
+    ($($int:ident $signed:ident $saturating:ident $wrapping:ident;)*) => {$(
+        /// `a + b`, or the nearest value that there is; `b` has a sign.
+        #[function]
+        pub fn $saturating(a: $int, b: $signed) -> $int {
+            if b < 0 { a.saturating_sub(b.unsigned_abs()) } else { a.saturating_add(b.unsigned_abs()) }
+        }
+
+        /// `a + b`, modulo what the type holds; `b` has a sign.
+        #[function(expand)]
+        pub fn $wrapping(a: $int, b: $signed) -> $int {
+            a.wrapping_add(b as $int)
+        }
+    )*};
+}
+
+with_signed! {
+    u8 i8 saturating_add_signed_u8 wrapping_add_signed_u8;
+    u16 i16 saturating_add_signed_u16 wrapping_add_signed_u16;
+    u32 i32 saturating_add_signed_u32 wrapping_add_signed_u32;
+    u64 i64 saturating_add_signed_u64 wrapping_add_signed_u64;
+    usize isize saturating_add_signed_usize wrapping_add_signed_usize;
 }
 
 macro_rules! powers {

@@ -185,6 +185,8 @@ macro_rules! unsigned {
                 next_power_of_two(a: $t) -> $t { a.next_power_of_two() }
                 checked_next_power_of_two(a: $t) -> $t { a.checked_next_power_of_two().unwrap_or(3) }
                 checked_add_signed(a: $t, b: $signed) -> $t { a.checked_add_signed(b).unwrap_or(a ^ 1) }
+                saturating_add_signed(a: $t, b: $signed) -> $t { a.saturating_add_signed(b) }
+                wrapping_add_signed(a: $t, b: $signed) -> $t { a.wrapping_add_signed(b) }
                 is_power_of_two(a: $t) -> bool { a.is_power_of_two() }
             }
         }

@@ -1,4 +1,5 @@
-//! As many random programs as `cargo xtask fuzz` asks for, most of which aim at the proofs; what differs becomes a file.
+//! As many random programs as `cargo xtask fuzz` asks for, most of which aim at the proofs, some at the order of what is
+//! computed; what differs becomes a file.
 //!
 //! `BESSEMER_FUZZ` says how many, `BESSEMER_RANDOM_FROM` from which seed.
 
@@ -13,8 +14,9 @@ use super::{Batch, PROGRAMS, Reached, attack, found, shrink, wrong};
 const AIMED: usize = 16;
 const INSTANCES: usize = 40;
 
-/// One batch of so many is of programs of every kind.
+/// One batch of so many is of programs of every kind, and one of bodies whose operands write, as many of these.
 const OF: u64 = 12;
+const BESIDE: usize = 200;
 /// In one batch of so many rustc gets the instances of each text, and in the others one function of each.
 const INSTANTIATED: u64 = 8;
 
@@ -31,6 +33,7 @@ fn as_many_as_asked() {
         }
         let mut batch = match seed % OF {
             0 => Batch::new(seed, PROGRAMS),
+            1 => Batch::beside(seed, BESIDE),
             _ => Batch::aimed(seed, AIMED, INSTANCES),
         };
         batch.is_of_many = true;
