@@ -214,6 +214,7 @@ fn the_ways_of_one_family_are_those_of_all() {
                 }
             }
         }
+        each_is_what_its_compiler_sees_of_all(&routines, processors);
         let tuning = Tuning { processors, ..Tuning::default() };
         let options = Options { kernels: tuning, ..Options::default() };
         once("ways of a family", &texts(&files(&of_several_ways(), &options)), || {
@@ -226,6 +227,66 @@ fn the_ways_of_one_family_are_those_of_all() {
             }
         });
     }
+}
+
+/// A kernel for one family is what a compiler for it is left with of the kernel for all, token by token. One size in six a run.
+fn each_is_what_its_compiler_sees_of_all(
+    routines: &[(KernelRoutine, usize)],
+    processors: Processors,
+) {
+    let (compiler, flags): (_, &[&str]) = match processors {
+        Processors::CortexA => ("arm-linux-gnueabihf-gcc", &["-mcpu=cortex-a9", "-mfpu=neon"]),
+        Processors::CortexM => ("arm-none-eabi-gcc", &["-mcpu=cortex-m7", "-mfloat-abi=hard"]),
+        _ => ("gcc", &[]),
+    };
+    let sizes = turn::some_of((1..25).collect(), 4);
+    let each = routines.iter().flat_map(|(routine, count)| {
+        sizes.iter().flat_map(|size| {
+            [Float::F32, Float::F64].map(|element| kernel(*routine, element, &vec![*size; *count]))
+        })
+    });
+    let kernels: Vec<_> = each.collect();
+    for mode in [Mode::Exact, Mode::Fast] {
+        let tuning = Tuning { mode, ..Tuning::default() };
+        let seen = |tuning| tokens(&kernels, tuning, compiler, flags);
+        let (Some(all), Some(own)) = (seen(tuning), seen(Tuning { processors, ..tuning })) else {
+            println!("left out: there is no {compiler}");
+            return;
+        };
+        assert!(all.len() > 1000 && all == own, "{processors:?} {mode:?}: {}", apart(&all, &own));
+    }
+}
+
+/// What the preprocessor makes of the sources of kernels; none where there is no such compiler.
+fn tokens(
+    kernels: &[Kernel],
+    tuning: Tuning,
+    compiler: &str,
+    flags: &[&str],
+) -> Option<Vec<String>> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = Options { kernels: tuning, ..Options::default() };
+    let mut sources = Vec::new();
+    for file in files(kernels, &options) {
+        let path = folder.path().join(&file.name);
+        std::fs::write(&path, &file.text).expect("a folder of ours");
+        sources.extend(file.name.ends_with(".c").then_some(path));
+    }
+    let mut command = Command::new(compiler);
+    command.args(["-std=c99", "-E", "-P", "-I"]).arg(folder.path()).args(flags).args(sources);
+    let output = command.output().ok()?;
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8_lossy(&output.stdout);
+    Some(text.split_whitespace().map(str::to_owned).collect())
+}
+
+/// Where two texts begin to differ.
+fn apart(one: &[String], other: &[String]) -> String {
+    let at = one.iter().zip(other).take_while(|(one, other)| one == other).count();
+    let around = |text: &[String]| {
+        text[at.saturating_sub(20)..].iter().take(40).cloned().collect::<Vec<_>>().join(" ")
+    };
+    format!("{}\n{}", around(one), around(other))
 }
 
 #[test]

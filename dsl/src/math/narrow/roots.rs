@@ -48,40 +48,51 @@ pub fn cbrtf(x: f32) -> f32 {
     if plain { plain_root(x, 0) } else { far_root(x) }
 }
 
-/// √(x² + y²) for 2⁻⁵⁰ to 2⁵⁰, the larger first: the root of the sum, and what it is off by, from differences that lose
-/// nothing (C. F. Borges, *An improved algorithm for hypot(a, b)*, 2019).
+/// What is left of a number without the lower half of its bits: twelve of them, whose square is exact.
 #[inline]
 #[function]
-fn length(large: f32, small: f32) -> f32 {
-    let guess = (large * large + small * small).sqrt();
-    let off = if guess <= 2.0 * small {
-        let delta = guess - small;
-        large * (2.0 * delta - large) + (delta - 2.0 * (large - small)) * delta
-    } else {
-        let delta = guess - large;
-        2.0 * delta * (large - 2.0 * small) + ((4.0 * delta - small) * small + delta * delta)
-    };
-    guess - off / (2.0 * guess)
+fn upper(x: f32) -> f32 {
+    f32::from_bits(x.raw_bits() & 0xffff_f000)
 }
 
-/// √(x² + y²) where a square could leave the range; the larger first, and neither negative.
+/// x² + y², off by little more than one rounding: the squares of the upper halves are exact (T. J. Dekker, *A floating-point
+/// technique for extending the available precision*, 1971), and so is what their sum loses (D. E. Knuth's two-sum).
+#[inline]
 #[function]
-pub fn far_length(large: f32, small: f32) -> f32 {
-    if large > f32::MAX || small > f32::MAX {
+fn squares(x: f32, y: f32) -> f32 {
+    let wide = upper(x);
+    let high = upper(y);
+    let width = wide * wide;
+    let height = high * high;
+    let rest = (x - wide) * (x + wide) + (y - high) * (y + high);
+    let sum = width + height;
+    let added = sum - width;
+    let lost = (width - (sum - added)) + (height - added);
+    sum + (lost + rest)
+}
+
+/// √(x² + y²) where a square could leave the range, or where there is no number.
+#[function]
+pub fn far_length(x: f32, y: f32) -> f32 {
+    let width = x.abs();
+    let height = y.abs();
+    if width > f32::MAX || height > f32::MAX {
         return f32::INFINITY;
     }
-    if large.is_nan() || small.is_nan() {
+    if width.is_nan() || height.is_nan() {
         return f32::NAN;
     }
+    let large = if width > height { width } else { height };
+    let small = if width > height { height } else { width };
     // By 2⁻¹³ the smaller is lost.
     if small <= large * 1.2207031e-4 {
         return large;
     }
     // By 2^±90.
-    if large > 1e15 {
-        length(large * 8.077936e-28, small * 8.077936e-28) * 1.2379401e27
+    if large > 1.0 {
+        squares(large * 8.077936e-28, small * 8.077936e-28).sqrt() * 1.2379401e27
     } else {
-        length(large * 1.2379401e27, small * 1.2379401e27) * 8.077936e-28
+        squares(large * 1.2379401e27, small * 1.2379401e27).sqrt() * 8.077936e-28
     }
 }
 
@@ -89,9 +100,7 @@ pub fn far_length(large: f32, small: f32) -> f32 {
 /// NaN gives NaN.
 #[function]
 pub fn hypotf(x: f32, y: f32) -> f32 {
-    let width = x.abs();
-    let height = y.abs();
-    let large = if width > height { width } else { height };
-    let small = if width > height { height } else { width };
-    if large < 1e15 && small > 1e-14 { length(large, small) } else { far_length(large, small) }
+    let sum = squares(x, y);
+    // A square below 2⁻¹²⁶ is nothing beside 10⁻²⁸. What is no number is in no range.
+    if sum > 1e-28 && sum < 1e30 { sum.sqrt() } else { far_length(x, y) }
 }
