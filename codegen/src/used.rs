@@ -31,6 +31,7 @@ rules! {
     Rest: "analysis: narrowed by the last arm of a match",
     Counter: "analysis: a counter between the bounds of its loop",
     Counted: "analysis: a local that a loop counts up",
+    Given: "analysis: a word that a loop gives values within an interval",
     Invariant: "analysis: what a loop keeps that ends itself",
     Shown: "verifier: what an operation needs, shown",
     Forms: "verifier: a form, by others that are 0 or more",

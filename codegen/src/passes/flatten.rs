@@ -207,7 +207,7 @@ impl<'m> Lowering<'m> {
         };
         let place = Place { ty: Type::BOOL, span, ..whole(local) };
         let mut within = within;
-        within.assign(&place, within.value(&b));
+        within.assign(&place, within.parts(&b));
         self.facts.join(&within);
         then.push(Stmt { kind: StmtKind::Assign { place, value: b }, span, comments: Vec::new() });
         self.emit(when(op, a, then), span);
@@ -393,7 +393,7 @@ impl<'m> Lowering<'m> {
     fn declare(&mut self, name: &str, value: Expr) -> Option<LocalId> {
         let span = value.span;
         let local = self.new_local(name, &value)?;
-        let known = self.facts.value(&value);
+        let known = self.facts.parts(&value);
         self.facts.forget(&lent(&value));
         self.facts.assign(&whole(local), known);
         self.emit(StmtKind::Let { local, value: Some(value) }, span);

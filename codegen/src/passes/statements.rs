@@ -123,7 +123,7 @@ impl Lowering<'_> {
     fn declaration(&mut self, local: LocalId, value: Option<Expr>, span: Span) {
         self.base = self.function.local(local).name.clone();
         let value = value.map(|value| self.lower(value, Position::Whole, Purpose::Operand));
-        let known = value.as_ref().and_then(|value| self.facts.value(value));
+        let known = value.as_ref().map(|value| self.facts.parts(value)).unwrap_or_default();
         self.facts.forget(&value.as_ref().map(lent).unwrap_or_default());
         self.facts.assign(&whole(local), known);
         self.emit(StmtKind::Let { local, value }, span);
@@ -132,7 +132,7 @@ impl Lowering<'_> {
     fn assign(&mut self, place: Place, value: Expr, span: Span) {
         self.base = names::place(self.module, &self.function, &place);
         let mut value = self.lower(value, Position::Whole, Purpose::Operand);
-        let (known, written) = (self.facts.value(&value), lent(&value));
+        let (known, written) = (self.facts.parts(&value), lent(&value));
         self.facts.forget(&written);
         if !self.is_statement(&value) {
             self.protect(&mut value, &lent(&place));

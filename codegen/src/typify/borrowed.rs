@@ -1,7 +1,7 @@
-//! Types that borrow: slices in structs, variants, tuples and results.
+//! Types that borrow: slices in structs, variants, tuples and results, and `&mut T` in an `Option` or a `Result`.
 //!
 //! C has no lifetimes, so no pointer is ever part of a value. A slice in a value is data: where its elements begin and how
-//! many there are, a struct of two numbers. The array that they are elements of, its *lender*, is known when the C is
+//! many there are, a struct of two numbers. A `&mut T` is a slice of one element, a struct of one number. The array that they are elements of, its *lender*, is known when the C is
 //! written, for each slice in each local: it follows the value wherever that goes. A function that takes such a value takes
 //! the lender of each slice in it beside it, as a slice; one that gives such a value gives slices of what it was lent.
 //!
@@ -20,12 +20,34 @@ pub(super) struct Borrowed {
     pub element: Type,
     /// Whether its elements may be written through it.
     pub mutable: bool,
+    /// Whether it is one element, `&mut T`.
+    pub one: bool,
 }
 
 impl Context<'_> {
     /// The struct of `&[T]`, or `&mut [T]`, in a value.
     pub(super) fn borrowed(&mut self, element: &Ty, mutable: bool, site: Site) -> Result<Type> {
         let ty = Ty::Ref(Box::new(Ty::Slice(Box::new(element.clone()))), mutable);
+        self.borrowed_type(ty, element, (mutable, false), site)
+    }
+
+    /// The type of what a tuple, an `Option` or a `Result` holds.
+    pub(super) fn content_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
+        match ty {
+            Ty::Ref(element, true) if !matches!(**element, Ty::Slice(_)) => {
+                self.borrowed_type(ty.clone(), element, (true, true), site)
+            }
+            ty => self.value_type(ty, site),
+        }
+    }
+
+    fn borrowed_type(
+        &mut self,
+        ty: Ty,
+        element: &Ty,
+        (mutable, one): (bool, bool),
+        site: Site,
+    ) -> Result<Type> {
         if let Some(known) = self.generics.get(&ty) {
             return Ok(known.clone());
         }
@@ -33,8 +55,8 @@ impl Context<'_> {
         if element == Type::Unit {
             return problem(site, super::zero_sized::EMPTY_SLICE, super::zero_sized::COUNT);
         }
-        let id = self.borrowed_struct(&element, mutable, site)?;
-        self.borrowed.insert(id, Borrowed { element, mutable });
+        let id = self.borrowed_struct(&element, (mutable, one), site)?;
+        self.borrowed.insert(id, Borrowed { element, mutable, one });
         self.unequal.insert(Type::Struct(id));
         self.generics.insert(ty, Type::Struct(id));
         Ok(Type::Struct(id))

@@ -390,7 +390,12 @@ impl Lowering<'_, '_> {
         place: &tree::Expr,
         value: &tree::Expr,
     ) -> Result<()> {
-        let tree::ExprKind::Local(name) = &place.kind else { return Ok(()) };
+        let tree::ExprKind::Local(name) = &place.kind else {
+            let element = !self.cx.borrowed.is_empty()
+                && matches!(place.kind, tree::ExprKind::Field(..) | tree::ExprKind::Index(..))
+                && self.place_type(place).is_ok_and(|ty| self.type_behind(ty.clone()) != ty);
+            return if element { Self::moved_reference(place.site) } else { Ok(()) };
+        };
         let refers = match self.lookup(name, place.site)? {
             Value::Place(_) | Value::Slice(_) => true,
             // One that may be written also stands for a variable that a closure writes.
@@ -401,14 +406,15 @@ impl Lowering<'_, '_> {
             },
             _ => false,
         };
-        match refers {
-            true => problem(
-                place.site,
-                "a reference cannot be made to refer to something else in the DSL",
-                "write to what it refers to (`*name = …`), or choose between two places by an index or an `if`",
-            ),
-            false => Ok(()),
-        }
+        if refers { Self::moved_reference(place.site) } else { Ok(()) }
+    }
+
+    fn moved_reference(site: Site) -> Result<()> {
+        problem(
+            site,
+            "a reference cannot be made to refer to something else in the DSL",
+            "write to what it refers to (`*name = …`), or choose between two places by an index or an `if`",
+        )
     }
 
     fn is_reference(&self, value: &tree::Expr) -> Result<bool> {

@@ -111,7 +111,8 @@ impl Context<'_> {
     }
 
     fn tuple(&mut self, parts: &[Ty], site: Site) -> Result<StructId> {
-        let types = parts.iter().map(|ty| self.value_type(ty, site)).collect::<Result<Vec<_>>>()?;
+        let types =
+            parts.iter().map(|ty| self.content_type(ty, site)).collect::<Result<Vec<_>>>()?;
         if types.contains(&Type::Unit) {
             return problem(site, "a part of this tuple holds nothing", "leave it out");
         }
@@ -125,14 +126,21 @@ impl Context<'_> {
         self.own_struct(name, (shown, ""), fields, Form::Record, site)
     }
 
-    /// The struct of two numbers that a slice is in a value.
+    /// The struct of two numbers that a slice is in a value, or of one.
     pub(super) fn borrowed_struct(
         &mut self,
         element: &Type,
-        mutable: bool,
+        (mutable, one): (bool, bool),
         site: Site,
     ) -> Result<StructId> {
         let word = self.word(element);
+        if one {
+            let shown = format!("&mut {}", self.show(element));
+            let meaning = ": an element of an array, which stands beside it";
+            let fields = [field(words::ENDS_OF_ONE[0], "Its index.", Type::USIZE)].into();
+            let name = format!("ElementMut{word}");
+            return self.own_struct(name, (shown, meaning), fields, Form::Record, site);
+        }
         let (name, sign) = match mutable {
             true => (format!("SliceMut{word}"), "&mut "),
             false => (format!("Slice{word}"), "&"),
@@ -171,7 +179,7 @@ impl Context<'_> {
     }
 
     fn option(&mut self, ty: &Ty, site: Site) -> Result<StructId> {
-        let value = self.value_type(ty, site)?;
+        let value = self.content_type(ty, site)?;
         let name = format!("Option{}", self.content(ty, &value));
         let shown = (format!("Option<{}>", self.shown_content(ty, &value)), ": a value, or none");
         let mut fields = vec![field(words::IS_SOME, "Whether there is a value.", Type::BOOL)];
@@ -185,7 +193,7 @@ impl Context<'_> {
     }
 
     fn result(&mut self, of: &Ty, or: &Ty, site: Site) -> Result<StructId> {
-        let value = self.value_type(of, site)?;
+        let value = self.content_type(of, site)?;
         let error = self.value_type(or, site)?;
         let name = format!("Result{}{}", self.content(of, &value), self.content(or, &error));
         let shown = (self.shown_content(of, &value), self.shown_content(or, &error));

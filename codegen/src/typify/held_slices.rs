@@ -23,27 +23,34 @@ use crate::effects;
 impl Lowering<'_, '_> {
     /// The slice at a place that is one.
     pub(super) fn slice_at(&mut self, place: Place, site: Site) -> Result<Option<Slice>> {
-        let Some((_, Borrowed { element, .. })) = self.cx.as_borrowed(&place.ty) else {
+        let Some((_, Borrowed { element, one, .. })) = self.cx.as_borrowed(&place.ty) else {
             return Ok(None);
         };
-        let element = element.clone();
+        let (element, one) = (element.clone(), *one);
         let Some(base) = self.lender_of(&place) else {
-            return problem(
-                site,
-                "whose elements these are is not known here",
-                "give the slice its first value, `&values[..0]` if need be, above this line",
-            );
+            let help = match one {
+                true => {
+                    "keep the index in place of the reference, `Option<usize>`, or let `iter_mut().min_by_key(…)` and its like choose"
+                }
+                false => {
+                    "give the slice its first value, `&values[..0]` if need be, above this line"
+                }
+            };
+            return problem(site, "whose elements these are is not known here", help);
         };
         let lasting = self.is_lasting(&place);
         let part = |at: u32| place.inside(Step::Field(at), Type::USIZE).load();
-        let (mut from, mut length) = (part(FROM), part(LENGTH));
+        let length = if one { Expr::usize(1, place.span) } else { part(LENGTH) };
+        let (mut from, mut length) = (part(FROM), length);
         if !lasting {
             // The slice stays what it is, whatever is written to the place.
             let name = match place.steps.last() {
-                Some(Step::Field(at)) => self.field_name(&place, *at),
+                Some(Step::Field(at)) if !one => self.field_name(&place, *at),
                 _ => self.locals[place.root.index()].name.clone(),
             };
-            for (part, role) in [&mut from, &mut length].into_iter().zip(words::ENDS) {
+            let roles = if one { words::ENDS_OF_ONE } else { words::ENDS };
+            let parts = [&mut from, &mut length].into_iter().zip(roles);
+            for (part, role) in parts.filter(|(part, _)| !part.is_literal()) {
                 let held =
                     self.naming_as(&*name, |inner| inner.temporary_place(role, part.clone()));
                 self.lenders.taken.push(held.root);
@@ -106,11 +113,17 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
         expected: Option<&Type>,
     ) -> Result<Option<Expr>> {
-        let Some(id) = expected.and_then(|ty| self.cx.as_borrowed(ty)).map(|(id, _)| id) else {
+        let Some((id, one)) =
+            expected.and_then(|ty| self.cx.as_borrowed(ty)).map(|(id, it)| (id, it.one))
+        else {
             return Ok(None);
         };
         if control_with_value(expr) {
             return Ok(None);
+        }
+        if one {
+            let element = self.base(expr)?;
+            return self.element_value(element, id, expr.site).map(Some);
         }
         if let tree::ExprKind::Ref(_, inner) = &expr.kind
             && let tree::ExprKind::Array(elements) = &inner.kind
@@ -122,6 +135,53 @@ impl Lowering<'_, '_> {
         }
         let slice = self.sliced(expr)?;
         Ok(Some(self.borrowed_value(slice, id, expr.site)))
+    }
+
+    /// The element that a `&mut T` in a value refers to; none if the place is something else.
+    pub(super) fn element_lent(&mut self, place: &Place, site: Site) -> Result<Option<Place>> {
+        match self.cx.as_borrowed(&place.ty) {
+            Some((_, Borrowed { one: true, .. })) => {
+                let slice = self.slice_at(place.clone(), site)?;
+                Ok(slice.map(|slice| slice.at(slice.from.clone())))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The place itself, or the element that a `&mut T` there refers to.
+    pub(super) fn followed(&mut self, place: Place, site: Site) -> Result<Place> {
+        Ok(self.element_lent(&place, site)?.unwrap_or(place))
+    }
+
+    /// The type itself, or that of the element that a `&mut T` refers to.
+    pub(super) fn type_behind(&self, ty: Type) -> Type {
+        match self.cx.as_borrowed(&ty) {
+            Some((_, Borrowed { element, one: true, .. })) => element.clone(),
+            _ => ty,
+        }
+    }
+
+    /// A place as the value of a `&mut T`.
+    fn element_value(&mut self, place: Place, id: StructId, site: Site) -> Result<Expr> {
+        if place.ty == Type::Struct(id) {
+            return Ok(place.load());
+        }
+        let mut base = place.clone();
+        let (step, ty) = (base.steps.pop(), self.type_of(base.root, &base.steps));
+        let (Some(Step::Index(from)), Type::Array { element, .. } | Type::Slice(element)) =
+            (step, &ty)
+        else {
+            return problem(
+                site,
+                "a `&mut` in an `Option` or a `Result` refers to an element of an array in the DSL",
+                "keep what it may refer to in an array, or write to it where it is chosen",
+            );
+        };
+        let (element, one) = ((**element).clone(), Expr::usize(1, place.span));
+        base.ty = ty;
+        let to = plus(from.clone(), one.clone());
+        let slice = Slice { base, element, from, to, length: one, whole: false, within: None };
+        Ok(self.borrowed_value(slice, id, site))
     }
 
     /// A slice as a value.
@@ -139,7 +199,9 @@ impl Lowering<'_, '_> {
                 return of.load();
             }
         }
-        let kind = ExprKind::Struct(vec![slice.from, slice.length]);
+        let one = self.cx.borrowed.get(&id).is_some_and(|it| it.one);
+        let parts = if one { vec![slice.from] } else { vec![slice.from, slice.length] };
+        let kind = ExprKind::Struct(parts);
         let value = Expr { kind, ty: Type::Struct(id), span };
         let known = self.lenders.made.iter().position(|(made, _)| *made == value);
         match known.map(|at| self.lenders.made[at].1.clone()) {
@@ -162,7 +224,10 @@ impl Lowering<'_, '_> {
     pub(super) fn lent_value(&mut self, lent: Value, ty: &Type, site: Site) -> Result<Expr> {
         let span = self.span(site);
         match (lent, ty) {
-            (Value::Place(place), _) => Ok(place.load()),
+            (Value::Place(place), _) => match self.cx.as_borrowed(ty) {
+                Some((id, Borrowed { one: true, .. })) => self.element_value(place, id, site),
+                _ => Ok(place.load()),
+            },
             (Value::Slice(slice), Type::Struct(id)) => Ok(self.borrowed_value(*slice, *id, site)),
             (Value::Tuple(parts, _), Type::Struct(id)) => {
                 let fields = self.cx.module.structs[id.index()].fields.clone();
@@ -287,11 +352,12 @@ fn refers_inside(ty: &Ty) -> bool {
     }
 }
 
-/// Whether a type has a slice in it, by its syntax.
+/// Whether a type has a slice in it, or may have one element, by its syntax.
 fn borrows(ty: &Ty) -> bool {
     match ty {
         Ty::Tuple(parts) => parts.iter().any(borrows),
-        Ty::Option(inner) | Ty::Ref(inner, _) => borrows(inner),
+        Ty::Option(inner) => matches!(**inner, Ty::Ref(_, true)) || borrows(inner),
+        Ty::Ref(inner, _) => borrows(inner),
         Ty::Slice(_) => true,
         _ => false,
     }

@@ -50,7 +50,7 @@ impl Lowering<'_, '_> {
                 "take an array, `&[T; N]`, or a `List<T, N>`, and make the value of it inside",
             );
         }
-        for (paths, Borrowed { element, mutable }) in groups {
+        for (paths, Borrowed { element, mutable, .. }) in groups {
             let name = self.cx.lender_name(&param.name, &ty, &paths[0]);
             let mode = if mutable { Mode::RefMut } else { Mode::Ref };
             let (root, ty) = (LocalId(self.locals.len() as u32), Type::Slice(Box::new(element)));

@@ -35,10 +35,24 @@ impl Lowering<'_, '_> {
                     self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
                     Ok(Some(self.part(&place, id, field)))
                 }
+                None if self.may_lend_element(lent) => {
+                    let place = self.base(lent)?;
+                    let (id, word, field) = self.held_in(&place, expr)?;
+                    let (condition, span) = (self.tag_is(&place, id, word), self.span(expr.site));
+                    self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
+                    let held = self.part(&place, id, field);
+                    self.element_lent(&held, expr.site)
+                }
                 None => Ok(None),
             },
             _ => Ok(None),
         }
+    }
+
+    /// Whether an expression gives an `Option<&mut T>`.
+    fn may_lend_element(&self, expr: &tree::Expr) -> bool {
+        let ty = expr.slot.and_then(|slot| self.source.slots.get(slot as usize));
+        matches!(ty, Some(Ty::Option(value)) if is_element(value))
     }
 
     /// The `Option` that `as_mut` is called of; none if `expr` is something else.
@@ -86,7 +100,9 @@ impl Lowering<'_, '_> {
 
     /// The place that `lent?` leads to; none if `tried` is something else.
     pub(super) fn tried_place(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
-        let Some((lent, otherwise)) = self.tried_lent(tried) else { return Ok(None) };
+        let Some((lent, otherwise)) = self.tried_lent(tried) else {
+            return self.tried_element(tried);
+        };
         let name =
             tree::Pattern::Name { name: TRIED.into(), slot: NO_SLOT, mutable: false, inner: None };
         self.take_apart(&there(name), &lent, Some(&otherwise))?;
@@ -96,6 +112,20 @@ impl Lowering<'_, '_> {
             self.keep_moving(place);
         }
         Ok(place)
+    }
+
+    /// The element that `result?` refers to, of a `Result<&mut T, E>`; none if `tried` is something else.
+    fn tried_element(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
+        let Tree::Try(label, operand) = &tried.kind else { return Ok(None) };
+        let ty = operand.slot.and_then(|slot| self.source.slots.get(slot as usize));
+        if !matches!(ty, Some(Ty::Result(value, _)) if is_element(value)) {
+            return Ok(None);
+        }
+        let Some(value) = self.try_value(label.as_deref(), operand, tried.site)? else {
+            return Ok(None);
+        };
+        let held = self.hold(value);
+        self.element_lent(&held, tried.site)
     }
 
     /// A place that stays the same whatever comes; its indices have been looked at.
@@ -163,6 +193,11 @@ impl Lowering<'_, '_> {
 /// `Some(pattern)`.
 pub(super) fn there(pattern: tree::Pattern) -> tree::Pattern {
     tree::Pattern::Constructor("Some".into(), vec![pattern])
+}
+
+/// Whether a value is a `&mut T`.
+fn is_element(ty: &Ty) -> bool {
+    matches!(ty, Ty::Ref(of, true) if !matches!(**of, Ty::Slice(_)))
 }
 
 /// Whether a value refers to something.

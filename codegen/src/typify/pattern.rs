@@ -237,6 +237,9 @@ impl Lowering<'_, '_> {
         };
         match (pattern, &place.ty) {
             (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
+            _ if let Some(element) = self.element_lent(place, site)? => {
+                self.test_place(pattern, &element, site, names)
+            }
             (tree::Pattern::Array(_), _)
                 if let Some(slice) = self.slice_at(place.clone(), site)? =>
             {

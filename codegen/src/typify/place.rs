@@ -34,7 +34,8 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::Local(name) => {
                 let meaning = self.lookup(name, expr.site)?;
-                Ok(self.place_of(&meaning, span))
+                let place = self.place_of(&meaning, span);
+                place.map(|place| self.followed(place, expr.site)).transpose()
             }
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
             tree::ExprKind::Call(..) => match self.in_option(expr)? {
@@ -51,7 +52,8 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Field(base, name) => {
                 let base = self.base(base)?;
-                self.field(base, name, expr).map(Some)
+                let place = self.field(base, name, expr)?;
+                self.followed(place, expr.site).map(Some)
             }
             tree::ExprKind::Index(base, index) => {
                 if let Some(part) = self.submatrix(base)? {
@@ -240,28 +242,35 @@ impl Lowering<'_, '_> {
         }
         match &expr.kind {
             tree::ExprKind::Local(name) => Ok(self.named(name, expr.site)?.ty),
-            tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place_type(inner),
+            tree::ExprKind::Ref(_, inner) => self.place_type(inner),
+            tree::ExprKind::Deref(inner) => {
+                let ty = self.place_type(inner)?;
+                Ok(self.type_behind(ty))
+            }
             tree::ExprKind::Field(base, name) => {
                 let base = self.place_type(base)?;
+                let base = self.type_behind(base);
                 if is_whole(&base, name) {
                     return Ok(base);
                 }
                 Ok(self.field_step(&base, name, expr)?.1)
             }
-            tree::ExprKind::Index(base, index) => match self.place_type(base)? {
-                other if let Some(own) = self.own_element_type(&other, index, expr.site)? => {
-                    Ok(own)
+            tree::ExprKind::Index(base, index) => {
+                match self.place_type(base).map(|base| self.type_behind(base))? {
+                    other if let Some(own) = self.own_element_type(&other, index, expr.site)? => {
+                        Ok(own)
+                    }
+                    Type::Array { element, .. } | Type::Slice(element) => Ok(*element),
+                    Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
+                    other if let Some((_, slice)) = self.cx.as_borrowed(&other) => {
+                        Ok(slice.element.clone())
+                    }
+                    other => Ok(match (self.list_type(&other), self.bounded_type(&other)) {
+                        (Some((_, element, _)), _) | (_, Some((element, ..))) => element,
+                        _ => other,
+                    }),
                 }
-                Type::Array { element, .. } | Type::Slice(element) => Ok(*element),
-                Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
-                other if let Some((_, slice)) = self.cx.as_borrowed(&other) => {
-                    Ok(slice.element.clone())
-                }
-                other => Ok(match (self.list_type(&other), self.bounded_type(&other)) {
-                    (Some((_, element, _)), _) | (_, Some((element, ..))) => element,
-                    _ => other,
-                }),
-            },
+            }
             tree::ExprKind::Slice(base, ..) => self.place_type(base),
             tree::ExprKind::Call(..) | tree::ExprKind::Try(..) if expr.slot.is_some() => {
                 self.refers_to(expr.slot.unwrap_or_default(), expr.site)

@@ -184,7 +184,7 @@ impl<'a> Context<'a> {
             Ty::Ref(..) => problem(
                 site,
                 "a reference is not a value in the DSL",
-                "copy what it refers to, or pass the reference as an argument; instead of `iter_mut().find(…)` ask `iter().position(…)`, and `get_mut` there",
+                "copy what it refers to, or pass the reference as an argument",
             ),
             ty => self.pointee(ty, site),
         }

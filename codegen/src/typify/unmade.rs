@@ -28,7 +28,7 @@ impl Lowering<'_, '_> {
     /// The value of a tuple, if its parts are values.
     fn whole(&mut self, tuple: &Value, ty: &Type, site: Site) -> Option<Expr> {
         match (tuple, ty) {
-            (Value::Place(place), _) => Some(place.load()),
+            (Value::Place(_), _) => self.lent_value(tuple.clone(), ty, site).ok(),
             (Value::Tuple(parts, _), Type::Struct(id)) => {
                 let fields = self.cx.module.structs[id.index()].fields.clone();
                 let parts = parts.iter().zip(&fields);

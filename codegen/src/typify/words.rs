@@ -17,6 +17,8 @@ pub(super) const VALUE: &str = "value";
 pub(super) const ERROR: &str = "error";
 pub(super) const TAG: &str = "tag";
 pub(super) const ENDS: [&str; 2] = ["from", "length"];
+/// The same of what is one element.
+pub(super) const ENDS_OF_ONE: [&str; 2] = ["index", "length"];
 
 /// What a function that compares part by part is called, and its parameters.
 pub(super) const EQUAL: &str = "equal";

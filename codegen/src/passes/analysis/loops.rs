@@ -6,13 +6,14 @@
 //! * **A counter** (`for`): its bounds do not change while the loop runs, and in the body it lies between them.
 //! * **A local that only counts up**: all that the body writes to it adds a literal. Each pass adds at most the sum
 //!   along one path, a loop within it that times its passes; so at the head of pass `k` that times `k` was added.
+//! * **A word that is only given** values: [`given`](super::given).
 //! * **A loop that its body ends** has no counter, and its bounds move: an [`invariant`](super::invariant) is looked
 //!   for instead.
 
 use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Stmt, StmtKind};
 
 use super::domain::Interval;
-use super::state::State;
+use super::state::{self, Key, Known, State};
 use crate::effects::{lent, overlap, whole, writes};
 use crate::used::Rule;
 
@@ -31,7 +32,7 @@ pub(crate) struct Loop<'a> {
 }
 
 /// A local that only counts up, as it is before the loop.
-struct Counted {
+pub(super) struct Counted {
     local: Expr,
     before: Interval,
     /// The most that a pass adds.
@@ -39,6 +40,13 @@ struct Counted {
 }
 
 impl Counted {
+    pub(super) fn key(&self) -> Option<Key> {
+        match &self.local.kind {
+            ExprKind::Load(place) => state::key(place),
+            _ => None,
+        }
+    }
+
     /// Makes known what it is at most after so many passes.
     fn bound(&self, passes: i128, state: &mut State) {
         Rule::Counted.used();
@@ -50,35 +58,59 @@ impl Counted {
 impl Loop<'_> {
     /// Makes `state` that of the head of a pass, and gives the one behind the loop.
     pub(crate) fn enter<'m>(&self, state: &mut State<'m>) -> State<'m> {
-        let ranges = (state.range(self.from), state.range(self.to));
-        let behind = self.behind(state);
         if self.ended {
+            let behind = self.behind(state);
             *state = self.invariant(state);
             Rule::Invariant.told(!state.known.is_empty());
             return behind;
         }
+        let ranges = (state.range(self.from), state.range(self.to));
         let counted = self.counted(state);
-        self.forget(state);
-        Rule::Counter.used();
+        let given = self.given(state, &counted);
+        let behind = self.beyond(state, &counted, &given);
+        self.head(state);
         for local in counted {
             local.bound((passes(ranges, self.inclusive) - 1).max(0), state);
         }
-        let last = if self.inclusive { ranges.1.high } else { ranges.1.high.saturating_sub(1) };
-        state.bound(self.counter, Interval::new(ranges.0.low, last.max(ranges.0.low)));
-        let op = if self.inclusive { CompareOp::Le } else { CompareOp::Lt };
-        state.assume_compare(CompareOp::Le, self.from, self.counter, true);
-        state.assume_compare(op, self.counter, self.to, true);
+        state.known.extend(given);
         behind
     }
 
     /// The state behind the loop.
     pub(super) fn behind<'m>(&self, before: &State<'m>) -> State<'m> {
-        let counted = if self.ended { Vec::new() } else { self.counted(before) };
+        match self.ended {
+            true => self.beyond(before, &[], &[]),
+            false => {
+                let counted = self.counted(before);
+                self.beyond(before, &counted, &self.given(before, &counted))
+            }
+        }
+    }
+
+    fn beyond<'m>(
+        &self,
+        before: &State<'m>,
+        counted: &[Counted],
+        given: &[(Key, Known)],
+    ) -> State<'m> {
         let most = passes((before.range(self.from), before.range(self.to)), self.inclusive);
         let mut behind = before.clone();
         self.forget(&mut behind);
         counted.iter().for_each(|local| local.bound(most, &mut behind));
+        behind.known.extend(given.iter().cloned());
         behind
+    }
+
+    /// Makes `state` that of the head of a pass of which the counter is known, and nothing that the body writes.
+    pub(super) fn head(&self, state: &mut State) {
+        let ranges = (state.range(self.from), state.range(self.to));
+        self.forget(state);
+        Rule::Counter.used();
+        let last = if self.inclusive { ranges.1.high } else { ranges.1.high.saturating_sub(1) };
+        state.bound(self.counter, Interval::new(ranges.0.low, last.max(ranges.0.low)));
+        let op = if self.inclusive { CompareOp::Le } else { CompareOp::Lt };
+        state.assume_compare(CompareOp::Le, self.from, self.counter, true);
+        state.assume_compare(op, self.counter, self.to, true);
     }
 
     pub(super) fn forget(&self, state: &mut State) {

@@ -23,6 +23,7 @@
 mod assume;
 mod domain;
 mod evaluate;
+mod given;
 mod glance;
 mod invariant;
 mod loops;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use bessemer_ir::{Expr, LocalId, Module, Place, Scalar, Step, Type};
+use bessemer_ir::{Expr, ExprKind, LocalId, Module, Place, Scalar, Step, Type};
 
 use super::domain::Interval;
 use super::relations::Relations;
@@ -21,6 +21,14 @@ pub(crate) enum Known {
     Within(Interval),
     /// It is this float; not a NaN.
     Float(f64),
+}
+
+/// The words in a value that are known, each with the fields that lead to it.
+pub(crate) type Parts = Vec<(Vec<u32>, Known)>;
+
+/// What is known of a value that is a word.
+pub(crate) fn the_whole(parts: &Parts) -> Option<Known> {
+    parts.iter().find(|(at, _)| at.is_empty()).map(|(_, known)| *known)
 }
 
 /// Knowledge at a point of a function.
@@ -42,7 +50,7 @@ pub(super) fn key(place: &Place) -> Option<Key> {
     Some((place.root, fields.collect::<Option<_>>()?))
 }
 
-fn place_of((root, fields): &Key) -> Place {
+pub(super) fn place_of((root, fields): &Key) -> Place {
     Place { steps: fields.iter().map(|field| Step::Field(*field)).collect(), ..whole(*root) }
 }
 
@@ -97,11 +105,41 @@ impl<'m> State<'m> {
         self.relations.forget(written);
     }
 
-    /// Records at `place` the value that is written there, if anything is known of it.
-    pub(crate) fn assign(&mut self, place: &Place, value: Option<Known>) {
+    /// The words in a value that are known, each with the fields that lead to it: of a struct that is written out, and of one
+    /// that fields alone lead to, those in its fields.
+    pub(crate) fn parts(&self, value: &Expr) -> Parts {
+        let mut parts = Vec::new();
+        self.collect(value, &[], &mut parts);
+        parts
+    }
+
+    fn collect(&self, value: &Expr, at: &[u32], parts: &mut Parts) {
+        match &value.kind {
+            ExprKind::Struct(fields) => {
+                for (field, part) in (0..).zip(fields) {
+                    self.collect(part, &[at, &[field]].concat(), parts);
+                }
+            }
+            ExprKind::Load(from) if !value.ty.is_word() => {
+                let Some((root, fields)) = key(from) else { return };
+                let held = self.known.range((root, fields.clone())..);
+                let inside = held.map_while(|((other, all), known)| {
+                    let rest = all.strip_prefix(&fields[..]).filter(|_| *other == root)?;
+                    Some(([at, rest].concat(), *known))
+                });
+                parts.extend(inside);
+            }
+            _ => parts.extend(self.value(value).map(|known| (at.to_vec(), known))),
+        }
+    }
+
+    /// Records at `place` the value that is written there, as far as anything is known of it.
+    pub(crate) fn assign(&mut self, place: &Place, value: Parts) {
         self.forget(std::slice::from_ref(place));
-        if let (Some(key), Some(value)) = (key(place), value) {
-            self.known.insert(key, value);
+        if let Some((root, fields)) = key(place) {
+            let known =
+                value.into_iter().map(|(at, known)| ((root, [&fields[..], &at].concat()), known));
+            self.known.extend(known);
         }
     }
 

@@ -5,16 +5,16 @@
 //! is rewritten, and nothing said of checks; conditions that call are not assumed, since to ask again could give another
 //! answer.
 
-use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Module, Stmt, StmtKind};
+use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Module, Place, Stmt, StmtKind};
 
 use super::domain::Interval;
 use super::loops::Loop;
-use super::state::{Known, State, joined};
+use super::state::{Known, Parts, State, joined, the_whole};
 use crate::effects::{calls, lent, whole, writes};
 
 /// The state where the next pass begins, by the end of the body or a `continue`; nothing if none does.
 pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
-    let mut walk = Walk { continued: Vec::new(), held: None };
+    let mut walk = Walk { continued: Vec::new(), held: None, writes: None };
     let end = walk.block(body, head);
     joined(walk.continued.into_iter().chain(end))
 }
@@ -23,13 +23,20 @@ pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
 /// show, or where it is given nothing.
 pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>> {
     let held = Some(vec![Held::Nothing; function.locals.len()]);
-    let mut walk = Walk { continued: Vec::new(), held };
+    let mut walk = Walk { continued: Vec::new(), held, writes: None };
     walk.block(&function.body, State::new(module));
     let shown = |held| match held {
         Held::Within(interval) => Some(interval),
         Held::Nothing | Held::Anything => None,
     };
     walk.held.into_iter().flatten().map(shown).collect()
+}
+
+/// What the statements of a body write, with what is known of the values; of what calls may write, nothing is.
+pub(super) fn written_in(body: &Block, head: State) -> Vec<(Place, Parts)> {
+    let mut walk = Walk { continued: Vec::new(), held: None, writes: Some(Vec::new()) };
+    walk.block(body, head);
+    walk.writes.unwrap_or_default()
 }
 
 /// What a local was given so far.
@@ -45,6 +52,8 @@ struct Walk<'m> {
     continued: Vec<State<'m>>,
     /// What each local is given, where that is asked: then the bodies of loops are followed, too.
     held: Option<Vec<Held>>,
+    /// What is written, where that is asked: then, too.
+    writes: Option<Vec<(Place, Parts)>>,
 }
 
 impl<'m> Walk<'m> {
@@ -65,28 +74,51 @@ impl<'m> Walk<'m> {
         };
     }
 
+    /// Notes that a place is given a value.
+    fn wrote(&mut self, place: &Place, value: &Parts) {
+        self.writes.iter_mut().for_each(|all| all.push((place.clone(), value.clone())));
+    }
+
+    /// Notes that a place may be given anything.
+    fn lent(&mut self, places: &[Place]) {
+        places.iter().for_each(|place| self.wrote(place, &Vec::new()));
+    }
+
+    /// What is known of the value of an expression, unless it calls: then what it may have written is forgotten.
+    fn evaluated(&mut self, expr: &Expr, state: &mut State) -> Parts {
+        let (value, written) =
+            (if calls(expr) { Vec::new() } else { state.parts(expr) }, lent(expr));
+        state.forget(&written);
+        self.lent(&written);
+        value
+    }
+
     fn stmt(&mut self, stmt: &Stmt, mut state: State<'m>) -> Option<State<'m>> {
         match &stmt.kind {
             StmtKind::Let { local, value } => {
-                let given = value.as_ref().and_then(|value| evaluated(value, &mut state));
-                if value.is_some() {
-                    self.given(*local, given);
+                let given = value.as_ref().map(|value| self.evaluated(value, &mut state));
+                if let Some(given) = &given {
+                    self.given(*local, the_whole(given));
+                    self.wrote(&whole(*local), given);
                 }
-                state.assign(&whole(*local), given);
+                state.assign(&whole(*local), given.unwrap_or_default());
             }
             StmtKind::Assign { place, value } => {
-                let value = evaluated(value, &mut state);
+                let value = self.evaluated(value, &mut state);
                 if place.steps.is_empty() {
-                    self.given(place.root, value);
+                    self.given(place.root, the_whole(&value));
                 }
-                state.forget(&lent(place));
+                let written = lent(place);
+                state.forget(&written);
+                self.lent(&written);
+                self.wrote(place, &value);
                 state.assign(place, value);
             }
             StmtKind::Expr(value) => {
-                evaluated(value, &mut state);
+                self.evaluated(value, &mut state);
             }
             StmtKind::Check { condition, .. } => {
-                evaluated(condition, &mut state);
+                self.evaluated(condition, &mut state);
                 // Whatever reaches it faults, and the invariant speaks of what does not: so nothing comes behind it. It is
                 // a `panic!` or `unreachable!`; taking it for any condition would join a path that nobody takes.
                 if condition.kind == ExprKind::Literal(0) {
@@ -95,7 +127,7 @@ impl<'m> Walk<'m> {
                 assume(&mut state, condition, true);
             }
             StmtKind::If { condition, then, otherwise } => {
-                evaluated(condition, &mut state);
+                self.evaluated(condition, &mut state);
                 let mut other = state.clone();
                 assume(&mut state, condition, true);
                 assume(&mut other, condition, false);
@@ -103,7 +135,7 @@ impl<'m> Walk<'m> {
                 return joined(ends.into_iter().flatten());
             }
             StmtKind::Match { scrutinee, arms, otherwise } => {
-                evaluated(scrutinee, &mut state);
+                self.evaluated(scrutinee, &mut state);
                 let asks = !calls(scrutinee);
                 let mut ends = Vec::new();
                 for (index, arm) in arms.iter().enumerate() {
@@ -124,16 +156,17 @@ impl<'m> Walk<'m> {
                 return joined(ends.into_iter().flatten());
             }
             StmtKind::For { variable, from, to, inclusive, ended, body, .. } => {
-                evaluated(from, &mut state);
-                evaluated(to, &mut state);
+                self.evaluated(from, &mut state);
+                self.evaluated(to, &mut state);
                 let (counter, written) =
                     (Expr::local(*variable, &from.ty, stmt.span), writes(&body.0));
                 let (inclusive, ended) = (*inclusive, *ended || calls(from) || calls(to));
                 let (counter, written) = (&counter, &written[..]);
                 let inner = Loop { counter, from, to, inclusive, ended, written, body };
-                if self.held.is_none() {
+                if self.held.is_none() && self.writes.is_none() {
                     return Some(inner.behind(&state));
                 }
+                self.lent(&[whole(*variable)]);
                 let behind = inner.enter(&mut state);
                 let outer = std::mem::take(&mut self.continued);
                 self.block(body, state);
@@ -148,13 +181,6 @@ impl<'m> Walk<'m> {
         }
         Some(state)
     }
-}
-
-/// The value of an expression, unless it calls: then what it may have written is forgotten.
-fn evaluated(expr: &Expr, state: &mut State) -> Option<Known> {
-    let value = state.value(expr).filter(|_| !calls(expr));
-    state.forget(&lent(expr));
-    value
 }
 
 fn assume(state: &mut State, condition: &Expr, truth: bool) {

@@ -5,16 +5,17 @@
 //! * A counter lies between the values that the bounds had when the loop began.
 //! * What a counted loop changes moves by so much in a pass, whatever it was before: by that times the passes at most
 //!   in all of them.
-//! * Of a loop that its body ends bounds are guessed: those from before. One that a pass does not keep is given up, until
-//!   a pass that begins within all of them ends within all of them.
+//! * Of what a loop changes otherwise bounds are guessed: those from before, then those with what a pass ends with. One that
+//!   is not kept is given up, until a pass that begins within all of them ends within all of them. Behind a counted loop it
+//!   lies within what it was before, or at the end of a pass, or where the loop is left.
 
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Step, Stmt,
+    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Place, Step, Stmt,
     StmtKind, Type, UnaryOp,
 };
 
 use super::knowledge::{Bounds, Formula};
-use super::linear::{Linear, Symbol};
+use super::linear::Linear;
 use super::values::{At, Point, Value, Values, ordered, step_type, within};
 use super::written::{Target, apart, by_expr, by_stmts};
 use crate::passes::sites::Site;
@@ -22,6 +23,35 @@ use crate::used::Rule;
 
 /// The most that a pass may move a number for it to be followed.
 const FAST: i128 = 1 << 32;
+
+/// The words in a value that are known, each with the fields that lead to it.
+type Parts = Vec<(Vec<At>, Value)>;
+
+/// What is known of a value that is a word.
+fn the_whole(parts: &Parts) -> Option<&Value> {
+    parts.iter().find(|(at, _)| at.is_empty()).map(|(_, value)| value)
+}
+
+/// The steps to a place that fields alone lead to.
+fn fields_of(place: &Place) -> Option<Vec<At>> {
+    let field = |step: &Step| match step {
+        Step::Field(field) => Some(At::Field(*field)),
+        _ => None,
+    };
+    place.steps.iter().map(field).collect()
+}
+
+/// Bounds of a word of a local that a loop changes.
+struct Guess {
+    local: LocalId,
+    at: Vec<At>,
+    /// Those from before, those that are held to be kept, and those of its type.
+    start: Bounds,
+    now: Bounds,
+    widest: Bounds,
+    /// Whether a pass has widened them.
+    seen: bool,
+}
 
 pub(super) struct Walk<'m> {
     values: Values<'m>,
@@ -72,20 +102,20 @@ impl<'m> Walk<'m> {
     fn stmt(&mut self, stmt: &Stmt, mut point: Point) -> Option<Point> {
         match &stmt.kind {
             StmtKind::Let { local, value } => {
-                let given = value.as_ref().and_then(|value| self.evaluated(value, &mut point));
-                if value.is_some() {
-                    self.given(&point, *local, given.as_ref());
+                let given = value.as_ref().map(|value| self.parts(value, &mut point));
+                if let Some(given) = &given {
+                    self.given(&point, *local, the_whole(given));
                 }
-                self.write(&mut point, &Target::whole(*local), given);
+                self.write(&mut point, &Target::whole(*local), given.unwrap_or_default());
             }
             StmtKind::Assign { place, value } => {
-                let value = self.evaluated(value, &mut point);
+                let value = self.parts(value, &mut point);
                 let at = self.values.steps(&mut point, place);
                 let target = Target { local: place.root, at };
                 if target.at.is_empty() {
-                    self.given(&point, place.root, value.as_ref());
+                    self.given(&point, place.root, the_whole(&value));
                 }
-                self.write(&mut point, &target, value.filter(|_| place.ty.is_word()));
+                self.write(&mut point, &target, value);
             }
             StmtKind::Expr(value) => {
                 self.evaluated(value, &mut point);
@@ -148,6 +178,37 @@ impl<'m> Walk<'m> {
         Some(point)
     }
 
+    /// The words of a value that are known, each where it is in the value: of a struct that is written out, and of one that
+    /// fields alone lead to, those in its fields. What the value lent may hold anything behind it.
+    fn parts(&mut self, expr: &Expr, point: &mut Point) -> Parts {
+        let mut parts = Vec::new();
+        self.collect(expr, point, &[], &mut parts);
+        self.forget(point, &by_expr(expr));
+        parts
+    }
+
+    fn collect(&mut self, expr: &Expr, point: &mut Point, at: &[At], parts: &mut Parts) {
+        if let ExprKind::Struct(fields) = &expr.kind {
+            for (field, part) in (0..).zip(fields) {
+                self.collect(part, point, &[at, &[At::Field(field)]].concat(), parts);
+            }
+            return;
+        }
+        let value = self.values.value(point, expr);
+        if expr.ty.is_word() {
+            parts.extend(value.map(|value| (at.to_vec(), value)));
+        } else if let ExprKind::Load(from) = &expr.kind
+            && let Some(steps) = fields_of(from)
+        {
+            let held = point.places.get(&from.root).into_iter().flatten();
+            let inside = held.filter_map(|(other, value)| {
+                let rest = other.strip_prefix(steps.as_slice())?;
+                Some(([at, rest].concat(), value.clone()))
+            });
+            parts.extend(inside);
+        }
+    }
+
     /// The value of an expression; behind it, what it lent may hold anything.
     fn evaluated(&mut self, expr: &Expr, point: &mut Point) -> Option<Value> {
         let value = self.values.value(point, expr);
@@ -192,17 +253,15 @@ impl<'m> Walk<'m> {
     }
 
     /// A target is written.
-    fn write(&mut self, point: &mut Point, target: &Target, value: Option<Value>) {
+    fn write(&mut self, point: &mut Point, target: &Target, value: Parts) {
         point.version = self.values.next_version();
         let held = point.places.entry(target.local).or_default();
         held.retain(|(other, _)| other.iter().zip(&target.at).any(|(a, b)| apart(a, b)));
-        if let Some(value) = value {
-            held.push((target.at.clone(), value));
-        }
+        held.extend(value.into_iter().map(|(at, part)| ([&target.at[..], &at].concat(), part)));
     }
 
     fn forget(&mut self, point: &mut Point, targets: &[Target]) {
-        targets.iter().for_each(|target| self.write(point, target, None));
+        targets.iter().for_each(|target| self.write(point, target, Vec::new()));
     }
 
     fn joined(&mut self, points: impl IntoIterator<Item = Point>) -> Option<Point> {
@@ -225,7 +284,10 @@ impl<'m> Walk<'m> {
                 } else if let (Value::Number(x), Value::Number(y)) = (&value, other) {
                     let all = &self.values.all;
                     let (p, q) = (a.knowledge.range(x, all), b.knowledge.range(y, all));
-                    let symbol = self.values.fresh((p.0.min(q.0), p.1.max(q.1)));
+                    // Whatever bounds a form has, its value is one of the type.
+                    let (low, high) = self.type_bounds(root, &at);
+                    let bounds = (p.0.min(q.0).max(low), p.1.max(q.1).min(high));
+                    let symbol = self.values.fresh(bounds);
                     let form = Linear::symbol(symbol);
                     for (knowledge, held) in [(&mut a.knowledge, x), (&mut b.knowledge, y)] {
                         if let Some(equal) = ordered(CompareOp::Eq, &form, held) {
@@ -271,7 +333,8 @@ impl<'m> Walk<'m> {
         let mut empty = before.clone();
         self.forget(&mut empty, &written);
         if *ended {
-            let head = self.guessed(&before, &empty, &written, body);
+            let guesses = self.guesses(&before, &written, &[]);
+            let (head, _) = self.guessed(&empty, guesses, body);
             self.pass(body, head);
             return empty;
         }
@@ -294,6 +357,7 @@ impl<'m> Walk<'m> {
         let most = most.map_or(i128::MAX, |it| before.knowledge.closest(&it, &self.values.all).1);
         let mut behind = empty;
         let moved = self.moved(&before, &head, &written, body);
+        let moving: Vec<LocalId> = moved.iter().map(|it| it.0).collect();
         for (local, old, (down, up)) in moved {
             Rule::Moved.used();
             let Some(Value::Number(now)) = self.values.unknown(&self.function.local(local).ty)
@@ -320,8 +384,33 @@ impl<'m> Walk<'m> {
             }
             behind.places.insert(local, vec![(Vec::new(), Value::Number(then))]);
         }
-        if !head.knowledge.dead {
-            self.pass(body, head);
+        let guesses = self.guesses(&before, &written, &moving);
+        let kept = if guesses.is_empty() || head.knowledge.dead {
+            Vec::new()
+        } else {
+            let (with, kept) = self.guessed(&head, guesses, body);
+            head = with;
+            kept
+        };
+        let left = match head.knowledge.dead {
+            true => Vec::new(),
+            false => self.pass(body, head).1,
+        };
+        for Guess { local, at, now: mut hull, .. } in kept {
+            for point in &left {
+                let held = point.places.get(&local).and_then(|it| it.iter().find(|it| it.0 == at));
+                let end = match held {
+                    Some((_, Value::Number(form))) => {
+                        point.knowledge.closest(form, &self.values.all)
+                    }
+                    _ => (i128::MIN, i128::MAX),
+                };
+                hull = (hull.0.min(end.0), hull.1.max(end.1));
+            }
+            let widest = self.type_bounds(local, &at);
+            let symbol = self.values.fresh((hull.0.max(widest.0), hull.1.min(widest.1)));
+            let held = behind.places.entry(local).or_default();
+            held.push((at, Value::Number(Linear::symbol(symbol))));
         }
         behind
     }
@@ -387,36 +476,50 @@ impl<'m> Walk<'m> {
         found
     }
 
-    /// The head of a loop that its body ends: bounds that each pass keeps.
-    fn guessed(
-        &mut self,
-        before: &Point,
-        empty: &Point,
-        written: &[Target],
-        body: &Block,
-    ) -> Point {
-        let mut guesses: Vec<(LocalId, Vec<At>, Bounds, Bounds, Bounds)> = Vec::new();
-        for Target { local, .. } in written {
+    /// The words that a loop writes and of which something is known before, but for locals that are followed otherwise.
+    fn guesses(&mut self, before: &Point, written: &[Target], moving: &[LocalId]) -> Vec<Guess> {
+        let mut guesses: Vec<Guess> = Vec::new();
+        for Target { local, .. } in written.iter().filter(|it| !moving.contains(&it.local)) {
             for (at, value) in before.places.get(local).into_iter().flatten() {
                 let Value::Number(form) = value else { continue };
                 let fields = at.iter().all(|step| matches!(step, At::Field(_)));
-                let same = |it: &(LocalId, Vec<At>, _, _, _)| it.0 == *local && it.1 == *at;
-                if fields && !guesses.iter().any(same) {
+                let part = Target { local: *local, at: at.clone() };
+                let meets = written.iter().any(|it| it.meets(&part));
+                let same = |it: &Guess| it.local == *local && it.at == *at;
+                if fields && meets && !guesses.iter().any(same) {
                     let start = before.knowledge.range(form, &self.values.all);
                     let widest = self.type_bounds(*local, at);
-                    guesses.push((*local, at.clone(), start, start, widest));
+                    let at = at.clone();
+                    guesses.push(Guess {
+                        local: *local,
+                        at,
+                        start,
+                        now: start,
+                        widest,
+                        seen: false,
+                    });
                 }
             }
         }
+        guesses
+    }
+
+    /// The head of a loop with bounds that each pass keeps, and these.
+    fn guessed(
+        &mut self,
+        empty: &Point,
+        mut guesses: Vec<Guess>,
+        body: &Block,
+    ) -> (Point, Vec<Guess>) {
         loop {
-            let (head, symbols) = self.head(empty, &guesses);
+            let head = self.head(empty, &guesses);
             let (again, _) = self.trial(body, head);
             let Some(again) = again else { break };
             let mut kept = true;
             let mut ends = Vec::new();
-            for ((root, at, _, guess, widest), _) in guesses.iter_mut().zip(symbols) {
+            for Guess { local, at, now, widest, seen, .. } in &mut guesses {
                 let held =
-                    again.places.get(root).and_then(|it| it.iter().find(|(it, _)| *it == *at));
+                    again.places.get(local).and_then(|it| it.iter().find(|(it, _)| *it == *at));
                 let end = match held {
                     Some((_, Value::Number(form))) => {
                         again.knowledge.closest(form, &self.values.all)
@@ -424,50 +527,52 @@ impl<'m> Walk<'m> {
                     _ => *widest,
                 };
                 let end = (end.0.max(widest.0), end.1.min(widest.1));
-                if end.0 < guess.0 {
-                    (guess.0, kept) = (widest.0, false);
-                }
-                if end.1 > guess.1 {
-                    (guess.1, kept) = (widest.1, false);
+                let wider = (end.0.min(now.0), end.1.max(now.1));
+                if wider != *now {
+                    // What a pass widens again may move on for ever.
+                    let low = if *seen && wider.0 < now.0 { widest.0 } else { wider.0 };
+                    let high = if *seen && wider.1 > now.1 { widest.1 } else { wider.1 };
+                    (*now, *seen, kept) = ((low, high), true, false);
                 }
                 ends.push(end);
             }
             if kept {
                 // The head is reached only before the first pass and after a pass within the guesses.
-                for ((_, _, start, guess, _), end) in guesses.iter_mut().zip(ends) {
-                    *guess = (start.0.min(end.0), start.1.max(end.1));
+                for (Guess { start, now, .. }, end) in guesses.iter_mut().zip(ends) {
+                    *now = (start.0.min(end.0), start.1.max(end.1));
                 }
                 break;
             }
         }
         Rule::Guessed.told(!guesses.is_empty());
-        self.head(empty, &guesses).0
+        (self.head(empty, &guesses), guesses)
     }
 
-    fn head(
-        &mut self,
-        empty: &Point,
-        guesses: &[(LocalId, Vec<At>, Bounds, Bounds, Bounds)],
-    ) -> (Point, Vec<Symbol>) {
+    fn head(&mut self, empty: &Point, guesses: &[Guess]) -> Point {
         let mut head = empty.clone();
-        let mut symbols = Vec::new();
-        for (root, at, _, guess, _) in guesses {
-            let symbol = self.values.fresh(*guess);
-            let held = head.places.entry(*root).or_default();
+        for Guess { local, at, now, .. } in guesses {
+            let symbol = self.values.fresh(*now);
+            let held = head.places.entry(*local).or_default();
             held.retain(|(it, _)| it != at);
             held.push((at.clone(), Value::Number(Linear::symbol(symbol))));
-            symbols.push(symbol);
         }
-        (head, symbols)
+        head
     }
 
     /// The bounds that the word at some fields of a local has by its type.
     fn type_bounds(&mut self, root: LocalId, at: &[At]) -> Bounds {
         let mut ty = Some(self.function.local(root).ty.clone());
         for step in at {
-            let At::Field(field) = step else { continue };
-            let step = Step::Field(*field);
-            ty = ty.and_then(|ty| step_type(self.values.module, &ty, &step));
+            ty = match (step, ty) {
+                (At::Field(field), Some(ty)) => {
+                    step_type(self.values.module, &ty, &Step::Field(*field))
+                }
+                (At::Index(_), Some(Type::Array { element, .. } | Type::Slice(element))) => {
+                    Some(*element)
+                }
+                (At::Index(_), Some(Type::Matrix { element, .. })) => Some(Type::Scalar(element)),
+                _ => None,
+            };
         }
         let unknown = ty.and_then(|ty| self.values.unknown(&ty));
         match unknown {

@@ -28,7 +28,7 @@ impl Target {
     }
 
     /// Whether the two may share memory.
-    fn meets(&self, other: &Target) -> bool {
+    pub(super) fn meets(&self, other: &Target) -> bool {
         self.local == other.local && !self.at.iter().zip(&other.at).any(|(a, b)| apart(a, b))
     }
 }

@@ -4,7 +4,7 @@
 
 bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted, uint64_t *result)
 {
-    uint64_t low = UINT64_C(0);
+    uint32_t low = 0U;
     uint32_t high = 8U;
     for (uint32_t pass = 0U; pass <= 4U; pass++) {
         if (low >= high) {
@@ -13,11 +13,8 @@ bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted, 
         if (pass >= 4U) {
             return BESSEMER_STATUS_BOUND;
         }
-        if (low > UINT64_MAX - (uint64_t)high) {
-            return BESSEMER_STATUS_OVERFLOW;
-        }
-        const uint64_t middle = (low + high) / UINT64_C(2);
-        if (middle >= UINT64_C(8)) {
+        const uint32_t middle = (low + high) / 2U;
+        if (middle >= 8U) {
             return BESSEMER_STATUS_INDEX;
         }
         if (table[middle] == wanted) {
@@ -25,9 +22,9 @@ bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted, 
             return BESSEMER_STATUS_OK;
         }
         if (table[middle] < wanted) {
-            low = middle + UINT64_C(1);
+            low = middle + 1U;
         } else {
-            high = (uint32_t)middle;
+            high = middle;
         }
     }
     *result = UINT64_C(8);

@@ -72,8 +72,7 @@ int32_t leaving_closures_known(const int32_t readings[6], int32_t scale)
     return gathered;
 }
 
-bessemer_status_t leaving_closures_first_above(const uint8_t rows[2][3], uint8_t least,
-    uint32_t *result)
+uint32_t leaving_closures_first_above(const uint8_t rows[2][3], uint8_t least)
 {
     uint32_t result_choice = 0U;
     bool answer_done = false;
@@ -86,9 +85,6 @@ bessemer_status_t leaving_closures_first_above(const uint8_t rows[2][3], uint8_t
     }
     if (!answer_done) {
         result_choice = 9U;
-    }
-    if (result_choice > 0x19999999U) {
-        return BESSEMER_STATUS_OVERFLOW;
     }
     const uint32_t result_left = 10U * result_choice;
     uint32_t result_choice_2 = 0U;
@@ -103,11 +99,7 @@ bessemer_status_t leaving_closures_first_above(const uint8_t rows[2][3], uint8_t
     if (!answer_done_2) {
         result_choice_2 = 9U;
     }
-    if ((int64_t)result_left + (int64_t)result_choice_2 > (int64_t)UINT32_MAX) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    *result = result_left + result_choice_2;
-    return BESSEMER_STATUS_OK;
+    return result_left + result_choice_2;
 }
 
 bessemer_status_t leaving_closures_by_name(const float values[4], float k, float *result)

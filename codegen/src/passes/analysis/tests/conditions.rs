@@ -315,7 +315,7 @@ fn what_is_known_behind_a_write_holds() {
         for (condition, holds, _) in asked.iter().step_by(9) {
             for term in numbers.terms().into_iter().filter(|term| term.ty == numbers.ty()) {
                 let mut state = numbers.start(&module).assuming(condition, true);
-                let known = state.value(&term);
+                let known = state.parts(&term);
                 state.assign(&whole(X), known);
                 // What x is behind it, of pairs that stay in the table.
                 let mut reach = Pairs::default();

@@ -166,6 +166,35 @@ fn what_a_counted_loop_counts_holds() {
     }
 }
 
+/// Words that a loop gives values, some of them beside what counts up, lends, leaves or goes on.
+#[test]
+fn what_a_counted_loop_gives_holds() {
+    for head in HEADS {
+        let whole: usize = [
+            "x = k;",
+            "if k > y { x = k; }",
+            "x = y.min(3u8);",
+            "if y > x { x = y; } else { y = 1u8; }",
+            "x = k; y = x;",
+            "y = x; x = k.wrapping_add(1u8);",
+            "if k == 1u8 { x = 9u8; break; }",
+            "if k == 1u8 { continue; } x = n; if x == 2u8 { break; } x = k;",
+            "match k { 0 => { x = 7u8; } 2, 3 => { y = k; } _ => {} }",
+            "for j: u8 in 0u8..=2u8 { if j > y { x = j; } }",
+            "for j: u8 in 0u8..k { x = j; y = x + 1u8; } x = 5u8;",
+            "x = k; let z: u8 = two(&mut x);",
+            "let z: u8 = two(&mut x); x = k;",
+            "x = x.wrapping_sub(k);",
+            "x = 3u8; x = x.wrapping_mul(y);",
+            "if x < n { x = n; } if n < 3u8 { y = x; }",
+        ]
+        .into_iter()
+        .map(|body| holds(head, body))
+        .sum();
+        assert!(whole > 0, "{head}: every execution faults");
+    }
+}
+
 /// Bounds that move: by one and by more, one and both of them, before and behind the condition.
 #[test]
 fn what_a_loop_that_ends_itself_keeps_holds() {

@@ -1,0 +1,221 @@
+/* The C of tests/corpus/src/programs/data/chosen_elements.rs. Written by a test. */
+
+/* chosen_elements.c */
+
+void transfers_of(transfers_t *self, uint8_t id, option_element_mut_transfer_t *result)
+{
+    result->is_some = false;
+    result->value.index = UINT64_C(0);
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (self->all[i].busy && self->all[i].id == id) {
+            result->is_some = true;
+            result->value.index = i;
+            break;
+        }
+    }
+}
+
+void transfers_at(transfers_t *self, uint64_t index, result_element_mut_transfer_u8_t *result)
+{
+    (void)self;
+    option_element_mut_transfer_t result_found = {.is_some = false};
+    if (index < UINT64_C(6)) {
+        result_found.is_some = true;
+        result_found.value.index = index;
+    }
+    result->is_ok = false;
+    result->value.index = UINT64_C(0);
+    result->error = 3U;
+    if (result_found.is_some) {
+        result->is_ok = true;
+        result->value = result_found.value;
+        result->error = 0U;
+    }
+}
+
+void transfers_begun(transfers_t *self, uint8_t id, option_element_mut_transfer_t *result)
+{
+    option_element_mut_transfer_t free = {.is_some = false};
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (!self->all[i].busy) {
+            free.is_some = true;
+            free.value.index = i;
+            break;
+        }
+    }
+    if (!free.is_some) {
+        result->is_some = false;
+        result->value.index = UINT64_C(0);
+        return;
+    }
+    self->all[free.value.index].busy = true;
+    self->all[free.value.index].id = id;
+    result->is_some = true;
+    result->value.index = free.value.index;
+}
+
+bessemer_status_t chosen_elements_try_again(transfers_t *transfers, uint8_t id, bool *result)
+{
+    option_element_mut_transfer_t transfer;
+    transfers_of(transfers, id, &transfer);
+    if (transfer.is_some) {
+        if (transfer.value.index >= UINT64_C(6)) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        transfers->all[transfer.value.index].tries = saturating_add_u16(
+            transfers->all[transfer.value.index].tries, 1U);
+        *result = true;
+        return BESSEMER_STATUS_OK;
+    } else {
+        *result = false;
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+bessemer_status_t chosen_elements_begin(transfers_t *transfers, uint8_t id, uint16_t *result)
+{
+    option_element_mut_transfer_t begun;
+    transfers_begun(transfers, id, &begun);
+    if (begun.is_some) {
+        if (begun.value.index >= UINT64_C(6)) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        transfers->all[begun.value.index].tries = 1U;
+        *result = 0U;
+        return BESSEMER_STATUS_OK;
+    }
+    option_element_mut_transfer_t least = {.is_some = false};
+    option_u16_t least_2 = {.is_some = false};
+    for (uint32_t i = 0U; i < 6U; i++) {
+        const uint16_t key = transfers->all[i].tries;
+        if (least_2.is_some) {
+            if (key < least_2.value) {
+                least_2.is_some = true;
+                least_2.value = key;
+                least.is_some = true;
+                least.value.index = i;
+            }
+        } else {
+            least_2.is_some = true;
+            least_2.value = key;
+            least.is_some = true;
+            least.value.index = i;
+        }
+    }
+    const uint64_t least_index = least.value.index;
+    if (least.is_some) {
+        transfers->all[least_index].id = id;
+        *result = transfers->all[least_index].tries;
+        return BESSEMER_STATUS_OK;
+    } else {
+        *result = 9U;
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+bessemer_status_t chosen_elements_end(transfers_t *transfers, uint64_t index,
+    result_u16_u8_t *result)
+{
+    result_element_mut_transfer_u8_t outcome;
+    transfers_at(transfers, index, &outcome);
+    if (!outcome.is_ok) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = outcome.error;
+        return BESSEMER_STATUS_OK;
+    }
+    const uint64_t ended_index = outcome.value.index;
+    if (ended_index >= UINT64_C(6)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    transfers->all[ended_index].busy = false;
+    result->is_ok = true;
+    result->value = transfers->all[ended_index].tries;
+    result->error = 0U;
+    return BESSEMER_STATUS_OK;
+}
+
+uint64_t chosen_elements_halve(float readings[5], float most)
+{
+    option_pair_usize_element_mut_f32_t next = {.is_some = false};
+    for (uint32_t i = 0U; i < 5U; i++) {
+        const pair_usize_element_mut_f32_t it = {.first = i, .second = {.index = i}};
+        if (readings[it.second.index] > most) {
+            next.is_some = true;
+            next.value.first = i;
+            next.value.second.index = i;
+            break;
+        }
+    }
+    if (next.is_some) {
+        readings[next.value.second.index] *= 0.5F;
+        return next.value.first;
+    }
+    option_element_mut_f32_t last = {.is_some = false};
+    for (uint32_t i = 0U; i < 5U; i++) {
+        if (readings[i] < 0.0F) {
+            last.is_some = true;
+            last.value.index = i;
+        }
+    }
+    const uint64_t last_index = last.value.index;
+    if (last.is_some) {
+        readings[last_index] = 0.0F;
+    }
+    return UINT64_C(5);
+}
+
+int32_t chosen_elements_largest(const int32_t values[7])
+{
+    uint32_t best = 0U;
+    for (uint32_t i = 1U; i < 7U; i++) {
+        if (values[i] > values[best]) {
+            best = i;
+        }
+    }
+    return values[best];
+}
+
+bessemer_status_t chosen_elements_set(float readings[5], uint64_t index, float to)
+{
+    option_element_mut_f32_t value_found = {.is_some = false};
+    if (index < UINT64_C(5)) {
+        value_found.is_some = true;
+        value_found.value.index = index;
+    }
+    if (!value_found.is_some) {
+        return BESSEMER_STATUS_ABSENT;
+    }
+    readings[value_found.value.index] = to;
+    option_element_mut_f32_t find = {.is_some = false};
+    for (uint32_t i = 5U; i-- > 0U;) {
+        if (readings[i] > to) {
+            find.is_some = true;
+            find.value.index = i;
+            break;
+        }
+    }
+    if (!find.is_some) {
+        return BESSEMER_STATUS_ABSENT;
+    }
+    readings[find.value.index] = to;
+    return BESSEMER_STATUS_OK;
+}
+
+/* chosen_elements.h */
+
+/** A transfer that waits. */
+typedef struct {
+    /** Whose it is. */
+    uint8_t id;
+    /** Whether it is under way. */
+    bool busy;
+    /** How often it was tried. */
+    uint16_t tries;
+} transfer_t;
+
+/** All of them. */
+typedef struct {
+    /** In no order. */
+    transfer_t all[6];
+} transfers_t;

@@ -1,0 +1,117 @@
+//! Elements to be written, of which there may be none: what is chosen is an index in the C.
+
+use bessemer::prelude::*;
+
+/// A transfer that waits.
+#[data]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Transfer {
+    /// Whose it is.
+    pub id: u8,
+    /// Whether it is under way.
+    pub busy: bool,
+    /// How often it was tried.
+    pub tries: u16,
+}
+
+/// All of them.
+#[data]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Transfers {
+    /// In no order.
+    pub all: [Transfer; 6],
+}
+
+#[data]
+impl Transfers {
+    /// The one with an id.
+    pub fn of(&mut self, id: u8) -> Option<&mut Transfer> {
+        self.all.iter_mut().find(|it| it.busy && it.id == id)
+    }
+
+    /// The one at a place.
+    pub fn at(&mut self, index: usize) -> Result<&mut Transfer, u8> {
+        self.all.get_mut(index).ok_or(3)
+    }
+
+    /// One that is free, marked as under way.
+    pub fn begun(&mut self, id: u8) -> Option<&mut Transfer> {
+        let free = self.all.iter_mut().find(|it| !it.busy)?;
+        free.busy = true;
+        free.id = id;
+        Some(free)
+    }
+}
+
+/// Tries a transfer again; whether it is there.
+#[function]
+pub fn try_again(transfers: &mut Transfers, id: u8) -> bool {
+    match transfers.of(id) {
+        Some(transfer) => {
+            transfer.tries = transfer.tries.saturating_add(1);
+            true
+        }
+        None => false,
+    }
+}
+
+/// Begins one, or gives up the one that was tried least.
+#[function]
+pub fn begin(transfers: &mut Transfers, id: u8) -> u16 {
+    if let Some(begun) = transfers.begun(id) {
+        begun.tries = 1;
+        return 0;
+    }
+    let least = transfers.all.iter_mut().min_by_key(|it| it.tries);
+    least.map_or(9, |it| {
+        it.id = id;
+        it.tries
+    })
+}
+
+/// Ends the one at a place.
+#[function]
+pub fn end(transfers: &mut Transfers, index: usize) -> Result<u16, u8> {
+    let ended = transfers.at(index)?;
+    ended.busy = false;
+    Ok(ended.tries)
+}
+
+/// Halves the last reading above a limit, with its number.
+#[function]
+pub fn halve(readings: &mut [f32; 5], most: f32) -> usize {
+    let mut high = readings.iter_mut().enumerate().filter(|it| *it.1 > most);
+    if let Some((index, reading)) = high.next() {
+        *reading *= 0.5;
+        return index;
+    }
+    let mut last: Option<&mut f32> = None;
+    for reading in readings.iter_mut() {
+        if *reading < 0.0 {
+            last = Some(reading);
+        }
+    }
+    if let Some(reading) = last {
+        *reading = 0.0;
+    }
+    5
+}
+
+/// The largest of some values, found by its index: no check is left.
+#[function]
+pub fn largest(values: &[i32; 7]) -> i32 {
+    let mut best = 0;
+    for i in 1..7 {
+        if values[i] > values[best] {
+            best = i;
+        }
+    }
+    values[best]
+}
+
+/// A reading is set, in place.
+#[function]
+pub fn set(readings: &mut [f32; 5], index: usize, to: f32) {
+    *readings.get_mut(index).unwrap() = to;
+    *readings.iter_mut().rev().find(|it| **it > to).unwrap() = to;
+}
