@@ -63,7 +63,8 @@ impl Relations {
     }
 
     /// Whether an index is below the length of a slice by way of another value: `i < to <= length`, `i + 1` of
-    /// `i < to < length`, or of a loop up to `max(length, 1) - 1`; `i - 1`, which is checked before, of `i < length`.
+    /// `i < to < length`, or of a loop up to `max(length, 1) - 1`; `i - 1`, which is checked before, of `i < length`; and
+    /// `length - 1` itself.
     pub(super) fn below_length(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
         let condition = erased(condition);
         let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };
@@ -76,9 +77,12 @@ impl Relations {
                 _ => (index, 0),
             },
             ExprKind::Binary(BinaryOp::Sub, base, less)
-                if matches!(less.kind, ExprKind::Literal(_))
+                if let ExprKind::Literal(less) = less.kind
                     && base.ty.as_int().is_some_and(|int| !int.signed()) =>
             {
+                if base == length && less > 0 {
+                    return true;
+                }
                 (base, 0)
             }
             _ => (index, 0),

@@ -2,7 +2,7 @@
 
 /* lent_elements.c */
 
-static bessemer_status_t lent_elements_halve_ends(float values[], uint64_t values_length);
+static void lent_elements_halve_ends(float values[], uint64_t values_length);
 static double lent_elements_above(const double values[], uint64_t values_length);
 
 bool lent_elements_count(uint32_t counters[6], uint64_t number, uint32_t by)
@@ -15,32 +15,24 @@ bool lent_elements_count(uint32_t counters[6], uint64_t number, uint32_t by)
 }
 
 /** Halves what stands at both ends. */
-static bessemer_status_t lent_elements_halve_ends(float values[], uint64_t values_length)
+static void lent_elements_halve_ends(float values[], uint64_t values_length)
 {
     if (values_length > UINT64_C(0)) {
         values[0] /= 2.0F;
     }
     if (values_length > UINT64_C(0)) {
-        if (values_length - UINT64_C(1) >= values_length) {
-            return BESSEMER_STATUS_INDEX;
-        }
         values[values_length - UINT64_C(1)] /= 2.0F;
     }
-    return BESSEMER_STATUS_OK;
 }
 
 bessemer_status_t lent_elements_tapered(const float values[5], uint64_t end, float result[5])
 {
-    bessemer_status_t status;
     float own_values[5];
     (void)memcpy(own_values, values, sizeof(float[5]));
     if (end > UINT64_C(5)) {
         return BESSEMER_STATUS_INDEX;
     }
-    status = lent_elements_halve_ends(own_values, end);
-    if (status != BESSEMER_STATUS_OK) {
-        return status;
-    }
+    lent_elements_halve_ends(own_values, end);
     (void)memcpy(result, own_values, sizeof(float[5]));
     return BESSEMER_STATUS_OK;
 }

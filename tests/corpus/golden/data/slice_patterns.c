@@ -2,7 +2,7 @@
 
 /* slice_patterns.c */
 
-static bessemer_status_t slice_patterns_span_of(const float values[], uint64_t values_length,
+static void slice_patterns_span_of(const float values[], uint64_t values_length,
     option_f32_t *result);
 static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
     int16_t *result);
@@ -22,37 +22,27 @@ bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *
 }
 
 /** The span of some values; none of no values. */
-static bessemer_status_t slice_patterns_span_of(const float values[], uint64_t values_length,
+static void slice_patterns_span_of(const float values[], uint64_t values_length,
     option_f32_t *result)
 {
     if (values_length == UINT64_C(0)) {
         result->is_some = false;
         result->value = 0.0F;
-        return BESSEMER_STATUS_OK;
     } else if (values_length == UINT64_C(1)) {
         result->is_some = true;
         result->value = 0.0F;
-        return BESSEMER_STATUS_OK;
     } else {
-        if (values_length - UINT64_C(1) >= values_length) {
-            return BESSEMER_STATUS_INDEX;
-        }
         result->is_some = true;
         result->value = values[values_length - UINT64_C(1)] - values[0];
-        return BESSEMER_STATUS_OK;
     }
 }
 
 bessemer_status_t slice_patterns_span(const float values[4], uint64_t end, option_f32_t *result)
 {
-    bessemer_status_t status;
     if (end > UINT64_C(4)) {
         return BESSEMER_STATUS_INDEX;
     }
-    status = slice_patterns_span_of(values, end, result);
-    if (status != BESSEMER_STATUS_OK) {
-        return status;
-    }
+    slice_patterns_span_of(values, end, result);
     return BESSEMER_STATUS_OK;
 }
 
@@ -61,9 +51,6 @@ static bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t
     int16_t *result)
 {
     if (values_length >= UINT64_C(2)) {
-        if (values_length - UINT64_C(1) >= values_length) {
-            return BESSEMER_STATUS_INDEX;
-        }
         int16_t most = max_i16(values[0], values[values_length - UINT64_C(1)]);
         for (uint64_t i = UINT64_C(1); i < values_length - UINT64_C(1) - UINT64_C(1) + UINT64_C(1);
                 i++) {
