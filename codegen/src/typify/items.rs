@@ -191,10 +191,8 @@ impl<'a> Lowering<'a, '_> {
             }
             // What is borrowed.
             Tree::Local(name) if !owned || !self.is_changeable(name) => return Ok(()),
-            Tree::Field(..) if !owned => return Ok(()),
-            Tree::Ref(_, inner) if matches!(inner.kind, Tree::Local(_) | Tree::Field(..)) => {
-                return Ok(());
-            }
+            Tree::Field(base, _) if !owned && is_variable(base) => return Ok(()),
+            Tree::Ref(_, inner) if is_variable(inner) => return Ok(()),
             _ => {}
         }
         let given = match self.slice(elements)? {
@@ -231,5 +229,14 @@ impl<'a> Lowering<'a, '_> {
         let name = format!("{name}{known}");
         self.bind(&name, given);
         *expr = tree::Expr { kind: Tree::Local(name), site: expr.site, slot: None };
+    }
+}
+
+/// Whether an expression is a variable, or what fields alone lead to: the same place whenever it is looked for.
+fn is_variable(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        Tree::Local(_) => true,
+        Tree::Field(base, _) => is_variable(base),
+        _ => false,
     }
 }
