@@ -137,15 +137,16 @@ impl Lowering<'_, '_> {
         Ok(Some(self.borrowed_value(slice, id, expr.site)))
     }
 
-    /// The element that a `&mut T` in a value refers to; none if the place is something else.
+    /// What a `&mut T` in a value refers to, an element or a place by itself; none if the place is something else.
     pub(super) fn element_lent(&mut self, place: &Place, site: Site) -> Result<Option<Place>> {
-        match self.cx.as_borrowed(&place.ty) {
-            Some((_, Borrowed { one: true, .. })) => {
-                let slice = self.slice_at(place.clone(), site)?;
-                Ok(slice.map(|slice| slice.at(slice.from.clone())))
-            }
-            _ => Ok(None),
+        let Some((_, Borrowed { element, one: true, .. })) = self.cx.as_borrowed(&place.ty) else {
+            return Ok(None);
+        };
+        if let Some(lender) = self.lender_of(place).filter(|lender| lender.ty == *element) {
+            return Ok(Some(lender));
         }
+        let slice = self.slice_at(place.clone(), site)?;
+        Ok(slice.map(|slice| slice.at(slice.from.clone())))
     }
 
     /// The place itself, or the element that a `&mut T` there refers to.
@@ -161,25 +162,27 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A place as the value of a `&mut T`.
-    fn element_value(&mut self, place: Place, id: StructId, site: Site) -> Result<Expr> {
+    /// A place as the value of a `&mut T`: which element of an array it is. One that is no element lends itself, as number 0.
+    fn element_value(&mut self, mut place: Place, id: StructId, site: Site) -> Result<Expr> {
         if place.ty == Type::Struct(id) {
             return Ok(place.load());
         }
+        if !matches!(self.cx.borrowed.get(&id), Some(Borrowed { element, .. }) if *element == place.ty)
+        {
+            return problem(site, "this is not what is lent here", OUR_FAULT);
+        }
+        // Rust looks at its indices here.
+        self.fix(&mut place);
+        let one = Expr::usize(1, place.span);
         let mut base = place.clone();
-        let (step, ty) = (base.steps.pop(), self.type_of(base.root, &base.steps));
-        let (Some(Step::Index(from)), Type::Array { element, .. } | Type::Slice(element)) =
-            (step, &ty)
-        else {
-            return problem(
-                site,
-                "a `&mut` in an `Option` or a `Result` refers to an element of an array in the DSL",
-                "keep what it may refer to in an array, or write to it where it is chosen",
-            );
+        let step = base.steps.pop();
+        base.ty = self.type_of(base.root, &base.steps);
+        let (base, from) = match (step, &base.ty) {
+            (Some(Step::Index(from)), Type::Array { .. } | Type::Slice(_)) => (base, from),
+            _ => (place.clone(), Expr::usize(0, place.span)),
         };
-        let (element, one) = ((**element).clone(), Expr::usize(1, place.span));
-        base.ty = ty;
         let to = plus(from.clone(), one.clone());
+        let element = place.ty;
         let slice = Slice { base, element, from, to, length: one, whole: false, within: None };
         Ok(self.borrowed_value(slice, id, site))
     }

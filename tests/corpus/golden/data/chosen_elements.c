@@ -50,8 +50,9 @@ void transfers_begun(transfers_t *self, uint8_t id, option_element_mut_transfer_
     }
     self->all[free.value.index].busy = true;
     self->all[free.value.index].id = id;
+    const uint64_t result_index = free.value.index;
     result->is_some = true;
-    result->value.index = free.value.index;
+    result->value.index = result_index;
 }
 
 bessemer_status_t chosen_elements_try_again(transfers_t *transfers, uint8_t id, bool *result)
@@ -202,6 +203,84 @@ bessemer_status_t chosen_elements_set(float readings[5], uint64_t index, float t
     return BESSEMER_STATUS_OK;
 }
 
+bessemer_status_t chosen_elements_frame_put(chosen_elements_frame_t *self, uint8_t byte,
+    result_element_mut_chosen_elements_frame_u8_t *result)
+{
+    const uint32_t value_index = (uint32_t)self->length;
+    if (value_index < 5U) {
+        self->bytes[value_index] = byte;
+    } else {
+        result->is_ok = false;
+        result->value.index = UINT64_C(0);
+        result->error = self->length;
+        return BESSEMER_STATUS_OK;
+    }
+    if (self->length > 254U) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    self->length = (uint8_t)(self->length + 1U);
+    result->is_ok = true;
+    result->value.index = UINT64_C(0);
+    result->error = 0U;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t chosen_elements_frame_put_word(chosen_elements_frame_t *self, uint16_t word,
+    result_element_mut_chosen_elements_frame_u8_t *result)
+{
+    bessemer_status_t status;
+    const uint8_t elements[2] = {(uint8_t)(word >> 8U), (uint8_t)word};
+    result_element_mut_chosen_elements_frame_u8_t outcome;
+    status = chosen_elements_frame_put(self, elements[0], &outcome);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    if (!outcome.is_ok) {
+        result->is_ok = false;
+        result->value.index = UINT64_C(0);
+        result->error = outcome.error;
+        return BESSEMER_STATUS_OK;
+    }
+    status = chosen_elements_frame_put(self, elements[1], result);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *frame, uint8_t command,
+    uint16_t argument, result_u8_u8_t *result)
+{
+    bessemer_status_t status;
+    result_element_mut_chosen_elements_frame_u8_t outcome;
+    status = chosen_elements_frame_put(frame, command, &outcome);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    if (!outcome.is_ok) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = outcome.error;
+        return BESSEMER_STATUS_OK;
+    }
+    result_element_mut_chosen_elements_frame_u8_t outcome_2;
+    status = chosen_elements_frame_put_word(frame, argument, &outcome_2);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    if (!outcome_2.is_ok) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = outcome_2.error;
+        return BESSEMER_STATUS_OK;
+    }
+    frame->bytes[0] = (uint8_t)(frame->bytes[0] | 0x80U);
+    result->is_ok = true;
+    result->value = frame->length;
+    result->error = 0U;
+    return BESSEMER_STATUS_OK;
+}
+
 /* chosen_elements.h */
 
 /** A transfer that waits. */
@@ -219,3 +298,11 @@ typedef struct {
     /** In no order. */
     transfer_t all[6];
 } transfers_t;
+
+/** What is sent, byte by byte. */
+typedef struct {
+    /** The bytes. */
+    uint8_t bytes[5];
+    /** How many there are. */
+    uint8_t length;
+} chosen_elements_frame_t;

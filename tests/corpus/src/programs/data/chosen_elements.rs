@@ -115,3 +115,40 @@ pub fn set(readings: &mut [f32; 5], index: usize, to: f32) {
     *readings.get_mut(index).unwrap() = to;
     *readings.iter_mut().rev().find(|it| **it > to).unwrap() = to;
 }
+
+/// What is sent, byte by byte.
+#[data]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Frame {
+    /// The bytes.
+    pub bytes: [u8; 5],
+    /// How many there are.
+    pub length: u8,
+}
+
+#[data]
+impl Frame {
+    /// One more; how many there are, if there is no room.
+    pub fn put(&mut self, byte: u8) -> Result<&mut Self, u8> {
+        match self.bytes.get_mut(usize::from(self.length)) {
+            Some(free) => *free = byte,
+            None => return Err(self.length),
+        }
+        self.length += 1;
+        Ok(self)
+    }
+
+    /// Two more.
+    pub fn put_word(&mut self, word: u16) -> Result<&mut Self, u8> {
+        let [high, low] = word.to_be_bytes();
+        self.put(high)?.put(low)
+    }
+}
+
+/// A command and its argument, and their sum.
+#[function]
+pub fn framed(frame: &mut Frame, command: u8, argument: u16) -> Result<u8, u8> {
+    let filled = frame.put(command)?.put_word(argument)?;
+    filled.bytes[0] |= 0x80;
+    Ok(filled.length)
+}
