@@ -128,6 +128,8 @@ impl Entries {
             ReturnType::Type(_, ty) => {
                 let result = match &**ty {
                     ty if has_no_words(ty) => return None,
+                    // Which place it is shows where it is written.
+                    Type::Reference(it) if it.mutability.is_some() => return None,
                     Type::Reference(_) => quote!(*result),
                     _ => quote!(result),
                 };

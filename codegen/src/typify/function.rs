@@ -136,7 +136,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             {
                 cx.value_type(inner, site)?
             }
-            ty => cx.value_type(ty, site)?,
+            ty => cx.content_type(ty, site)?,
         };
         Ok(Lowering {
             cx,
@@ -269,7 +269,7 @@ impl Lowering<'_, '_> {
     pub(super) fn seen(&mut self, slot: u32, site: Site) -> Result<Type> {
         match slot_type(self.source, slot, site)? {
             Ty::Ref(inner, false) => self.cx.pointee(inner, site),
-            ty => self.cx.value_type(ty, site),
+            ty => self.cx.content_type(ty, site),
         }
     }
 

@@ -40,7 +40,14 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
             tree::ExprKind::Call(..) => match self.in_option(expr)? {
                 Some(place) => Ok(Some(place)),
-                None => self.lent_place(expr),
+                None => match self.lent_place(expr)? {
+                    None if self.gives_element(expr) => {
+                        let value = self.value(expr, None)?;
+                        let held = self.hold(value);
+                        self.element_lent(&held, expr.site)
+                    }
+                    place => Ok(place),
+                },
             },
             tree::ExprKind::Try(..) => self.tried_place(expr),
             tree::ExprKind::Field(_, name) if name == "coords" && self.in_coords(expr)? => Ok(None),
@@ -91,6 +98,12 @@ impl Lowering<'_, '_> {
             return place;
         }
         let role = match &value.ty {
+            Type::Struct(id)
+                if let Type::Struct(of) = self.type_behind(value.ty.clone())
+                    && of != *id =>
+            {
+                super::names::role(&self.cx.module.structs[of.index()].name)
+            }
             Type::Struct(id)
                 if self.cx.shown.contains_key(id) && !self.cx.borrowed.contains_key(id) =>
             {

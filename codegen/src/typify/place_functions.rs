@@ -2,7 +2,7 @@
 //!
 //! They are inlined: a reference lowers to a place, never to a pointer, so nothing is copied and the place can be written.
 //! A function that chooses between places to be read is a function of the C that gives a copy: while a reference lives,
-//! nothing writes to what it refers to.
+//! nothing writes to what it refers to. One that chooses among those to be written gives the index of the element.
 
 use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
@@ -27,6 +27,20 @@ pub(super) fn lends(function: &tree::Function) -> Option<bool> {
         Some(Ty::Ref(inner, mutable)) if !matches!(**inner, Ty::Slice(_)) => Some(*mutable),
         _ => None,
     }
+}
+
+/// Whether a body is left before its end.
+fn leaves(body: &tree::Block) -> bool {
+    struct Leaves(bool);
+    impl Visit for Leaves {
+        fn expr(&mut self, expr: &tree::Expr) {
+            self.0 |= matches!(expr.kind, Tree::Return(_));
+            visit::walk_expr(self, expr);
+        }
+    }
+    let mut found = Leaves(false);
+    found.block(body);
+    found.0
 }
 
 /// Lends to be read what is lent to be written.
@@ -110,7 +124,9 @@ impl<'a> Context<'a> {
             let stands = match lends(function) {
                 None => continue,
                 Some(true) => {
-                    function.tree.body.tail.as_deref().is_some_and(|it| self.is_place(function, it))
+                    let body = &function.tree.body;
+                    let tail = body.tail.as_deref();
+                    !leaves(body) && tail.is_some_and(|it| self.is_place(function, it))
                 }
                 Some(false) => self.stands_for_itself(function),
             };
@@ -124,27 +140,13 @@ impl<'a> Context<'a> {
                 self.tell(&function.file, problem);
             } else if stands {
                 self.lending.insert(&function.path);
-            } else if lends(function) == Some(true) {
-                self.chosen_to_write(function);
             }
         }
     }
 
     /// Whether a function is none in the C.
     pub(super) fn lends_place(&self, function: &tree::Function) -> bool {
-        let lent = function.slots.get(function.tree.result as usize);
-        let refused = lends(function) == Some(true) && !lent.is_some_and(|ty| self.is_nothing(ty));
-        refused || self.lending.contains(function.path.as_str())
-    }
-
-    fn chosen_to_write(&mut self, function: &tree::Function) {
-        let tail = function.tree.body.tail.as_ref();
-        let problem = Problem {
-            site: tail.map_or(function.tree.site, |tail| tail.site),
-            message: "what lends a place to be written ends in one place in the DSL".into(),
-            help: "keep the places in an array and end in `&mut self.items[i]`, or write what is to be written in each branch".into(),
-        };
-        self.tell(&function.file, problem);
+        self.lending.contains(function.path.as_str())
     }
 
     /// Whether the place is the same whatever the values are, and nothing is done before that needs a function.
@@ -155,7 +157,9 @@ impl<'a> Context<'a> {
             tree::Stmt::Expr(expr) => matches!(expr.kind, Tree::Assert(..)),
             tree::Stmt::Apart { .. } => false,
         });
-        plain && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
+        plain
+            && !leaves(body)
+            && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
     }
 
     fn is_place(&self, function: &tree::Function, expr: &tree::Expr) -> bool {
@@ -189,6 +193,12 @@ impl<'a> Lowering<'a, '_> {
             Some((function, arguments)) => self.lent_by(&function.path, arguments, expr),
             None => Ok(None),
         }
+    }
+
+    /// Whether a call gives a `&mut T`, of a function that chooses it.
+    pub(super) fn gives_element(&self, expr: &tree::Expr) -> bool {
+        let called = self.called(expr).filter(|(it, _)| it.tree.role != tree::Role::Expanded);
+        called.is_some_and(|(it, _)| lends(it) == Some(true) && !self.cx.lends_place(it))
     }
 
     /// The same, of a function by its path.

@@ -245,7 +245,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         });
     }
     if lower::gives_reference(signature) {
-        check_lending(subject, &parameters, &copy, walk.refusals);
+        check_lending(subject, &parameters, walk.refusals);
     }
     let result = walk.slot();
     let signature_refused = walk.refusals.len();
@@ -289,14 +289,8 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     Some(Parts { parameters: companion_parameters(told), result, builder })
 }
 
-/// An entry point ends in a value, and so does a function that takes a closure; a function that returns a reference
-/// ends in its place.
-fn check_lending(
-    subject: &Subject<'_>,
-    parameters: &[Parameter],
-    body: &syn::Block,
-    refusals: &mut Refusals,
-) {
+/// An entry point ends in a value, and so does a function that takes a closure.
+fn check_lending(subject: &Subject<'_>, parameters: &[Parameter], refusals: &mut Refusals) {
     let syn::ReturnType::Type(_, ty) = &subject.signature.output else { return };
     let outside = matches!(subject.asked.role, Role::Entry { .. });
     if outside || subject.asked.attributes.external.is_some() {
@@ -308,7 +302,6 @@ fn check_lending(
     if parameters.iter().any(|parameter| parameter.closure) {
         refusals.add(ty, refuse::LENT_CLOSURE);
     }
-    lower::refuse_leaving(body, refusals);
 }
 
 /// The name of the function that builds `name`.

@@ -48,7 +48,7 @@ pub use pattern::{is_constant_name, member};
 pub use refuse::Refusals;
 pub use signature::{
     Parameter, borrows, check_field, check_type, gives_reference, lends, name_parts, named_part,
-    parameters, refuse_leaving,
+    parameters,
 };
 pub use strip::{check_attributes, lasting_path, lasting_type, name_lifetimes, strip};
 pub use syntax::last_ident;

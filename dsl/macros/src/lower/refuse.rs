@@ -152,7 +152,6 @@ reasons! {
     ITERATOR_OUTSIDE: "an iterator is gone through where it is made, which only a function or a method of the model's own can be", "go through it inside, and give what comes of it";
     GENERIC_ALIAS: "the name of an instance has no parameters of its own", "name each instance: `pub type PidF32 = Pid<f32>;`";
     RETURNED_REFERENCE: "what the firmware calls gives a value", "return a copy, or the index of the element";
-    LENT_EARLY: "a function that lends a place ends with it in the DSL", "end in the place: `if … { &self.a } else { &self.b }` of what is read, an index of what is written";
     LENT_CLOSURE: "a function that takes a closure gives a value in the DSL", "return a copy, or the index of the element";
     REFERENCE_FIELD: "a reference in a struct would let two owners share memory in the C", "hold the value, or pass the reference to the method";
     NEVER: "a function that never returns would hang the firmware", "return a value";

@@ -138,21 +138,6 @@ pub fn borrows(signature: &syn::Signature) -> bool {
     found.0
 }
 
-/// Refuses to leave a function early that lends a place.
-pub fn refuse_leaving(body: &syn::Block, refusals: &mut Refusals) {
-    struct Leaves<'a>(&'a mut Refusals);
-    impl<'ast> Visit<'ast> for Leaves<'_> {
-        fn visit_expr_return(&mut self, it: &'ast syn::ExprReturn) {
-            self.0.add(it.return_token.span, refuse::LENT_EARLY);
-        }
-        fn visit_expr_try(&mut self, it: &'ast syn::ExprTry) {
-            self.0.add(it.question_token.span, refuse::LENT_EARLY);
-        }
-        fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
-    }
-    Leaves(refusals).visit_block(body);
-}
-
 /// Gives a parameter that is taken apart a name, and takes it apart at the beginning of the body:
 /// `(x, y): (f64, f64)` is `x_y`, and `let (x, y) = x_y;`.
 pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {

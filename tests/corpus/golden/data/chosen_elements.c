@@ -33,6 +33,22 @@ void transfers_at(transfers_t *self, uint64_t index, result_element_mut_transfer
     }
 }
 
+void transfers_worst(transfers_t *self, element_mut_transfer_t *result)
+{
+    uint32_t at = 0U;
+    for (uint32_t i = 1U; i < 6U; i++) {
+        if (self->all[i].tries > self->all[at].tries) {
+            at = i;
+        }
+    }
+    if (self->all[at].tries < 3U) {
+        result->index = UINT64_C(0);
+        return;
+    }
+    const uint32_t result_index = at;
+    result->index = result_index;
+}
+
 void transfers_begun(transfers_t *self, uint8_t id, option_element_mut_transfer_t *result)
 {
     option_element_mut_transfer_t free = {.is_some = false};
@@ -112,6 +128,26 @@ bessemer_status_t chosen_elements_begin(transfers_t *transfers, uint8_t id, uint
         *result = 9U;
         return BESSEMER_STATUS_OK;
     }
+}
+
+bessemer_status_t chosen_elements_give_up(transfers_t *transfers, uint16_t *tries)
+{
+    element_mut_transfer_t transfer;
+    transfers_worst(transfers, &transfer);
+    const uint64_t worst_index = transfer.index;
+    if (worst_index >= UINT64_C(6)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    transfers->all[worst_index].busy = false;
+    const uint16_t tries_value = transfers->all[worst_index].tries;
+    element_mut_transfer_t transfer_2;
+    transfers_worst(transfers, &transfer_2);
+    if (transfer_2.index >= UINT64_C(6)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    transfers->all[transfer_2.index].tries = 0U;
+    *tries = tries_value;
+    return BESSEMER_STATUS_OK;
 }
 
 bessemer_status_t chosen_elements_end(transfers_t *transfers, uint64_t index,

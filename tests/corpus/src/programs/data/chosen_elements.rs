@@ -34,6 +34,20 @@ impl Transfers {
         self.all.get_mut(index).ok_or(3)
     }
 
+    /// The one that was tried most, or the first if none was tried often.
+    pub fn worst(&mut self) -> &mut Transfer {
+        let mut at = 0;
+        for i in 1..self.all.len() {
+            if self.all[i].tries > self.all[at].tries {
+                at = i;
+            }
+        }
+        if self.all[at].tries < 3 {
+            return &mut self.all[0];
+        }
+        &mut self.all[at]
+    }
+
     /// One that is free, marked as under way.
     pub fn begun(&mut self, id: u8) -> Option<&mut Transfer> {
         let free = self.all.iter_mut().find(|it| !it.busy)?;
@@ -67,6 +81,16 @@ pub fn begin(transfers: &mut Transfers, id: u8) -> u16 {
         it.id = id;
         it.tries
     })
+}
+
+/// Gives up the worst; how often it was tried.
+#[function]
+pub fn give_up(transfers: &mut Transfers) -> u16 {
+    let worst = transfers.worst();
+    worst.busy = false;
+    let tries = worst.tries;
+    transfers.worst().tries = 0;
+    tries
 }
 
 /// Ends the one at a place.
