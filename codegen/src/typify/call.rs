@@ -112,6 +112,9 @@ impl<'a> Lowering<'a, '_> {
         }
         passed.extend(more);
         self.keep_copies(&mut passed);
+        if self.cx.given_back.get(&id).is_some_and(|given| !given.is_empty()) {
+            self.settle_lent(&mut passed);
+        }
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
         let call = self.counted_from_lender(call)?;
         self.written_back(call, copies)

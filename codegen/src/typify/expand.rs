@@ -21,6 +21,11 @@ use super::{Problem, Result, diagnostic, problem};
 /// The crate whose functions no author reads.
 const DSL: &str = "bessemer";
 
+/// Whether a function is one of the DSL's.
+fn is_ours(function: &tree::Function) -> bool {
+    function.module.split("::").next() == Some(DSL)
+}
+
 impl<'a> Lowering<'a, '_> {
     /// The function that stands where `expr` calls it, and its arguments; none if `expr` is something else.
     pub(super) fn expansion<'e>(&self, expr: &'e tree::Expr) -> Option<Called<'a, 'e>> {
@@ -151,10 +156,14 @@ impl<'a> Lowering<'a, '_> {
     ) -> Result<T> {
         let source = std::mem::replace(&mut self.source, function);
         let told = self.cx.told.len();
+        let had = self.lenders.problem.is_some();
         let done = lower(self);
         self.source = source;
+        if let Some(problem) = self.lenders.problem.as_mut().filter(|_| !had && is_ours(function)) {
+            problem.site = site;
+        }
         done.or_else(|Problem { site: at, message, help }| {
-            if function.module.split("::").next() == Some(DSL) {
+            if is_ours(function) {
                 return problem(site, message, help);
             }
             let known = diagnostic(&function.file, Problem { site: at, message, help });

@@ -254,7 +254,7 @@ impl Lowering<'_, '_> {
             Argument::RefMut(place) => self.lenders_in(&place.load()),
         };
         let mut passed = Vec::new();
-        for (paths, Borrowed { mutable, .. }) in groups {
+        for (paths, Borrowed { mutable, one, .. }) in groups {
             let mut lenders = known.iter().filter(|it| paths.contains(&it.0)).map(|it| &it.1);
             let lender = lenders.next().cloned();
             if lenders.any(|it| lender.as_ref().is_some_and(|lender| !same_place(it, lender))) {
@@ -267,10 +267,18 @@ impl Lowering<'_, '_> {
             let Some((lender, slice)) =
                 lender.and_then(|lender| Some((lender.clone(), self.all_lent(&lender)?)))
             else {
+                let help = match one {
+                    true => {
+                        "pass one that an array gave: `values.get_mut(i)`, `values.iter_mut().find(…)`"
+                    }
+                    false => {
+                        "give the slice its first value, `&values[..0]` if need be, above this line"
+                    }
+                };
                 return problem(
                     site,
-                    "whose elements a slice in this value has is not known here",
-                    "give the slice its first value, `&values[..0]` if need be, above this line",
+                    "whose elements this value refers to is not known here",
+                    help,
                 );
             };
             passed.extend(slice.passed(if mutable { Mode::RefMut } else { Mode::Ref }));

@@ -61,7 +61,7 @@ impl Lowering<'_, '_> {
             return problem(
                 site,
                 "a reference in a variable names a place in the DSL",
-                "copy the value: `let x = *place;`, or pass the reference as an argument",
+                "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`",
             );
         };
         let moves = value.is_some_and(is_held) || self.may_come_to_refer(&place);

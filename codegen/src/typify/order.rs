@@ -53,22 +53,60 @@ impl Lowering<'_, '_> {
         values: impl IntoIterator<Item = (&'e mut Expr, &'e str)>,
         later: &[Stmt],
     ) {
-        if later.is_empty() {
-            return;
+        if !later.is_empty() {
+            let values = values.into_iter().map(|(value, role)| (value, role, false));
+            self.settle_those(values.collect(), later);
         }
+    }
+
+    /// Computes now the indices that lead to what is lent to a call whose result refers to that, as far as they may change.
+    pub(super) fn settle_lent(&mut self, passed: &mut [Argument]) {
+        let mut values = Vec::new();
+        for argument in passed {
+            match argument {
+                Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
+                | Argument::RefMut(place) => {
+                    for index in indices_mut(place) {
+                        let moves = self.moves(index);
+                        values.push((index, words::INDEX, moves));
+                    }
+                }
+                Argument::Value(value) | Argument::Ref(value) => {
+                    values.push((value, words::ARGUMENT, false));
+                }
+            }
+        }
+        self.settle_those(values, &[]);
+    }
+
+    /// Of values in their order, computes now those that have to be, and those that this or what comes later could change.
+    fn settle_those(&mut self, mut moving: Vec<(&mut Expr, &str, bool)>, later: &[Stmt]) {
         let mut later = later.to_vec();
-        let mut moving: Vec<_> = values.into_iter().collect();
         for at in (0..moving.len()).rev() {
-            let value = &*moving[at].0;
-            if is_settled(value, &later) {
+            let (value, _, has_to) = &moving[at];
+            if !has_to && (later.is_empty() || is_settled(value, &later)) {
                 moving.remove(at);
             } else {
-                let (kind, span) = (StmtKind::Expr(value.clone()), value.span);
+                let (kind, span) = (StmtKind::Expr((**value).clone()), value.span);
                 later.push(Stmt { kind, span, comments: Vec::new() });
             }
         }
-        for (value, role) in moving {
+        for (value, role, _) in moving {
             *value = self.temporary(role, value.clone());
+        }
+    }
+
+    /// Whether an index may become another: not one that is written out, or given once.
+    fn moves(&self, index: &Expr) -> bool {
+        match &index.kind {
+            ExprKind::Literal(_) | ExprKind::Const(_) => false,
+            ExprKind::Load(of) => {
+                let known = |set: &HashSet<LocalId>| set.contains(&of.root);
+                let stays =
+                    known(&self.steady) || known(&self.held) || self.counters.contains(&of.root);
+                !(of.steps.is_empty() && stays)
+            }
+            _ => true,
         }
     }
 
@@ -120,13 +158,11 @@ impl Lowering<'_, '_> {
 
     /// Computes now the indices of `place` that something may change: not those that are written once.
     pub(super) fn keep_moving(&mut self, place: &mut Place) {
-        let mut steady: HashSet<LocalId> = self.steady.union(&self.held).copied().collect();
-        steady.extend(&self.counters);
-        self.keep_indices(place, |index| match &index.kind {
-            ExprKind::Literal(_) | ExprKind::Const(_) => false,
-            ExprKind::Load(of) => !(of.steps.is_empty() && steady.contains(&of.root)),
-            _ => true,
-        });
+        for index in indices_mut(place) {
+            if self.moves(index) {
+                *index = self.temporary(words::INDEX, index.clone());
+            }
+        }
     }
 
     /// Computes now the indices of `place` that are to be kept.

@@ -133,7 +133,13 @@ impl<'e> Rewriting<'e> {
     ) -> Vec<Stmt> {
         let (first, written) = (computed_first(body), self.writes_when_asked(body));
         let mut values: Vec<_> = rule.params.iter().zip(arguments).collect();
+        // A reference that is given is that to the same place behind the others, too.
+        let mut followed = Followed(HashSet::new());
+        followed.expr(body);
         let moved = |at: usize| {
+            if followed.0.contains(&rule.params[at].name) {
+                return false;
+            }
             let later = rule.params.iter().zip(arguments).skip(at + 1);
             later.filter(|(param, _)| !param.closure).any(|(_, it)| may_move(it, &arguments[at]))
         };
@@ -298,6 +304,20 @@ pub(super) fn is_plain(expr: &Expr) -> bool {
 /// speaks of the same variable.
 fn may_move(later: &Expr, read: &Expr) -> bool {
     !is_pure(later) && !Named::of(later).0.is_disjoint(&Named::of(read).0)
+}
+
+/// The names of references that are followed.
+struct Followed(HashSet<String>);
+
+impl Visit for Followed {
+    fn expr(&mut self, expr: &Expr) {
+        if let ExprKind::Deref(inner) = &expr.kind
+            && let ExprKind::Local(name) = &inner.kind
+        {
+            self.0.insert(name.clone());
+        }
+        visit::walk_expr(self, expr);
+    }
 }
 
 /// The variables that an expression names.

@@ -24,6 +24,9 @@ use crate::used::Rule;
 /// The most that a pass may move a number for it to be followed.
 const FAST: i128 = 1 << 32;
 
+/// Within so many trials of loops around it nothing is guessed of a loop: each level would take as many times as long.
+const TRIALS: u32 = 2;
+
 /// The words in a value that are known, each with the fields that lead to it.
 type Parts = Vec<(Vec<At>, Value)>;
 
@@ -60,11 +63,14 @@ pub(super) struct Walk<'m> {
     loops: Vec<(Vec<Point>, Vec<Point>)>,
     /// Of each local, the numbers that it was given so far, where that is asked.
     held: Option<Vec<Option<Bounds>>>,
+    /// How many trials are under way, one in the other.
+    trials: u32,
 }
 
 impl<'m> Walk<'m> {
     pub(super) fn new(module: &'m Module, function: &'m Function) -> Walk<'m> {
-        Walk { values: Values::new(module, function), function, loops: Vec::new(), held: None }
+        let values = Values::new(module, function);
+        Walk { values, function, loops: Vec::new(), held: None, trials: 0 }
     }
 
     pub(super) fn run(mut self) -> Vec<Site> {
@@ -315,7 +321,9 @@ impl<'m> Walk<'m> {
     /// The same without a word of what may fault.
     fn trial(&mut self, body: &Block, head: Point) -> (Option<Point>, Vec<Point>) {
         let quiet = std::mem::replace(&mut self.values.quiet, true);
+        self.trials += 1;
         let ends = self.pass(body, head);
+        self.trials -= 1;
         self.values.quiet = quiet;
         ends
     }
@@ -479,6 +487,9 @@ impl<'m> Walk<'m> {
     /// The words that a loop writes and of which something is known before, but for locals that are followed otherwise.
     fn guesses(&mut self, before: &Point, written: &[Target], moving: &[LocalId]) -> Vec<Guess> {
         let mut guesses: Vec<Guess> = Vec::new();
+        if self.trials >= TRIALS {
+            return guesses;
+        }
         for Target { local, .. } in written.iter().filter(|it| !moving.contains(&it.local)) {
             for (at, value) in before.places.get(local).into_iter().flatten() {
                 let Value::Number(form) = value else { continue };

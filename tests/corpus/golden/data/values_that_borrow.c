@@ -424,27 +424,29 @@ bessemer_status_t values_that_borrow_seen(const double values[6], pair_f64_usize
         return BESSEMER_STATUS_INDEX;
     }
     if (longer_left > values[pair.first.from]) {
+        const uint64_t longer_index = pair.second.from;
         slice_f64_t slice;
-        status = values_that_borrow_above(&values[pair.second.from], pair.second.length,
+        status = values_that_borrow_above(&values[longer_index], pair.second.length,
             0.5 * values[pair.second.from], &slice);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (slice.from > UINT64_MAX - pair.second.from) {
+        if (slice.from > UINT64_MAX - longer_index) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        slice.from += pair.second.from;
+        slice.from += longer_index;
         longer = slice;
     } else {
+        const uint64_t longer_index = pair.first.from;
         slice_f64_t slice;
-        status = values_that_borrow_above(&values[pair.first.from], pair.first.length, 0.0, &slice);
+        status = values_that_borrow_above(&values[longer_index], pair.first.length, 0.0, &slice);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (slice.from > UINT64_MAX - pair.first.from) {
+        if (slice.from > UINT64_MAX - longer_index) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        slice.from += pair.first.from;
+        slice.from += longer_index;
         longer = slice;
     }
     const uint64_t longer_length = longer.length;
