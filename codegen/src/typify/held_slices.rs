@@ -27,7 +27,7 @@ impl Lowering<'_, '_> {
             return Ok(None);
         };
         let (element, one) = (element.clone(), *one);
-        let Some(base) = self.lender_of(&place) else {
+        let base = self.lender_of(&place).unwrap_or_else(|| {
             let help = match one {
                 true => {
                     "keep the index in place of the reference, `Option<usize>`, or let `iter_mut().min_by_key(…)` and its like choose"
@@ -36,8 +36,8 @@ impl Lowering<'_, '_> {
                     "give the slice its first value, `&values[..0]` if need be, above this line"
                 }
             };
-            return problem(site, "whose elements these are is not known here", help);
-        };
+            self.awaited(&place, &element, (site, help))
+        });
         let lasting = self.is_lasting(&place);
         let part = |at: u32| place.inside(Step::Field(at), Type::USIZE).load();
         let length = if one { Expr::usize(1, place.span) } else { part(LENGTH) };

@@ -10,6 +10,7 @@
 mod arrays;
 mod asked_orders;
 mod atomic;
+mod awaited;
 mod borrowed;
 mod borrowed_slices;
 mod bounded;

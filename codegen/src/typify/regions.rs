@@ -2,7 +2,8 @@
 //!
 //! Must not know: how any of it is found ([`lenders`](super::lenders)).
 
-use bessemer_ir::{Expr, LocalId, Place, StructId};
+use bessemer_ir::tree::Site;
+use bessemer_ir::{Expr, LocalId, Place, StructId, Type};
 
 use super::Problem;
 
@@ -29,8 +30,21 @@ pub(super) struct Lenders {
     pub taken: Vec<LocalId>,
     /// The parameters that lend: of which other one, and of which slices in it.
     pub lending: Vec<(LocalId, LocalId, Path)>,
+    /// What stands for those that are not known yet.
+    pub awaited: Vec<Awaited>,
     /// How many locals are parameters.
     pub params: usize,
     /// What is wrong with one of them.
     pub problem: Option<Problem>,
+}
+
+/// A local that stands for an array until something shows which one it is.
+pub(super) struct Awaited {
+    pub stands: LocalId,
+    pub element: Type,
+    /// The slice: the local that it is in, and the fields that lead to it.
+    pub of: (LocalId, Path),
+    pub site: Site,
+    /// What to do where nothing shows it.
+    pub help: &'static str,
 }

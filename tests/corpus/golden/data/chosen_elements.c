@@ -150,6 +150,35 @@ bessemer_status_t chosen_elements_give_up(transfers_t *transfers, uint16_t *trie
     return BESSEMER_STATUS_OK;
 }
 
+uint16_t chosen_elements_mark(transfers_t *transfers, uint8_t id)
+{
+    option_element_mut_transfer_t most = {.is_some = false};
+    for (uint32_t i = 0U; i < 6U; i++) {
+        bool value_holds = transfers->all[i].busy;
+        if (value_holds) {
+            bool value_choice;
+            const uint64_t most_index = most.value.index;
+            if (most.is_some) {
+                value_choice = transfers->all[i].tries >= transfers->all[most_index].tries;
+            } else {
+                value_choice = true;
+            }
+            value_holds = value_choice;
+        }
+        if (value_holds) {
+            most.is_some = true;
+            most.value.index = i;
+        }
+    }
+    const uint64_t most_index = most.value.index;
+    if (most.is_some) {
+        transfers->all[most_index].id = id;
+        return transfers->all[most_index].tries;
+    } else {
+        return 0U;
+    }
+}
+
 bessemer_status_t chosen_elements_end(transfers_t *transfers, uint64_t index,
     result_u16_u8_t *result)
 {

@@ -93,6 +93,21 @@ pub fn give_up(transfers: &mut Transfers) -> u16 {
     tries
 }
 
+/// Marks the one under way that was tried most, the last of such; how often it was.
+#[function]
+pub fn mark(transfers: &mut Transfers, id: u8) -> u16 {
+    let mut most: Option<&mut Transfer> = None;
+    for transfer in transfers.all.iter_mut() {
+        if transfer.busy && most.as_ref().is_none_or(|it| transfer.tries >= it.tries) {
+            most = Some(transfer);
+        }
+    }
+    most.map_or(0, |it| {
+        it.id = id;
+        it.tries
+    })
+}
+
 /// Ends the one at a place.
 #[function]
 pub fn end(transfers: &mut Transfers, index: usize) -> Result<u16, u8> {

@@ -1,0 +1,79 @@
+//! What is read of a slice, or of a `&mut T`, in a local before anything shows which array it is of: in a loop, that the local
+//! begins as `None` and an assignment further down gives it one.
+//!
+//! A local of the array's type stands for the array while the function is lowered, and is nowhere in what is given: there the array
+//! itself stands, which the assignment has shown by then.
+//!
+//! Must not know: how lenders are followed ([`lenders`](super::lenders)).
+
+use bessemer_ir::tree::Site;
+use bessemer_ir::visit::{self, Access, VisitMut};
+use bessemer_ir::{Block, Local, LocalId, Mode, Place, Type};
+
+use super::lenders::path_of;
+use super::lowering::{Lowering, UNNAMED};
+use super::regions::Awaited;
+use super::{Result, problem};
+
+impl Lowering<'_, '_> {
+    /// What stands for the array whose elements the slice at a place has.
+    pub(super) fn awaited(
+        &mut self,
+        place: &Place,
+        element: &Type,
+        (site, help): (Site, &'static str),
+    ) -> Place {
+        let of = (place.root, path_of(place));
+        let ty = Type::Array { element: Box::new(element.clone()), len: u32::MAX };
+        let known = self.lenders.awaited.iter().find(|it| it.of == of).map(|it| it.stands);
+        let stands = known.unwrap_or(LocalId(self.locals.len() as u32));
+        if known.is_none() {
+            let (name, ty) = (UNNAMED.to_owned(), ty.clone());
+            self.locals.push(Local { name, ty, mode: Mode::Value, span: place.span });
+            let element = element.clone();
+            self.lenders.awaited.push(Awaited { stands, element, of, site, help });
+        }
+        Place::local(stands, ty, place.span)
+    }
+
+    /// Puts the arrays where something stands for them.
+    pub(super) fn put_awaited(&mut self) -> Result<()> {
+        for Awaited { stands, element, of, site, help } in std::mem::take(&mut self.lenders.awaited)
+        {
+            let mut known = self.lenders.known.iter();
+            let lender = known.find(|it| it.0 == of.0 && it.1 == of.1).map(|it| it.2.clone());
+            let Some(lender) = lender.filter(|it| it.root != stands) else {
+                // Where it was shown, and refused.
+                if let Some(told) = self.lenders.problem.take() {
+                    return Err(told);
+                }
+                return problem(site, "whose elements these are is not known here", help);
+            };
+            let whole = lender.ty == element;
+            let mut body = Block(std::mem::take(&mut self.out));
+            Put { stands, lender, whole }.block(&mut body);
+            self.out = body.0;
+            self.locals[stands.index()].ty = Type::BOOL;
+        }
+        Ok(())
+    }
+}
+
+/// Puts an array in the place of what stands for it.
+struct Put {
+    stands: LocalId,
+    lender: Place,
+    /// Whether what lends is the one element itself.
+    whole: bool,
+}
+
+impl VisitMut for Put {
+    fn place(&mut self, place: &mut Place, _: Access) {
+        visit::walk_place_mut(self, place);
+        if place.root == self.stands {
+            let behind = place.steps.split_off(usize::from(self.whole));
+            place.steps = self.lender.steps.iter().cloned().chain(behind).collect();
+            place.root = self.lender.root;
+        }
+    }
+}
