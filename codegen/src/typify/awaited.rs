@@ -36,6 +36,11 @@ impl Lowering<'_, '_> {
         Place::local(stands, ty, place.span)
     }
 
+    /// Whether a local stands for an array.
+    pub(super) fn stands(&self, local: LocalId) -> bool {
+        self.lenders.awaited.iter().any(|it| it.stands == local)
+    }
+
     /// Puts the arrays where something stands for them.
     pub(super) fn put_awaited(&mut self) -> Result<()> {
         for Awaited { stands, element, of, site, help } in std::mem::take(&mut self.lenders.awaited)
@@ -49,10 +54,14 @@ impl Lowering<'_, '_> {
                 }
                 return problem(site, "whose elements these are is not known here", help);
             };
-            let whole = lender.ty == element;
+            let mut put = Put { stands, whole: lender.ty == element, lender };
             let mut body = Block(std::mem::take(&mut self.out));
-            Put { stands, lender, whole }.block(&mut body);
+            put.block(&mut body);
             self.out = body.0;
+            // What others were given of it.
+            for (.., lender) in &mut self.lenders.known {
+                put.place(lender, Access::Read);
+            }
             self.locals[stands.index()].ty = Type::BOOL;
         }
         Ok(())
@@ -71,7 +80,8 @@ impl VisitMut for Put {
     fn place(&mut self, place: &mut Place, _: Access) {
         visit::walk_place_mut(self, place);
         if place.root == self.stands {
-            let behind = place.steps.split_off(usize::from(self.whole));
+            let own = usize::from(self.whole).min(place.steps.len());
+            let behind = place.steps.split_off(own);
             place.steps = self.lender.steps.iter().cloned().chain(behind).collect();
             place.root = self.lender.root;
         }

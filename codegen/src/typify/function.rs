@@ -172,6 +172,7 @@ impl Lowering<'_, '_> {
 
     /// The function, its body lowered; the first `params` of its locals are its parameters. Its caller gives it a name.
     pub(super) fn finished(&mut self, params: usize, span: Span) -> Result<Lowered> {
+        self.follow_copies();
         self.put_awaited()?;
         self.check_locals()?;
         let given_back = self.lent_out()?;

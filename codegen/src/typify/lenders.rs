@@ -16,7 +16,7 @@ use super::borrowed::Borrowed;
 use super::elements::Slice;
 use super::lengths::is_number;
 use super::lowering::Lowering;
-use super::regions::Path;
+use super::regions::{Copied, Path};
 use super::{Problem, Result, problem};
 use crate::effects::same_place;
 
@@ -111,18 +111,72 @@ impl Lowering<'_, '_> {
                 if let Some(value) = value {
                     let found = self.lenders_in(value);
                     self.lend_to(*local, &[], found, value.span);
+                    self.note_copies((Some(*local), &[]), value);
                 }
             }
             StmtKind::Assign { place, value } => {
                 let found = self.lenders_in(value);
                 self.lend_to(place.root, &path_of(place), found, value.span);
+                self.note_copies((Some(place.root), &path_of(place)), value);
             }
             StmtKind::Return(Some(value)) => {
                 for (path, lender) in self.lenders_in(value) {
                     self.lend_out(path, lender, value.span);
                 }
+                self.note_copies((None, &[]), value);
             }
             _ => {}
+        }
+    }
+
+    /// Notes the slices in a value that are copied from where their lender is not known yet.
+    fn note_copies(&mut self, (to, at): (Option<LocalId>, &[u32]), value: &Expr) {
+        if self.cx.borrowed.is_empty() {
+            return;
+        }
+        match &value.kind {
+            ExprKind::Load(place) => {
+                let path = path_of(place);
+                for (inside, _) in self.cx.slices_in(&value.ty) {
+                    let from = (place.root, [&path[..], &inside].concat());
+                    if !self.lenders.known.iter().any(|it| (it.0, &it.1) == (from.0, &from.1)) {
+                        let to = (to, [at, &inside].concat());
+                        self.lenders.copied.push(Copied { to, from, span: value.span });
+                    }
+                }
+            }
+            ExprKind::Struct(parts) if self.cx.as_borrowed(&value.ty).is_none() => {
+                for (field, part) in (0..).zip(parts) {
+                    self.note_copies((to, &[at, &[field]].concat()), part);
+                }
+            }
+            ExprKind::Array(items) => items.iter().for_each(|it| self.note_copies((to, at), it)),
+            ExprKind::Splat(item) => self.note_copies((to, at), item),
+            _ => {}
+        }
+    }
+
+    /// Follows what was copied before its lender was known: both are of one array.
+    pub(super) fn follow_copies(&mut self) {
+        let mut left = std::mem::take(&mut self.lenders.copied);
+        loop {
+            let before = left.len();
+            for copied in std::mem::take(&mut left) {
+                let Copied { to: (to, path), from, span } = &copied;
+                let mut known = self.lenders.known.iter();
+                let lender = known.find(|it| it.0 == from.0 && it.1 == from.1);
+                match (lender.map(|it| it.2.clone()), to) {
+                    (None, _) => left.push(copied),
+                    (Some(lender), Some(to)) => {
+                        self.lend_to(*to, &[], vec![(path.clone(), lender)], *span);
+                    }
+                    (Some(lender), None) => self.lend_out(path.clone(), lender, *span),
+                }
+            }
+            // What is left was never given anything.
+            if left.len() == before {
+                return;
+            }
         }
     }
 
@@ -264,8 +318,9 @@ impl Lowering<'_, '_> {
                     "let both be parts of one array",
                 );
             }
-            let Some((lender, slice)) =
-                lender.and_then(|lender| Some((lender.clone(), self.all_lent(&lender)?)))
+            let Some((lender, slice)) = lender
+                .filter(|lender| !self.stands(lender.root))
+                .and_then(|lender| Some((lender.clone(), self.all_lent(&lender)?)))
             else {
                 let help = match one {
                     true => {

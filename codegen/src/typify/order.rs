@@ -124,6 +124,10 @@ impl Lowering<'_, '_> {
     /// Makes a place one that stays the same: its indices are computed and checked now.
     pub(super) fn fix(&mut self, place: &mut Place) {
         self.keep_moving(place);
+        // What is referred to was looked at where that was chosen.
+        if self.stands(place.root) {
+            return;
+        }
         let mut ty = self.locals[place.root.index()].ty.clone();
         for step in place.steps.clone() {
             let (indices, inner) = match (step, ty) {

@@ -3,7 +3,7 @@
 //! Must not know: how any of it is found ([`lenders`](super::lenders)).
 
 use bessemer_ir::tree::Site;
-use bessemer_ir::{Expr, LocalId, Place, StructId, Type};
+use bessemer_ir::{Expr, LocalId, Place, Span, StructId, Type};
 
 use super::Problem;
 
@@ -32,10 +32,19 @@ pub(super) struct Lenders {
     pub lending: Vec<(LocalId, LocalId, Path)>,
     /// What stands for those that are not known yet.
     pub awaited: Vec<Awaited>,
+    /// Slices that were copied before their lender was known: to which local, or out of the function, and from where.
+    pub copied: Vec<Copied>,
     /// How many locals are parameters.
     pub params: usize,
     /// What is wrong with one of them.
     pub problem: Option<Problem>,
+}
+
+/// A slice that was copied, at the fields that lead to it in what it was copied to; none is the result.
+pub(super) struct Copied {
+    pub to: (Option<LocalId>, Path),
+    pub from: (LocalId, Path),
+    pub span: Span,
 }
 
 /// A local that stands for an array until something shows which one it is.
