@@ -1,9 +1,10 @@
 //! Types that borrow: slices in structs, variants, tuples and results, and `&mut T` in an `Option` or a `Result`.
 //!
 //! C has no lifetimes, so no pointer is ever part of a value. A slice in a value is data: where its elements begin and how
-//! many there are, a struct of two numbers. A `&mut T` is a slice of one element, a struct of one number. The array that they are elements of, its *lender*, is known when the C is
-//! written, for each slice in each local: it follows the value wherever that goes. A function that takes such a value takes
-//! the lender of each slice in it beside it, as a slice; one that gives such a value gives slices of what it was lent.
+//! many there are, a struct of two numbers. A `&mut T` is a slice of one element, a struct of one number. The array that they
+//! are elements of, its *lender*, is known when the C is written, for each slice in each local: it follows the value wherever
+//! that goes. A function that takes such a value takes the lender of each slice in it beside it, as a slice; one that gives such
+//! a value gives slices of what it was lent.
 //!
 //! Must not know: the lenders of a function's values ([`lenders`](super::lenders)).
 
@@ -24,6 +25,11 @@ pub(super) struct Borrowed {
     pub one: bool,
 }
 
+/// Whether a type is a `&mut T` of one value.
+pub(super) fn is_element(ty: &Ty) -> bool {
+    matches!(ty, Ty::Ref(of, true) if !matches!(**of, Ty::Slice(_)))
+}
+
 impl Context<'_> {
     /// The struct of `&[T]`, or `&mut [T]`, in a value.
     pub(super) fn borrowed(&mut self, element: &Ty, mutable: bool, site: Site) -> Result<Type> {
@@ -34,7 +40,7 @@ impl Context<'_> {
     /// The type of what a tuple, an `Option` or a `Result` holds.
     pub(super) fn content_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
-            Ty::Ref(element, true) if !matches!(**element, Ty::Slice(_)) => {
+            Ty::Ref(element, true) if is_element(ty) => {
                 self.borrowed_type(ty.clone(), element, (true, true), site)
             }
             ty => self.value_type(ty, site),

@@ -4,6 +4,7 @@
 use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, NO_SLOT, OptionMethod, Ty};
 use bessemer_ir::{Block, Fault, Place, StmtKind, StructId, Type};
 
+use super::borrowed::is_element;
 use super::lowering::Lowering;
 use super::rewrite::is_plain;
 use super::{OUR_FAULT, Result, order, problem};
@@ -193,11 +194,6 @@ impl Lowering<'_, '_> {
 /// `Some(pattern)`.
 pub(super) fn there(pattern: tree::Pattern) -> tree::Pattern {
     tree::Pattern::Constructor("Some".into(), vec![pattern])
-}
-
-/// Whether a value is a `&mut T`.
-fn is_element(ty: &Ty) -> bool {
-    matches!(ty, Ty::Ref(of, true) if !matches!(**of, Ty::Slice(_)))
 }
 
 /// Whether a value refers to something.

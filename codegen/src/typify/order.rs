@@ -178,12 +178,7 @@ impl Lowering<'_, '_> {
 
     /// The same of one step.
     pub(super) fn keep_indices_of(&mut self, step: &mut Step, keep: impl Fn(&Expr) -> bool) {
-        let (first, second) = match step {
-            Step::Field(_) => (None, None),
-            Step::Index(index) | Step::From(index) => (Some(index), None),
-            Step::Element(row, column) => (Some(row), Some(column)),
-        };
-        for index in [first, second].into_iter().flatten() {
+        for index in indices_of(step) {
             if keep(index) {
                 *index = self.temporary(words::INDEX, index.clone());
             }
@@ -269,11 +264,16 @@ fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
 }
 
 fn indices_mut(place: &mut Place) -> impl Iterator<Item = &mut Expr> {
-    place.steps.iter_mut().flat_map(|step| match step {
-        Step::Field(_) => [None, None].into_iter().flatten(),
-        Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),
-        Step::Element(row, column) => [Some(row), Some(column)].into_iter().flatten(),
-    })
+    place.steps.iter_mut().flat_map(indices_of)
+}
+
+fn indices_of(step: &mut Step) -> impl Iterator<Item = &mut Expr> {
+    let (first, second) = match step {
+        Step::Field(_) => (None, None),
+        Step::Index(index) | Step::From(index) => (Some(index), None),
+        Step::Element(row, column) => (Some(row), Some(column)),
+    };
+    first.into_iter().chain(second)
 }
 
 /// The value of an argument that is not lent.

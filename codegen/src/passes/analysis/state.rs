@@ -26,7 +26,7 @@ pub(crate) enum Known {
 /// The words in a value that are known, each with the fields that lead to it.
 pub(crate) type Parts = Vec<(Vec<u32>, Known)>;
 
-/// What is known of a value that is a word.
+/// The part that is the value itself: there is one if the value is a word, and its number is known.
 pub(crate) fn the_whole(parts: &Parts) -> Option<Known> {
     parts.iter().find(|(at, _)| at.is_empty()).map(|(_, known)| *known)
 }

@@ -32,7 +32,7 @@ pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>
     walk.held.into_iter().flatten().map(shown).collect()
 }
 
-/// What the statements of a body write, with what is known of the values; of what calls may write, nothing is.
+/// Each place that the statements of a body write, with the known words of its new value. A place that is lent to a call has none.
 pub(super) fn written_in(body: &Block, head: State) -> Vec<(Place, Parts)> {
     let mut walk = Walk { continued: Vec::new(), held: None, writes: Some(Vec::new()) };
     walk.block(body, head);
@@ -52,7 +52,7 @@ struct Walk<'m> {
     continued: Vec<State<'m>>,
     /// What each local is given, where that is asked: then the bodies of loops are followed, too.
     held: Option<Vec<Held>>,
-    /// What is written, where that is asked: then, too.
+    /// The places that are written, with the known words of each value, where a caller asks: the bodies of loops are followed then, too.
     writes: Option<Vec<(Place, Parts)>>,
 }
 
@@ -84,7 +84,7 @@ impl<'m> Walk<'m> {
         places.iter().for_each(|place| self.wrote(place, &Vec::new()));
     }
 
-    /// What is known of the value of an expression, unless it calls: then what it may have written is forgotten.
+    /// The known words of the value of an expression; none if it calls. The state forgets the places that it lends.
     fn evaluated(&mut self, expr: &Expr, state: &mut State) -> Parts {
         let (value, written) =
             (if calls(expr) { Vec::new() } else { state.parts(expr) }, lent(expr));

@@ -30,7 +30,7 @@ const TRIALS: u32 = 2;
 /// The words in a value that are known, each with the fields that lead to it.
 type Parts = Vec<(Vec<At>, Value)>;
 
-/// What is known of a value that is a word.
+/// The part that is the value itself: there is one if the value is a word, and its number is known.
 fn the_whole(parts: &Parts) -> Option<&Value> {
     parts.iter().find(|(at, _)| at.is_empty()).map(|(_, value)| value)
 }

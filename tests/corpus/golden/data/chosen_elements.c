@@ -49,6 +49,17 @@ void transfers_worst(transfers_t *self, element_mut_transfer_t *result)
     result->index = result_index;
 }
 
+void transfers_busy(const transfers_t *self, transfer_t *transfer)
+{
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (self->all[i].busy) {
+            *transfer = self->all[i];
+            return;
+        }
+    }
+    *transfer = self->all[0];
+}
+
 void transfers_begun(transfers_t *self, uint8_t id, option_element_mut_transfer_t *result)
 {
     option_element_mut_transfer_t free = {.is_some = false};
@@ -177,6 +188,16 @@ uint16_t chosen_elements_mark(transfers_t *transfers, uint8_t id)
     } else {
         return 0U;
     }
+}
+
+void chosen_elements_first(const transfers_t *transfers, pair_u8_u16_t *result)
+{
+    transfer_t transfer;
+    transfers_busy(transfers, &transfer);
+    transfer_t transfer_2;
+    transfers_busy(transfers, &transfer_2);
+    result->first = transfer.id;
+    result->second = transfer_2.tries;
 }
 
 bessemer_status_t chosen_elements_end(transfers_t *transfers, uint64_t index,

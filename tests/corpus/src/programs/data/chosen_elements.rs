@@ -48,6 +48,16 @@ impl Transfers {
         &mut self.all[at]
     }
 
+    /// The first that is under way, to be read.
+    pub fn busy(&self) -> &Transfer {
+        for transfer in &self.all {
+            if transfer.busy {
+                return transfer;
+            }
+        }
+        &self.all[0]
+    }
+
     /// One that is free, marked as under way.
     pub fn begun(&mut self, id: u8) -> Option<&mut Transfer> {
         let free = self.all.iter_mut().find(|it| !it.busy)?;
@@ -106,6 +116,13 @@ pub fn mark(transfers: &mut Transfers, id: u8) -> u16 {
         it.id = id;
         it.tries
     })
+}
+
+/// Whose the first under way is, and how often it was tried.
+#[function]
+pub fn first(transfers: &Transfers) -> (u8, u16) {
+    let first = transfers.busy();
+    (first.id, transfers.busy().tries)
 }
 
 /// Ends the one at a place.
