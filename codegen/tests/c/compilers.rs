@@ -49,53 +49,45 @@ pub fn texts(files: &[CFile]) -> Vec<(&str, &str)> {
 
 fn compile_each(name: &str, files: &[CFile]) {
     let folder = folder(&format!("check-{name}"), files);
+    let sources: Vec<&str> =
+        files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".c")).collect();
+    let twice = alone(&folder, files, ".c", 2);
+    let once = alone(&folder, files, ".cpp", 1);
     let there = COMPILERS.iter().enumerate().filter(|(_, compiler)| is_there(compiler));
     for (index, compiler) in there {
         // Another level of each, so that a run has the least and the most optimised.
         let levels = by_turn(&["-O0", "-O1", "-O2", "-O3"], 1, index);
-        for file in files.iter().filter(|file| file.name.ends_with(".c")) {
-            for &level in &levels {
-                run(
-                    Command::new(compiler).args(FLAGS).args([
-                        level,
-                        "-c",
-                        "-o",
-                        "/dev/null",
-                        &file.name,
-                    ]),
-                    &folder,
-                );
-            }
+        for level in levels {
+            run(Command::new(compiler).args(FLAGS).args([level, "-c"]).args(&sources), &folder);
         }
-        for file in files.iter().filter(|file| file.name.ends_with(".h")) {
-            let main = format!(
-                "#include \"{0}\"\n#include \"{0}\"\nint main(void) {{ return 0; }}\n",
-                file.name
-            );
-            std::fs::write(folder.join("alone.c"), main).expect("the target folder is writable");
-            run(
-                Command::new(compiler).args(FLAGS).args(["-c", "-o", "/dev/null", "alone.c"]),
-                &folder,
-            );
-        }
+        run(Command::new(compiler).args(FLAGS).arg("-fsyntax-only").args(&twice), &folder);
     }
     for compiler in ["g++", "clang++"].iter().filter(|compiler| is_there(compiler)) {
-        for file in files.iter().filter(|file| file.name.ends_with(".h")) {
-            let flags = [
-                "-x",
-                "c++",
-                "-std=c++11",
-                "-Wall",
-                "-Wextra",
-                "-Wpedantic",
-                "-Werror",
-                "-fsyntax-only",
-            ];
-            std::fs::write(folder.join("alone.cpp"), format!("#include \"{}\"\n", file.name))
-                .expect("the target folder is writable");
-            run(Command::new(compiler).args(flags).arg("alone.cpp"), &folder);
-        }
+        let flags = [
+            "-x",
+            "c++",
+            "-std=c++11",
+            "-Wall",
+            "-Wextra",
+            "-Wpedantic",
+            "-Werror",
+            "-fsyntax-only",
+        ];
+        run(Command::new(compiler).args(flags).args(&once), &folder);
     }
+}
+
+/// A source for each header, which includes it so many times and nothing else; their names.
+fn alone(folder: &Path, files: &[CFile], end: &str, times: usize) -> Vec<String> {
+    let headers = files.iter().filter(|file| file.name.ends_with(".h"));
+    let source = |(index, header): (usize, &CFile)| {
+        let name = format!("alone_{index}{end}");
+        let text = format!("#include \"{}\"\n", header.name).repeat(times);
+        let main = "int main(void) { return 0; }\n";
+        std::fs::write(folder.join(&name), text + main).expect("the target folder is writable");
+        name
+    };
+    headers.enumerate().map(source).collect()
 }
 
 /// Runs a command in a folder; what it prints, or a panic with its complaint.

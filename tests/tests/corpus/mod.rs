@@ -42,6 +42,8 @@ const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-rec
 #[derive(Clone, Hash)]
 pub(super) struct Case {
     name: String,
+    /// Its module, which has a file of C of its own.
+    program: &'static str,
     id: FunctionId,
     /// Whether it is an entry point of a component.
     stateful: bool,
@@ -78,8 +80,9 @@ pub(super) fn lived(
             }
         }
         let leaves = types.iter().flat_map(|ty| module.leaves(ty)).collect();
-        let (calls, native) = lives(native, module, function, &mut random);
-        Case { name, id, stateful, calls, types, leaves, native }
+        let (calls, outcomes) = lives(native, module, function, &mut random);
+        let program = native.module;
+        Case { name, program, id, stateful, calls, types, leaves, native: outcomes }
     };
     natives.into_iter().map(case).collect()
 }
@@ -322,9 +325,12 @@ fn the_c_agrees_on_other_machines() {
     println!("{} entries, {calls} calls, the same bits: {}", cases.len(), names.join(", "));
 }
 
-/// One of so many cases that follow one another, others at each turn and for each number; all of them in a full run.
+/// Of so many programs that follow one another one with all its cases, others at each turn and for each number; all of them
+/// in a full run. Whole programs: a compiler is asked for the files of a program as soon as one of its cases is there.
 fn every(count: usize, number: usize, cases: &[Case]) -> Vec<Case> {
-    cases.chunks(count).flat_map(|some| turn::some_of_shifted(some.to_vec(), 1, number)).collect()
+    let programs: Vec<&[Case]> = cases.chunk_by(|one, next| one.program == next.program).collect();
+    let of_some = |some: &[&[Case]]| turn::some_of_shifted(some.to_vec(), 1, number).concat();
+    programs.chunks(count).flat_map(of_some).collect()
 }
 
 /// Each file of C includes what it needs: compiled with others, one could do so for another.
@@ -334,7 +340,11 @@ fn each_file_stands_by_itself() {
     let Some(toolchain) = toolchains.first() else { return };
     once("each file by itself", &texts(&corpus().files), || {
         let folder = lay_out(corpus()).expect("the C");
-        let sources = folder.sources();
+        // Every other one by turns.
+        let (first, second): (Vec<_>, Vec<_>) =
+            folder.sources().iter().enumerate().partition(|(at, _)| at % 2 == 0);
+        let sources: Vec<_> = turn::one_of(vec![first, second]).into_iter().flatten().collect();
+        let sources: Vec<_> = sources.into_iter().map(|(_, source)| source).collect();
         thread::scope(|scope| {
             for half in sources.chunks(sources.len().div_ceil(2)) {
                 scope.spawn(move || {
@@ -421,7 +431,8 @@ fn what_was_proved_holds() {
     for case in cases {
         interpreted(kept, &kept.explicit, &mut interpreter, case);
     }
-    let chosen = toolchain::host().into_iter().find(|it| it.level == 2);
+    // What a check asks is the same at every level, and least work at this one.
+    let chosen = toolchain::host().into_iter().find(|it| it.level == 0);
     if let Some(toolchain) = chosen {
         run_c_with(kept, &every(3, 0, cases), &toolchain, &["-w"], &kept_options());
     }
