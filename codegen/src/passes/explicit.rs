@@ -49,13 +49,13 @@ pub struct Problem {
 /// Everything that is not explicit in a valid module.
 pub fn check(module: &Module) -> Vec<Problem> {
     let callees = callees(module);
-    let mut problems = Vec::new();
+    let (mut problems, mut shown) = (Vec::new(), Vec::new());
     for function in &module.functions {
         let mut checker = Checker { callees: &callees, function, problems };
         checker.block(&function.body);
-        open(module, function)
-            .into_iter()
-            .for_each(|site| checker.wrong(Rule::Unchecked, site.span));
+        let (open, returns) = verified(module, function, &shown);
+        open.into_iter().for_each(|site| checker.wrong(Rule::Unchecked, site.span));
+        shown.push(returns);
         problems = checker.problems;
     }
     problems
@@ -196,7 +196,12 @@ impl Checker<'_> {
 }
 
 /// The operations of a function that may fault: [`proof`](super::proof) does not show that they cannot, and their checks are not
-/// before them.
-pub(super) fn open(module: &Module, function: &Function) -> Vec<Site> {
-    checked::without(proof::open(module, function), module, function)
+/// before them. And what it returns, where the functions before it were shown to return `shown`.
+pub(super) fn verified(
+    module: &Module,
+    function: &Function,
+    shown: &[proof::Returns],
+) -> (Vec<Site>, proof::Returns) {
+    let (open, returns) = proof::open(module, function, shown);
+    (checked::without(open, module, function), returns)
 }

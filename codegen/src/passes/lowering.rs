@@ -4,7 +4,7 @@
 
 use bessemer_ir::{Expr, Function, Module, Place, Span, Stmt};
 
-use super::analysis::State;
+use super::analysis::{Results, State};
 use super::names::Names;
 use super::positions::Callee;
 use super::remaining::{Doubted, Remaining};
@@ -34,4 +34,6 @@ pub(super) struct Lowering<'m> {
     /// Whether checks that are proved stand all the same.
     pub(super) keeps: bool,
     pub(super) remaining: Vec<Remaining>,
+    /// The numbers in what is returned so far.
+    pub(super) returned: Option<Results>,
 }

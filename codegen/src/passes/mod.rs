@@ -46,9 +46,10 @@ use thiserror::Error;
 
 use crate::used;
 use callees::may_fault;
-use explicit::open;
+use explicit::verified;
 use positions::Callee;
 use remaining::Doubted;
+use statements::{Before, Explicit};
 
 /// The checks that are left.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -101,27 +102,33 @@ pub fn explicit(module: Module) -> Result<(Module, Report), Vec<Error>> {
 /// As [`explicit`].
 pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec<Error>> {
     let mut report = Report::default();
-    let mut callees = Vec::new();
+    let (mut callees, mut results, mut shown) = (Vec::new(), Vec::new(), Vec::new());
     let (mut functions, mut kept) = (Vec::new(), Vec::new());
     for function in &module.functions {
         let mut doubted = Doubted::default();
-        let (mut done, remaining) = loop {
-            let done = statements::function(&module, &callees, function, &doubted, false);
-            let open = open(&module, &done.0);
+        let before = Before { callees: &callees, results: &results };
+        let Explicit { function: mut done, remaining, results: returned } = loop {
+            let done = statements::function(&module, before, function, &doubted, false);
+            let (open, returns) = verified(&module, &done.function, &shown);
             // The first alone: behind its check, others may not be open any more.
             match open.into_iter().find(|site| !doubted.contains(&site.span)) {
                 Some(first) => {
                     used::Rule::Doubted.used();
                     doubted.insert(first.span)
                 }
-                None => break done,
+                None => {
+                    shown.push(returns);
+                    break done;
+                }
             };
         };
         if keep {
-            kept.push(statements::function(&module, &callees, function, &doubted, true).0);
+            let kept_all = statements::function(&module, before, function, &doubted, true);
+            kept.push(kept_all.function);
         }
         Proved.block(&mut done.body);
         callees.push(Callee::of(&done, may_fault(&done, &callees)));
+        results.push(returned);
         functions.push(done);
         report.functions.push(remaining);
         report.doubted.push(doubted.into_iter().collect());

@@ -10,7 +10,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::analysis::{Loop, State};
+use super::analysis::{Loop, Results, State};
 use super::checked;
 use super::flatten::when;
 use super::lowering::Lowering;
@@ -20,21 +20,37 @@ use super::positions::{Callee, Position};
 use super::remaining::{Doubted, Remaining};
 use crate::effects::{is_own, lent, moves, reads, whole, writes};
 
-/// Makes one function explicit; the checks that it needs. Enums are brought to their variants if that spares some.
+/// A function that is explicit.
+pub(super) struct Explicit {
+    pub(super) function: Function,
+    /// The checks that it needs.
+    pub(super) remaining: Vec<Remaining>,
+    /// The numbers in what it returns.
+    pub(super) results: Results,
+}
+
+/// The functions before one, as far as it has to know them.
+#[derive(Clone, Copy)]
+pub(super) struct Before<'m> {
+    pub(super) callees: &'m [Callee],
+    pub(super) results: &'m [Results],
+}
+
+/// Makes one function explicit. Enums are brought to their variants if that spares checks.
 pub(super) fn function(
     module: &Module,
-    callees: &[Callee],
+    before: Before,
     function: &Function,
     doubted: &Doubted,
     keeps: bool,
-) -> (Function, Vec<Remaining>) {
-    let lowered = |brings| lowered(module, callees, function.clone(), brings, doubted, keeps);
+) -> Explicit {
+    let lowered = |brings| lowered(module, before, function.clone(), brings, doubted, keeps);
     let plain = lowered(false);
-    if plain.1.is_empty() || !reads_enum(function) {
+    if plain.remaining.is_empty() || !reads_enum(function) {
         return plain;
     }
     let brought = lowered(true);
-    if brought.1.len() < plain.1.len() { brought } else { plain }
+    if brought.remaining.len() < plain.remaining.len() { brought } else { plain }
 }
 
 /// Whether a function reads an enum.
@@ -47,17 +63,17 @@ fn reads_enum(function: &Function) -> bool {
 
 fn lowered(
     module: &Module,
-    callees: &[Callee],
+    Before { callees, results }: Before,
     mut function: Function,
     brings: bool,
     doubted: &Doubted,
     keeps: bool,
-) -> (Function, Vec<Remaining>) {
+) -> Explicit {
     let needed = if doubted.is_empty() { Vec::new() } else { checked::needed(module, &function) };
     let body = std::mem::take(&mut function.body);
     let names = Names::of(&function);
     let own = function.locals.len();
-    let facts = State::new(module);
+    let facts = State::with_results(module, results);
     let (out, base, remaining, pending) = (Vec::new(), String::new(), Vec::new(), Vec::new());
     let mut lowering = Lowering {
         module,
@@ -74,13 +90,17 @@ fn lowered(
         asked: None,
         keeps,
         remaining,
+        returned: None,
     };
     let body = lowering.block(body);
-    let Lowering { mut function, remaining, .. } = lowering;
+    let Lowering { mut function, remaining, returned, .. } = lowering;
     function.body = body;
     super::declare::late(&mut function);
     super::tidy::tidy(&mut function, own, callees);
-    (function, remaining)
+    // What the firmware brings may return something else.
+    let own = function.attributes.external.is_none();
+    let results = returned.filter(|_| own).unwrap_or_default();
+    Explicit { function, remaining, results }
 }
 
 impl Lowering<'_> {
@@ -109,6 +129,11 @@ impl Lowering<'_> {
             StmtKind::Return(Some(value)) => {
                 self.base = self.function.result_name.clone();
                 let value = self.lower(value, Position::Whole, Purpose::Operand);
+                let results = Results::of(self.facts.parts(&value));
+                self.returned = Some(match self.returned.take() {
+                    Some(before) => before.or(&results),
+                    None => results,
+                });
                 self.emit(StmtKind::Return(Some(value)), span);
             }
             StmtKind::Return(None) | StmtKind::Break | StmtKind::Continue => self.emit(kind, span),

@@ -7,7 +7,8 @@ use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Span,
 
 use super::domain::Interval;
 use super::evaluate::{brought_key, is_ordered};
-use super::state::{Known, State, key};
+use super::known::Known;
+use super::state::{State, key};
 use crate::used::Rule;
 
 impl<'m> State<'m> {

@@ -7,7 +7,8 @@ use bessemer_ir::{
 };
 
 use super::domain::Interval;
-use super::state::{BROUGHT, Key, Known, State, key};
+use super::known::{BROUGHT, Known};
+use super::state::{Key, State, key};
 
 impl State<'_> {
     /// The range of an integer, `bool` or enum; of anything else, nothing useful.
@@ -31,6 +32,10 @@ impl State<'_> {
             _ if self.blind => all,
             ExprKind::Load(place) => {
                 key(place).and_then(|key| self.at(&key)).map_or(all, |known| all.meet(known))
+            }
+            ExprKind::Call(callee, _) => {
+                let number = self.returned(*callee).and_then(|it| it.at(&[]));
+                number.map_or(all, |known| all.meet(known))
             }
             ExprKind::Unary(UnaryOp::Not, x) => self.range(x).not(all),
             ExprKind::Unary(UnaryOp::Neg, x) => all.meet(Interval::one(0).sub(self.range(x))),

@@ -6,8 +6,9 @@
 use bessemer_ir::Place;
 
 use super::domain::Interval;
+use super::known::Known;
 use super::loops::{Counted, Loop};
-use super::state::{Key, Known, State, key, place_of};
+use super::state::{Key, State, key, place_of};
 use super::walk::written_in;
 use crate::effects::overlap;
 use crate::used::Rule;

@@ -5,8 +5,9 @@
 
 use bessemer_ir::ExprKind;
 
+use super::known::Known;
 use super::loops::Loop;
-use super::state::{Known, State};
+use super::state::State;
 use super::walk::again;
 use crate::effects::whole;
 

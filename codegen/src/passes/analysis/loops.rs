@@ -13,7 +13,8 @@
 use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Stmt, StmtKind};
 
 use super::domain::Interval;
-use super::state::{self, Key, Known, State};
+use super::known::Known;
+use super::state::{self, Key, State};
 use crate::effects::{lent, overlap, whole, writes};
 use crate::used::Rule;
 

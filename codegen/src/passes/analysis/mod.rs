@@ -9,6 +9,7 @@
 //! execution that reaches a point without a fault is in the meaning of what is known at that point.**
 //! * [`evaluate`] and [`transfer`]: the value of an expression lies in what is computed for it;
 //! * [`State::assign`], [`State::forget`]: what may have been written is no longer known;
+//! * [`results`]: what a call gives lies in what its function was seen to return;
 //! * [`assume`]: a condition narrows the state only where it decides that the code runs (a branch, a check before);
 //! * [`State::join`]: the meaning holds that of both sides;
 //! * [`loops`]: what is known at the head of a loop holds before its first pass, and again after each pass that
@@ -26,8 +27,10 @@ mod evaluate;
 mod given;
 mod glance;
 mod invariant;
+mod known;
 mod loops;
 mod relations;
+mod results;
 mod state;
 #[cfg(test)]
 mod tests;
@@ -36,5 +39,6 @@ mod walk;
 
 pub(super) use domain::Interval;
 pub(super) use loops::Loop;
+pub(super) use results::Results;
 pub(super) use state::State;
 pub(super) use walk::held;

@@ -2,39 +2,23 @@
 
 use std::collections::BTreeMap;
 
-use bessemer_ir::{Expr, ExprKind, LocalId, Module, Place, Scalar, Step, Type};
+use bessemer_ir::{Expr, ExprKind, FunctionId, LocalId, Module, Place, Scalar, Step, Type};
 
 use super::domain::Interval;
+use super::known::{Known, Parts};
 use super::relations::Relations;
+use super::results::Results;
 use crate::effects::{overlap, whole};
 
-/// A local and the fields into it; [`BROUGHT`] behind them: what an enum there is brought to.
+/// A local and the fields into it; [`BROUGHT`](super::known::BROUGHT) behind them: what an enum there is brought to.
 pub(super) type Key = (LocalId, Vec<u32>);
-
-/// In a [`Key`], this marks not a field but the variant that stands for the enum there.
-pub(super) const BROUGHT: u32 = u32::MAX;
-
-/// Knowledge of the word at a place.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Known {
-    /// It lies within.
-    Within(Interval),
-    /// It is this float; not a NaN.
-    Float(f64),
-}
-
-/// The words in a value that are known, each with the fields that lead to it.
-pub(crate) type Parts = Vec<(Vec<u32>, Known)>;
-
-/// The part that is the value itself: there is one if the value is a word, and its number is known.
-pub(crate) fn the_whole(parts: &Parts) -> Option<Known> {
-    parts.iter().find(|(at, _)| at.is_empty()).map(|(_, known)| *known)
-}
 
 /// Knowledge at a point of a function.
 #[derive(Clone)]
 pub(crate) struct State<'m> {
     pub(super) module: &'m Module,
+    /// What the functions before this one return.
+    pub(super) results: &'m [Results],
     pub(super) known: BTreeMap<Key, Known>,
     pub(super) relations: Relations,
     /// Whether nothing is concluded: an operation then gives no more than the range of its type.
@@ -57,7 +41,13 @@ pub(super) fn place_of((root, fields): &Key) -> Place {
 impl<'m> State<'m> {
     /// Nothing is known: every execution is in the meaning.
     pub(crate) fn new(module: &'m Module) -> State<'m> {
-        State { module, known: BTreeMap::new(), relations: Relations::default(), blind: false }
+        let (known, relations) = (BTreeMap::new(), Relations::default());
+        State { module, results: &[], known, relations, blind: false }
+    }
+
+    /// The same, with what the functions before this one return.
+    pub(crate) fn with_results(module: &'m Module, results: &'m [Results]) -> State<'m> {
+        State { results, ..State::new(module) }
     }
 
     /// Nothing is known, and nothing is concluded: every number may have each value of its type.
@@ -105,8 +95,8 @@ impl<'m> State<'m> {
         self.relations.forget(written);
     }
 
-    /// The words in a value that are known, each with the fields that lead to it: of a struct that is written out, and of one
-    /// that fields alone lead to, those in its fields.
+    /// The words in a value that are known, each with the fields that lead to it: of a struct that is written out, that a call
+    /// gives, or that fields alone lead to, those in its fields.
     pub(crate) fn parts(&self, value: &Expr) -> Parts {
         let mut parts = Vec::new();
         self.collect(value, &[], &mut parts);
@@ -129,8 +119,17 @@ impl<'m> State<'m> {
                 });
                 parts.extend(inside);
             }
+            ExprKind::Call(callee, _) if !value.ty.is_word() => {
+                let returned = self.returned(*callee).into_iter().flat_map(Results::all);
+                parts.extend(returned.map(|(inside, known)| ([at, inside].concat(), known)));
+            }
             _ => parts.extend(self.value(value).map(|known| (at.to_vec(), known))),
         }
+    }
+
+    /// The numbers in what a call gives.
+    pub(super) fn returned(&self, callee: FunctionId) -> Option<&'m Results> {
+        self.results.get(callee.index())
     }
 
     /// Records at `place` the value that is written there, as far as anything is known of it.

@@ -8,8 +8,9 @@
 use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Module, Place, Stmt, StmtKind};
 
 use super::domain::Interval;
+use super::known::{Known, Parts, the_whole};
 use super::loops::Loop;
-use super::state::{Known, Parts, State, joined, the_whole};
+use super::state::{State, joined};
 use crate::effects::{calls, lent, whole, writes};
 
 /// The state where the next pass begins, by the end of the body or a `continue`; nothing if none does.

@@ -12,13 +12,15 @@
 //!
 //! The condition of an operation is stated in exact numbers ([`values`]): a sum lies within its type, an index is 0 or more
 //! and less than the length. A loop ([`walk`]) is looked at twice: bounds are *guessed* from a pass, and kept if a pass
-//! that begins with them ends with them.
+//! that begins with them ends with them. What a call gives lies within what its function, which stands before, was seen
+//! to return; of an external one nothing is known.
 //!
 //! Must not know: which checks could have been left out, `analysis`, `faults`.
 
 mod knowledge;
 mod linear;
 mod operations;
+mod returns;
 mod values;
 mod walk;
 pub(super) mod written;
@@ -27,13 +29,20 @@ use bessemer_ir::{Function, Module};
 
 use super::sites::Site;
 
-/// The operations of a function that may fault, as far as this shows.
-pub(super) fn open(module: &Module, function: &Function) -> Vec<Site> {
-    walk::Walk::new(module, function).run()
+pub(super) use returns::Returns;
+
+/// The operations of a function that may fault, as far as this shows, and what it returns. The functions before it return
+/// what is `shown` of them.
+pub(super) fn open(
+    module: &Module,
+    function: &Function,
+    shown: &[Returns],
+) -> (Vec<Site>, Returns) {
+    walk::Walk::new(module, function, shown).run()
 }
 
 /// Of each local of a function, the least and the greatest number that it is given where it is declared or assigned as a
 /// whole; nothing if it is given none.
 pub(super) fn held(module: &Module, function: &Function) -> Vec<Option<(i128, i128)>> {
-    walk::Walk::new(module, function).held()
+    walk::Walk::new(module, function, &[]).held()
 }

@@ -13,6 +13,7 @@ use bessemer_ir::{
 
 use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::{FURTHEST, Linear, Symbol};
+use super::returns::Returns;
 use crate::passes::sites::Site;
 use crate::used::Rule;
 
@@ -48,6 +49,33 @@ pub(super) enum At {
     Index(Vec<Linear>),
 }
 
+impl At {
+    /// The field, where it is one.
+    pub(super) fn field(&self) -> Option<u32> {
+        match self {
+            At::Field(field) => Some(*field),
+            At::Index(_) => None,
+        }
+    }
+}
+
+/// The words in a value that are known, each with the fields that lead to it.
+pub(super) type Parts = Vec<(Vec<At>, Value)>;
+
+/// The part that is the value itself: there is one if the value is a word, and its number is known.
+pub(super) fn the_whole(parts: &Parts) -> Option<&Value> {
+    parts.iter().find(|(at, _)| at.is_empty()).map(|(_, value)| value)
+}
+
+/// The steps to a place that fields alone lead to.
+pub(super) fn fields_of(place: &Place) -> Option<Vec<At>> {
+    let field = |step: &Step| match step {
+        Step::Field(field) => Some(At::Field(*field)),
+        _ => None,
+    };
+    place.steps.iter().map(field).collect()
+}
+
 /// The value that each place holds, and what is known of it.
 #[derive(Clone, Default)]
 pub(super) struct Point {
@@ -61,6 +89,8 @@ pub(super) struct Point {
 pub(super) struct Values<'m> {
     pub(super) module: &'m Module,
     pub(super) function: &'m Function,
+    /// What the functions before this one return.
+    shown: &'m [Returns],
     /// The bounds of each symbol by its type.
     pub(super) all: Vec<Bounds>,
     origins: HashMap<(Origin, Vec<Value>), Symbol>,
@@ -76,9 +106,19 @@ pub(super) fn bounds_of(int: Int) -> Bounds {
 }
 
 impl<'m> Values<'m> {
-    pub(super) fn new(module: &'m Module, function: &'m Function) -> Values<'m> {
+    pub(super) fn new(
+        module: &'m Module,
+        function: &'m Function,
+        shown: &'m [Returns],
+    ) -> Values<'m> {
         let (all, origins, open) = (Vec::new(), HashMap::new(), Vec::new());
-        Values { module, function, all, origins, versions: 0, open, quiet: false }
+        Values { module, function, shown, all, origins, versions: 0, open, quiet: false }
+    }
+
+    /// What a function returns, if it stands before this one.
+    pub(super) fn returned(&self, callee: FunctionId) -> &'m Returns {
+        static NOTHING: Returns = Returns::new();
+        self.shown.get(callee.index()).unwrap_or(&NOTHING)
     }
 
     /// A symbol of which nothing is known but its bounds.
@@ -189,6 +229,18 @@ impl<'m> Values<'m> {
         }
     }
 
+    /// The bounds of the numbers in a value that fields alone lead to.
+    pub(super) fn numbers(&self, point: &Point, parts: &Parts) -> Returns {
+        let number = |(at, value): &(Vec<At>, Value)| {
+            let fields: Option<Vec<u32>> = at.iter().map(At::field).collect();
+            match value {
+                Value::Number(form) => Some((fields?, point.knowledge.closest(form, &self.all))),
+                _ => None,
+            }
+        };
+        parts.iter().filter_map(number).collect()
+    }
+
     /// The value of an expression; nothing of what has parts. Its operands are looked at from left to right.
     pub(super) fn value(&mut self, point: &mut Point, expr: &Expr) -> Option<Value> {
         match &expr.kind {
@@ -288,7 +340,13 @@ impl<'m> Values<'m> {
     pub(super) fn call(&mut self, point: &Point, id: FunctionId, expr: &Expr) -> Option<Value> {
         let callee = &self.module.functions[id.index()];
         let reads = callee.parameters().iter().all(|it| it.mode != bessemer_ir::Mode::RefMut);
-        let unknown = self.unknown(&expr.ty)?;
+        let mut unknown = self.unknown(&expr.ty)?;
+        if let (Value::Number(form), Some(shown)) = (&unknown, self.returned(id).get(&[][..])) {
+            Rule::Called.used();
+            let (low, high) = self.range(point, form);
+            let bounds = (low.max(shown.0), high.min(shown.1));
+            unknown = Value::Number(Linear::symbol(self.fresh(bounds)));
+        }
         if !reads || callee.attributes.external.is_some() {
             return Some(unknown);
         }

@@ -10,13 +10,16 @@
 //!   lies within what it was before, or at the end of a pass, or where the loop is left.
 
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Place, Step, Stmt,
+    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Step, Stmt,
     StmtKind, Type, UnaryOp,
 };
 
 use super::knowledge::{Bounds, Formula};
 use super::linear::Linear;
-use super::values::{At, Point, Value, Values, ordered, step_type, within};
+use super::returns::{self, Returns};
+use super::values::{
+    At, Parts, Point, Value, Values, fields_of, ordered, step_type, the_whole, within,
+};
 use super::written::{Target, apart, by_expr, by_stmts};
 use crate::passes::sites::Site;
 use crate::used::Rule;
@@ -26,23 +29,6 @@ const FAST: i128 = 1 << 32;
 
 /// Within so many trials of loops around it nothing is guessed of a loop: each level would take as many times as long.
 const TRIALS: u32 = 2;
-
-/// The words in a value that are known, each with the fields that lead to it.
-type Parts = Vec<(Vec<At>, Value)>;
-
-/// The part that is the value itself: there is one if the value is a word, and its number is known.
-fn the_whole(parts: &Parts) -> Option<&Value> {
-    parts.iter().find(|(at, _)| at.is_empty()).map(|(_, value)| value)
-}
-
-/// The steps to a place that fields alone lead to.
-fn fields_of(place: &Place) -> Option<Vec<At>> {
-    let field = |step: &Step| match step {
-        Step::Field(field) => Some(At::Field(*field)),
-        _ => None,
-    };
-    place.steps.iter().map(field).collect()
-}
 
 /// Bounds of a word of a local that a loop changes.
 struct Guess {
@@ -65,18 +51,25 @@ pub(super) struct Walk<'m> {
     held: Option<Vec<Option<Bounds>>>,
     /// How many trials are under way, one in the other.
     trials: u32,
+    /// The numbers in what was returned so far.
+    returned: Option<Returns>,
 }
 
 impl<'m> Walk<'m> {
-    pub(super) fn new(module: &'m Module, function: &'m Function) -> Walk<'m> {
-        let values = Values::new(module, function);
-        Walk { values, function, loops: Vec::new(), held: None, trials: 0 }
+    pub(super) fn new(
+        module: &'m Module,
+        function: &'m Function,
+        shown: &'m [Returns],
+    ) -> Walk<'m> {
+        let values = Values::new(module, function, shown);
+        Walk { values, function, loops: Vec::new(), held: None, trials: 0, returned: None }
     }
 
-    pub(super) fn run(mut self) -> Vec<Site> {
+    pub(super) fn run(mut self) -> (Vec<Site>, Returns) {
         let function = self.function;
         self.block(&function.body, Point::default());
-        self.values.open
+        let own = function.attributes.external.is_none();
+        (self.values.open, self.returned.filter(|_| own).unwrap_or_default())
     }
 
     /// The numbers that each local is given.
@@ -169,7 +162,12 @@ impl<'m> Walk<'m> {
             StmtKind::For { .. } => return Some(self.repeat(&stmt.kind, point)),
             StmtKind::Return(value) => {
                 if let Some(value) = value {
-                    self.values.value(&mut point, value);
+                    let parts = self.parts(value, &mut point);
+                    // In a trial nothing is noted, either.
+                    if !self.values.quiet {
+                        let now = self.values.numbers(&point, &parts);
+                        self.returned = Some(returns::with(self.returned.take(), now));
+                    }
                 }
                 return None;
             }
@@ -203,6 +201,13 @@ impl<'m> Walk<'m> {
         let value = self.values.value(point, expr);
         if expr.ty.is_word() {
             parts.extend(value.map(|value| (at.to_vec(), value)));
+        } else if let ExprKind::Call(callee, _) = expr.kind {
+            for (fields, bounds) in self.values.returned(callee) {
+                Rule::Called.used();
+                let fields = fields.iter().map(|field| At::Field(*field));
+                let number = Value::Number(Linear::symbol(self.values.fresh(*bounds)));
+                parts.push((at.iter().cloned().chain(fields).collect(), number));
+            }
         } else if let ExprKind::Load(from) = &expr.kind
             && let Some(steps) = fields_of(from)
         {

@@ -31,10 +31,6 @@ bessemer_status_t log_channel_rename(log_channel_t *self, const text_12_t *name)
     uint8_t letters[12];
     text_12_bytes(name, letters);
     const uint64_t value_end = text_12_len(name);
-    if (value_end > UINT64_C(12)) {
-        self->fault = BESSEMER_STATUS_INDEX;
-        return BESSEMER_STATUS_INDEX;
-    }
     status = text_8_append(&self->name, letters, value_end);
     if (status != BESSEMER_STATUS_OK) {
         self->fault = status;

@@ -82,35 +82,26 @@ void transfers_begun(transfers_t *self, uint8_t id, option_element_mut_transfer_
     result->value.index = result_index;
 }
 
-bessemer_status_t chosen_elements_try_again(transfers_t *transfers, uint8_t id, bool *result)
+bool chosen_elements_try_again(transfers_t *transfers, uint8_t id)
 {
     option_element_mut_transfer_t transfer;
     transfers_of(transfers, id, &transfer);
     if (transfer.is_some) {
-        if (transfer.value.index >= UINT64_C(6)) {
-            return BESSEMER_STATUS_INDEX;
-        }
         transfers->all[transfer.value.index].tries = saturating_add_u16(
             transfers->all[transfer.value.index].tries, 1U);
-        *result = true;
-        return BESSEMER_STATUS_OK;
+        return true;
     } else {
-        *result = false;
-        return BESSEMER_STATUS_OK;
+        return false;
     }
 }
 
-bessemer_status_t chosen_elements_begin(transfers_t *transfers, uint8_t id, uint16_t *result)
+uint16_t chosen_elements_begin(transfers_t *transfers, uint8_t id)
 {
     option_element_mut_transfer_t begun;
     transfers_begun(transfers, id, &begun);
     if (begun.is_some) {
-        if (begun.value.index >= UINT64_C(6)) {
-            return BESSEMER_STATUS_INDEX;
-        }
         transfers->all[begun.value.index].tries = 1U;
-        *result = 0U;
-        return BESSEMER_STATUS_OK;
+        return 0U;
     }
     option_element_mut_transfer_t least = {.is_some = false};
     option_u16_t least_2 = {.is_some = false};
@@ -133,32 +124,23 @@ bessemer_status_t chosen_elements_begin(transfers_t *transfers, uint8_t id, uint
     const uint64_t least_index = least.value.index;
     if (least.is_some) {
         transfers->all[least_index].id = id;
-        *result = transfers->all[least_index].tries;
-        return BESSEMER_STATUS_OK;
+        return transfers->all[least_index].tries;
     } else {
-        *result = 9U;
-        return BESSEMER_STATUS_OK;
+        return 9U;
     }
 }
 
-bessemer_status_t chosen_elements_give_up(transfers_t *transfers, uint16_t *tries)
+uint16_t chosen_elements_give_up(transfers_t *transfers)
 {
     element_mut_transfer_t transfer;
     transfers_worst(transfers, &transfer);
     const uint64_t worst_index = transfer.index;
-    if (worst_index >= UINT64_C(6)) {
-        return BESSEMER_STATUS_INDEX;
-    }
     transfers->all[worst_index].busy = false;
-    const uint16_t tries_value = transfers->all[worst_index].tries;
+    const uint16_t tries = transfers->all[worst_index].tries;
     element_mut_transfer_t transfer_2;
     transfers_worst(transfers, &transfer_2);
-    if (transfer_2.index >= UINT64_C(6)) {
-        return BESSEMER_STATUS_INDEX;
-    }
     transfers->all[transfer_2.index].tries = 0U;
-    *tries = tries_value;
-    return BESSEMER_STATUS_OK;
+    return tries;
 }
 
 uint16_t chosen_elements_mark(transfers_t *transfers, uint8_t id)
@@ -200,8 +182,7 @@ void chosen_elements_first(const transfers_t *transfers, pair_u8_u16_t *result)
     result->second = transfer_2.tries;
 }
 
-bessemer_status_t chosen_elements_end(transfers_t *transfers, uint64_t index,
-    result_u16_u8_t *result)
+void chosen_elements_end(transfers_t *transfers, uint64_t index, result_u16_u8_t *result)
 {
     result_element_mut_transfer_u8_t outcome;
     transfers_at(transfers, index, &outcome);
@@ -209,17 +190,13 @@ bessemer_status_t chosen_elements_end(transfers_t *transfers, uint64_t index,
         result->is_ok = false;
         result->value = 0U;
         result->error = outcome.error;
-        return BESSEMER_STATUS_OK;
+        return;
     }
     const uint64_t ended_index = outcome.value.index;
-    if (ended_index >= UINT64_C(6)) {
-        return BESSEMER_STATUS_INDEX;
-    }
     transfers->all[ended_index].busy = false;
     result->is_ok = true;
     result->value = transfers->all[ended_index].tries;
     result->error = 0U;
-    return BESSEMER_STATUS_OK;
 }
 
 uint64_t chosen_elements_halve(float readings[5], float most)

@@ -37,15 +37,7 @@ bessemer_status_t values_that_borrow_store_step(values_that_borrow_store_t *self
     double most_value = -(double)INFINITY;
     slice_f64_t slice;
     values_that_borrow_store_held(self, &slice);
-    if (slice.from > UINT64_MAX - slice.length) {
-        self->fault = BESSEMER_STATUS_OVERFLOW;
-        return BESSEMER_STATUS_OVERFLOW;
-    }
     for (uint64_t i = slice.from; i < slice.from + slice.length; i++) {
-        if (i >= UINT64_C(4)) {
-            self->fault = BESSEMER_STATUS_INDEX;
-            return BESSEMER_STATUS_INDEX;
-        }
         if (self->values[i] > most_value) {
             most_value = self->values[i];
         }
@@ -420,9 +412,6 @@ bessemer_status_t values_that_borrow_seen(const double values[6], pair_f64_usize
     if (UINT64_C(0) >= pair.first.length) {
         return BESSEMER_STATUS_INDEX;
     }
-    if (pair.first.from >= UINT64_C(6)) {
-        return BESSEMER_STATUS_INDEX;
-    }
     if (longer_left > values[pair.first.from]) {
         const uint64_t longer_index = pair.second.from;
         slice_f64_t slice;
@@ -442,9 +431,6 @@ bessemer_status_t values_that_borrow_seen(const double values[6], pair_f64_usize
         status = values_that_borrow_above(&values[longer_index], pair.first.length, 0.0, &slice);
         if (status != BESSEMER_STATUS_OK) {
             return status;
-        }
-        if (slice.from > UINT64_MAX - longer_index) {
-            return BESSEMER_STATUS_OVERFLOW;
         }
         slice.from += longer_index;
         longer = slice;

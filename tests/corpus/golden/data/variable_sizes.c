@@ -19,9 +19,6 @@ bessemer_status_t variable_sizes_seen(scan_t *scan, const float point[3], const 
     scan->points.items[scan->points.length][2] = point[2];
     scan->points.length += UINT64_C(1);
     const uint64_t value_end = bounded_matrix_u8_2_3_nrows(&scan->hits);
-    if (value_end > UINT64_C(2)) {
-        return BESSEMER_STATUS_INDEX;
-    }
     status = bounded_matrix_u8_2_3_push_column(&scan->hits, hits, value_end);
     if (status != BESSEMER_STATUS_OK) {
         return status;
@@ -58,9 +55,6 @@ bessemer_status_t variable_sizes_strong(const scan_t *scan, uint8_t level, uint3
                 return BESSEMER_STATUS_INDEX;
             }
             if (scan->hits.elements[column][row] > level) {
-                if (count_value > 0xFFFFFFFEU) {
-                    return BESSEMER_STATUS_OVERFLOW;
-                }
                 count_value += 1U;
             }
         }

@@ -24,19 +24,12 @@ float small_methods_turn(const float a[2], const float b[2])
     return blas_perp_f32(a, b);
 }
 
-bessemer_status_t small_methods_shapes(const double a[6], pair_usize_bool_t *result)
+void small_methods_shapes(const double a[6], pair_usize_bool_t *result)
 {
     pair_usize_usize_t pair;
     parts_shape_f64_2_3(a, &pair);
-    if (pair.first > UINT64_C(0x1999999999999999)) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (UINT64_C(10) * pair.first > UINT64_MAX - pair.second) {
-        return BESSEMER_STATUS_OVERFLOW;
-    }
     result->first = UINT64_C(10) * pair.first + pair.second;
     result->second = parts_is_square_f64_2_3(a);
-    return BESSEMER_STATUS_OK;
 }
 
 void small_methods_squared(const double a[4], double result[4])

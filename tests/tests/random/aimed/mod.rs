@@ -4,9 +4,10 @@
 //! bounds, steps and lengths, for one look of rustc at the text. An entry with a selector calls them.
 //!
 //! Bounds that move, heads before conditions, steps above one, numbers of enums, casts, wrapping counters, early exits,
-//! and parts that another name or a call writes. Numbers are small and lie about the lengths, so that what is wrong by
+//! indices that a function chooses, and parts that another name or a call writes. Numbers are small and lie about the lengths, so that what is wrong by
 //! one shows. No loop makes many passes: its bound is small, or declared.
 
+mod choosers;
 mod instances;
 mod loops;
 
@@ -83,6 +84,7 @@ pub fn program(random: &mut Random, name: &str, instances: usize) -> Program {
     let kind = format!("{long}Kind");
     let tame = !random.one_in(4);
     text.push_str(&seek(random, name));
+    text.push_str(&choosers::choosers(random, name));
     let mut aimed = Aimed {
         random,
         vars: Vec::new(),
@@ -321,7 +323,16 @@ impl Aimed<'_> {
 
     /// An index into so many elements, mostly in bounds.
     fn index(&mut self, length: usize, depth: usize) -> String {
-        match self.random.below(if self.tame { 6 } else { 9 }) {
+        match self.random.below(if self.tame { 8 } else { 11 }) {
+            6 | 7 => {
+                let (name, n) = (self.name.clone(), self.source("i32"));
+                match self.random.below(4) {
+                    0 => format!("{name}_best(x, {n})"),
+                    1 => format!("{name}_spot(x, {n}).at"),
+                    2 => format!("({name}_spot(x, {n}).n as usize)"),
+                    _ => format!("{name}_place(x, {n}).unwrap_or({})", self.near()),
+                }
+            }
             0 => self.random.below(length).to_string(),
             1 => format!("({} % {length})", self.number("usize", depth)),
             2 => format!("{}.min({})", self.number("usize", depth), length - 1),

@@ -1,0 +1,47 @@
+//! What a function returns: bounds of the numbers in its result, for those who call it.
+//!
+//! The meaning: in every execution of the function that returns, whatever its arguments, each number that is listed lies in
+//! its interval. So an index that one function chooses needs no check where another one uses it.
+//!
+//! What an external function returns is the firmware's: of that nothing is listed.
+
+use std::collections::BTreeMap;
+
+use super::domain::Interval;
+use super::known::{BROUGHT, Known, Parts};
+use crate::used::Rule;
+
+/// Numbers in the result of a function, each with the fields that lead to it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Results(BTreeMap<Vec<u32>, Interval>);
+
+impl Results {
+    /// Of a value that is returned. What an enum there is brought to is the function's own.
+    pub(crate) fn of(parts: Parts) -> Results {
+        let number = |(at, known): (Vec<u32>, Known)| match known {
+            Known::Within(interval) if !at.contains(&BROUGHT) => Some((at, interval)),
+            _ => None,
+        };
+        Results(parts.into_iter().filter_map(number).collect())
+    }
+
+    /// With another value that may be returned instead.
+    pub(crate) fn or(mut self, other: &Results) -> Results {
+        self.0.retain(|at, interval| {
+            let other = other.0.get(at).copied();
+            other.inspect(|other| *interval = interval.join(*other)).is_some()
+        });
+        self
+    }
+
+    /// The number at some fields.
+    pub(super) fn at(&self, fields: &[u32]) -> Option<Interval> {
+        self.0.get(fields).copied().inspect(|_| Rule::Returned.used())
+    }
+
+    /// All of them, as what is known of a value.
+    pub(super) fn all(&self) -> impl Iterator<Item = (&[u32], Known)> {
+        let all = self.0.iter().inspect(|_| Rule::Returned.used());
+        all.map(|(at, interval)| (at.as_slice(), Known::Within(*interval)))
+    }
+}
