@@ -160,7 +160,7 @@ functions! {
         below_another_length, condition_beside_a_loop, condition_before_a_write,
         condition_before_a_call, condition_before_a_call_of_a_slice, condition_before_a_loop_that_lends,
         given_beyond_in_a_loop, given_where_a_loop_is_left, fields_of_another, length_itself,
-        returned_index_beyond, returned_in_fields_of_some,
+        returned_early_beyond, returned_late_beyond, returned_in_fields_of_some,
         returned_by_the_firmware;
     proved:
         index_of_a_number, number_above, bound_that_moves_by_one, counted_to_a_bound, counted_down,
