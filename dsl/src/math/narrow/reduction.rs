@@ -1,16 +1,17 @@
-//! Angles brought to a quarter turn, as a sum of two floats.
+//! Angles brought to a quarter turn, or to a 64th of half a turn, as a sum of two floats.
 //!
 //! Moderate ones after Cody and Waite, *Software Manual for the Elementary Functions* (1980), with π/2 in three parts. Huge
 //! ones after M. Payne and R. Hanek, *Radian reduction for trigonometric functions* (SIGNUM Newsletter 18, 1983): of 2/π,
 //! 96 bits are taken from where they no longer make whole turns of the angle's last bit. The angle's 24 bits and two bits of
 //! the quadrant leave 70 behind the point; no float is nearer than 2⁻³⁰ to a multiple of π/2.
 
-use core::f32::consts::FRAC_2_PI;
+use core::f32::consts::{FRAC_1_PI, FRAC_2_PI};
 
 use super::super::RawBits as _;
 use super::super::tables::{
-    NARROW_QUARTER_1, NARROW_QUARTER_2, NARROW_QUARTER_3, NARROW_TURN_1, NARROW_TURN_2,
-    NARROW_TURN_3, TWO_OVER_PI_WORDS,
+    NARROW_ANGLE_STEP_1, NARROW_ANGLE_STEP_2, NARROW_ANGLE_STEP_3, NARROW_QUARTER_1,
+    NARROW_QUARTER_2, NARROW_QUARTER_3, NARROW_TURN_1, NARROW_TURN_2, NARROW_TURN_3,
+    TWO_OVER_PI_WORDS,
 };
 use super::{PairF32, TO_INTEGER, leading, ordered_sum};
 use crate::prelude::*;
@@ -61,6 +62,48 @@ pub fn reduced_far(x: f32) -> ReducedF32 {
 #[function]
 pub fn reduced_angle(x: f32) -> ReducedF32 {
     if x.abs() <= FEW_TURNS { reduced_moderate(x) } else { reduced_far(x) }
+}
+
+/// An angle as 64ths of half a turn and what is left.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SteppedF32 {
+    /// What is left, rad, −π/128 to π/128.
+    pub high: f32,
+    /// What `high` leaves out: next to whole half turns it may be the larger one.
+    pub low: f32,
+    /// 64ths of half a turn, of which the last seven bits count.
+    pub steps: u32,
+}
+
+/// 64/π, per rad.
+#[crate::data]
+const STEPS_PER_RADIAN: f32 = 64.0 * FRAC_1_PI;
+
+/// Takes 64ths of half a turn off `x`, rad, of up to 100.
+#[inline]
+#[function]
+pub fn stepped(x: f32) -> SteppedF32 {
+    let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
+    let steps = shifted - TO_INTEGER;
+    // The first product loses nothing, and the second nothing where the sine is next to 0, or else at most 2⁻³¹.
+    let first = x - steps * NARROW_ANGLE_STEP_1;
+    let part = steps * NARROW_ANGLE_STEP_2;
+    let high = first - part;
+    let low = ((first - high) - part) - steps * NARROW_ANGLE_STEP_3;
+    SteppedF32 { high, low, steps: shifted.raw_bits() }
+}
+
+/// Takes 64ths of half a turn off any number of rad.
+#[function]
+pub fn stepped_far(x: f32) -> SteppedF32 {
+    let angle = reduced_angle(x);
+    let rest = stepped(angle.high);
+    SteppedF32 {
+        high: rest.high,
+        low: rest.low + angle.low,
+        steps: rest.steps.wrapping_add(angle.quadrant.wrapping_mul(32)),
+    }
 }
 
 /// The upper 32 bits of a product.

@@ -1,76 +1,94 @@
-//! Sine and cosine: the angle reduced to a quarter turn, and a short polynomial.
+//! Sine and cosine: 64ths of half a turn come from a table, and a short polynomial is for what is left (P. T. P. Tang). No branch depends
+//! on the quadrant.
 
 use super::super::RawBits as _;
-use super::super::tables::{NARROW_COSINE, NARROW_SINE};
-use super::reduction::{ReducedF32, reduced_angle};
+use super::super::tables::{NARROW_SINE_CUBE, NARROW_SINE_ROWS};
+use super::reduction::{SteppedF32, stepped, stepped_far};
 use crate::prelude::*;
 
 /// Below this an angle is its own sine and tangent: 2⁻¹².
 #[crate::data]
 pub(crate) const TINY: f32 = 2.4414063e-4;
 
-/// Sine of `high` + `low` for −π/4 to π/4.
+/// Up to here the steps are fewer than 2¹¹, rad.
+#[crate::data]
+const FEW_STEPS: f32 = 100.0;
+
+/// Steps from the first row to the sine of 0.
+#[crate::data]
+const SINE_ROW: u32 = 32;
+/// Steps from the first row to the sine of π/2, the cosine of 0.
+#[crate::data]
+const COSINE_ROW: u32 = 64;
+
+/// Sine of an angle as steps, counted from that of the first row.
 #[inline]
 #[function]
-fn near_sine(high: f32, low: f32) -> f32 {
-    let z = high * high;
-    let tail = NARROW_SINE[0] + z * (NARROW_SINE[1] + z * NARROW_SINE[2]);
-    // The slope is the cosine.
-    high + (low * (1.0 - 0.5 * z) + high * z * tail)
+fn sine_of_steps(angle: SteppedF32, from: u32) -> f32 {
+    let steps = angle.steps.wrapping_add(from);
+    let row = (steps & 63) as usize;
+    let z = angle.high * angle.high;
+    // sin(c + r) = sin c + r + (cos c − 1) · sin r + (sin r − r) + sin c · (cos r − 1); the sum of the first two without loss.
+    let beyond = angle.low + angle.high * (z * NARROW_SINE_CUBE);
+    let sum = NARROW_SINE_ROWS[row][0] + angle.high;
+    let lost = angle.high - (sum - NARROW_SINE_ROWS[row][0]);
+    let turned = (angle.high + beyond) * NARROW_SINE_ROWS[row][2] + beyond;
+    let value = sum + (((lost + NARROW_SINE_ROWS[row][1]) + z * NARROW_SINE_ROWS[row][3]) + turned);
+    // Every other half turn changes the sign.
+    f32::from_bits(value.raw_bits() ^ ((steps & 64) << 25))
 }
 
-/// Cosine of `high` + `low` for −π/4 to π/4.
-#[inline]
+/// Sine of an angle in rad that is next to 0 or more than [`FEW_STEPS`].
 #[function]
-fn near_cosine(high: f32, low: f32) -> f32 {
-    let z = high * high;
-    let half = 0.5 * z;
-    let lead = 1.0 - half;
-    let curve = z * z * (NARROW_COSINE[0] + z * (NARROW_COSINE[1] + z * NARROW_COSINE[2]));
-    lead + (((1.0 - lead) - half) + (curve - high * low))
-}
-
-/// Sine of a reduced angle + `quarter_turns` · π/2.
-#[inline]
-#[function]
-fn turned(angle: ReducedF32, quarter_turns: u32) -> f32 {
-    let quadrant = angle.quadrant.wrapping_add(quarter_turns);
-    let value = if (quadrant & 1) == 0 {
-        near_sine(angle.high, angle.low)
+pub fn far_sine(x: f32) -> f32 {
+    if x.abs() < TINY {
+        // −0 stays what it is.
+        x
+    } else if x.abs() <= f32::MAX {
+        sine_of_steps(stepped_far(x), SINE_ROW)
     } else {
-        near_cosine(angle.high, angle.low)
-    };
-    // The second bit of the quadrant is the sign.
-    f32::from_bits(value.raw_bits() ^ ((quadrant & 2) << 30))
+        f32::NAN
+    }
+}
+
+/// Cosine of an angle in rad of more than [`FEW_STEPS`].
+#[function]
+pub fn far_cosine(x: f32) -> f32 {
+    if x.abs() <= f32::MAX { sine_of_steps(stepped_far(x), COSINE_ROW) } else { f32::NAN }
+}
+
+/// Whether an angle is from [`TINY`] to [`FEW_STEPS`] rad: one comparison of bits, which those of a float are in the order of.
+#[inline]
+#[function]
+fn is_moderate(x: f32) -> bool {
+    (x.raw_bits() & 0x7fff_ffff).wrapping_sub(0x3980_0000) < 0x0948_0000
 }
 
 /// Sine of an angle in rad, however large; within 1 ulp. ±0 gives ±0; ±∞ and NaN give NaN.
 #[function]
 pub fn sinf(x: f32) -> f32 {
-    // −0 stays what it is.
-    if x.abs() < TINY { x } else { turned(reduced_angle(x), 0) }
+    if is_moderate(x) { sine_of_steps(stepped(x), SINE_ROW) } else { far_sine(x) }
 }
 
 /// Cosine of an angle in rad, however large; within 1 ulp. ±0 gives 1; ±∞ and NaN give NaN.
 #[function]
 pub fn cosf(x: f32) -> f32 {
-    turned(reduced_angle(x), 1)
+    if x.abs() <= FEW_STEPS { sine_of_steps(stepped(x), COSINE_ROW) } else { far_cosine(x) }
 }
 
 /// Sine and cosine of an angle in rad: the bits of [`sinf`] and of [`cosf`], with one reduction.
 #[function]
 pub fn sin_cosf(x: f32) -> (f32, f32) {
+    if is_moderate(x) {
+        let angle = stepped(x);
+        return (sine_of_steps(angle, SINE_ROW), sine_of_steps(angle, COSINE_ROW));
+    }
     if x.abs() < TINY {
         return (x, 1.0);
     }
-    let angle = reduced_angle(x);
-    let sine = near_sine(angle.high, angle.low);
-    let cosine = near_cosine(angle.high, angle.low);
-    let odd = (angle.quadrant & 1) == 1;
-    let first = if odd { cosine } else { sine };
-    let second = if odd { sine } else { cosine };
-    (
-        if (angle.quadrant & 2) == 0 { first } else { -first },
-        if (angle.quadrant.wrapping_add(1) & 2) == 0 { second } else { -second },
-    )
+    if x.abs() > f32::MAX || x.is_nan() {
+        return (f32::NAN, f32::NAN);
+    }
+    let angle = stepped_far(x);
+    (sine_of_steps(angle, SINE_ROW), sine_of_steps(angle, COSINE_ROW))
 }
