@@ -384,6 +384,32 @@ rows("NARROW_LOG2_ROWS", [log2_row(row) for row in range(128)],
      "A factor c of at most nine bits for a row of significands; −log₂ c to a float, and the rest.", "f32")
 steps = [mpf(2) ** (mpf(j) / 128) for j in range(128)]
 rows("NARROW_BINARY_ROWS", [(v, v - rounded(v, 24)) for v in steps], "2^(j/128) to a float, and the rest.", "f32")
+
+def logarithm_rows(name, base, unit):
+    """Rows of the significands from 0x3f340600 on, a 32nd or a 64th wide: next to 1 c is 1, so that what is left is exact; else c is in the
+    middle, and such that 1/c is next to a float."""
+    mp.prec, before = 150, mp.prec
+    found = []
+    for row in range(64):
+        first, last = (mpf(struct.unpack("<f", struct.pack("<I", 0x3F340600 + (row << 17) + more))[0]) for more in (0, 0x1FFFF))
+        if first < 1 < last or max(abs(first - 1), abs(last - 1)) < mpf("0.0159"):
+            found.append((mpf(1), mpf(1), mpf(0), mpf(0)))
+            continue
+        middle = rounded(2 / (1 / first + 1 / last), 24)
+        step = mpf(2) ** (-24 if middle < 1 else -23)
+        c = min((middle + step * k for k in range(-1000, 1000)), key=lambda it: abs(rounded(1 / it, 24) * it - 1))
+        value = log(c) / log(base)
+        found.append((c, rounded(1 / c, 24), grid(value, unit), value - grid(value, unit)))
+    mp.prec = before
+    rows(name, found, f"c near the middle of a row of significands, 1/c, and the logarithm of c to a multiple of 2{raised(unit)}, and the rest.", "f32")
+
+
+logarithm_rows("NARROW_LN_ROWS", mp.e, -17)
+width = mpf("0.0159")
+narrow("LN", lambda r: (log(1 + r) - r) / r**2, 3, -width, width * mpf("1.001"), "(ln(1 + r) − r)/r² in powers of r, −0.0159 to 0.0159.")
+logarithm_rows("NARROW_BINARY_LOG_ROWS", mpf(2), -16)
+narrow("BINARY_LOG", lambda r: log(1 + r) / two / r - mpf(23) / 16, 4, -width, width,
+       "log₂(1 + r)/r − 23/16 in powers of r, −0.0159 to 0.0159.")
 # To 0.0375 is what there is: weighted with w³, points a third further out lose least.
 narrow("CUBE_ROOT", lambda w: (((1 + 2 * w) / (1 - w)) ** (mpf(1) / 3) - 1 - w) / w**3, 2, mpf("-0.0495"), mpf("0.0495"),
        "(((1 + 2w)/(1 − w))^(1/3) − 1 − w)/w³ in powers of w, −0.0495 to 0.0495.")

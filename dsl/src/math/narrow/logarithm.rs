@@ -1,14 +1,17 @@
-//! The logarithms: with f = m − 1 of a significand m from 0.705 to 1.410 and s = f/(2 + f), ln m is the series of
+//! The logarithms. Natural and to base 2, a significand is c · (1 + r) with c and its logarithm from a table; a short polynomial is for r
+//! (P. T. P. Tang). The leading parts of the logarithms of c are such that their sums with the exponent's are exact.
+//!
+//! Of 1 + x and to base 10: with f = m − 1 of a significand m from 0.705 to 1.410 and s = f/(2 + f), ln m is the series of
 //! 2 artanh s, written as f − f²/2 + s · (f²/2 + R(s²)) so that what is large is exact.
 //!
-//! To base 2, a factor c of so few bits that r = m·c − 1 is exact comes from a table, and what is left is the series of
-//! log₂(1 + r): ten bits more than a float has, as powers need them.
+//! For powers, a factor c of so few bits that r = m·c − 1 is exact comes from a table, and what is left is the series of
+//! log₂(1 + r): ten bits more than a float has.
 
 use super::super::RawBits as _;
 use super::super::tables::{
-    NARROW_LN_2_HIGH, NARROW_LN_2_LOW, NARROW_LOG2_E_HIGH, NARROW_LOG2_E_LOW, NARROW_LOG2_ROWS,
-    NARROW_LOG10_2_HIGH, NARROW_LOG10_2_LOW, NARROW_LOG10_E_HIGH, NARROW_LOG10_E_LOW,
-    NARROW_LOGARITHM,
+    NARROW_BINARY_LOG, NARROW_BINARY_LOG_ROWS, NARROW_LN, NARROW_LN_2_HIGH, NARROW_LN_2_LOW,
+    NARROW_LN_ROWS, NARROW_LOG2_E_HIGH, NARROW_LOG2_E_LOW, NARROW_LOG2_ROWS, NARROW_LOG10_2_HIGH,
+    NARROW_LOG10_2_LOW, NARROW_LOG10_E_HIGH, NARROW_LOG10_E_LOW, NARROW_LOGARITHM,
 };
 use super::{PairF32, exact_mul_addf, leading, ordered_sum};
 use crate::prelude::*;
@@ -93,16 +96,54 @@ pub fn is_subnormal(x: f32) -> bool {
     x > 0.0 && x < f32::MIN_POSITIVE
 }
 
+/// A positive number as 2^`exponent` · `significand`, that from 0.703 to 1.406.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RowF32 {
+    /// The exponent.
+    pub exponent: f32,
+    /// The significand.
+    pub significand: f32,
+    /// The row of the significand, of which the last six bits count.
+    pub row: u32,
+}
+
+/// The parts of a normal number; of its exponent, `less` is taken off.
+#[inline]
+#[function]
+fn row_of(x: f32, less: i32) -> RowF32 {
+    let bits = x.raw_bits();
+    // Next to 1 ± 1/64, rows end where a logarithm to base e is a power of two.
+    let above = bits.wrapping_sub(0x3f34_0600);
+    RowF32 {
+        exponent: (above as i32 >> 23).wrapping_sub(less) as f32,
+        significand: f32::from_bits(bits.wrapping_sub(above & 0xff80_0000)),
+        row: above >> 17,
+    }
+}
+
+/// The natural logarithm of the parts of a number.
+#[inline]
+#[function]
+fn natural_of_row(parts: RowF32) -> f32 {
+    let row = (parts.row & 63) as usize;
+    let r = (parts.significand - NARROW_LN_ROWS[row][0]) * NARROW_LN_ROWS[row][1];
+    let z = r * r;
+    let curve = z * ((NARROW_LN[0] + r * NARROW_LN[1]) + z * NARROW_LN[2]);
+    let rest = parts.exponent * NARROW_LN_2_LOW + NARROW_LN_ROWS[row][3];
+    (parts.exponent * NARROW_LN_2_HIGH + NARROW_LN_ROWS[row][2]) + (r + (rest + curve))
+}
+
+/// The natural logarithm of what is no positive, normal number.
+#[function]
+pub fn far_lnf(x: f32) -> f32 {
+    if is_subnormal(x) { natural_of_row(row_of(x * 8_388_608.0, 23)) } else { limit(x) }
+}
+
 /// The natural logarithm; within 1 ulp. ±0 gives −∞, ∞ gives ∞; negative numbers and NaN give NaN.
 #[function]
 pub fn lnf(x: f32) -> f32 {
-    if is_plain(x) {
-        natural(split(x, 0), 0.0)
-    } else if is_subnormal(x) {
-        natural(split(x * 8_388_608.0, 23), 0.0)
-    } else {
-        limit(x)
-    }
+    if is_plain(x) { natural_of_row(row_of(x, 0)) } else { far_lnf(x) }
 }
 
 /// ln(1 + x), without cancellation; within 1 ulp. ±0 gives ±0, −1 gives −∞, ∞ gives ∞; numbers
@@ -156,19 +197,30 @@ pub fn binary_pair(x: f32, less: i32) -> PairF32 {
     PairF32 { high: squared.high, low: small + (cube + squared.low) }
 }
 
+/// The logarithm to base 2 of the parts of a number.
+#[inline]
+#[function]
+fn binary_of_row(parts: RowF32) -> f32 {
+    let row = (parts.row & 63) as usize;
+    let r = (parts.significand - NARROW_BINARY_LOG_ROWS[row][0]) * NARROW_BINARY_LOG_ROWS[row][1];
+    // Of log₂ e = 1.4427, 1 + 7/16 is taken by itself: next to 1, r has so few bits that this product is exact.
+    let upper = NARROW_BINARY_LOG[2] + r * NARROW_BINARY_LOG[3];
+    let curve = r * (NARROW_BINARY_LOG[0] + r * (NARROW_BINARY_LOG[1] + r * upper));
+    let rest = 0.4375 * r + NARROW_BINARY_LOG_ROWS[row][3];
+    (parts.exponent + NARROW_BINARY_LOG_ROWS[row][2]) + (r + (rest + curve))
+}
+
+/// The logarithm to base 2 of what is no positive, normal number.
+#[function]
+pub fn far_log2f(x: f32) -> f32 {
+    if is_subnormal(x) { binary_of_row(row_of(x * 8_388_608.0, 23)) } else { limit(x) }
+}
+
 /// The logarithm to base 2; within 1 ulp. ±0 gives −∞, ∞ gives ∞; negative numbers and NaN give
 /// NaN.
 #[function]
 pub fn log2f(x: f32) -> f32 {
-    if is_plain(x) {
-        let pair = binary_pair(x, 0);
-        pair.high + pair.low
-    } else if is_subnormal(x) {
-        let pair = binary_pair(x * 8_388_608.0, 23);
-        pair.high + pair.low
-    } else {
-        limit(x)
-    }
+    if is_plain(x) { binary_of_row(row_of(x, 0)) } else { far_log2f(x) }
 }
 
 /// The logarithm to base 10 of the parts of a number.
