@@ -329,6 +329,8 @@ narrow_parts("TURN", quarter, "π/2 in 16, 16 and 24 bits: a multiple of the fir
 narrow_parts("QUARTER", quarter, "π/2 in 12, 12 and 24 bits", 12, 12)
 narrow_parts("HALF_PI", quarter, "π/2 in 24 and 24 bits", 24)
 narrow_parts("LN_2", log(mpf(2)), "ln 2 in 16 and 24 bits: a multiple of the first by up to 2⁸ is exact", 16)
+constant("NARROW_STEP_LN_2_HIGH", grid(log(mpf(2)), -9), "ln 2 to a multiple of 2⁻⁹: a multiple of it by up to 2¹⁵ is exact.", "f32")
+constant("NARROW_STEP_LN_2_LOW", log(mpf(2)) - grid(log(mpf(2)), -9), "ln 2 less its high part.", "f32")
 narrow_parts("LOG10_2", log(mpf(2)) / log(mpf(10)), "log₁₀ 2 in 16 and 24 bits", 16)
 narrow_parts("LOG2_E", 1 / log(mpf(2)), "log₂ e in 24 and 24 bits", 24)
 narrow_parts("LOG10_E", 1 / log(mpf(10)), "log₁₀ e in 12 and 24 bits", 12)
@@ -358,8 +360,6 @@ rows("NARROW_ARCTANGENT_ROWS", [(c, rounded(atan(c), 24), atan(c) - rounded(atan
 narrow("ARCSINE", odd(asin), 5, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2.")
 narrow("EXPONENTIAL", lambda x: (exp(x) - 1 - x) / x**2, 6, -two / 2, two / 2 * mpf("1.001"),
        "(e^x − 1 − x)/x² in powers of x, to (ln 2)/2.")
-narrow("BINARY", lambda x: (mpf(2) ** x - 1) / x - 1, 6, mpf(-1) / 2, mpf("0.5001"),
-       "(2^x − 1)/x − 1 in powers of x, to 1/2.")
 most = mpf("0.1726") ** 2
 narrow("LOGARITHM", lambda z: log((1 + sqrt(z)) / (1 - sqrt(z))) / sqrt(z) / z - 2 / z, 3, 0, most,
        "(2·artanh s − 2s)/s³ in powers of s², to 0.1726.")
@@ -370,20 +370,30 @@ narrow("TANH", odd(tanh), 7, 0, mpf("0.85") ** 2, "(tanh x − x)/x³ in powers 
 def log2_row(row):
     """A factor c that brings a row of significands next to 1, and −log₂ c in two parts."""
     first, last = (struct.unpack("<f", struct.pack("<I", 0x3F348000 + (row << 16) + more))[0] for more in (0, 0xFFFF))
-    # What is left is below 2⁻⁷ and a multiple of 2⁻³¹, so that it is a float. A logarithm next to 0 must not be a difference.
+    # What is left is below 2⁻⁷ and a multiple of 2⁻³¹, so that it is a float. A logarithm next to 0 must not be a difference, hence 255/256.
     if max(abs(first - 1), abs(last - 1)) < 2**-7:
         factor = mpf(1)
+    elif first == 1 + 2**-8:
+        factor = mpf(255) / 256
     else:
         factor = grid(2 / (mpf(first) + mpf(last)), -7 if last < 1 else -8)
     assert max(abs(first * factor - 1), abs(last * factor - 1)) < 2**-7
     value = -log(factor) / two
-    return factor, rounded(value, 24), value - rounded(value, 24)
+    return factor, grid(value, -16), value - grid(value, -16)
 
 
 rows("NARROW_LOG2_ROWS", [log2_row(row) for row in range(128)],
-     "A factor c of at most nine bits for a row of significands; −log₂ c to a float, and the rest.", "f32")
+     "A factor c of at most nine bits for a row of significands; −log₂ c to a multiple of 2⁻¹⁶, and the rest.", "f32")
 steps = [mpf(2) ** (mpf(j) / 128) for j in range(128)]
-rows("NARROW_BINARY_ROWS", [(v, v - rounded(v, 24)) for v in steps], "2^(j/128) to a float, and the rest.", "f32")
+
+
+def float_bits(value):
+    return struct.unpack("<I", struct.pack("<f", float(value)))[0]
+
+
+rows("NARROW_OF_TWO", [(float_bits(v / rounded(v, 24) - 1), (float_bits(v) - (j << 16)) % 2**32) for j, v in enumerate(steps)],
+     "2^(j/128): what the float leaves out, as a fraction; its bits less j·2¹⁶.", "u32", shared=True)
+
 
 def logarithm_rows(name, base, unit):
     """Rows of the significands from 0x3f340600 on, a 32nd or a 64th wide: next to 1 c is 1, so that what is left is exact; else c is in the

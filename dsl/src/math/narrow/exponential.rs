@@ -1,9 +1,13 @@
-//! The exponentials: whole powers of two, by their bits, and a polynomial for what is left.
+//! The exponentials: whole powers of two, by their bits, 128ths from a table, and a short polynomial for what is left. Those that
+//! leave 1 out take whole powers alone, and a longer one.
 
-use core::f32::consts::LOG2_E;
+use core::f32::consts::{LN_2, LOG2_E};
 
 use super::super::RawBits as _;
-use super::super::tables::{NARROW_BINARY, NARROW_EXPONENTIAL, NARROW_LN_2_HIGH, NARROW_LN_2_LOW};
+use super::super::tables::{
+    NARROW_EXPONENTIAL, NARROW_LN_2_HIGH, NARROW_LN_2_LOW, NARROW_OF_TWO, NARROW_STEP_LN_2_HIGH,
+    NARROW_STEP_LN_2_LOW,
+};
 use super::{TO_INTEGER, ordered_sum};
 use crate::prelude::*;
 
@@ -61,7 +65,62 @@ pub fn beyond(exponent: StepsF32) -> f32 {
     curve - exponent.low
 }
 
-/// e^x where it is no normal number, and next to the largest.
+/// 1.5 · 2¹⁶: added to a smaller number it leaves the nearest 128th in the last bits.
+#[crate::data]
+pub(crate) const TO_STEPS: f32 = 98_304.0;
+
+/// The bits of [`TO_STEPS`].
+#[crate::data]
+const NO_STEPS: u32 = 0x47c0_0000;
+
+/// An exponent as 128ths and what is left of it.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ExponentF32 {
+    /// The bits of the number of 128ths with `TO_STEPS` added: the last seven choose a row, the rest is whole powers of two.
+    pub bits: u32,
+    /// What is left.
+    pub rest: f32,
+}
+
+/// 2^(`steps`/128) · (1 + `beyond`): of `steps` the last seven bits choose a row, and the others are whole powers of two.
+#[inline]
+#[function]
+pub fn step_power(steps: u32, beyond: f32) -> f32 {
+    let row = (steps & 127) as usize;
+    let base = f32::from_bits(NARROW_OF_TWO[row][1].wrapping_add(steps << 16));
+    base + base * (f32::from_bits(NARROW_OF_TWO[row][0]) + beyond)
+}
+
+/// The same where it is no normal number, for an exponent's bits.
+#[function]
+pub fn far_step_power(bits: u32, beyond: f32) -> f32 {
+    let whole = bits.wrapping_sub(NO_STEPS) as i32 >> 7;
+    far_scaled(step_power(bits & 127, beyond), whole)
+}
+
+/// Of the Taylor series of e^r, r, with the share of r³ that a multiple of r takes best: to |r| = (ln 2)/256 less than 2⁻³⁰ is left.
+#[crate::data]
+const FIRST: f32 = 1.0 + LN_2 * LN_2 / 8.0 / 65_536.0;
+
+/// Takes 128ths of ln 2 off an exponent from −120 to 120: to (ln 2)/256 is left.
+#[inline]
+#[function]
+fn natural_steps(x: f32) -> ExponentF32 {
+    let shifted = x * LOG2_E + TO_STEPS;
+    let steps = shifted - TO_STEPS;
+    let rest = (x - steps * NARROW_STEP_LN_2_HIGH) - steps * NARROW_STEP_LN_2_LOW;
+    ExponentF32 { bits: shifted.raw_bits(), rest }
+}
+
+/// What e^r has beyond 1, for −(ln 2)/256 to (ln 2)/256.
+#[inline]
+#[function]
+fn natural_beyond(r: f32) -> f32 {
+    r * (FIRST + 0.5 * r)
+}
+
+/// e^x next to the normal numbers' limits and beyond.
 #[function]
 pub fn far_exponential(x: f32) -> f32 {
     if x > 88.73 {
@@ -71,31 +130,38 @@ pub fn far_exponential(x: f32) -> f32 {
     } else if x.is_nan() {
         x
     } else {
-        let exponent = steps_of(x);
-        far_scaled(1.0 + (exponent.high + beyond(exponent)), exponent.steps)
+        let exponent = natural_steps(x);
+        far_step_power(exponent.bits, natural_beyond(exponent.rest))
     }
 }
 
 /// e^x; within 1 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn expf(x: f32) -> f32 {
-    if x.abs() < 87.0 {
-        let exponent = steps_of(x);
-        scaled(1.0 + (exponent.high + beyond(exponent)), exponent.steps as u32)
+    // Beyond, what is added to a row's power could lose bits below the normal numbers.
+    if x.abs() < 80.0 {
+        let exponent = natural_steps(x);
+        step_power(exponent.bits, natural_beyond(exponent.rest))
     } else {
         far_exponential(x)
     }
 }
 
-/// What 2^r has beyond 1 + r, for −1/2 to 1/2.
+/// Of the Taylor series of 2^r, r, with the share of r³ that a multiple of r takes best: to |r| = 1/256 less than 2⁻³⁰ is left.
+#[crate::data]
+const BINARY_FIRST: f32 = LN_2 + LN_2 * LN_2 * LN_2 / 8.0 / 65_536.0;
+/// The same, r².
+#[crate::data]
+const BINARY_SECOND: f32 = LN_2 * LN_2 / 2.0;
+
+/// What 2^r has beyond 1, for −1/256 to 1/256.
 #[inline]
 #[function]
-fn beyond_binary(r: f32) -> f32 {
-    let upper = NARROW_BINARY[3] + r * (NARROW_BINARY[4] + r * NARROW_BINARY[5]);
-    r * (NARROW_BINARY[0] + r * (NARROW_BINARY[1] + r * (NARROW_BINARY[2] + r * upper)))
+pub fn binary_beyond(r: f32) -> f32 {
+    r * (BINARY_FIRST + BINARY_SECOND * r)
 }
 
-/// 2^x where it is no normal number, and next to the largest.
+/// 2^x next to the normal numbers' limits and beyond.
 #[function]
 pub fn far_binary(x: f32) -> f32 {
     if x >= 128.0 {
@@ -105,20 +171,18 @@ pub fn far_binary(x: f32) -> f32 {
     } else if x.is_nan() {
         x
     } else {
-        let shifted = x + TO_INTEGER;
-        let steps = shifted.raw_bits().wrapping_sub(0x4b40_0000) as i32;
-        let r = x - (shifted - TO_INTEGER);
-        far_scaled(1.0 + (r + beyond_binary(r)), steps)
+        let shifted = x + TO_STEPS;
+        far_step_power(shifted.raw_bits(), binary_beyond(x - (shifted - TO_STEPS)))
     }
 }
 
 /// 2^x; within 1 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn exp2f(x: f32) -> f32 {
-    if x.abs() < 126.0 {
-        let shifted = x + TO_INTEGER;
-        let r = x - (shifted - TO_INTEGER);
-        scaled(1.0 + (r + beyond_binary(r)), shifted.raw_bits())
+    // Beyond, what is added to a row's power could lose bits below the normal numbers.
+    if x.abs() < 115.0 {
+        let shifted = x + TO_STEPS;
+        step_power(shifted.raw_bits(), binary_beyond(x - (shifted - TO_STEPS)))
     } else {
         far_binary(x)
     }

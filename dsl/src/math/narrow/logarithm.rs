@@ -3,17 +3,14 @@
 //!
 //! Of 1 + x and to base 10: with f = m − 1 of a significand m from 0.705 to 1.410 and s = f/(2 + f), ln m is the series of
 //! 2 artanh s, written as f − f²/2 + s · (f²/2 + R(s²)) so that what is large is exact.
-//!
-//! For powers, a factor c of so few bits that r = m·c − 1 is exact comes from a table, and what is left is the series of
-//! log₂(1 + r): ten bits more than a float has.
 
 use super::super::RawBits as _;
 use super::super::tables::{
     NARROW_BINARY_LOG, NARROW_BINARY_LOG_ROWS, NARROW_LN, NARROW_LN_2_HIGH, NARROW_LN_2_LOW,
-    NARROW_LN_ROWS, NARROW_LOG2_E_HIGH, NARROW_LOG2_E_LOW, NARROW_LOG2_ROWS, NARROW_LOG10_2_HIGH,
-    NARROW_LOG10_2_LOW, NARROW_LOG10_E_HIGH, NARROW_LOG10_E_LOW, NARROW_LOGARITHM,
+    NARROW_LN_ROWS, NARROW_LOG10_2_HIGH, NARROW_LOG10_2_LOW, NARROW_LOG10_E_HIGH,
+    NARROW_LOG10_E_LOW, NARROW_LOGARITHM,
 };
-use super::{PairF32, exact_mul_addf, leading, ordered_sum};
+use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
 
 /// A positive number as 2^`exponent` · (1 + `rest`), that from −0.295 to 0.410.
@@ -164,37 +161,6 @@ pub fn ln_1pf(x: f32) -> f32 {
     } else {
         limit(sum)
     }
-}
-
-/// The factor of r³, as a multiple of r²/2: 2/3 and, for r⁵/5, the 0.336 · ρ² that serves best to |r| = ρ = 0.0064. The rows next to
-/// 1, where the logarithm is small, have |r| below 0.006.
-#[crate::data]
-const THIRD: f32 = 0.666_680_3;
-
-/// The logarithm to base 2 of a positive, normal number, to 2⁻³² of it; of its exponent, `less` is taken off.
-#[inline]
-#[function]
-pub fn binary_pair(x: f32, less: i32) -> PairF32 {
-    let bits = x.raw_bits();
-    // Above 1 + 52.5/128 a significand is halved.
-    let above = bits.wrapping_sub(0x3f34_8000);
-    let exponent = above as i32 >> 23;
-    let row = ((above >> 16) & 127) as usize;
-    let significand = f32::from_bits(bits.wrapping_sub(above & 0xff80_0000));
-    let r = exact_mul_addf(significand, NARROW_LOG2_ROWS[row][0], -1.0);
-
-    // log₂ e · (r − r²/2 + r³/3 − r⁴/4), its first two terms as sums of two.
-    let first = r * NARROW_LOG2_E_HIGH;
-    let rest = exact_mul_addf(r, NARROW_LOG2_E_HIGH, -first) + r * NARROW_LOG2_E_LOW;
-    let half = 0.5 * r;
-    let square = half * first;
-    let cube = square * (r * (THIRD - half));
-
-    let whole = ordered_sum(exponent.wrapping_sub(less) as f32, NARROW_LOG2_ROWS[row][1]);
-    let lead = ordered_sum(whole.high, first);
-    let squared = ordered_sum(lead.high, -square);
-    let small = ((whole.low + NARROW_LOG2_ROWS[row][2]) + rest) + lead.low;
-    PairF32 { high: squared.high, low: small + (cube + squared.low) }
 }
 
 /// The logarithm to base 2 of the parts of a number.

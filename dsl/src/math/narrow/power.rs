@@ -1,26 +1,14 @@
-//! Powers: x^y = 2^(y · log₂ x) with the logarithm and the product as sums of two floats.
+//! Powers: x^y = 2^(y · log₂ x) with the logarithm and the product as sums of floats: ten bits more than a float has.
 //!
-//! The power of two takes 128ths from a table. Special values are those of C99, Annex F.
-
-use core::f32::consts::LN_2;
+//! For the logarithm, a factor c of so few bits that r = m·c − 1 is exact comes from a table, and what is left is the series of
+//! log₂(1 + r). Special values are those of C99, Annex F.
 
 use super::super::RawBits as _;
-use super::super::tables::NARROW_BINARY_ROWS;
-use super::exponential::{far_scaled, scaled};
-use super::logarithm::{binary_pair, is_plain, is_subnormal};
-use super::{PairF32, exact_mul_addf};
+use super::super::tables::{NARROW_LOG2_E_HIGH, NARROW_LOG2_E_LOW, NARROW_LOG2_ROWS};
+use super::exponential::{ExponentF32, TO_STEPS, binary_beyond, far_step_power, step_power};
+use super::logarithm::{is_plain, is_subnormal};
+use super::{exact_mul_addf, ordered_sum};
 use crate::prelude::*;
-
-/// Of the Taylor series of 2^s, s, with the share of s³ that a multiple of s takes best: to |s| = 1/256 less than 2⁻³⁰ is left.
-#[crate::data]
-const FIRST: f32 = LN_2 + LN_2 * LN_2 * LN_2 / 8.0 / 65_536.0;
-/// The same, s².
-#[crate::data]
-const SECOND: f32 = LN_2 * LN_2 / 2.0;
-
-/// 1.5 · 2¹⁶: added to a smaller number it leaves the nearest 128th in the last bits.
-#[crate::data]
-const TO_STEPS: f32 = 98_304.0;
 
 /// What x^y is for a negative x of which `value` is |x|^y.
 #[function]
@@ -57,41 +45,69 @@ pub fn special_power(x: f32, y: f32) -> f32 {
     if odd && 1.0_f32.copysign(x) < 0.0 { -value } else { value }
 }
 
-/// An exponent of two as 128ths and what is left of it.
+/// A number as a sum of three.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ExponentF32 {
-    /// The bits of the number of 128ths with [`TO_STEPS`] added: the last seven choose a row, the rest is whole powers of two.
-    pub bits: u32,
-    /// What is left, −1/256 to 1/256.
-    pub rest: f32,
+pub struct TripleF32 {
+    /// The number, to 2⁻⁷ of it.
+    pub high: f32,
+    /// The larger part of what `high` leaves out: with it, the steps of a power can be chosen.
+    pub middle: f32,
+    /// What the two leave out.
+    pub low: f32,
+}
+
+/// The factor of r³, as a multiple of r²/2: 2/3 and, for r⁵/5, the 0.336 · ρ² that serves best to |r| = ρ = 0.0064. The row around
+/// 1, where the logarithm is small, has |r| below 0.006.
+#[crate::data]
+const THIRD: f32 = 0.666_680_3;
+
+/// The logarithm to base 2 of a positive, normal number, to 2⁻³² of it; of its exponent, `less` is taken off.
+#[inline]
+#[function]
+fn binary_logarithm(x: f32, less: i32) -> TripleF32 {
+    let bits = x.raw_bits();
+    // Above 1 + 52.5/128 a significand is halved.
+    let above = bits.wrapping_sub(0x3f34_8000);
+    let exponent = (above as i32 >> 23).wrapping_sub(less) as f32;
+    let row = ((above >> 16) & 127) as usize;
+    let significand = f32::from_bits(bits.wrapping_sub(above & 0xff80_0000));
+    let r = exact_mul_addf(significand, NARROW_LOG2_ROWS[row][0], -1.0);
+
+    // log₂ e · (r − r²/2 + r³/3 − r⁴/4), its first term as a sum of two.
+    let first = r * NARROW_LOG2_E_HIGH;
+    let rest = exact_mul_addf(r, NARROW_LOG2_E_HIGH, -first) + r * NARROW_LOG2_E_LOW;
+    let half = 0.5 * r;
+    let square = half * first;
+    let cube = square * (r * (THIRD - half));
+
+    // Exact, and of so few digits that what its sum with the next loses is exact whichever is the larger.
+    let whole = exponent + NARROW_LOG2_ROWS[row][1];
+    let lead = ordered_sum(whole, first);
+    TripleF32 {
+        high: lead.high,
+        middle: NARROW_LOG2_ROWS[row][2] - square,
+        low: (rest + lead.low) + cube,
+    }
 }
 
 /// The parts of an exponent that is less than 2¹⁵ in magnitude.
 #[inline]
 #[function]
-fn exponent_of(power: PairF32) -> ExponentF32 {
-    let shifted = power.high + TO_STEPS;
-    ExponentF32 { bits: shifted.raw_bits(), rest: (power.high - (shifted - TO_STEPS)) + power.low }
-}
-
-/// `scale` · 2^s for the exponent s less its whole powers of two.
-#[inline]
-#[function]
-fn binary(exponent: ExponentF32, scale: f32) -> f32 {
-    let row = (exponent.bits & 127) as usize;
-    let base = NARROW_BINARY_ROWS[row][0] * scale;
-    let beyond = (base * exponent.rest) * (FIRST + exponent.rest * SECOND);
-    base + (NARROW_BINARY_ROWS[row][1] * scale + beyond)
+fn exponent_of(power: TripleF32) -> ExponentF32 {
+    let shifted = (power.high + power.middle) + TO_STEPS;
+    let rest = ((power.high - (shifted - TO_STEPS)) + power.middle) + power.low;
+    ExponentF32 { bits: shifted.raw_bits(), rest }
 }
 
 /// y · log₂ x of a positive, normal x; of its exponent, `less` is taken off.
 #[inline]
 #[function]
-fn binary_power(x: f32, less: i32, y: f32) -> PairF32 {
-    let logarithm = binary_pair(x, less);
+fn binary_power(x: f32, less: i32, y: f32) -> TripleF32 {
+    let logarithm = binary_logarithm(x, less);
     let high = y * logarithm.high;
-    PairF32 { high, low: exact_mul_addf(y, logarithm.high, -high) + y * logarithm.low }
+    let lost = exact_mul_addf(y, logarithm.high, -high);
+    TripleF32 { high, middle: y * logarithm.middle, low: lost + y * logarithm.low }
 }
 
 /// x^y of any two numbers: next to the largest and the smallest powers, of a subnormal or negative x, and special values.
@@ -110,8 +126,7 @@ pub fn far_powff(x: f32, y: f32) -> f32 {
             0.0
         } else {
             let exponent = exponent_of(power);
-            let whole = exponent.bits.wrapping_sub(0x47c0_0000) as i32 >> 7;
-            far_scaled(binary(exponent, 1.0), whole)
+            far_step_power(exponent.bits, binary_beyond(exponent.rest))
         };
         return if x > 0.0 { value } else { power_of_negative(value, y) };
     }
@@ -124,10 +139,10 @@ pub fn far_powff(x: f32, y: f32) -> f32 {
 pub fn powff(x: f32, y: f32) -> f32 {
     if is_plain(x) {
         let power = binary_power(x, 0, y);
-        // The low part of a row is still a normal number after scaling, or so small that it does not count.
+        // Beyond, what is added to a row's power could lose bits below the normal numbers.
         if power.high.abs() < 110.0 {
             let exponent = exponent_of(power);
-            return binary(exponent, scaled(1.0, exponent.bits >> 7));
+            return step_power(exponent.bits, binary_beyond(exponent.rest));
         }
     }
     far_powff(x, y)
