@@ -13,6 +13,7 @@ use bessemer_ir::{
 use super::elements::Slice;
 use super::lengths::{divided, greatest, is_number, least, lesser, minus, plus, same, times};
 use super::lowering::Lowering;
+use super::numbered::{Numbered, with_elements};
 use super::value::Value;
 use super::words;
 use super::{Result, problem};
@@ -40,7 +41,12 @@ impl Lowering<'_, '_> {
             }
         }
         let (mut slices, mut variables) = (Vec::new(), Vec::new());
+        let mut numbers = Vec::new();
         for part in parts {
+            if let Some(found) = self.numbers(part, slices.len())? {
+                numbers.push(found);
+                continue;
+            }
             let (passed, variable) = match self.iterator_named(&part.array) {
                 Some(named) => {
                     let named = Rc::clone(&self.closures[named]);
@@ -56,6 +62,7 @@ impl Lowering<'_, '_> {
                 variables.push(variable);
             }
         }
+        let parts = &*with_elements(parts);
         let around = |it: &Passed| matches!(it.group, Some((Grouping::Around, _)));
         if let Some(at) = slices.iter().position(around) {
             // Then both end with the other sequence, and neither is empty where the other is not.
@@ -78,7 +85,8 @@ impl Lowering<'_, '_> {
             }
         }
         // The counter is the index of the array itself, where nothing else is asked of it.
-        let bare = index.is_none() && order != Order::Mirrored && cuts.is_empty();
+        let bare =
+            index.is_none() && numbers.is_empty() && order != Order::Mirrored && cuts.is_empty();
         let (from, end) = match slices.as_slice() {
             [Passed { slice, group: None, behind, .. }] if bare && behind.is_empty() => {
                 (slice.from.clone(), slice.to.clone())
@@ -88,12 +96,15 @@ impl Lowering<'_, '_> {
                 self.cut_off(all, cuts)?
             }
         };
+        let counts = slices.iter().map(|it| it.count.clone()).collect();
+        let most = slices.iter().filter_map(Passed::most).min();
+        let numbered = self.numbered(numbers, (counts, most), (cuts, body))?;
         let last = minus(end.clone(), Expr::usize(1, span));
         let reversed = order == Order::Down;
         let mut copies = Vec::new();
         let mut lowered = |inner: &mut Self| {
             let variable = LocalId(inner.locals.len() as u32);
-            let name = index.unwrap_or_else(|| inner.next_index()).to_owned();
+            let name = index.unwrap_or_else(|| inner.next_index(&numbered)).to_owned();
             inner.counters.push(variable);
             inner.locals.push(Local { name, ty: Type::USIZE, mode: Mode::Value, span });
             let mut block = inner.scoped(|inner| {
@@ -105,6 +116,7 @@ impl Lowering<'_, '_> {
                     Order::Mirrored => minus(last.clone(), counter),
                     _ => counter,
                 };
+                inner.number_pass(&numbered, &counter, site)?;
                 for (part, passed) in parts.iter().zip(&slices) {
                     inner.name_pass(
                         part,
@@ -124,7 +136,7 @@ impl Lowering<'_, '_> {
                 variable,
                 from,
                 to,
-                inclusive: false,
+                inclusive: numbered.over,
                 reversed,
                 unroll: None,
                 ended: false,
@@ -260,8 +272,13 @@ impl Lowering<'_, '_> {
     }
 
     /// The name for the counter of a loop whose author has none.
-    fn next_index(&self) -> &'static str {
+    fn next_index(&self, numbered: &Numbered) -> &'static str {
         let names = words::COUNTERS;
+        if let Some(name) =
+            names.iter().find(|it| !numbered.named(it)).filter(|it| **it != names[0])
+        {
+            return name;
+        }
         let taken =
             self.counters.iter().filter(|id| names.contains(&&*self.locals[id.index()].name));
         names[taken.count() % names.len()]
@@ -533,6 +550,19 @@ impl Passed {
         };
         let group = Some((way, size));
         Passed { slice, group, count, behind: Vec::new() }
+    }
+
+    /// How many passes that makes at most, if the type of the elements' home says so.
+    fn most(&self) -> Option<u64> {
+        let of = |ty: &Type| match *ty {
+            Type::Array { len, .. } => Some(u64::from(len)),
+            _ => None,
+        };
+        match (&self.count.kind, &*self.behind) {
+            (ExprKind::Literal(count), _) => Some(*count),
+            (_, []) => of(&self.slice.base.ty),
+            _ => None,
+        }
     }
 
     /// The continuation.

@@ -326,7 +326,8 @@ impl Way {
         let from_zero = matches!(&range.from.kind, Tree::Int(digits, _) if digits == "0");
         // One that begins with `_` is none that could be read.
         let named = !name.starts_with('_');
-        let plain = from_zero && named && range.step.is_none() && !range.inclusive;
+        let plain =
+            from_zero && named && range.step.is_none() && !range.inclusive && range.to.is_some();
         if !plain || hands.each != 1 || (hands.ends && self.order != Order::Up) {
             return None;
         }

@@ -121,7 +121,9 @@ impl<'a> Lowering<'a, '_> {
             Tree::For { slot, range, .. } => {
                 let ty = self.source.slots.get(*slot as usize).cloned().unwrap_or(SIZE);
                 self.settle_number(&mut range.from, "start%", &ty)?;
-                self.settle_number(&mut range.to, "end%", &ty)?;
+                if let Some(to) = &mut range.to {
+                    self.settle_number(to, "end%", &ty)?;
+                }
                 if let Some(step) = &mut range.step {
                     self.settle_number(step, "step%", &SIZE)?;
                 }
@@ -181,6 +183,11 @@ impl<'a> Lowering<'a, '_> {
             return Ok(());
         }
         match &mut elements.kind {
+            Tree::From(first) => {
+                let slot = elements.slot.unwrap_or(NO_SLOT) as usize;
+                let ty = self.source.slots.get(slot).cloned().unwrap_or(SIZE);
+                return self.settle_number(first, "start%", &ty);
+            }
             Tree::Chain(one, other) => {
                 self.settle_elements(one, owned)?;
                 return self.settle_elements(other, owned);

@@ -13,7 +13,6 @@ use bessemer_ir::{
 use crate::termination::{self, Loop, Proof};
 
 use super::conditions::has_let;
-use super::expr::{Operand, two};
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
 use super::value::Named;
 use super::words;
@@ -43,11 +42,8 @@ impl Lowering<'_, '_> {
         body: &tree::Block,
     ) -> Result<()> {
         let (ty, span) = (self.slot(slot, site)?, self.span(site));
-        let bounds = self.operands(&[
-            Operand { expr: &range.from, expected: Some(ty.clone()), role: "start" },
-            Operand { expr: &range.to, expected: Some(ty.clone()), role: "end" },
-        ])?;
-        let [from, to] = two(bounds, site)?;
+        let [from, to] = self.ends(range, &ty, site)?;
+        let open = range.to.is_none();
         let name = if name.starts_with('_') { words::PASS } else { name };
         if range.step.is_some() {
             return self.stepped(site, label, (name, ty), range, [from, to], body);
@@ -57,9 +53,12 @@ impl Lowering<'_, '_> {
             let body = inner.scoped(|inner| {
                 variable = inner.declare(name, ty, Mode::Value, span);
                 inner.steady.insert(variable);
+                if open {
+                    inner.ask_open(variable, &to, span);
+                }
                 inner.statements(body)
             })?;
-            let (inclusive, reversed) = (range.inclusive, range.reversed);
+            let (inclusive, reversed) = (range.inclusive || open, range.reversed);
             Ok(StmtKind::For {
                 variable,
                 from,

@@ -54,6 +54,7 @@ mod lowering;
 mod named;
 mod names;
 mod narrow;
+mod numbered;
 mod numbers;
 mod once;
 mod option;

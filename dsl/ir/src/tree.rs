@@ -360,6 +360,8 @@ pub enum ExprKind {
     Cut(Box<Expr>, Box<Cut>),
     /// `a.iter().chain(b)`: the elements of one array, then those of the other.
     Chain(Box<Expr>, Box<Expr>),
+    /// `from..` beside elements: the numbers from one on. Its slot has their type.
+    From(Box<Expr>),
     /// `(a, b)`.
     Tuple(Vec<Expr>),
     /// `Name(a, b)`: a tuple struct or a variant; `None` has no parts.
@@ -468,7 +470,8 @@ pub enum Start {
 #[allow(missing_docs)]
 pub struct Range {
     pub from: Expr,
-    pub to: Expr,
+    /// Without one, a step from the last number of its type is a fault.
+    pub to: Option<Expr>,
     pub inclusive: bool,
     pub reversed: bool,
     /// Every how many of it, with `.step_by(n)`.

@@ -124,6 +124,7 @@ macro_rules! visitor {
                 ExprKind::Unary(_, x)
                 | ExprKind::Field(x, _)
                 | ExprKind::Repeat(x)
+                | ExprKind::From(x)
                 | ExprKind::Ref(_, x)
                 | ExprKind::Deref(x)
                 | ExprKind::Cast(x)
@@ -196,7 +197,9 @@ macro_rules! visitor {
                 ExprKind::Block(block) | ExprKind::Labelled(_, block) => visitor.block(block),
                 ExprKind::For { range, body, .. } => {
                     visitor.expr(&$($mutable)? range.from);
-                    visitor.expr(&$($mutable)? range.to);
+                    if let Some(to) = &$($mutable)? range.to {
+                        visitor.expr(to);
+                    }
                     if let Some(step) = &$($mutable)? range.step {
                         visitor.expr(step);
                     }

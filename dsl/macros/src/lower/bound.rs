@@ -3,6 +3,7 @@
 //! `#[bound(64)]` above one says how many passes there may be. The native loop counts them down and
 //! panics where another would begin, as the C reports a fault.
 
+use bessemer_ir::tree::EACH;
 use proc_macro2::Span;
 use quote::quote_spanned;
 use syn::visit::{self, Visit};
@@ -54,6 +55,29 @@ pub fn gives_value(it: &syn::ExprLoop) -> bool {
 /// Whether nothing breaks a `loop`: it ends in `return` alone.
 pub fn is_endless(it: &syn::ExprLoop) -> bool {
     !Breaks::of(it).any
+}
+
+/// Whether control may leave a loop by its body; what hands its items on is left by whoever goes through them.
+pub fn is_left(body: &syn::Block) -> bool {
+    let mut leaves = Leaves(false);
+    leaves.visit_block(body);
+    leaves.0
+}
+
+/// Looks for what leaves a loop, whichever.
+struct Leaves(bool);
+
+impl<'ast> Visit<'ast> for Leaves {
+    fn visit_expr(&mut self, it: &'ast syn::Expr) {
+        use syn::Expr::{Break, Return, Try};
+        self.0 |= matches!(it, Break(_) | Return(_) | Try(_));
+        visit::visit_expr(self, it);
+    }
+    fn visit_expr_call(&mut self, it: &'ast syn::ExprCall) {
+        self.0 |= matches!(&*it.func, syn::Expr::Path(it) if it.path.is_ident(EACH));
+        visit::visit_expr_call(self, it);
+    }
+    fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
 }
 
 /// The `break`s that leave one loop.

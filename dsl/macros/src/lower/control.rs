@@ -102,7 +102,11 @@ impl Lowering<'_> {
             return self.each_loop(it);
         }
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
+        let limits = it.expr.span();
         let range = self.range(&mut it.expr);
+        if range.as_ref().is_some_and(|it| it.to.is_none()) && !bound::is_left(&it.body) {
+            self.refusals.add(limits, refuse::OPEN_RANGE);
+        }
         self.scoped(|walk| {
             let Some(ident) = pattern::simple_name(&it.pat, walk.refusals) else {
                 walk.block(&mut it.body);
@@ -132,16 +136,20 @@ impl Lowering<'_> {
                 if range.reversed || range.step.is_some() {
                     self.refusals.add(&it.method, refuse::STEP_ORDER);
                 }
+                if range.to.is_none() {
+                    self.refusals.add(&it.method, refuse::OPEN_RANGE);
+                }
                 let step = Some(self.value(&mut it.args[0]));
                 Some(tree::Range { step, ..range })
             }
             syn::Expr::Range(it) => {
-                let (Some(from), Some(to)) = (&mut it.start, &mut it.end) else {
+                let Some(from) = &mut it.start else {
                     self.refusals.add(&it.limits, refuse::OPEN_RANGE);
                     return None;
                 };
+                let from = self.value(from);
+                let to = it.end.as_mut().map(|to| self.value(to));
                 let inclusive = matches!(it.limits, syn::RangeLimits::Closed(_));
-                let (from, to) = (self.value(from), self.value(to));
                 Some(tree::Range { from, to, inclusive, reversed: false, step: None })
             }
             other => {

@@ -4,6 +4,7 @@
 
 use bessemer_ir::tree::{self, ExprKind, Order};
 use bessemer_ir::{Int, Scalar};
+use syn::spanned::Spanned;
 
 use super::link::{Link, gives_references, is_range, is_source};
 use super::made::plain;
@@ -20,6 +21,16 @@ enum Source {
     Zip(Box<Source>, Box<Source>),
 }
 
+impl Source {
+    /// Whether nothing ends it.
+    fn is_open(&self) -> bool {
+        match self {
+            Source::One { array, .. } => matches!(array.kind, ExprKind::From(_)),
+            Source::Zip(left, right) => left.is_open() && right.is_open(),
+        }
+    }
+}
+
 /// The sequence of a loop, and how it goes through it.
 struct Way {
     source: Source,
@@ -32,7 +43,11 @@ impl Lowering<'_> {
     pub(super) fn each_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let before = self.refusals.len();
+        let limits = it.expr.span();
         let Way { source, indexed, order, cuts } = self.way(&mut it.expr);
+        if source.is_open() {
+            self.refusals.add(limits, refuse::OPEN_RANGE);
+        }
         let refused = self.refusals.len();
         self.scoped(|walk| {
             let (mut parts, mut looks) = (Vec::new(), Vec::new());
@@ -123,7 +138,7 @@ impl Lowering<'_> {
         match way.source {
             // An index behind it begins anew.
             Source::One { array, owned, group: None, reversed: false }
-                if !matches!(array.kind, ExprKind::Chain(..))
+                if has_elements(&array)
                     && !way.indexed
                     && way.order == Order::Up
                     && way.cuts.is_empty() =>
@@ -179,7 +194,9 @@ impl Lowering<'_> {
             }
             Some(Link::Skip | Link::Take) => {
                 let Way { source, indexed, order, cuts } = self.way(expr);
-                if indexed || order != Order::Up || !cuts.is_empty() {
+                if source.is_open() {
+                    self.refusals.add(&expr, refuse::LINKED_RANGE);
+                } else if indexed || order != Order::Up || !cuts.is_empty() {
                     self.refusals.add(&expr, refuse::ITERATOR);
                 }
                 source
@@ -204,21 +221,23 @@ impl Lowering<'_> {
                 Source::One { array, owned, group: None, reversed: !reversed }
             }
             (Link::StepBy, Source::One { array, owned, group: None, reversed })
-                if !matches!(array.kind, ExprKind::Chain(..)) =>
+                if has_elements(&array) =>
             {
                 let way = tree::Grouping::First;
                 let group = Some(tree::Group { way, size: self.value(&mut it.args[0]) });
                 Source::One { array, owned, group, reversed }
             }
             (Link::Cycle, Source::One { array, owned: false, group: None, reversed: false })
-                if !matches!(array.kind, ExprKind::Chain(..)) =>
+                if has_elements(&array) =>
             {
                 let size = plain(ExprKind::Int("0".into(), SIZE), &it.method);
                 let group = Some(tree::Group { way: tree::Grouping::Around, size });
                 Source::One { array, owned: false, group, reversed: false }
             }
             (_, other) => {
-                self.refusals.add(&it.method, refuse::ITERATOR);
+                let open = other.is_open();
+                let reason = if open { refuse::LINKED_RANGE } else { refuse::ITERATOR };
+                self.refusals.add(&it.method, reason);
                 other
             }
         }
@@ -226,12 +245,30 @@ impl Lowering<'_> {
 
     /// All that is in an array, or what a call gives.
     fn whole_source(&mut self, expr: &mut syn::Expr) -> Source {
+        if let Some(numbers) = self.numbers(expr) {
+            let array = Box::new(numbers);
+            return Source::One { array, owned: true, group: None, reversed: false };
+        }
         let (owned, range) = (!matches!(expr, syn::Expr::Reference(_)), is_range(expr));
         if range {
             self.refusals.add(&expr, refuse::LINKED_RANGE);
         }
         let array = Box::new(self.value(expr));
         Source::One { array, owned, group: None, reversed: false }
+    }
+
+    /// The numbers from one on, `1..`, as they stand beside elements.
+    fn numbers(&mut self, expr: &mut syn::Expr) -> Option<tree::Expr> {
+        match expr {
+            syn::Expr::Paren(it) => self.numbers(&mut it.expr),
+            syn::Expr::Range(it) if it.end.is_none() => {
+                let site = site(it);
+                let first = it.start.as_mut()?;
+                let kind = ExprKind::From(Box::new(self.value(first)));
+                Some(tree::Expr { kind, site, slot: Some(self.see(first)) })
+            }
+            _ => None,
+        }
     }
 
     /// `a.iter().chain(b)`, of elements that are read.
@@ -274,6 +311,11 @@ impl Lowering<'_> {
             (other, _) => self.refusals.add(other, refuse::DESTRUCTURING),
         }
     }
+}
+
+/// Whether a part is one array, which has elements at its indices.
+fn has_elements(array: &tree::Expr) -> bool {
+    !matches!(array.kind, ExprKind::Chain(..) | ExprKind::From(_))
 }
 
 /// `let name = known;`, where one may be changed and the other is a place or a counter.

@@ -129,7 +129,7 @@ reasons! {
     FUNCTION_VALUE: "functions are not values in the DSL", "call the function by its name; what is exchanged is an `#[interface]`, or an `enum` with a `match`";
     FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
-    OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
+    OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends, `for i in 0..n`; or leave it: `if … { break; }`";
     ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`, `.skip(n)`, `.take(n)`, `.windows(n)`, `.chunks(n)`, `.chunks_exact(n)`, `.step_by(n)`, `.chain(…)`; or through a range";
     CHAINED: "of these two, one is not read element by element by reference", "write `a.iter().chain(b.iter())` of arrays, slices, lists or vectors; two loops otherwise";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
@@ -159,7 +159,7 @@ reasons! {
     STATIC: "a `static mut` is a global that anybody changes", "state belongs into the component: a field, which its methods change through `&mut self`; a table that nobody changes is a `const`";
     NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
-    LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`";
+    LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`, or by `.zip(1..)`";
     RANGE_VALUE: "a range that is written down is not a value in the DSL", "write it in a `for`; one that is held, `RangeInclusive::new(a, b)`, or as a constant: `const LIMITS: Range<u8> = 2..5;`";
     OPERATOR_TRAIT: "what lends by itself hides in the Rust what the C has to name", "write a method that gives the reference, `fn inner(&self) -> &Inner`";
     GENERIC_OPERATOR: "a `==` or an index of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name: `fn at(&self, i: usize) -> &T`";
