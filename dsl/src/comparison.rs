@@ -3,7 +3,7 @@
 use core::cmp::Ordering as Native;
 
 use crate::math::Real;
-use crate::{data, function, sort};
+use crate::{Plain, data, function, sort};
 
 /// `core::cmp::Ordering` in the C.
 #[data]
@@ -16,6 +16,22 @@ pub enum Ordering {
     Equal = 0,
     /// The first comes behind the second.
     Greater = 1,
+}
+
+/// `core::cmp::Reverse` in the C: of two the first is the one with the greater value. typify turns their comparison round.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reverse<T>(pub T);
+
+#[diagnostic::do_not_recommend]
+impl<T: Plain> Plain for core::cmp::Reverse<T> {
+    const WORDS: usize = T::WORDS;
+    fn store(&self, out: &mut dyn FnMut(u64)) {
+        self.0.store(out);
+    }
+    fn load(next: &mut dyn FnMut() -> u64) -> Self {
+        core::cmp::Reverse(T::load(next))
+    }
 }
 
 /// How one value stands to another. Inline, so that it stands beside the type, which may be an author's.

@@ -14,7 +14,10 @@ const MOST: u32 = 8;
 impl Lowering<'_, '_> {
     /// `left < right` and the like of two values of several words.
     pub(super) fn lexical(&mut self, op: Op, left: Expr, right: Expr, site: Site) -> Result<Expr> {
-        let [left, right] = [left, right].map(|operand| self.compared(operand));
+        let [mut left, mut right] = [left, right].map(|operand| self.compared(operand));
+        if self.is_reversed(&left.ty) {
+            std::mem::swap(&mut left, &mut right);
+        }
         let Some(steps) = self.steps_to_parts(&left.ty, &left) else {
             return problem(
                 site,
@@ -49,7 +52,9 @@ impl Lowering<'_, '_> {
     /// The way to each part, and its type; none if the whole has no order part by part.
     fn steps_to_parts(&self, ty: &Type, place: &Place) -> Option<Vec<(Step, Type)>> {
         match ty {
-            Type::Struct(id) if self.is_tuple(*id) || self.cx.ordered.contains(ty) => {
+            Type::Struct(id)
+                if self.is_tuple(*id) || self.cx.ordered.contains(ty) || self.is_reversed(ty) =>
+            {
                 let fields = self.cx.module.structs[id.index()].fields.iter();
                 Some((0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect())
             }
@@ -59,6 +64,11 @@ impl Lowering<'_, '_> {
             }
             _ => None,
         }
+    }
+
+    /// Whether the greater comes first.
+    fn is_reversed(&self, ty: &Type) -> bool {
+        matches!(ty, Type::Struct(id) if self.cx.reversed.contains(id))
     }
 
     fn is_tuple(&self, id: StructId) -> bool {

@@ -272,6 +272,8 @@ struct Context<'a> {
     conversions: Vec<&'a tree::Implied>,
     /// The types of authors that derive `PartialOrd`.
     ordered: HashSet<bessemer_ir::Type>,
+    /// The structs of which the greater comes first.
+    reversed: HashSet<StructId>,
     /// The structs that stand for slices in values.
     borrowed: HashMap<StructId, borrowed::Borrowed>,
     /// The fields of authors' structs that are references.
@@ -332,6 +334,7 @@ impl<'a> Context<'a> {
             own_equalities: HashMap::new(),
             conversions: Vec::new(),
             ordered: HashSet::new(),
+            reversed: HashSet::new(),
             borrowed: HashMap::new(),
             loans: HashSet::new(),
             joined: Vec::new(),

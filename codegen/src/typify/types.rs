@@ -109,6 +109,11 @@ impl<'a> Context<'a> {
         if definition.ordered {
             self.ordered.insert(ty.clone());
         }
+        if let Type::Struct(id) = &ty
+            && definition.path.starts_with("bessemer::comparison::Reverse<")
+        {
+            self.reversed.insert(*id);
+        }
         self.types.insert(definition.path.clone(), ty);
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 #![allow(missing_docs)]
 
-use core::cmp::Ordering;
+use core::cmp::{Ordering, Reverse};
 
 use bessemer_ir::tree::Ty;
 
@@ -21,6 +21,16 @@ impl DslType for Ordering {
 
 impl Seen for Ordering {
     type Slot = Ordering;
+}
+
+impl<T: Value> DslType for Reverse<T> {
+    fn ty(cx: &mut Builder) -> Ty {
+        comparison::Reverse::<T>::ty(cx)
+    }
+}
+
+impl<T: Seen> Seen for Reverse<T> {
+    type Slot = Reverse<T::Slot>;
 }
 
 /// What integers and `bool` have.
@@ -64,6 +74,7 @@ impl<A: Value, B: Value> Ranked for (A, B) {}
 impl<A: Value, B: Value, C: Value> Ranked for (A, B, C) {}
 impl<A: Value, B: Value, C: Value, D: Value> Ranked for (A, B, C, D) {}
 impl<T: Value, const N: usize> Ranked for [T; N] {}
+impl<T: Value> Ranked for Reverse<T> {}
 
 /// What these have.
 pub trait RankedBuiltins: Sized {

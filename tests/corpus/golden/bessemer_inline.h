@@ -568,6 +568,55 @@ static inline void bessemer_search_binary_search_u8(const uint8_t values[], uint
     }
 }
 
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_reverse_i16(const reverse_i16_t *one,
+    const reverse_i16_t *other)
+{
+    if (other->value < one->value) {
+        return ORDERING_LESS;
+    } else if (one->value == other->value) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+static inline void comparison_partial_reverse_f64(const reverse_f64_t *one,
+    const reverse_f64_t *other, option_ordering_t *result)
+{
+    if (other->value < one->value) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one->value == other->value) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (other->value > one->value) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
+    }
+}
+
+/** The lesser of two; of equal ones the first. */
+static inline void comparison_lesser_reverse_u8(const reverse_u8_t *one, const reverse_u8_t *other,
+    reverse_u8_t *reverse_u8)
+{
+    if (one->value < other->value) {
+        *reverse_u8 = *other;
+    } else {
+        *reverse_u8 = *one;
+    }
+}
+
 /** Whether the two are equal, part by part. */
 static inline bool triple_vector3_f64_matrix1x2_f32_matrix2x2_f64_equal(
     const triple_vector3_f64_matrix1x2_f32_matrix2x2_f64_t *one,

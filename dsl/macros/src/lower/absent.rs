@@ -5,12 +5,16 @@ use syn::spanned::Spanned;
 use super::names::text;
 use super::refuse;
 use super::refuse::Reason;
-use super::syntax::{Library, library};
+use super::syntax::{Library, is_constructor_name, library};
 
 /// The reason for a function that its path shows to be out of reach.
 pub fn function(function: &syn::ExprPath) -> Option<Reason> {
     let names: Vec<_> = function.path.segments.iter().map(|segment| text(&segment.ident)).collect();
-    let [.., owner, _] = names.as_slice() else { return None };
+    let [.., owner, last] = names.as_slice() else { return None };
+    // What is made of its parts has a type, of which rustc knows whether the DSL has it.
+    if is_constructor_name(last) {
+        return None;
+    }
     if let Some(reason) = refuse::named_type(&syn::Ident::new(owner, function.span()).into()) {
         return Some(reason);
     }
