@@ -57,6 +57,7 @@ mod narrow;
 mod numbered;
 mod numbers;
 mod once;
+mod one_arm;
 mod option;
 mod option_places;
 mod order;

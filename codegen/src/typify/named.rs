@@ -46,6 +46,11 @@ impl Lowering<'_, '_> {
         value: Option<&tree::Expr>,
         site: Site,
     ) -> Result<()> {
+        if let Some(value) = value
+            && self.alias_of_arm(name, value, site)?
+        {
+            return Ok(());
+        }
         let place = match value {
             Some(value) => self.place(value)?,
             None => None,
