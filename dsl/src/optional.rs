@@ -110,6 +110,24 @@ pub fn ok_or_else<T, E, F: FnOnce() -> E>(option: Option<T>, f: F) -> Result<T, 
     }
 }
 
+/// A copy of what is referred to.
+#[function(rewrite)]
+pub fn copied<T: Copy>(option: Option<&mut T>) -> Option<T> {
+    match option {
+        Some(value) => Some(*value),
+        None => None,
+    }
+}
+
+/// What is referred to, to be read.
+#[function(rewrite)]
+pub fn as_deref<'a, T: ?Sized>(option: &'a Option<&mut T>) -> Option<&'a T> {
+    match option {
+        Some(value) => Some(&**value),
+        None => None,
+    }
+}
+
 /// The option in an option.
 #[function(rewrite)]
 pub fn flatten<T>(option: Option<Option<T>>) -> Option<T> {

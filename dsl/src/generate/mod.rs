@@ -103,9 +103,9 @@ pub mod prelude {
         __operated, __placed, __settled, OtherOperands as _, OwnOperands as _,
     };
     pub use super::option::{
-        ArrayBuiltins as _, BoolBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _,
-        OptionBuiltins as _, ResultBuiltins as _, TransposeBackBuiltin as _, TransposeBuiltin as _,
-        UnzipBuiltin as _,
+        ArrayBuiltins as _, BoolBuiltins as _, CopiedBuiltin as _, CopiedMutBuiltin as _,
+        FlattenBuiltin as _, LentOnBuiltin as _, OptionBuiltins as _, ReadOnBuiltin as _,
+        ResultBuiltins as _, TransposeBackBuiltin as _, TransposeBuiltin as _, UnzipBuiltin as _,
     };
     pub use super::range::{ClosedBuiltins as _, ClosedContents as _, Contents as _};
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};

@@ -81,7 +81,15 @@ macro_rules! of_options {
 
 of_options! {
     /// `copied` of an `Option` of a reference.
-    CopiedBuiltin[T] for Option<&T> { fn __b_copied(self) -> Called<Copied, Option<T>>; }
+    CopiedBuiltin[T] for Option<&T> {
+        fn __b_copied(self) -> Called<Copied, Option<T>>;
+        fn __b_cloned(self) -> Called<Copied, Option<T>>;
+    }
+    /// The same of a reference that may be written through.
+    CopiedMutBuiltin[T] for Option<&mut T> {
+        fn __b_copied(self) -> Called<optional::copied, Option<T>>;
+        fn __b_cloned(self) -> Called<optional::copied, Option<T>>;
+    }
     /// `flatten` of an `Option` in an `Option`.
     FlattenBuiltin[T] for Option<Option<T>> {
         fn __b_flatten(self) -> Called<optional::flatten, Option<T>>;
@@ -99,6 +107,25 @@ of_options! {
         fn __b_unzip(self) -> Called<optional::unzip, (Option<A>, Option<B>)>;
     }
 }
+
+/// What lends on what an `Option` refers to: the same reference, or one that only reads.
+#[allow(missing_docs)]
+pub trait LentOnBuiltin<T: ?Sized>: Sized {
+    signatures! {
+        fn __b_as_deref_mut(&mut self) -> Called<AsRef, Option<&mut T>>;
+        fn __b_as_deref(&self) -> Called<optional::as_deref, Option<&T>>;
+    }
+}
+
+impl<T: ?Sized> LentOnBuiltin<T> for Option<&mut T> {}
+
+/// The same of what is only read.
+#[allow(missing_docs)]
+pub trait ReadOnBuiltin<T: ?Sized>: Sized {
+    signatures! { fn __b_as_deref(&self) -> Called<AsRef, Option<&T>>; }
+}
+
+impl<T: ?Sized> ReadOnBuiltin<T> for Option<&T> {}
 
 /// The companions of functions of `core::mem`: a value need not be `Copy` there.
 #[allow(missing_docs, non_camel_case_types)]
