@@ -206,6 +206,30 @@ const BAD: &[(&str, &str)] = &[
     ("Alias", "fn f(p: P, i: u8) { two(&mut p.a[0].v, &mut p.a[i].v); }"),
     ("Alias", "fn f(x: f64) { read(&x, bump(&mut x)); }"),
     ("Alias", "fn f(x: f64) { bump2(&mut x, bump(&mut x)); }"),
+    (
+        "Alias",
+        "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8]) { parts(&mut a[0usize..], 5usize, &a[4usize..], 4usize); }",
+    ),
+    (
+        "Alias",
+        "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8]) { parts(&mut a[4usize..], 4usize, &a[0usize..], 5usize); }",
+    ),
+    (
+        "Alias",
+        "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8], i: usize, j: usize) { parts(&mut a[0usize..], i, &a[j..], 8usize - j); }",
+    ),
+    (
+        "Alias",
+        "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8], i: usize) { parts(&mut a[1usize..], i, &a[i..], 1usize); }",
+    ),
+    (
+        "Alias",
+        "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8], i: usize) { parts(&mut a[i..], i, &a[i + 1usize..], 1usize); }",
+    ),
+    (
+        "Alias",
+        "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [[f64; 8]; 2], i: usize) { parts(&mut a[i][0usize..], 8usize, &a[1usize][0usize..], 8usize); }",
+    ),
     ("Step", "fn f(x: f64) { (x[0] : f64); }"),
     ("Step", "fn f(p: P) { (p.#9 : f64); }"),
     ("Step", "fn f(a: [f64; 2]) { (a[0, 0] : f64); }"),
@@ -249,6 +273,10 @@ const GOOD: &[&str] = &[
     "fn f(m: M) -> f64 { match m { M::A => { return 1.0; } M::B => { return 2.0; } } }",
     "fn f(n: u8) { for i: u8 in 0u8..n { let x: u8; if i == 0u8 { continue; } else { x = i; } i + x; } }",
     "fn f(p: P) { two(&mut p.x, &mut p.y); two(&mut p.a[0].v, &mut p.a[1].v); }",
+    "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8]) { parts(&mut a[0usize..], 4usize, &a[4usize..], 4usize); parts(&mut a[5usize..], 3usize, &a[2usize..], 3usize); }",
+    "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8], i: usize) { parts(&mut a[0usize..], i, &a[i..], 8usize - i); parts(&mut a[i..], 8usize - i, &a[0usize..], i); }",
+    "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8], i: usize, j: usize) { parts(&mut a[0usize..], i, &a[i + j..], 8usize - i - j); parts(&mut a[i..], j, &a[j + i..], 1usize); }",
+    "fn parts(a: &mut [f64], m: usize, b: &[f64], n: usize) { } fn f(a: [f64; 8], i: usize) { parts(&mut a[2usize..], i - 1usize, &a[1usize + i..], 1usize); }",
     "fn f(x: f64) { bump2(&mut x, x); read(&x, x); by(x, &(x + 1.0), &mut x); }",
     "fn f(x: f64) -> f64 { x = bump(&mut x); return x + bump(&mut x); }",
     "fn f(x: u8) { match x { 255 => {} _ => {} } }",

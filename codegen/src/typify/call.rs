@@ -1,11 +1,11 @@
 //! Calls of functions: what is passed, in the order in which Rust computes it.
 
-use bessemer_ir::tree::{self, Builtin};
+use bessemer_ir::tree::{self, Builtin, Site};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
 
-use super::Result;
 use super::lowering::Lowering;
 use super::words;
+use super::{Result, problem};
 use crate::effects;
 
 /// A function, and what it is called with.
@@ -106,6 +106,7 @@ impl<'a> Lowering<'a, '_> {
             self.settle_arguments(&mut passed, &later);
             self.out.extend(later);
             let lenders = self.lending_arguments(&next, &ty, argument.site)?;
+            lent_twice(&passed, &lenders, argument.site)?;
             parameters.by_ref().take(lenders.len()).for_each(drop);
             passed.push(next);
             passed.extend(lenders);
@@ -147,4 +148,25 @@ fn lent(argument: &Argument) -> Option<&Place> {
         Argument::RefMut(place) => Some(place),
         _ => None,
     }
+}
+
+/// Refuses two values whose slices one array lends, one of them to be written: the C would be lent the array twice.
+fn lent_twice(passed: &[Argument], lenders: &[Argument], site: Site) -> Result<()> {
+    let lent = |argument: &Argument| match argument {
+        Argument::RefMut(place) => Some((place.clone(), true)),
+        Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => Some((place.clone(), false)),
+        _ => None,
+    };
+    let lenders: Vec<_> = lenders.iter().filter_map(lent).collect();
+    let hurt = passed.iter().filter_map(lent).any(|(earlier, mutable)| {
+        lenders.iter().any(|(place, also)| (mutable || *also) && effects::overlap(&earlier, place))
+    });
+    if hurt {
+        return problem(
+            site,
+            "this refers to elements of an array to which another argument refers, too",
+            "pass the parts themselves, as `&mut [T]`, and choose in the function; or exchange by index, `values.swap(i, j)`",
+        );
+    }
+    Ok(())
 }

@@ -25,6 +25,16 @@ const ONE_OR_OTHER: &str =
     "this may be a part of one array or of another, which is decided at run time";
 const ONE_ARRAY: &str = "let both be parts of one array, or do what is to be done in each branch";
 
+/// The refusals of what is chosen by an index that is younger than the name.
+const CHOSEN: (&str, &str) = (
+    "the array that this is a part of is chosen while the name lives",
+    "compute its index above the `let`",
+);
+const OF_MATRIX: (&str, &str) = (
+    "a value refers to elements of arrays in the DSL, and this is one of a matrix",
+    "find where it is, and index: `if let Some(at) = m.iter().position(|x| …) { m[at] = … }`",
+);
+
 /// The fields of the struct that a slice is in a value.
 pub(super) const FROM: u32 = 0;
 pub(super) const LENGTH: u32 = 1;
@@ -257,11 +267,12 @@ impl Lowering<'_, '_> {
                 Some(known) if same_place(&known, &lender) || self.join(&known, &lender) => {}
                 Some(_) => self.refuse_lender(span, ONE_OR_OTHER, ONE_ARRAY),
                 None if lender.steps.iter().any(|step| mentions_from(step, root)) => {
-                    self.refuse_lender(
-                        span,
-                        "the array that this is a part of is chosen while the name lives",
-                        "compute its index above the `let`",
-                    );
+                    let outer = lender.steps.split_last().map_or(&[][..], |(_, outer)| outer);
+                    let (message, help) = match self.type_of(lender.root, outer) {
+                        Type::Matrix { .. } => OF_MATRIX,
+                        _ => CHOSEN,
+                    };
+                    self.refuse_lender(span, message, help);
                 }
                 None => self.lenders.known.push((root, path, lender)),
             }
