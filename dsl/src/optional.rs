@@ -186,3 +186,19 @@ pub fn unzip<A, B>(option: Option<(A, B)>) -> (Option<A>, Option<B>) {
         None => (None, None),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_referred_to_is_what_core_gives() {
+        for value in [None, Some(0_i16), Some(-7), Some(i16::MAX)] {
+            let [mut one, mut other] = [value; 2];
+            assert_eq!(copied(one.as_mut()), other.as_mut().copied());
+            let (lent, core) = (one.as_mut(), other.as_mut());
+            assert_eq!(as_deref(&lent), core.as_deref());
+            assert_eq!(as_deref(&one.as_mut().map(|it| &mut *it)), value.as_ref());
+        }
+    }
+}
