@@ -10,7 +10,6 @@ pub(super) fn choosers(random: &mut Random, name: &str) -> String {
     let mut text = format!(
         "\n#[data]\n#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {long}Spot {{ pub at: usize, pub n: u8 }}\n"
     );
-    let (first, early, last) = (start(random), index(random), index(random));
     let (first, ways) = (start(random), [index(random), index(random)]);
     text += &function(
         random,
