@@ -161,11 +161,14 @@ functions! {
         condition_before_a_call, condition_before_a_call_of_a_slice, condition_before_a_loop_that_lends,
         given_beyond_in_a_loop, given_where_a_loop_is_left, fields_of_another, length_itself,
         returned_early_beyond, returned_late_beyond, returned_in_fields_of_some,
-        returned_by_the_firmware;
+        returned_by_the_firmware, read_twice_from_the_firmware,
+        condition_that_writes, returned_behind_a_condition_that_writes,
+        returned_as_the_firmware_gave_it;
     proved:
         index_of_a_number, number_above, bound_that_moves_by_one, counted_to_a_bound, counted_down,
         counted_to_a_length, index_of_a_variant, count_within_behind_a_loop, count_in_a_loop,
         count_in_loops_in_loops, below_a_length, one_more_below_a_length, last_of_a_loop_backwards,
         last_arm_of_an_enum, given_in_a_loop, given_in_fields, last_of_a_slice,
-        returned_index, returned_in_fields, returned_by_what_it_calls;
+        returned_index, returned_in_fields, returned_by_what_it_calls,
+        returned_always_some;
 }

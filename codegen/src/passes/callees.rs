@@ -1,4 +1,4 @@
-//! The call graph, and which functions may end in a fault.
+//! The call graph, which functions may end in a fault, and which reach the firmware.
 
 use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::{Expr, ExprKind, Fault, Function, FunctionId, Module, Stmt, StmtKind};
@@ -12,7 +12,7 @@ pub fn fallible(module: &Module) -> Vec<bool> {
 
 pub(super) fn callees(module: &Module) -> Vec<Callee> {
     module.functions.iter().fold(Vec::new(), |mut callees, function| {
-        callees.push(Callee::of(function, may_fault(function, &callees)));
+        callees.push(callee(function, &callees));
         callees
     })
 }
@@ -46,10 +46,15 @@ impl Visit for Calls {
     }
 }
 
-pub(super) fn may_fault(function: &Function, callees: &[Callee]) -> bool {
+/// What callers of a function have to know of it, and of what it calls.
+pub(super) fn callee(function: &Function, callees: &[Callee]) -> Callee {
     let calls = Calls::of(function);
-    let faults = |id: &FunctionId| callees.get(id.index()).is_some_and(|callee| callee.fallible);
-    calls.checks || calls.called.iter().any(faults)
+    let any = |is: fn(&Callee) -> bool| {
+        calls.called.iter().any(|id| callees.get(id.index()).is_some_and(is))
+    };
+    let fallible = calls.checks || any(|callee| callee.fallible);
+    let outside = function.attributes.external.is_some() || any(|callee| callee.outside);
+    Callee::of(function, fallible, outside)
 }
 
 /// A function and all that it calls; callees before callers.

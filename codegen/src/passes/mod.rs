@@ -45,9 +45,8 @@ use bessemer_ir::{Block, Fault, Module, Role, Span, StmtKind};
 use thiserror::Error;
 
 use crate::used;
-use callees::may_fault;
+use callees::callee;
 use explicit::verified;
-use positions::Callee;
 use remaining::Doubted;
 use statements::{Before, Explicit};
 
@@ -127,7 +126,7 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
             kept.push(kept_all.function);
         }
         Proved.block(&mut done.body);
-        callees.push(Callee::of(&done, may_fault(&done, &callees)));
+        callees.push(callee(&done, &callees));
         results.push(returned);
         functions.push(done);
         report.functions.push(remaining);

@@ -36,10 +36,12 @@ pub(crate) struct Callee {
     pub(crate) through_pointer: bool,
     /// A call may stand within an expression.
     pub(crate) nests: bool,
+    /// It is the firmware's, or calls what is: what it gives may change by itself, and it may do anything.
+    pub(crate) outside: bool,
 }
 
 impl Callee {
-    pub(crate) fn of(function: &Function, fallible: bool) -> Callee {
+    pub(crate) fn of(function: &Function, fallible: bool, outside: bool) -> Callee {
         let status = fallible || function.role == Role::Entry { infallible: false };
         // Without effect, so that it does not matter when the call is made.
         let reads = function.parameters().iter().all(|p| match p.mode {
@@ -50,10 +52,8 @@ impl Callee {
         Callee {
             fallible,
             through_pointer: status || function.result.is_aggregate(),
-            nests: !status
-                && reads
-                && function.attributes.external.is_none()
-                && function.result.is_word(),
+            nests: !status && reads && !outside && function.result.is_word(),
+            outside,
         }
     }
 }

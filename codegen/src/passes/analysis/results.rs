@@ -1,9 +1,11 @@
 //! What a function returns: bounds of the numbers in its result, for those who call it.
 //!
-//! The meaning: in every execution of the function that returns, whatever its arguments, each number that is listed lies in
-//! its interval. So an index that one function chooses needs no check where another one uses it.
+//! The meaning: in every execution of the function that returns without a fault, whatever its arguments, each number that is
+//! listed lies in its interval. So an index that one function chooses needs no check where another one uses it. Callees stand
+//! before their callers, so that each is known where it is called.
 //!
-//! What an external function returns is the firmware's: of that nothing is listed.
+//! Of a body that is not the one that runs nothing is listed: what an external function returns is the firmware's, and a
+//! kernel's body is none. What `math.h` may stand for gives floats, of which no interval is kept.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +18,7 @@ use crate::used::Rule;
 pub(crate) struct Results(BTreeMap<Vec<u32>, Interval>);
 
 impl Results {
-    /// Of a value that is returned. What an enum there is brought to is the function's own.
+    /// Of a value that is returned. What an enum there is brought to is the function's own: its caller reads the enum itself.
     pub(crate) fn of(parts: Parts) -> Results {
         let number = |(at, known): (Vec<u32>, Known)| match known {
             Known::Within(interval) if !at.contains(&BROUGHT) => Some((at, interval)),

@@ -1,17 +1,44 @@
 //! What a function returns, as its callers may know it.
 //!
 //! The meaning: in every execution of the function that returns, whatever its arguments, each number that is listed lies
-//! within its bounds. Of what an external function returns, which the firmware brings, nothing is listed.
+//! within its bounds. A body that is not the one that runs lists nothing: an external function's, which the firmware brings,
+//! and a kernel's, which is none. What `math.h` may stand for (`c/library.rs`) gives floats, which are not listed.
+//!
+//! A function is steady if it calls nothing of the firmware's, at no remove: called again with the same arguments, it gives
+//! the same while nothing is written.
 
 use std::collections::BTreeMap;
 
+use bessemer_ir::visit::Walk as _;
+use bessemer_ir::{ExprKind, Function};
+
 use super::knowledge::Bounds;
 
-/// Bounds of the numbers in a result, each with the fields that lead to it.
-pub type Returns = BTreeMap<Vec<u32>, Bounds>;
+/// Bounds of the numbers in a result, each with the fields that lead to it. A truth that is one or the other is 1 or 0.
+pub(super) type Numbers = BTreeMap<Vec<u32>, Bounds>;
+
+/// What callers may know of a function.
+#[derive(Clone, Debug, Default)]
+pub struct Returns {
+    pub(super) numbers: Numbers,
+    pub(super) steady: bool,
+}
+
+impl Returns {
+    /// Of a function that returns such numbers, where those before it are `shown`.
+    pub(super) fn of(function: &Function, numbers: Option<Numbers>, shown: &[Returns]) -> Returns {
+        let own = function.attributes.external.is_none();
+        let unsteady = |id: usize| !shown.get(id).is_some_and(|it| it.steady);
+        let steady = own
+            && !function.body.any_expr(
+                |expr| matches!(expr.kind, ExprKind::Call(id, _) if unsteady(id.index())),
+            );
+        Returns { numbers: numbers.filter(|_| own).unwrap_or_default(), steady }
+    }
+}
 
 /// What is returned, where `now` may be returned beside what was seen before.
-pub(super) fn with(before: Option<Returns>, now: Returns) -> Returns {
+pub(super) fn with(before: Option<Numbers>, now: Numbers) -> Numbers {
     let Some(mut before) = before else { return now };
     before.retain(|at, held| {
         let now = now.get(at);

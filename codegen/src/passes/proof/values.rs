@@ -13,7 +13,7 @@ use bessemer_ir::{
 
 use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::{FURTHEST, Linear, Symbol};
-use super::returns::Returns;
+use super::returns::{Numbers, Returns};
 use crate::passes::sites::Site;
 use crate::used::Rule;
 
@@ -67,6 +67,11 @@ pub(super) fn the_whole(parts: &Parts) -> Option<&Value> {
     parts.iter().find(|(at, _)| at.is_empty()).map(|(_, value)| value)
 }
 
+/// The truth that has these bounds, if it is one or the other.
+fn truth_of((low, high): &Bounds) -> Option<Formula> {
+    (low == high).then(|| Formula::constant(*low != 0))
+}
+
 /// The steps to a place that fields alone lead to.
 pub(super) fn fields_of(place: &Place) -> Option<Vec<At>> {
     let field = |step: &Step| match step {
@@ -90,7 +95,7 @@ pub(super) struct Values<'m> {
     pub(super) module: &'m Module,
     pub(super) function: &'m Function,
     /// What the functions before this one return.
-    shown: &'m [Returns],
+    pub(super) shown: &'m [Returns],
     /// The bounds of each symbol by its type.
     pub(super) all: Vec<Bounds>,
     origins: HashMap<(Origin, Vec<Value>), Symbol>,
@@ -117,7 +122,7 @@ impl<'m> Values<'m> {
 
     /// What a function returns, if it stands before this one.
     pub(super) fn returned(&self, callee: FunctionId) -> &'m Returns {
-        static NOTHING: Returns = Returns::new();
+        static NOTHING: Returns = Returns { numbers: Numbers::new(), steady: false };
         self.shown.get(callee.index()).unwrap_or(&NOTHING)
     }
 
@@ -229,14 +234,37 @@ impl<'m> Values<'m> {
         }
     }
 
-    /// The bounds of the numbers in a value that fields alone lead to.
-    pub(super) fn numbers(&self, point: &Point, parts: &Parts) -> Returns {
+    /// The words that are known in what a call gives.
+    pub(super) fn given(&mut self, callee: FunctionId, ty: &Type) -> Parts {
+        let mut parts = Parts::new();
+        for (fields, bounds) in &self.returned(callee).numbers {
+            let inside = |ty: Type, field: &u32| step_type(self.module, &ty, &Step::Field(*field));
+            let word = fields.iter().try_fold(ty.clone(), inside);
+            let value = match word {
+                Some(Type::Scalar(Scalar::Bool)) => match truth_of(bounds) {
+                    Some(truth) => Value::Truth(truth),
+                    None => continue,
+                },
+                Some(_) => Value::Number(Linear::symbol(self.fresh(*bounds))),
+                None => continue,
+            };
+            Rule::Called.used();
+            parts.push((fields.iter().map(|field| At::Field(*field)).collect(), value));
+        }
+        parts
+    }
+
+    /// The bounds of the numbers in a value that fields alone lead to; of a truth, if it is one or the other.
+    pub(super) fn numbers(&self, point: &Point, parts: &Parts) -> Numbers {
         let number = |(at, value): &(Vec<At>, Value)| {
             let fields: Option<Vec<u32>> = at.iter().map(At::field).collect();
-            match value {
-                Value::Number(form) => Some((fields?, point.knowledge.closest(form, &self.all))),
-                _ => None,
-            }
+            let bounds = match value {
+                Value::Number(form) => point.knowledge.closest(form, &self.all),
+                Value::Truth(formula) if point.knowledge.shows(formula, &self.all) => (1, 1),
+                Value::Truth(formula) if point.knowledge.shows(&formula.not(), &self.all) => (0, 0),
+                Value::Truth(_) | Value::Float(..) => return None,
+            };
+            Some((fields?, bounds))
         };
         parts.iter().filter_map(number).collect()
     }
@@ -341,13 +369,19 @@ impl<'m> Values<'m> {
         let callee = &self.module.functions[id.index()];
         let reads = callee.parameters().iter().all(|it| it.mode != bessemer_ir::Mode::RefMut);
         let mut unknown = self.unknown(&expr.ty)?;
-        if let (Value::Number(form), Some(shown)) = (&unknown, self.returned(id).get(&[][..])) {
+        if let (Value::Number(form), Some(shown)) =
+            (&unknown, self.returned(id).numbers.get(&[][..]))
+        {
             Rule::Called.used();
             let (low, high) = self.range(point, form);
             let bounds = (low.max(shown.0), high.min(shown.1));
             unknown = Value::Number(Linear::symbol(self.fresh(bounds)));
         }
-        if !reads || callee.attributes.external.is_some() {
+        let shown = self.returned(id).numbers.get(&[][..]);
+        if let (Value::Truth(_), Some(truth)) = (&unknown, shown.and_then(truth_of)) {
+            return Some(Value::Truth(truth));
+        }
+        if !reads || !self.returned(id).steady {
             return Some(unknown);
         }
         let bounds = match &unknown {

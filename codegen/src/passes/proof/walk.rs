@@ -2,6 +2,8 @@
 //!
 //! * A write changes which value a place holds; places that may be the same memory hold something new.
 //! * Where paths meet, a place holds a new symbol that equals on each path what it held there.
+//! * A number that is returned lies within the bounds that are noted of it: each body is followed once in which what is noted
+//!   counts, whatever was tried before.
 //! * A counter lies between the values that the bounds had when the loop began.
 //! * What a counted loop changes moves by so much in a pass, whatever it was before: by that times the passes at most
 //!   in all of them.
@@ -16,7 +18,7 @@ use bessemer_ir::{
 
 use super::knowledge::{Bounds, Formula};
 use super::linear::Linear;
-use super::returns::{self, Returns};
+use super::returns::{self, Numbers, Returns};
 use super::values::{
     At, Parts, Point, Value, Values, fields_of, ordered, step_type, the_whole, within,
 };
@@ -52,7 +54,7 @@ pub(super) struct Walk<'m> {
     /// How many trials are under way, one in the other.
     trials: u32,
     /// The numbers in what was returned so far.
-    returned: Option<Returns>,
+    returned: Option<Numbers>,
 }
 
 impl<'m> Walk<'m> {
@@ -68,8 +70,8 @@ impl<'m> Walk<'m> {
     pub(super) fn run(mut self) -> (Vec<Site>, Returns) {
         let function = self.function;
         self.block(&function.body, Point::default());
-        let own = function.attributes.external.is_none();
-        (self.values.open, self.returned.filter(|_| own).unwrap_or_default())
+        let returns = Returns::of(function, self.returned, self.values.shown);
+        (self.values.open, returns)
     }
 
     /// The numbers that each local is given.
@@ -128,7 +130,7 @@ impl<'m> Walk<'m> {
                 self.assume(&mut point, condition, true);
             }
             StmtKind::If { condition, then, otherwise } => {
-                self.values.value(&mut point, condition);
+                self.evaluated(condition, &mut point);
                 let mut other = point.clone();
                 self.assume(&mut point, condition, true);
                 self.assume(&mut other, condition, false);
@@ -202,12 +204,8 @@ impl<'m> Walk<'m> {
         if expr.ty.is_word() {
             parts.extend(value.map(|value| (at.to_vec(), value)));
         } else if let ExprKind::Call(callee, _) = expr.kind {
-            for (fields, bounds) in self.values.returned(callee) {
-                Rule::Called.used();
-                let fields = fields.iter().map(|field| At::Field(*field));
-                let number = Value::Number(Linear::symbol(self.values.fresh(*bounds)));
-                parts.push((at.iter().cloned().chain(fields).collect(), number));
-            }
+            let given = self.values.given(callee, &expr.ty).into_iter();
+            parts.extend(given.map(|(inside, value)| ([at, &inside].concat(), value)));
         } else if let ExprKind::Load(from) = &expr.kind
             && let Some(steps) = fields_of(from)
         {
