@@ -163,7 +163,7 @@ functions! {
         returned_early_beyond, returned_late_beyond, returned_in_fields_of_some,
         returned_by_the_firmware, read_twice_from_the_firmware,
         condition_that_writes, returned_behind_a_condition_that_writes,
-        returned_as_the_firmware_gave_it;
+        returned_as_the_firmware_gave_it, called_and_never_returned;
     proved:
         index_of_a_number, number_above, bound_that_moves_by_one, counted_to_a_bound, counted_down,
         counted_to_a_length, index_of_a_variant, count_within_behind_a_loop, count_in_a_loop,

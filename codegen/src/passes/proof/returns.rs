@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 
 use bessemer_ir::visit::Walk as _;
-use bessemer_ir::{ExprKind, Function};
+use bessemer_ir::{ExprKind, Function, Type};
 
 use super::knowledge::Bounds;
 
@@ -22,6 +22,8 @@ pub(super) type Numbers = BTreeMap<Vec<u32>, Bounds>;
 pub struct Returns {
     pub(super) numbers: Numbers,
     pub(super) steady: bool,
+    /// Whether each execution ends in a fault.
+    pub(super) never: bool,
 }
 
 impl Returns {
@@ -33,7 +35,9 @@ impl Returns {
             && !function.body.any_expr(
                 |expr| matches!(expr.kind, ExprKind::Call(id, _) if unsteady(id.index())),
             );
-        Returns { numbers: numbers.filter(|_| own).unwrap_or_default(), steady }
+        let whole = own && function.kernel.is_none() && function.result != Type::Unit;
+        let never = whole && numbers.is_none();
+        Returns { numbers: numbers.filter(|_| own).unwrap_or_default(), steady, never }
     }
 }
 

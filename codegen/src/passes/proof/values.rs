@@ -122,7 +122,7 @@ impl<'m> Values<'m> {
 
     /// What a function returns, if it stands before this one.
     pub(super) fn returned(&self, callee: FunctionId) -> &'m Returns {
-        static NOTHING: Returns = Returns { numbers: Numbers::new(), steady: false };
+        static NOTHING: Returns = Returns { numbers: Numbers::new(), steady: false, never: false };
         self.shown.get(callee.index()).unwrap_or(&NOTHING)
     }
 
@@ -327,6 +327,7 @@ impl<'m> Values<'m> {
                         }
                     }
                 }
+                point.knowledge.dead |= self.returned(*id).never;
                 self.call(point, *id, expr)
             }
             ExprKind::Struct(parts)
