@@ -46,7 +46,7 @@ impl Visit for Calls {
     }
 }
 
-/// What callers of a function have to know of it, and of what it calls.
+/// The facts about a function that its callers need; its callees stand before it.
 pub(super) fn callee(function: &Function, callees: &[Callee]) -> Callee {
     let calls = Calls::of(function);
     let any = |is: fn(&Callee) -> bool| {

@@ -36,7 +36,7 @@ pub(crate) struct Callee {
     pub(crate) through_pointer: bool,
     /// A call may stand within an expression.
     pub(crate) nests: bool,
-    /// It is the firmware's, or calls what is: what it gives may change by itself, and it may do anything.
+    /// It is the firmware's, or calls a function that is: two calls may give different results, and each may have effects.
     pub(crate) outside: bool,
 }
 

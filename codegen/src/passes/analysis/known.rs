@@ -1,4 +1,4 @@
-//! What may be known of a word, and of the words in a value.
+//! Facts about one word, and about the words in a value.
 //!
 //! It must not know where the word is, nor how it came to be known.
 

@@ -1,4 +1,4 @@
-//! What a function returns: bounds of the numbers in its result, for those who call it.
+//! Function summaries: intervals of the numbers in a function's result, which its callers use.
 //!
 //! The meaning: in every execution of the function that returns without a fault, whatever its arguments, each number that is
 //! listed lies in its interval. So an index that one function chooses needs no check where another one uses it. Callees stand

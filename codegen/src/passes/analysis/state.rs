@@ -17,7 +17,7 @@ pub(super) type Key = (LocalId, Vec<u32>);
 #[derive(Clone)]
 pub(crate) struct State<'m> {
     pub(super) module: &'m Module,
-    /// What the functions before this one return.
+    /// The summaries of the functions before this one.
     pub(super) results: &'m [Results],
     pub(super) known: BTreeMap<Key, Known>,
     pub(super) relations: Relations,
@@ -45,7 +45,7 @@ impl<'m> State<'m> {
         State { module, results: &[], known, relations, blind: false }
     }
 
-    /// The same, with what the functions before this one return.
+    /// The same, with the summaries of the functions before this one.
     pub(crate) fn with_results(module: &'m Module, results: &'m [Results]) -> State<'m> {
         State { results, ..State::new(module) }
     }

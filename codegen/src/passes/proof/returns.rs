@@ -1,4 +1,4 @@
-//! What a function returns, as its callers may know it.
+//! Function summaries of the verifier: bounds of the numbers in a function's result, and whether two calls give the same.
 //!
 //! The meaning: in every execution of the function that returns, whatever its arguments, each number that is listed lies
 //! within its bounds. A body that is not the one that runs lists nothing: an external function's, which the firmware brings,
@@ -17,7 +17,7 @@ use super::knowledge::Bounds;
 /// Bounds of the numbers in a result, each with the fields that lead to it. A truth that is one or the other is 1 or 0.
 pub(super) type Numbers = BTreeMap<Vec<u32>, Bounds>;
 
-/// What callers may know of a function.
+/// The summary of a function.
 #[derive(Clone, Debug, Default)]
 pub struct Returns {
     pub(super) numbers: Numbers,
@@ -41,7 +41,7 @@ impl Returns {
     }
 }
 
-/// What is returned, where `now` may be returned beside what was seen before.
+/// The bounds that hold both of the results seen before and of `now`.
 pub(super) fn with(before: Option<Numbers>, now: Numbers) -> Numbers {
     let Some(mut before) = before else { return now };
     before.retain(|at, held| {

@@ -94,7 +94,7 @@ pub(super) struct Point {
 pub(super) struct Values<'m> {
     pub(super) module: &'m Module,
     pub(super) function: &'m Function,
-    /// What the functions before this one return.
+    /// The summaries of the functions before this one.
     pub(super) shown: &'m [Returns],
     /// The bounds of each symbol by its type.
     pub(super) all: Vec<Bounds>,
@@ -120,7 +120,7 @@ impl<'m> Values<'m> {
         Values { module, function, shown, all, origins, versions: 0, open, quiet: false }
     }
 
-    /// What a function returns, if it stands before this one.
+    /// The summary of a function; an empty one if it does not stand before this one.
     pub(super) fn returned(&self, callee: FunctionId) -> &'m Returns {
         static NOTHING: Returns = Returns { numbers: Numbers::new(), steady: false, never: false };
         self.shown.get(callee.index()).unwrap_or(&NOTHING)
