@@ -3,6 +3,8 @@
 //! Invariants:
 //! - the line printed and the steps run are made of the same words;
 //! - apt-get is asked for nothing but what is missing, asks nothing, and waits for a lock held by another;
+//! - what asks for a password, and what a build needs, is installed before anything else begins; the rest, which waits for the
+//!   network and the disk, goes on beside the build;
 //! - a [`Plan`] is only made where apt-get works, or where nothing has to come from it.
 //!
 //! What it must not know: why a tool is needed.
@@ -11,6 +13,7 @@ use crate::error::Error;
 use crate::stages::{self, Progress};
 use crate::tools::{self, Machine, Source, Tool};
 use std::process::{Command, ExitStatus};
+use std::thread::JoinHandle;
 
 /// How root's rights are got.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,17 +84,39 @@ impl Plan {
     /// # Errors
     /// [`Error::NoRights`] before anything is touched, [`Error::Install`] at the first step that fails.
     pub fn carry_out(&self, tools: &[&'static Tool], progress: &mut Progress) -> Result<(), Error> {
+        self.begin(tools, "")?;
+        self.steps().iter().try_for_each(|step| self.run(step, progress))
+    }
+
+    /// Begins to carry it out, beside what follows; all of it now where a build needs a part, or a password is asked for.
+    ///
+    /// # Errors
+    /// Those of [`carry_out`](Self::carry_out).
+    pub fn start(
+        self,
+        tools: &[&'static Tool],
+        progress: &mut Progress,
+    ) -> Result<Option<Installation>, Error> {
+        let asks = self.rights == Rights::Sudo && !self.packages.is_empty();
+        if asks || !self.components.is_empty() {
+            return self.carry_out(tools, progress).map(|()| None);
+        }
+        self.begin(tools, ", beside the build")?;
+        let work = move || {
+            let mut progress = Progress::silent();
+            self.steps().iter().try_for_each(|step| self.run(step, &mut progress))?;
+            Ok(progress)
+        };
+        Ok(Some(Installation(std::thread::spawn(work))))
+    }
+
+    /// Says what is installed, if it can be.
+    fn begin(&self, tools: &[&'static Tool], how: &str) -> Result<(), Error> {
+        let tools: Vec<_> = tools.iter().map(|tool| tool.name).collect();
         if self.rights == Rights::None && !self.packages.is_empty() {
-            return Err(Error::NoRights {
-                tools: tools.iter().map(|tool| tool.name).collect(),
-                line: self.line(),
-            });
+            return Err(Error::NoRights { tools, line: self.line() });
         }
-        let names: Vec<_> = tools.iter().map(|tool| tool.name).collect();
-        anstream::eprintln!("installing what is missing: {}", names.join(", "));
-        for step in self.steps() {
-            self.run(&step, progress)?;
-        }
+        anstream::eprintln!("installing what is missing{how}: {}", tools.join(", "));
         Ok(())
     }
 
@@ -137,6 +162,25 @@ impl Plan {
             steps.push(Step { name: "pip install", words: install, as_root: false });
         }
         steps
+    }
+}
+
+/// An installation that goes on beside other work.
+#[derive(Debug)]
+pub struct Installation(JoinHandle<Result<Progress, Error>>);
+
+impl Installation {
+    /// Waits for its end.
+    ///
+    /// # Errors
+    /// [`Error::Install`] or [`Error::Spawn`] if a step failed.
+    pub fn end(self, progress: &mut Progress) -> Result<(), Error> {
+        let own = progress.closed("rest of the installation", |_| match self.0.join() {
+            Ok(outcome) => outcome,
+            Err(panic) => std::panic::resume_unwind(panic),
+        })?;
+        progress.done_beside(&own);
+        Ok(())
     }
 }
 

@@ -22,16 +22,30 @@ const GREEN: Style = Style::new().bold().fg_color(Some(anstyle::Color::Ansi(Ansi
 #[derive(Debug)]
 pub struct Progress {
     moving: bool,
+    silent: bool,
     done: Vec<(String, Duration)>,
 }
 
 impl Default for Progress {
     fn default() -> Self {
-        Self { moving: std::io::stderr().is_terminal(), done: Vec::new() }
+        Self { moving: std::io::stderr().is_terminal(), silent: false, done: Vec::new() }
     }
 }
 
 impl Progress {
+    /// For work beside other work: only what failed is told.
+    #[must_use]
+    pub fn silent() -> Self {
+        Self { moving: false, silent: true, done: Vec::new() }
+    }
+
+    /// Tells how long each stage took that ended beside the others.
+    pub fn done_beside(&self, other: &Self) {
+        for (name, time) in other.done() {
+            anstream::eprintln!("{GREEN}{name}{GREEN:#} ok, {} beside the build", seconds(*time));
+        }
+    }
+
     /// A stage whose programs are captured; `work` gets a voice for the moving line.
     ///
     /// # Errors
@@ -56,7 +70,10 @@ impl Progress {
         name: &str,
         work: impl FnOnce(&Voice) -> Result<T, Error>,
     ) -> Result<T, Error> {
-        let voice = Voice::new(name, self.moving);
+        let voice = match self.silent {
+            true => Voice::hidden(),
+            false => Voice::new(name, self.moving),
+        };
         let outcome = work(&voice);
         voice.bar.finish_and_clear();
         outcome
@@ -87,7 +104,9 @@ impl Progress {
     fn end(&mut self, name: &str, start: Instant, good: bool) {
         if good {
             let time = start.elapsed();
-            anstream::eprintln!("{GREEN}{name}{GREEN:#} ok, {}", seconds(time));
+            if !self.silent {
+                anstream::eprintln!("{GREEN}{name}{GREEN:#} ok, {}", seconds(time));
+            }
             self.done.push((name.to_owned(), time));
         }
     }
@@ -253,7 +272,7 @@ mod tests {
 
     #[test]
     fn only_stages_that_went_through_are_done() {
-        let mut progress = Progress { moving: false, done: Vec::new() };
+        let mut progress = Progress::silent();
         let good = progress.closed("format", |_| Ok(()));
         let bad: Result<(), Error> =
             progress.closed("lints", |_| Err(Error::StillMissing { tools: vec![] }));

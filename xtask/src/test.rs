@@ -1,9 +1,9 @@
 //! `cargo xtask test`: the tools first, then the stages, cheapest first; at the end what each took.
 //!
 //! Invariants:
-//! - nothing runs before every tool that the run needs is there;
-//! - the tests come last, but for the mutants, which count as one test more; the summary of all is the last line of a
-//!   run that got so far;
+//! - no test runs before every tool that the run needs is there; what is missing is installed beside the build;
+//! - the tests come last, the mutants beside them, which count as one test more; the summary of all is the last line of
+//!   a run that got so far;
 //! - the tests are told what to run through the environment, never by guessing from what is installed:
 //!   `BESSEMER_LEGS` names the machines, `BESSEMER_FULL` says that nothing may be left out, `BESSEMER_TURN` is the
 //!   number by which a run that leaves something out takes turns.
@@ -12,7 +12,7 @@
 
 use crate::args::{Gen, Test};
 use crate::error::{Error, Outcome};
-use crate::install::Plan;
+use crate::install::{Installation, Plan};
 use crate::runner::{self, Done, Program, Times};
 use crate::stages::{self, Progress};
 use crate::tools::{self, Machine, Need, Tool};
@@ -20,8 +20,10 @@ use crate::{generate, mutate, project};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
+use std::panic::resume_unwind;
 use std::path::Path;
 use std::process::{Command, ExitStatus};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// Where the times of a run are stored: by them tests are put in order, and growth is seen.
@@ -55,7 +57,7 @@ const SLOWEST: usize = 20;
 /// The first thing that is missing or fails.
 pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome, Error> {
     let mut progress = Progress::default();
-    prepare(wanted, machine, &mut progress)?;
+    let installation = prepare(wanted, machine, &mut progress)?;
     if wanted.host {
         anstream::eprintln!(
             "--host: the ARM part is left out; nothing runs on the emulated Cortex-A9"
@@ -75,18 +77,27 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
         check(&mut progress, "lints of what only a full run builds", command, None)?;
     }
     let programs = progress.closed(BUILD, |voice| programs(root, wanted, voice))?;
+    if let Some(installation) = installation {
+        installation.end(&mut progress)?;
+        installed(wanted, machine)?;
+    }
     if !wanted.quick {
         let mut documentation = cargo(&["test", "--workspace", "--doc"]);
         documentation.env(WRAPPER, LINTER);
         check(&mut progress, "documentation tests", documentation, None)?;
     }
-    let mut done = progress.closed("tests", |voice| {
+    let trials = (!wanted.quick).then(|| trials(root)).transpose()?;
+    let done = progress.closed("tests", |voice| {
         let chosen = |title: &str| !wanted.quick || stored.of(title) <= QUICK;
-        runner::run(&programs, &chosen, &stored, &environment, voice)
+        thread::scope(|scope| {
+            let mutants = trials.as_ref().map(|trials| scope.spawn(move || mutants(trials, voice)));
+            let mut done = runner::run(&programs, &chosen, &stored, &environment, voice)?;
+            if let Some(mutants) = mutants {
+                done.push(mutants.join().unwrap_or_else(|panic| resume_unwind(panic))?);
+            }
+            Ok(done)
+        })
     })?;
-    if !wanted.quick {
-        done.push(mutants(root, &mut progress)?);
-    }
     let times = times(&progress, &done);
     if wanted.store_times {
         store(root, &times)?;
@@ -140,12 +151,16 @@ fn said(messages: &str) -> Vec<String> {
     said.filter(|said| seen.insert(said.clone())).collect()
 }
 
-/// Breaks the compiler on purpose, in the ways whose turn it is, and sees whether the tests tell.
-fn mutants(root: &Path, progress: &mut Progress) -> Result<Done, Error> {
+/// The ways to break the compiler on purpose whose turn it is.
+fn trials(root: &Path) -> Result<mutate::Trials, Error> {
+    mutate::Trials::of(root, &mutate::by_turn(root, turn(root), MUTANTS)?)
+}
+
+/// Breaks the compiler, and sees whether the tests tell.
+fn mutants(trials: &mutate::Trials, voice: &stages::Voice) -> Result<Done, Error> {
     let start = Instant::now();
-    let wanted = mutate::by_turn(root, turn(root), MUTANTS)?;
-    let outcome = progress.open("mutants", || mutate::run(root, &wanted))?;
-    let passed = matches!(outcome, Outcome::Good);
+    let fates = trials.run(&Progress::silent(), &|line| voice.print(line))?;
+    let passed = mutate::are_found(&fates);
     Ok(Done { title: "mutants that are found".to_owned(), passed, time: start.elapsed() })
 }
 
@@ -202,20 +217,36 @@ fn turn(root: &Path) -> u32 {
     u32::from_str_radix(text.unwrap_or_default().trim(), 16).unwrap_or_default()
 }
 
-/// Sees to it that every tool is there, or says what to do.
+/// Sees to it that every tool will be there when the tests begin, or says what to do; gives the installation that goes on
+/// beside the build, if there is one.
 ///
 /// # Errors
 /// [`Error::Missing`] without `--install`; with it, what went wrong while installing.
-pub fn prepare(wanted: &Test, machine: &dyn Machine, progress: &mut Progress) -> Result<(), Error> {
+pub fn prepare(
+    wanted: &Test,
+    machine: &dyn Machine,
+    progress: &mut Progress,
+) -> Result<Option<Installation>, Error> {
     let missing = lacking(wanted, machine);
     if missing.is_empty() {
-        return Ok(());
+        return Ok(None);
     }
-    let plan = Plan::of(&missing, machine);
-    let Some(plan) = plan.as_ref().filter(|_| wanted.install) else {
-        return Err(Error::Missing { tools: names(&missing), line: plan.map(|plan| plan.line()) });
+    let plan = match Plan::of(&missing, machine) {
+        Some(plan) if wanted.install => plan,
+        plan => {
+            let line = plan.map(|plan| plan.line());
+            return Err(Error::Missing { tools: names(&missing), line });
+        }
     };
-    plan.carry_out(&missing, progress)?;
+    let installation = plan.start(&missing, progress)?;
+    if installation.is_none() {
+        installed(wanted, machine)?;
+    }
+    Ok(installation)
+}
+
+/// Whether what was installed is of use.
+fn installed(wanted: &Test, machine: &dyn Machine) -> Result<(), Error> {
     let left = lacking(wanted, machine);
     if left.is_empty() { Ok(()) } else { Err(Error::StillMissing { tools: names(&left) }) }
 }

@@ -13,7 +13,7 @@ mod seed;
 pub mod trial;
 
 use std::num::NonZeroUsize;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use anstyle::{AnsiColor, Style};
@@ -106,27 +106,67 @@ impl Fate {
 /// # Errors
 /// An error that keeps it from trying them; a mutant that survives is an [`Outcome::Bad`].
 pub fn run(root: &Path, wanted: &Mutate) -> Result<Outcome, Error> {
-    let chosen = chosen(Mutant::all(root)?, wanted)?;
-    let width = chosen.iter().map(|mutant| mutant.name.len()).max().unwrap_or(0);
-    let sandbox = Sandbox::of(root)?;
-    let progress = Progress::default();
-    let mut fates = Vec::new();
-    for (index, mutant) in chosen.iter().enumerate() {
-        let stage = format!("{}/{} {}", index + 1, chosen.len(), mutant.name);
-        let start = Instant::now();
-        let fate = progress.moving(&stage, |voice| fate(root, &sandbox, mutant, voice))?;
+    let trials = Trials::of(root, wanted)?;
+    let said = |line: &str| {
         if !wanted.json {
-            anstream::println!("{}", line(mutant, &fate, start.elapsed(), width));
+            anstream::println!("{line}");
         }
-        fates.push((mutant, fate, start.elapsed()));
-    }
-    sandbox.restore()?;
+    };
+    let fates = trials.run(&Progress::default(), &said)?;
     if wanted.json {
-        let entries: Vec<Value> = fates.iter().map(|it| entry(it.0, &it.1, it.2)).collect();
-        anstream::println!("{:#}", Value::Array(entries));
+        let all = trials.chosen.iter().zip(&fates);
+        let entries = all.map(|(mutant, (fate, time))| entry(mutant, fate, *time));
+        anstream::println!("{:#}", Value::Array(entries.collect()));
     }
-    let good = fates.iter().all(|(_, fate, _)| fate.is_good());
-    Ok(if good { Outcome::Good } else { Outcome::Bad })
+    Ok(if are_found(&fates) { Outcome::Good } else { Outcome::Bad })
+}
+
+/// What became of each mutant, and after how long.
+pub type Fates = Vec<(Fate, Duration)>;
+
+/// Whether a test found each.
+#[must_use]
+pub fn are_found(fates: &Fates) -> bool {
+    fates.iter().all(|(fate, _)| fate.is_good())
+}
+
+/// Mutants, and the copy of the work tree in which they are tried.
+#[derive(Debug)]
+pub struct Trials {
+    root: PathBuf,
+    chosen: Vec<Mutant>,
+    sandbox: Sandbox,
+}
+
+impl Trials {
+    /// Those of the mutants that are asked for. What was built of the registry's packages is linked into the copy here, so
+    /// nothing may be built at the time.
+    ///
+    /// # Errors
+    /// If there is no such mutant, or no copy.
+    pub fn of(root: &Path, wanted: &Mutate) -> Result<Trials, Error> {
+        let chosen = chosen(Mutant::all(root)?, wanted)?;
+        Ok(Trials { root: root.to_owned(), chosen, sandbox: Sandbox::of(root)? })
+    }
+
+    /// Tries one after the other; a line is `said` of each.
+    ///
+    /// # Errors
+    /// An error that keeps it from trying them.
+    pub fn run(&self, progress: &Progress, said: &dyn Fn(&str)) -> Result<Fates, Error> {
+        let width = self.chosen.iter().map(|mutant| mutant.name.len()).max().unwrap_or(0);
+        let mut fates = Vec::new();
+        for (index, mutant) in self.chosen.iter().enumerate() {
+            let stage = format!("{}/{} {}", index + 1, self.chosen.len(), mutant.name);
+            let start = Instant::now();
+            let fate =
+                progress.moving(&stage, |voice| fate(&self.root, &self.sandbox, mutant, voice))?;
+            said(&line(mutant, &fate, start.elapsed(), width));
+            fates.push((fate, start.elapsed()));
+        }
+        self.sandbox.restore()?;
+        Ok(fates)
+    }
 }
 
 /// The mutants that the command line names.
