@@ -70,7 +70,9 @@ fn whole(
         })?;
     let explicit = passes::lend(explicit, &options.kernels, options.layout != Layout::Array);
     gate(&explicit)?;
-    let taken: Vec<_> = c::given::taken(&explicit, options)
+    let plan = c::Plan::new(&explicit, options);
+    let taken: Vec<_> = plan
+        .taken()
         .iter()
         .map(|(span, taken)| Diagnostic {
             help: match taken {
@@ -86,16 +88,16 @@ fn whole(
     if !taken.is_empty() {
         return Err(taken);
     }
-    let files = c::emit(&explicit, options);
-    let interface = c::interface(&explicit, options);
-    let entries = c::report(&explicit, options, &files);
+    let files = plan.emit();
+    let interface = plan.interface();
+    let entries = plan.report(&files);
     let too_wide: Vec<_> = entries.iter().flat_map(|entry| too_wide(&explicit, entry)).collect();
     if !too_wide.is_empty() {
         return Err(too_wide);
     }
     let replaced = replaced(&explicit, options);
     let fast = fast(&explicit, options);
-    let library = c::library_calls(&explicit, options);
+    let library = plan.library_calls();
     let license = package.license.clone();
     Ok(Compiled {
         license,

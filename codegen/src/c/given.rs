@@ -7,7 +7,6 @@ use bessemer_ir::{ConstId, FunctionId, Given, Module, Span};
 
 use super::helpers::is_helper_name;
 use super::names::{Names, OVERLAY};
-use super::options::Options;
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
 use super::tree::Storage;
 
@@ -29,11 +28,10 @@ pub enum Taken {
 }
 
 /// The names that cannot be given, each with its place.
-pub fn taken(module: &Module, options: &Options) -> Vec<(Span, Taken)> {
-    let names = Names::new(module, options);
-    let mut found = Found { wanted: wanted(&names), list: Vec::new() };
-    found.types(module, &names);
-    found.tables(module, &names);
+pub fn taken(module: &Module, names: &Names) -> Vec<(Span, Taken)> {
+    let mut found = Found { wanted: wanted(names), list: Vec::new() };
+    found.types(module, names);
+    found.tables(module, names);
     for (index, function) in module.functions.iter().enumerate() {
         let signature = names.signature(FunctionId(index as u32));
         if let Some(name) = &function.attributes.name {

@@ -4,13 +4,11 @@
 //!
 //! Invariants: a type stands after those that it holds; names are those of the C. It must not know any such tool.
 
-use bessemer_ir::{Form, Given, Module, Range, Role, StructId, Type};
+use bessemer_ir::{Form, Given, Range, Role, StructId, Type};
 
-use super::analysis::Faults;
 use super::context::Context;
 use super::layout::{Enums, offsets, size_of};
-use super::names::{FAULTS, Names};
-use super::options::Options;
+use super::names::FAULTS;
 use super::signature::{Passing, Returned};
 
 /// The face of the C of a package.
@@ -132,10 +130,8 @@ pub struct Parameter {
 }
 
 /// The face of a module that the passes have made explicit.
-pub fn interface(module: &Module, options: &Options) -> Interface {
-    let faults = Faults::new(module, options.hook.is_some());
-    let names = Names::with_faults(module, options, &faults);
-    let context = Context { module, names: &names, faults: &faults };
+pub fn interface(context: Context<'_>) -> Interface {
+    let Context { module, names, .. } = context;
     let mut writer = Writer { context, face: Interface::default(), seen: Vec::new() };
     for (function, signature) in module.functions.iter().zip(&names.functions) {
         let (Role::Entry { .. }, Some(bessemer_ir::Owner::Struct(owner))) =

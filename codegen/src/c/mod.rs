@@ -47,21 +47,22 @@ mod tree;
 mod units;
 mod wide;
 
-use bessemer_ir::Module;
+use bessemer_ir::{Module, Span};
 
 pub use file::{CFile, MapLine};
-pub use interface::interface;
 pub use library::Math;
 pub use matrices::Layout;
 pub use options::{Options, Standard};
 pub use print::comment_text;
-pub use report::{EntryReport, Site, report};
+pub use report::{EntryReport, Site};
 pub use reserved::is_reserved_globally as is_reserved;
 pub use units::Measured;
 pub use wide::Width;
 
 use analysis::Faults;
 use context::Context;
+use given::Taken;
+use interface::Interface;
 use names::Names;
 
 /// The flags under which emitted C raises no warning, with gcc and clang; the last of them it needs.
@@ -81,20 +82,58 @@ pub const FLAGS: &[&str] = &[
 
 /// Emits a module that the passes have made explicit; files in the order of their names.
 pub fn emit(module: &Module, options: &Options) -> Vec<CFile> {
-    let faults = Faults::new(module, options.hook.is_some());
-    let names = Names::with_faults(module, options, &faults);
-    files::files(Context { module, names: &names, faults: &faults }, options)
+    Plan::new(module, options).emit()
 }
 
-/// The functions of the target's `math.h` that the C calls in place of the DSL's, by their C names.
-pub fn library_calls(module: &Module, options: &Options) -> Vec<String> {
-    let faults = Faults::new(module, options.hook.is_some());
-    let names = Names::with_faults(module, options, &faults);
-    let reached = files::reached(Context { module, names: &names, faults: &faults });
-    let mut called: Vec<String> = (names.functions.iter().zip(reached))
-        .filter(|(signature, reached)| *reached && signature.storage == names::Storage::Library)
-        .map(|(signature, _)| signature.name.clone())
-        .collect();
-    called.sort();
-    called
+/// All that is decided of a module before anything is written: every name and place, and who can fault. The module is one
+/// that the passes have made explicit.
+pub struct Plan<'m> {
+    module: &'m Module,
+    options: &'m Options,
+    faults: Faults,
+    names: Names,
+}
+
+impl<'m> Plan<'m> {
+    /// Decides it.
+    pub fn new(module: &'m Module, options: &'m Options) -> Plan<'m> {
+        let faults = Faults::new(module, options.hook.is_some());
+        let names = Names::with_faults(module, options, &faults);
+        Plan { module, options, faults, names }
+    }
+
+    fn context(&self) -> Context<'_> {
+        Context { module: self.module, names: &self.names, faults: &self.faults }
+    }
+
+    /// The names that cannot be given, each with its place.
+    pub fn taken(&self) -> Vec<(Span, Taken)> {
+        given::taken(self.module, &self.names)
+    }
+
+    /// The files, in the order of their names.
+    pub fn emit(&self) -> Vec<CFile> {
+        files::files(self.context(), self.options)
+    }
+
+    /// The face of the module.
+    pub fn interface(&self) -> Interface {
+        interface::interface(self.context())
+    }
+
+    /// Reports on every entry point, in the order of the module.
+    pub fn report(&self, files: &[CFile]) -> Vec<EntryReport> {
+        report::report(self.context(), self.options, files)
+    }
+
+    /// The functions of the target's `math.h` that the C calls in place of the DSL's, by their C names.
+    pub fn library_calls(&self) -> Vec<String> {
+        let reached = files::reached(self.context());
+        let mut called: Vec<String> = (self.names.functions.iter().zip(reached))
+            .filter(|(it, reached)| *reached && it.storage == names::Storage::Library)
+            .map(|(it, _)| it.name.clone())
+            .collect();
+        called.sort();
+        called
+    }
 }

@@ -430,8 +430,8 @@ fn set_by(module: &Module, id: StructId) -> Option<&'static str> {
     if item.initial.is_some() {
         return Some("init");
     }
+    item.defaults.as_ref()?;
     let entries = module.functions.iter().filter(|it| matches!(it.role, Role::Entry { .. }));
     let mut taken = entries.flat_map(Function::parameters);
-    let is_taken = taken.any(|parameter| parameter.ty == Type::Struct(id));
-    (is_taken && item.defaults.is_some()).then_some("defaults")
+    taken.any(|parameter| parameter.ty == Type::Struct(id)).then_some("defaults")
 }

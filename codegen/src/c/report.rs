@@ -5,12 +5,10 @@ use std::collections::BTreeSet;
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{ExprKind, Float, Function, FunctionId, Module, Owner, Role, Span};
 
-use super::analysis::Faults;
 use super::context::{Context, Uses};
 use super::file::CFile;
 use super::layout::size_of_struct;
 use super::lower;
-use super::names::Names;
 use super::options::Options;
 use super::units::{self, Measured};
 use super::wide::{Wide, Width};
@@ -64,10 +62,8 @@ pub struct Site {
 }
 
 /// Reports on every entry point, in the order of the module.
-pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryReport> {
-    let faults = Faults::new(module, options.hook.is_some());
-    let names = Names::with_faults(module, options, &faults);
-    let context = Context { module, names: &names, faults: &faults };
+pub fn report(context: Context<'_>, options: &Options, files: &[CFile]) -> Vec<EntryReport> {
+    let Context { module, names, faults } = context;
     let mut deepest: Vec<(u64, u64)> = Vec::new();
     let mut list = Vec::new();
     let mut widths = Widths { module, direct: Vec::new(), reached: Vec::new() };
@@ -116,7 +112,7 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
             doubles: widths.count(index, Width::Double),
             longs: widths.count(index, Width::Long),
             wide: widths.sites(index),
-            units: units::of_entry(module, &names, function, names.signature(id)),
+            units: units::of_entry(module, names, function, names.signature(id)),
         });
     }
     list

@@ -1,6 +1,9 @@
 //! The frame around the body of a file: banner, guards, includes. The text is in
 //! `codegen/templates/`. A header that computes by itself states and checks what a source does.
 
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
 use tera::{Context, Tera};
 
 use super::print::comment_lines;
@@ -50,11 +53,11 @@ pub fn frame(shell: &Shell<'_>, is_header: bool, links: bool) -> (String, String
 }
 
 /// The text of a file that is a template as a whole, but for a body.
-pub fn whole(shell: &Shell<'_>, template: &str, body: &str) -> String {
+pub fn whole(shell: &Shell<'_>, template: &'static str, body: &str) -> String {
     rendered(shell, false, false, template).replacen(BODY, body, 1)
 }
 
-fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> String {
+fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &'static str) -> String {
     let mut context = Context::new();
     context.insert("file", shell.file);
     context.insert("header", shell.header);
@@ -71,16 +74,26 @@ fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> 
     context.insert("refuses", &shell.refuses);
     context.insert("computes", &shell.computes);
     context.insert("body", BODY);
-    let mut tera = Tera::default();
-    let parts = [
-        ("conditions", include_str!("../../templates/conditions.tera")),
-        ("checks", include_str!("../../templates/checks.tera")),
-        ("rounding", include_str!("../../templates/rounding.tera")),
-        ("contraction", NO_CONTRACTION),
-        ("file", template),
-    ];
-    tera.add_raw_templates(parts).expect("the templates parse: a test renders them");
-    tera.render("file", &context).expect("the templates render: a test renders them")
+    parsed(template).render("file", &context).expect("the templates render: a test renders them")
+}
+
+/// A template, with those that it includes. It is parsed once: a package has hundreds of files.
+fn parsed(template: &'static str) -> Arc<Tera> {
+    static PARSED: Mutex<BTreeMap<&str, Arc<Tera>>> = Mutex::new(BTreeMap::new());
+    let parse = || {
+        let mut tera = Tera::default();
+        let parts = [
+            ("conditions", include_str!("../../templates/conditions.tera")),
+            ("checks", include_str!("../../templates/checks.tera")),
+            ("rounding", include_str!("../../templates/rounding.tera")),
+            ("contraction", NO_CONTRACTION),
+            ("file", template),
+        ];
+        tera.add_raw_templates(parts).expect("the templates parse: a test renders them");
+        Arc::new(tera)
+    };
+    let mut parsed = PARSED.lock().unwrap_or_else(PoisonError::into_inner);
+    Arc::clone(parsed.entry(template).or_insert_with(parse))
 }
 
 /// The lines of a comment, behind an empty one.

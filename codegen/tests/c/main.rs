@@ -12,7 +12,7 @@ mod run;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use bessemer_codegen::c::{CFile, Options, emit, report};
+use bessemer_codegen::c::{CFile, Options, Plan, emit};
 use bessemer_codegen::kernels::Tuning;
 use bessemer_codegen::passes;
 use bessemer_codegen::validate::validate;
@@ -48,7 +48,7 @@ fn show(module: &Module, files: &[CFile]) -> String {
     for file in files {
         let _ = writeln!(text, "======== {}\n{}", file.name, file.text);
     }
-    for entry in report(module, &Options::default(), files) {
+    for entry in Plan::new(module, &Options::default()).report(files) {
         let _ = writeln!(text, "{entry:?}");
     }
     text
