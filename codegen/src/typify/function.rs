@@ -292,10 +292,24 @@ impl Lowering<'_, '_> {
         Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(_, true)))
     }
 
+    /// A new local by value, which nothing means yet.
+    pub(super) fn local(&mut self, name: impl Into<String>, ty: Type, span: Span) -> LocalId {
+        self.locals.push(Local { name: name.into(), ty, mode: Mode::Value, span });
+        LocalId(self.locals.len() as u32 - 1)
+    }
+
+    /// The same, declared with its value.
+    pub(super) fn let_local(&mut self, name: impl Into<String>, value: Expr) -> Place {
+        let (ty, span) = (value.ty.clone(), value.span);
+        let local = self.local(name, ty.clone(), span);
+        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+        Place::local(local, ty, span)
+    }
+
     /// A new local that `name` means from here on.
     pub(super) fn declare(&mut self, name: &str, ty: Type, mode: Mode, span: Span) -> LocalId {
-        let id = LocalId(self.locals.len() as u32);
-        self.locals.push(Local { name: name.to_owned(), ty, mode, span });
+        let id = self.local(name, ty, span);
+        self.locals[id.index()].mode = mode;
         self.bind(name, Value::Local(id));
         id
     }
@@ -519,8 +533,7 @@ impl Lowering<'_, '_> {
         value: Option<&tree::Expr>,
         span: Span,
     ) -> Result<()> {
-        let local = LocalId(self.locals.len() as u32);
-        self.locals.push(Local { name: name.to_owned(), ty: ty.clone(), mode: Mode::Value, span });
+        let local = self.local(name, ty.clone(), span);
         let first = value.and_then(|value| self.before_loop(value, &ty, span));
         self.emit(StmtKind::Let { local, value: first }, span);
         if let Some(value) = value {
@@ -559,15 +572,13 @@ impl Lowering<'_, '_> {
 
     /// Emits an `if` without an `else`.
     pub(super) fn emit_if(&mut self, condition: Expr, then: Block, span: Span) {
-        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        self.emit(StmtKind::if_then(condition, then), span);
     }
 
     pub(super) fn temporary_local(&mut self, role: &str, ty: Type, span: Span) -> LocalId {
         let name =
             if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) };
-        let id = LocalId(self.locals.len() as u32);
-        self.locals.push(Local { name, ty, mode: Mode::Value, span });
-        id
+        self.local(name, ty, span)
     }
 
     /// Holds a computed type against rustc's.

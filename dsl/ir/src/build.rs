@@ -8,8 +8,8 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use crate::ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Place, Span, Step, Stmt,
-    StmtKind, Type, UnaryOp,
+    BinaryOp, Block, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Place, Span, Step,
+    Stmt, StmtKind, Type, UnaryOp,
 };
 
 impl Expr {
@@ -137,5 +137,25 @@ impl Stmt {
     /// A statement without comments.
     pub fn new(kind: StmtKind, span: Span) -> Stmt {
         Stmt { kind, span, comments: Vec::new() }
+    }
+}
+
+impl StmtKind {
+    /// `if condition { then }`.
+    pub fn if_then(condition: Expr, then: Block) -> StmtKind {
+        StmtKind::If { condition, then, otherwise: Block::default() }
+    }
+
+    /// `for variable in from..to`.
+    pub fn for_range(variable: LocalId, from: Expr, to: Expr, body: Block) -> StmtKind {
+        let (inclusive, reversed, unroll, ended) = (false, false, None, false);
+        StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
+    }
+}
+
+impl Block {
+    /// One statement.
+    pub fn of(kind: StmtKind, span: Span) -> Block {
+        Block(alloc::vec![Stmt::new(kind, span)])
     }
 }

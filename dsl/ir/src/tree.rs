@@ -320,6 +320,18 @@ pub struct Expr {
     pub slot: Option<u32>,
 }
 
+impl Expr {
+    /// An expression whose type follows from its parts.
+    pub fn plain(kind: ExprKind, site: Site) -> Expr {
+        Expr { kind, site, slot: None }
+    }
+
+    /// What a name means.
+    pub fn local(name: &str, site: Site) -> Expr {
+        Expr::plain(ExprKind::Local(name.into()), site)
+    }
+}
+
 /// The kinds of [`Expr`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ExprKind {
