@@ -5,21 +5,9 @@ use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar,
 
 use super::expr::Operand;
 use super::lowering::Lowering;
+use super::numbers::number;
 use super::words;
 use super::{OUR_FAULT, Result, problem};
-
-/// How a matrix is made of elements.
-#[derive(Clone, Copy)]
-enum Constructor {
-    /// By rows.
-    New,
-    Zeros,
-    Identity,
-    /// The unit vector along this axis.
-    Axis(u32),
-    /// One element everywhere.
-    Splat,
-}
 
 /// `N as f64`, where `N` is what an instance is made of, as a literal.
 fn whole(value: Expr) -> Expr {
@@ -76,24 +64,22 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let constructor = match method {
+        match method {
             MatrixMethod::Rows | MatrixMethod::Cols | MatrixMethod::Elements => {
-                return self.size(method, &arguments[0], expr);
+                self.size(method, &arguments[0], expr)
             }
-            MatrixMethod::ByRows => return self.by_rows(&arguments[0], expr),
-            MatrixMethod::FromArray => return self.exchanged_with_array(&arguments[0], expr),
+            MatrixMethod::ByRows => self.by_rows(&arguments[0], expr),
+            MatrixMethod::FromArray => self.exchanged_with_array(&arguments[0], expr),
             MatrixMethod::Swizzle(axes, count) => {
-                return self.swizzle(&axes[..usize::from(count)], &arguments[0], expr);
+                self.swizzle(&axes[..usize::from(count)], &arguments[0], expr)
             }
-            MatrixMethod::Part(_) => return Self::moved_part(expr.site),
-            MatrixMethod::New => Constructor::New,
-            MatrixMethod::Zeros => Constructor::Zeros,
-            MatrixMethod::Identity => Constructor::Identity,
-            MatrixMethod::FromElement => Constructor::Splat,
-            MatrixMethod::Axis(axis) => Constructor::Axis(axis),
-        };
-        let ty = self.slot_of(expr)?;
-        self.constructor(constructor, arguments, ty, expr)
+            MatrixMethod::Part(_) => Self::moved_part(expr.site),
+            MatrixMethod::New
+            | MatrixMethod::Zeros
+            | MatrixMethod::Identity
+            | MatrixMethod::FromElement
+            | MatrixMethod::Axis(_) => self.constructor(method, arguments, expr),
+        }
     }
 
     /// How many rows, columns or elements a matrix has.
@@ -116,7 +102,6 @@ impl Lowering<'_, '_> {
 
     /// `vector![a, b]`, `matrix![a, b; c, d]`.
     fn by_rows(&mut self, rows: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
-        let ty = self.slot_of(expr)?;
         let mut elements = Vec::new();
         if let tree::ExprKind::Array(rows) = &rows.kind {
             for row in rows {
@@ -125,7 +110,7 @@ impl Lowering<'_, '_> {
                 }
             }
         }
-        self.constructor(Constructor::New, &elements, ty, expr)
+        self.constructor(MatrixMethod::New, &elements, expr)
     }
 
     /// `real(0.5)`, `x.as_f64()`: a float as one of another type, a literal as one of it.
@@ -243,19 +228,35 @@ impl Lowering<'_, '_> {
         self.routine_node(routine, values, ty, expr.site)
     }
 
+    /// A matrix of its elements, or of numbers.
     fn constructor(
         &mut self,
-        constructor: Constructor,
+        method: MatrixMethod,
         arguments: &[tree::Expr],
-        ty: Type,
         expr: &tree::Expr,
     ) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
         let Type::Matrix { element, rows, cols } = ty else {
             return problem(expr.site, "this is not a matrix", OUR_FAULT);
         };
-        let scalar = Type::Scalar(element);
-        let kind = match constructor {
-            Constructor::New => {
+        let (scalar, span) = (Type::Scalar(element), self.span(expr.site));
+        let numbers = |is_one: &dyn Fn(u32) -> bool| {
+            let number = |index| number(u8::from(is_one(index)), &scalar, span);
+            ExprKind::Matrix((0..rows * cols).map(number).collect())
+        };
+        let kind = match method {
+            MatrixMethod::Zeros => ExprKind::Splat(Box::new(number(0, &scalar, span))),
+            MatrixMethod::Identity => numbers(&|index| index % rows == index / rows),
+            // The unit vector along this axis.
+            MatrixMethod::Axis(axis) => numbers(&|index| index == axis),
+            MatrixMethod::FromElement => {
+                let value = self.uniform(arguments, Some(scalar))?;
+                match value.into_iter().next() {
+                    Some(value) => ExprKind::Splat(Box::new(value)),
+                    None => return problem(expr.site, "this takes an element", OUR_FAULT),
+                }
+            }
+            _ => {
                 // The author writes rows; the IR, as nalgebra, stores columns.
                 let mut by_rows = self.uniform(arguments, Some(scalar))?;
                 if rows > 1 && cols > 1 {
@@ -266,37 +267,7 @@ impl Lowering<'_, '_> {
                     .collect();
                 ExprKind::Matrix(by_columns)
             }
-            Constructor::Splat => {
-                let value = self.uniform(arguments, Some(scalar))?;
-                match value.into_iter().next() {
-                    Some(value) => ExprKind::Splat(Box::new(value)),
-                    None => return problem(expr.site, "this takes an element", OUR_FAULT),
-                }
-            }
-            Constructor::Identity => {
-                let elements = (0..rows * cols).map(|index| {
-                    self.number(u32::from(index % rows == index / rows), element, expr)
-                });
-                ExprKind::Matrix(elements.collect())
-            }
-            Constructor::Axis(axis) => {
-                let elements =
-                    (0..rows).map(|row| self.number(u32::from(row == axis), element, expr));
-                ExprKind::Matrix(elements.collect())
-            }
-            Constructor::Zeros => ExprKind::Splat(Box::new(self.number(0, element, expr))),
         };
         self.node(kind, ty, expr.site)
-    }
-
-    /// The literal 0 or 1 of a scalar type.
-    fn number(&mut self, value: u32, scalar: Scalar, expr: &tree::Expr) -> Expr {
-        let word = match scalar {
-            Scalar::Float(Float::F64) => f64::from(value).to_bits(),
-            Scalar::Float(Float::F32) => u64::from((value as f32).to_bits()),
-            _ => u64::from(value),
-        };
-        let span = self.span(expr.site);
-        Expr::literal(word, Type::Scalar(scalar), span)
     }
 }

@@ -53,7 +53,6 @@ mod loops;
 mod lowering;
 mod named;
 mod names;
-mod narrow;
 mod numbered;
 mod numbers;
 mod once;

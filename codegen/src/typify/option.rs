@@ -118,7 +118,7 @@ impl Lowering<'_, '_> {
         Ok(before)
     }
 
-    fn payload_type(&self, id: StructId, case: &str) -> Option<Type> {
+    pub(super) fn payload_type(&self, id: StructId, case: &str) -> Option<Type> {
         let field = self.case(id, case)?.1.field?;
         Some(self.cx.module.structs[id.index()].fields[field as usize].ty.clone())
     }
