@@ -133,32 +133,44 @@ impl Lowering<'_, '_> {
                 Ok(Expr { kind, ty: Type::BOOL, span })
             }
             Type::Array { element, len } => {
-                let step = |index: Expr, _: &mut Self| Step::Index(index);
-                self.equal_elements((left, right), element, *len, site, &step)
+                self.equal_elements((left, right), element, *len, site, &Step::Index)
             }
             Type::Matrix { element, rows, cols } => {
                 let (rows, cols) = (*rows, *cols);
                 let element = Type::Scalar(*element);
+                let step = |index: Expr| match cols {
+                    1 => Step::Element(index, Expr::usize(0, span)),
+                    _ => Step::Element(Expr::usize(0, span), index),
+                };
                 if rows == 1 || cols == 1 {
-                    let step = |index: Expr, _: &mut Self| {
-                        let zero = Expr::usize(0, span);
-                        if cols == 1 {
-                            Step::Element(index, zero)
-                        } else {
-                            Step::Element(zero, index)
-                        }
-                    };
-                    return self.equal_elements(
-                        (left, right),
-                        &element,
-                        rows.max(cols),
-                        site,
-                        &step,
-                    );
+                    let count = rows.max(cols);
+                    return self.equal_elements((left, right), &element, count, site, &step);
                 }
-                self.equal_matrices((left, right), (rows, cols), &element, span)
+                let [rows, cols] = [rows, cols].map(|count| Expr::usize(u64::from(count), span));
+                self.all_equal(cols, span, |inner, col| {
+                    inner.all_equal(rows, span, |inner, row| {
+                        inner.equal_at(
+                            (left, right),
+                            Step::Element(row, col),
+                            &element,
+                            (site, span),
+                        )
+                    })
+                })
             }
         }
+    }
+
+    /// `left == right` of the parts that a step leads to.
+    fn equal_at(
+        &mut self,
+        (left, right): (&Place, &Place),
+        step: Step,
+        ty: &Type,
+        (site, span): (Site, Span),
+    ) -> Result<Expr> {
+        let [one, other] = [left, right].map(|whole| whole.inside(step.clone(), ty.clone()));
+        self.equal(&one, &other, site, span)
     }
 
     /// The function that compares two values of a type.
@@ -305,16 +317,15 @@ impl Lowering<'_, '_> {
         element: &Type,
         len: u32,
         site: Site,
-        step: &dyn Fn(Expr, &mut Self) -> Step,
+        step: &dyn Fn(Expr) -> Step,
     ) -> Result<Expr> {
         let span = left.span;
+        let number = |number: u32| Expr::usize(u64::from(number), span);
         if len <= FEW && element.is_word() {
             let mut all: Option<Expr> = None;
             for index in 0..len {
-                let at = Expr::usize(u64::from(index), span);
-                let one = left.inside(step(at.clone(), self), element.clone());
-                let other = right.inside(step(at, self), element.clone());
-                let next = self.equal(&one, &other, site, span)?;
+                let next =
+                    self.equal_at((left, right), step(number(index)), element, (site, span))?;
                 all = Some(match all {
                     Some(all) => Expr::logic(LogicOp::And, all, next),
                     None => next,
@@ -322,10 +333,8 @@ impl Lowering<'_, '_> {
             }
             return Ok(all.unwrap_or_else(|| Expr::bool(true, span)));
         }
-        self.all_equal(Expr::usize(u64::from(len), span), span, |inner, index| {
-            let one = left.inside(step(index.clone(), inner), element.clone());
-            let other = right.inside(step(index, inner), element.clone());
-            inner.equal(&one, &other, site, span)
+        self.all_equal(number(len), span, |inner, index| {
+            inner.equal_at((left, right), step(index), element, (site, span))
         })
     }
 
@@ -342,61 +351,23 @@ impl Lowering<'_, '_> {
         let body = self.scoped(|inner| {
             let place = Place::local(variable, Type::USIZE, span);
             let same = equal(inner, place.load())?;
-            let then = Block(vec![
-                Stmt::new(
-                    StmtKind::Assign { place: flag.clone(), value: Expr::bool(false, span) },
-                    span,
-                ),
-                Stmt::new(StmtKind::Break, span),
-            ]);
-            let condition = unequal(same);
-            inner.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+            let unequal = StmtKind::Assign { place: flag, value: Expr::bool(false, span) };
+            let then = vec![Stmt::new(unequal, span), Stmt::new(StmtKind::Break, span)];
+            inner.emit_if(opposite(same), Block(then), span);
             Ok(())
         })?;
-        let (from, inclusive, reversed) = (Expr::usize(0, span), false, false);
-        self.emit(
-            StmtKind::For {
-                variable,
-                from,
-                to: count,
-                inclusive,
-                reversed,
-                unroll: None,
-                ended: false,
-                body,
-            },
-            span,
-        );
+        self.emit(StmtKind::for_range(variable, Expr::usize(0, span), count, body), span);
         Ok(held)
-    }
-
-    fn equal_matrices(
-        &mut self,
-        (left, right): (&Place, &Place),
-        (rows, cols): (u32, u32),
-        element: &Type,
-        span: Span,
-    ) -> Result<Expr> {
-        self.all_equal(Expr::usize(u64::from(cols), span), span, |inner, col| {
-            inner.all_equal(Expr::usize(u64::from(rows), span), span, |_, row| {
-                let step = Step::Element(row, col);
-                let one = left.inside(step.clone(), element.clone());
-                let other = right.inside(step, element.clone());
-                Ok(Expr::compare(CompareOp::Eq, one.load(), other.load()).at(span))
-            })
-        })
     }
 
     /// A local that counts.
     pub(super) fn counter(&mut self, name: &str, span: Span) -> LocalId {
-        let id = LocalId(self.locals.len() as u32);
-        self.locals.push(Local { name: name.into(), ty: Type::USIZE, mode: Mode::Value, span });
-        id
+        self.local(name, Type::USIZE, span)
     }
 }
 
 /// The opposite of a comparison of equality, of floats too.
-fn unequal(same: Expr) -> Expr {
+fn opposite(same: Expr) -> Expr {
     let span = same.span;
     match same.kind {
         ExprKind::Compare(CompareOp::Eq, one, other) => {

@@ -4,14 +4,15 @@
 
 use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, Stmt,
-    StmtKind, StructId, Type,
+    Block, CompareOp, Expr, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, Stmt, StmtKind,
+    StructId, Type,
 };
 
 use super::lengths::lesser;
 use super::lowering::Lowering;
+use super::order::is_free;
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{OUR_FAULT, Result, problem, struct_of};
 
 /// A list in its place.
 struct List {
@@ -23,11 +24,35 @@ struct List {
 }
 
 impl List {
+    /// The place of all elements, those behind the length too.
+    fn items(&self) -> Place {
+        let ty = Type::Array { element: Box::new(self.element.clone()), len: self.capacity };
+        self.place.inside(Step::Field(1), ty)
+    }
+
     /// The place of an element.
     fn at(&self, index: Expr) -> Place {
-        let ty = Type::Array { element: Box::new(self.element.clone()), len: self.capacity };
-        let items = self.place.inside(Step::Field(1), ty);
-        items.inside(Step::Index(index), self.element.clone())
+        self.items().inside(Step::Index(index), self.element.clone())
+    }
+
+    /// How the length compares with a number.
+    fn length_is(&self, op: CompareOp, number: u32, span: Span) -> Expr {
+        Expr::compare(op, self.length.load(), Expr::usize(u64::from(number), span)).at(span)
+    }
+
+    /// Whether the length is one that a list may have.
+    fn is_sound(&self, span: Span) -> Expr {
+        self.length_is(CompareOp::Le, self.capacity, span)
+    }
+
+    fn set_length(&self, value: Expr) -> StmtKind {
+        StmtKind::Assign { place: self.length.clone(), value }
+    }
+
+    /// A length that is greater or less by one.
+    fn moved_length(&self, op: Intrinsic, span: Span) -> StmtKind {
+        let operands = vec![self.length.load(), Expr::usize(1, span)];
+        self.set_length(Expr::intrinsic(op, operands).at(span))
     }
 }
 
@@ -44,43 +69,41 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The place of a list's length.
-    pub(super) fn length_of(&self, place: &Place) -> Place {
-        place.inside(Step::Field(0), Type::USIZE)
+    /// The list at a place, if one is there.
+    fn list_at(&self, place: Place) -> Option<List> {
+        let (_, element, capacity) = self.list_type(&place.ty)?;
+        let length = place.inside(Step::Field(0), Type::USIZE);
+        Some(List { place, length, element, capacity })
     }
 
     /// The places of a list's length and of its elements.
     pub(super) fn list_items(&self, place: &Place) -> Option<(Place, Place)> {
-        let (_, element, len) = self.list_type(&place.ty)?;
-        let ty = Type::Array { element: Box::new(element), len };
-        Some((self.length_of(place), place.inside(Step::Field(1), ty)))
+        let list = self.list_at(place.clone())?;
+        let items = list.items();
+        Some((list.length, items))
     }
 
     fn list(&mut self, expr: &tree::Expr) -> Result<List> {
         let mut place = self.base(expr)?;
         self.keep_indices(&mut place, |index| !index.is_literal());
-        match self.list_type(&place.ty) {
-            Some((_, element, capacity)) => {
-                let length = self.length_of(&place);
-                Ok(List { place, length, element, capacity })
-            }
+        match self.list_at(place) {
+            Some(list) => Ok(list),
             None => problem(expr.site, "this is not a `List`", OUR_FAULT),
         }
     }
 
     /// An element of a list, its index checked against the length.
     pub(super) fn list_element(&mut self, place: Place, index: Expr, span: Span) -> Place {
-        let Some((_, element, capacity)) = self.list_type(&place.ty) else { return place };
-        let index = match super::order::is_free(&index) {
+        let Some(list) = self.list_at(place.clone()) else { return place };
+        let index = match is_free(&index) {
             true => index,
             false => self.temporary(words::INDEX, index),
         };
-        let length = self.length_of(&place);
         // The first half holds of every list, and keeps a damaged one from being read beyond its end.
-        let sound = at_most(length.load(), capacity, span);
-        let inside = Expr::compare(CompareOp::Lt, index.clone(), length.load()).at(span);
+        let sound = list.is_sound(span);
+        let inside = Expr::compare(CompareOp::Lt, index.clone(), list.length.load()).at(span);
         self.check(Expr::logic(LogicOp::And, sound, inside), Fault::Index, span);
-        List { place, length, element, capacity }.at(index)
+        list.at(index)
     }
 
     fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
@@ -105,10 +128,7 @@ impl Lowering<'_, '_> {
                 let capacity = self.list(&arguments[0])?.capacity;
                 Ok(Expr::usize(u64::from(capacity), span))
             }
-            ListMethod::IsEmpty => {
-                let length = self.list(&arguments[0])?.length.load();
-                Ok(Expr::compare(CompareOp::Eq, length, Expr::usize(0, span)).at(span))
-            }
+            ListMethod::IsEmpty => Ok(self.list(&arguments[0])?.length_is(CompareOp::Eq, 0, span)),
             ListMethod::Pop => self.pop(&arguments[0], expr),
             ListMethod::Push | ListMethod::Clear | ListMethod::Truncate | ListMethod::Resize => {
                 problem(site, "this has no value", "write it as a statement")
@@ -119,25 +139,19 @@ impl Lowering<'_, '_> {
     fn pop(&mut self, list: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
         let (site, span) = (expr.site, self.span(expr.site));
         let ty = self.slot_of(expr)?;
-        let Type::Struct(option) = ty else {
-            return problem(site, "this is not an `Option`", OUR_FAULT);
-        };
+        let option = struct_of(&ty, site, "an `Option`")?;
         let list = self.list(list)?;
         let none = self.choice(option, 0, None, site)?;
-        let held = self.temporary("popped", none);
-        let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
+        let place = self.temporary_place("popped", none);
+        let held = place.load();
         let some = self.choice(option, 1, Some(list.at(list.length.load()).load()), site)?;
-        let shorter = minus_one(list.length.load(), span);
         let then = vec![
-            Stmt::new(StmtKind::Assign { place: list.length.clone(), value: shorter }, span),
-            Stmt::new(StmtKind::Assign { place: target, value: some }, span),
+            Stmt::new(list.moved_length(Intrinsic::WrappingSub, span), span),
+            Stmt::new(StmtKind::Assign { place, value: some }, span),
         ];
-        let some_left =
-            Expr::compare(CompareOp::Gt, list.length.load(), Expr::usize(0, span)).at(span);
-        let sound = at_most(list.length.load(), list.capacity, span);
-        let condition = Expr::logic(LogicOp::And, some_left, sound);
-        let kind = StmtKind::If { condition, then: Block(then), otherwise: Block::default() };
-        self.emit(kind, span);
+        let some_left = list.length_is(CompareOp::Gt, 0, span);
+        let condition = Expr::logic(LogicOp::And, some_left, list.is_sound(span));
+        self.emit_if(condition, Block(then), span);
         Ok(held)
     }
 
@@ -151,26 +165,21 @@ impl Lowering<'_, '_> {
             ListMethod::Push => self.push(&arguments[0], &arguments[1], span)?,
             ListMethod::Clear => {
                 let list = self.list(&arguments[0])?;
-                self.set_length(&list, Expr::usize(0, span), span);
+                self.emit(list.set_length(Expr::usize(0, span)), span);
             }
             ListMethod::Truncate => {
                 let list = self.list(&arguments[0])?;
                 let length = self.length_argument(&arguments[1])?;
-                let condition =
+                let less =
                     Expr::compare(CompareOp::Lt, length.clone(), list.length.load()).at(span);
-                let assign = StmtKind::Assign { place: list.length, value: length };
-                let (then, otherwise) = (Block(vec![Stmt::new(assign, span)]), Block::default());
-                self.emit(StmtKind::If { condition, then, otherwise }, span);
+                self.emit_if(less, Block::of(list.set_length(length), span), span);
             }
             ListMethod::Resize => self.resize(arguments, span)?,
             ListMethod::Pop => {
                 let list = self.list(&arguments[0])?;
-                let condition =
-                    Expr::compare(CompareOp::Gt, list.length.load(), Expr::usize(0, span)).at(span);
-                let shorter = minus_one(list.length.load(), span);
-                let assign = StmtKind::Assign { place: list.length, value: shorter };
-                let (then, otherwise) = (Block(vec![Stmt::new(assign, span)]), Block::default());
-                self.emit(StmtKind::If { condition, then, otherwise }, span);
+                let shorter = list.moved_length(Intrinsic::WrappingSub, span);
+                let some_left = list.length_is(CompareOp::Gt, 0, span);
+                self.emit_if(some_left, Block::of(shorter, span), span);
             }
             ListMethod::New | ListMethod::Len | ListMethod::IsEmpty | ListMethod::Capacity => {
                 return problem(site, "the value of this is not used", "leave it out");
@@ -188,26 +197,18 @@ impl Lowering<'_, '_> {
         })
     }
 
-    fn set_length(&mut self, list: &List, value: Expr, span: Span) {
-        self.emit(StmtKind::Assign { place: list.length.clone(), value }, span);
-    }
-
     fn push(&mut self, list: &tree::Expr, element: &tree::Expr, span: Span) -> Result<()> {
         let list = self.list(list)?;
         let mut value = self.value(element, Some(&list.element))?;
         self.agree(&value.ty, &list.element, element.site)?;
         // Rust computes the element before it looks for room.
-        if !super::order::is_free(&value) {
+        if !is_free(&value) {
             value = self.temporary("element", value);
         }
-        let capacity = Expr::usize(u64::from(list.capacity), span);
-        let room = Expr::compare(CompareOp::Lt, list.length.load(), capacity).at(span);
-        self.check(room, Fault::Capacity, span);
+        self.check(list.length_is(CompareOp::Lt, list.capacity, span), Fault::Capacity, span);
         let place = list.at(list.length.load());
         self.emit(StmtKind::Assign { place, value }, span);
-        let operands = vec![list.length.load(), Expr::usize(1, span)];
-        let longer = Expr::intrinsic(Intrinsic::WrappingAdd, operands).at(span);
-        self.set_length(&list, longer, span);
+        self.emit(list.moved_length(Intrinsic::WrappingAdd, span), span);
         Ok(())
     }
 
@@ -226,21 +227,9 @@ impl Lowering<'_, '_> {
         let variable = self.counter("i", span);
         let index = Place::local(variable, Type::USIZE, span);
         let place = list.at(index.load());
-        let body = Block(vec![Stmt::new(StmtKind::Assign { place, value: element }, span)]);
-        let (inclusive, reversed) = (false, false);
-        let to = length.clone();
-        let kind = StmtKind::For {
-            variable,
-            from: before,
-            to,
-            inclusive,
-            reversed,
-            unroll: None,
-            ended: false,
-            body,
-        };
-        self.emit(kind, span);
-        self.set_length(&list, length, span);
+        let body = Block::of(StmtKind::Assign { place, value: element }, span);
+        self.emit(StmtKind::for_range(variable, before, length.clone(), body), span);
+        self.emit(list.set_length(length), span);
         Ok(())
     }
 
@@ -251,31 +240,17 @@ impl Lowering<'_, '_> {
         site: Site,
         span: Span,
     ) -> Result<Expr> {
-        let (one, other) = (self.length_of(left), self.length_of(right));
-        let length = Expr::compare(CompareOp::Eq, one.load(), other.load()).at(span);
-        let Some((_, element, capacity)) = self.list_type(&left.ty) else { return Ok(length) };
-        let list = |place: &Place, length: &Place| List {
-            place: place.clone(),
-            length: length.clone(),
-            element: element.clone(),
-            capacity,
+        let lists = (self.list_at(left.clone()), self.list_at(right.clone()));
+        let (Some(left), Some(right)) = lists else {
+            return problem(site, "this is not a `List`", OUR_FAULT);
         };
-        let (left, right) = (list(left, &one), list(right, &other));
-        self.and_then(length, |inner| {
-            inner.all_equal(
-                lesser(one.load(), Expr::usize(u64::from(capacity), span)),
-                span,
-                |inner, index| inner.equal(&left.at(index.clone()), &right.at(index), site, span),
-            )
+        let (one, other) = (left.length.load(), right.length.load());
+        let as_long = Expr::compare(CompareOp::Eq, one.clone(), other).at(span);
+        self.and_then(as_long, |inner| {
+            let count = lesser(one, Expr::usize(u64::from(left.capacity), span));
+            inner.all_equal(count, span, |inner, index| {
+                inner.equal(&left.at(index.clone()), &right.at(index), site, span)
+            })
         })
     }
-}
-
-/// `length <= capacity`.
-fn at_most(length: Expr, capacity: u32, span: Span) -> Expr {
-    Expr::compare(CompareOp::Le, length, Expr::usize(u64::from(capacity), span)).at(span)
-}
-
-fn minus_one(length: Expr, span: Span) -> Expr {
-    Expr::intrinsic(Intrinsic::WrappingSub, vec![length, Expr::usize(1, span)]).at(span)
 }

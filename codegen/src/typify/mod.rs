@@ -85,7 +85,7 @@ mod zero_sized;
 use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, Package, Site};
-use bessemer_ir::{FunctionId, Module, Span, StructId};
+use bessemer_ir::{FunctionId, Module, Span, StructId, Type};
 
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::source::Sources;
@@ -102,6 +102,14 @@ type Result<T, E = Problem> = std::result::Result<T, E>;
 
 fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -> Result<T> {
     Err(Problem { site, message: message.into(), help: help.into() })
+}
+
+/// The struct that a type is, where it has to be one.
+fn struct_of(ty: &Type, site: Site, wanted: &str) -> Result<StructId> {
+    match ty {
+        Type::Struct(id) => Ok(*id),
+        _ => problem(site, format!("this is not {wanted}"), OUR_FAULT),
+    }
 }
 
 /// How the types were found: from the bottom up, and held against what rustc put in the slots.
@@ -238,7 +246,7 @@ struct Context<'a> {
     by_columns: bool,
     sources: &'a Sources,
     files: HashMap<String, u32>,
-    types: HashMap<String, bessemer_ir::Type>,
+    types: HashMap<String, Type>,
     /// Zero-sized types, which are not in the C.
     nothings: zero_sized::Nothings,
     /// The authors' types with which something is wrong, which has been told.
@@ -253,25 +261,25 @@ struct Context<'a> {
     /// The names of the authors' types, and their modules.
     declared: Vec<(String, String)>,
     /// The structs that stand for types of Rust's own.
-    generics: HashMap<tree::Ty, bessemer_ir::Type>,
+    generics: HashMap<tree::Ty, Type>,
     /// Their types in Rust.
     shown: HashMap<StructId, String>,
     /// The variants of the structs that stand for `Option`, `Result` and enums with payload.
     cases: HashMap<StructId, Vec<generic::Case>>,
     /// Where the authors' types stand, and those that are made of them.
-    homes: HashMap<bessemer_ir::Type, generic::Home>,
+    homes: HashMap<Type, generic::Home>,
     /// The errors of the structs that stand for `Result`.
     errors: HashMap<StructId, tree::Ty>,
     /// The functions that compare values of structs.
     equalities: HashMap<StructId, FunctionId>,
     /// The types that do not derive `PartialEq`.
-    unequal: HashSet<bessemer_ir::Type>,
+    unequal: HashSet<Type>,
     /// The functions that authors wrote for `==` of their types.
-    own_equalities: HashMap<bessemer_ir::Type, &'a str>,
+    own_equalities: HashMap<Type, &'a str>,
     /// The conversions between authors' types.
     conversions: Vec<&'a tree::Implied>,
     /// The types of authors that derive `PartialOrd`.
-    ordered: HashSet<bessemer_ir::Type>,
+    ordered: HashSet<Type>,
     /// The structs of which the greater comes first.
     reversed: HashSet<StructId>,
     /// The structs that stand for slices in values.

@@ -7,15 +7,15 @@
 
 use bessemer_ir::tree::{self, ByteOrder, NumberMethod};
 use bessemer_ir::{
-    BinaryOp, Block, CompareOp, Expr, ExprKind, Float, Int, Intrinsic, Place, Scalar, Span, Step,
-    StmtKind, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, Intrinsic, Place, Scalar, Span, Step, Type,
+    UnaryOp,
 };
 
 use super::expr::Operand;
 use super::lowering::Lowering;
 use super::within;
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{OUR_FAULT, Result, problem, struct_of};
 
 /// The value of a method for `x` and what it is called with, of type `ty`; none if they are of types that it does not take.
 fn spelt_out(
@@ -298,12 +298,10 @@ impl Lowering<'_, '_> {
         let (result, span) = (self.slot_of(expr)?, self.span(expr.site));
         let value = self.value(argument, None)?;
         let place = self.hold(value);
-        let Type::Struct(id) = result else {
-            return problem(expr.site, "this is no `Result`", OUR_FAULT);
-        };
+        let id = struct_of(&result, expr.site, "a `Result`")?;
         let (Some((fits, _)), Some((beyond, _))) = (self.case(id, "Ok"), self.case(id, "Err"))
         else {
-            return problem(expr.site, "this is no `Result`", OUR_FAULT);
+            return problem(expr.site, "this is not a `Result`", OUR_FAULT);
         };
         let target = self.payload_type(id, "Ok").unwrap_or(Type::Unit);
         let (Some(from), Some(to)) = (place.ty.as_int(), target.as_int()) else {
@@ -318,9 +316,6 @@ impl Lowering<'_, '_> {
             return Ok(there);
         }
         let nothing = self.choice(id, beyond, None, expr.site)?;
-        let place = self.temporary_place("narrowed", nothing);
-        let held = place.load();
-        self.emit_if(condition, Block::of(StmtKind::Assign { place, value: there }, span), span);
-        Ok(held)
+        Ok(self.either("narrowed", nothing, (condition, there), span))
     }
 }

@@ -1,12 +1,12 @@
 //! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
 
 use bessemer_ir::tree::{self, OptionMethod, Site};
-use bessemer_ir::{Block, Expr, Fault, Place, Stmt, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
 
 use super::expr::Operand;
 use super::lowering::Lowering;
 use super::order::is_free;
-use super::{OUR_FAULT, Result, problem};
+use super::{OUR_FAULT, Result, problem, struct_of};
 use crate::effects;
 
 /// The remedy where a reference into an `Option` would be kept.
@@ -55,10 +55,8 @@ impl Lowering<'_, '_> {
     fn receiver(&mut self, expr: &tree::Expr) -> Result<(Place, StructId)> {
         let value = self.value(expr, None)?;
         let place = self.hold(value);
-        match place.ty {
-            Type::Struct(id) => Ok((place, id)),
-            _ => problem(expr.site, "this is not an `Option`", OUR_FAULT),
-        }
+        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
+        Ok((place, id))
     }
 
     /// The word and the payload of the variant that has a value (or, `error`, the reason for none).
@@ -95,9 +93,7 @@ impl Lowering<'_, '_> {
         let Some(mut place) = self.place(&arguments[0])? else {
             return problem(expr.site, "this is not a place", "keep it in a variable");
         };
-        let Type::Struct(id) = place.ty else {
-            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
-        };
+        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         let next = match arguments.get(1) {
             None => self.choice(id, 0, None, expr.site)?,
             Some(value) => {
@@ -154,9 +150,7 @@ impl Lowering<'_, '_> {
         if second.iter().any(|second| !is_free(second)) {
             self.fix(&mut place);
         }
-        let Type::Struct(id) = place.ty else {
-            return problem(site, "this is not an `Option`", OUR_FAULT);
-        };
+        let id = struct_of(&place.ty, site, "an `Option`")?;
         let (word, value) = self.present(&place, id, method == M::Err);
         let mut there = self.tag_is(&place, id, word);
         let (otherwise, then) = match (method, &ty, second) {
@@ -182,16 +176,27 @@ impl Lowering<'_, '_> {
             return problem(site, "there is nothing to the value", "ask with `is_some`, `is_ok`");
         };
         let span = self.span(site);
-        let local = self.temporary_local("choice", ty.clone(), span);
+        Ok(self.either("choice", otherwise, (there, then), span))
+    }
+
+    /// A value, or another where the condition of that holds.
+    pub(super) fn either(
+        &mut self,
+        role: &str,
+        value: Expr,
+        (condition, other): (Expr, Expr),
+        span: Span,
+    ) -> Expr {
+        let ty = value.ty.clone();
+        let local = self.temporary_local(role, ty.clone(), span);
         self.held.insert(local);
-        self.emit(StmtKind::Let { local, value: Some(otherwise) }, span);
-        let target = Place::local(local, ty.clone(), span);
-        let assign = StmtKind::Assign { place: target.clone(), value: then };
+        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+        let place = Place::local(local, ty, span);
+        let held = place.load();
+        let assign = StmtKind::Assign { place, value: other };
         self.follow(&assign);
-        let then = Block(vec![Stmt::new(assign, span)]);
-        let otherwise = Block::default();
-        self.emit(StmtKind::If { condition: there, then, otherwise }, span);
-        Ok(target.load().at(span))
+        self.emit_if(condition, Block::of(assign, span), span);
+        held
     }
 
     fn default_of(&mut self, ty: &Type, site: Site) -> Result<Expr> {

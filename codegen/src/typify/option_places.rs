@@ -2,12 +2,12 @@
 //! another name for the content.
 
 use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, NO_SLOT, OptionMethod, Ty};
-use bessemer_ir::{Block, Fault, Place, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Fault, Place, StmtKind, StructId};
 
 use super::borrowed::is_element;
 use super::lowering::Lowering;
 use super::rewrite::is_plain;
-use super::{OUR_FAULT, Result, order, problem};
+use super::{Result, order, problem, struct_of};
 
 /// The hidden name of the place that `lent?` leads to.
 const TRIED: &str = "__tried";
@@ -142,9 +142,7 @@ impl Lowering<'_, '_> {
 
     /// The struct of an `Option`, the word of `Some`, and the field of what is in it.
     fn held_in(&mut self, place: &Place, expr: &tree::Expr) -> Result<(StructId, u64, usize)> {
-        let Type::Struct(id) = place.ty else {
-            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
-        };
+        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         match self.case(id, "Some").map(|(word, case)| (word, case.field)) {
             Some((word, Some(field))) => Ok((id, word, field as usize)),
             _ => problem(expr.site, "there is nothing to this value", "keep a `bool`"),

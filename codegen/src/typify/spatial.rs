@@ -3,12 +3,12 @@
 
 use bessemer_ir::tree::{self, Parts, Site, SpatialMethod};
 use bessemer_ir::{
-    CompareOp, Expr, ExprKind, LogicOp, Place, Routine, Span, Step, StructId, Type, UnaryOp,
+    CompareOp, Expr, ExprKind, LogicOp, Place, Routine, Span, StructId, Type, UnaryOp,
 };
 
 use super::expr::{Operand, two};
 use super::lowering::Lowering;
-use super::{OUR_FAULT, Result, problem};
+use super::{OUR_FAULT, Result, problem, struct_of};
 
 /// Whether the type at a path stands for a quaternion, and then whether for a unit one.
 pub(super) fn quaternion(path: &str) -> Option<bool> {
@@ -42,15 +42,11 @@ impl Lowering<'_, '_> {
                 "call the function of `bessemer::rotation` or `bessemer::complex` for it: `rotation::angle(&q)`, `rotation::from_scaled_axis(v)`, `complex::norm(&z)` and the like",
             ),
             (M::QuaternionIdentity, _) => {
-                let ty = self.slot_of(expr)?;
-                let Type::Struct(id) = ty else {
-                    return problem(expr.site, "this is not a quaternion", OUR_FAULT);
-                };
-                let (kind, site) =
-                    (|digits: &str| tree::ExprKind::Float(digits.into(), None), expr.site);
+                let id = struct_of(&self.slot_of(expr)?, expr.site, "a quaternion")?;
                 let part = |name: &str| {
                     let digits = if name == "w" { "1.0" } else { "0.0" };
-                    (name.to_owned(), tree::Expr { kind: kind(digits), site, slot: None })
+                    let kind = tree::ExprKind::Float(digits.into(), None);
+                    (name.to_owned(), tree::Expr::plain(kind, expr.site))
                 };
                 self.parts(id, &["i", "j", "k", "w"].map(part), None, expr)
             }
@@ -79,9 +75,7 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let Type::Struct(id) = self.slot_of(expr)? else {
-            return problem(expr.site, "this is not a struct", OUR_FAULT);
-        };
+        let id = struct_of(&self.slot_of(expr)?, expr.site, "a struct")?;
         let names = parts.names().iter().map(|name| (*name).to_owned());
         let parts: Vec<_> = names.zip(arguments.iter().cloned()).collect();
         self.parts(id, &parts, None, expr)
@@ -136,16 +130,9 @@ impl Lowering<'_, '_> {
 
     /// The parts of a quaternion: i, j, k and w.
     fn parts_of(&mut self, value: Expr, site: Site) -> Result<Vec<Expr>> {
-        let Type::Struct(id) = value.ty else {
-            return problem(site, "this is not a quaternion", OUR_FAULT);
-        };
+        let id = struct_of(&value.ty, site, "a quaternion")?;
         let place = self.hold(value);
-        Ok((0..4).map(|part| self.quaternion_part(&place, id, part).load()).collect())
-    }
-
-    fn quaternion_part(&self, place: &Place, id: StructId, part: u32) -> Place {
-        let ty = self.cx.module.structs[id.index()].fields[part as usize].ty.clone();
-        place.inside(Step::Field(part), ty)
+        Ok((0..4).map(|part| self.part(&place, id, part).load()).collect())
     }
 
     /// `q.coords`: i, j, k and w as a vector.
@@ -197,8 +184,8 @@ impl Lowering<'_, '_> {
     ) -> Expr {
         let all = |opposite: bool| {
             let parts = (0..4).map(|part| {
-                let one = self.quaternion_part(left, id, part).load();
-                let mut other = self.quaternion_part(right, id, part).load();
+                let one = self.part(left, id, part).load();
+                let mut other = self.part(right, id, part).load();
                 if opposite {
                     other = Expr::unary(UnaryOp::Neg, other).at(span);
                 }
