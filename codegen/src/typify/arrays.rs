@@ -52,8 +52,7 @@ impl Lowering<'_, '_> {
         let ty = match self.slot_of(expr)? {
             Type::Struct(id) => ["Ok", "Some"].iter().find_map(|case| {
                 let field = self.case(id, case)?.1.field?;
-                let field = &self.cx.module.structs[id.index()].fields[field as usize];
-                Some((id, field.ty.clone()))
+                Some((id, self.cx.field_type(id, field)))
             }),
             _ => None,
         };

@@ -127,7 +127,7 @@ impl Context<'_> {
                 both.sort();
                 return Some((id, both));
             }
-            let field = &self.module.structs[id.index()].fields[one[step] as usize];
+            let field = &self.fields(id)[one[step] as usize];
             ty = field.ty.clone();
         }
         None
@@ -139,7 +139,7 @@ impl Context<'_> {
             Type::Struct(id) => match self.borrowed.get(id) {
                 Some(borrowed) => found.push((path.clone(), borrowed.clone())),
                 None => {
-                    for (at, field) in (0..).zip(&self.module.structs[id.index()].fields) {
+                    for (at, field) in (0..).zip(self.fields(*id)) {
                         path.push(at);
                         self.find_slices(&field.ty, path, found);
                         path.pop();
@@ -158,7 +158,7 @@ impl Context<'_> {
                 ty = element;
             }
             let Type::Struct(id) = ty else { break };
-            let field = &self.module.structs[id.index()].fields[*step as usize];
+            let field = &self.fields(*id)[*step as usize];
             name = format!("{name}_{}", field.name);
             ty = &field.ty;
         }

@@ -19,7 +19,7 @@ impl Lowering<'_, '_> {
         if !self.cx.bounded.contains(id) {
             return None;
         }
-        match &self.cx.module.structs[id.index()].fields.get(2)?.ty {
+        match &self.cx.fields(*id).get(2)?.ty {
             Type::Array { element, len: columns } => match &**element {
                 Type::Array { element, len: rows } => Some(((**element).clone(), *rows, *columns)),
                 _ => None,

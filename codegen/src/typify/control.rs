@@ -129,8 +129,7 @@ impl Lowering<'_, '_> {
         };
         let from = self.case(id, left).and_then(|(_, case)| case.field);
         let payload = from.map(|field| self.part(&place, id, field as usize).load());
-        let field = |field| &self.cx.module.structs[result.index()].fields[field as usize];
-        let wanted = case.field.map(field).map(|field| field.ty.clone());
+        let wanted = case.field.map(|field| self.cx.field_type(result, field));
         let condition = self.tag_is(&place, id, taken.0).negated();
         let then = self.scoped(|inner| {
             let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;

@@ -106,7 +106,7 @@ impl Lowering<'_, '_> {
     /// Whether a struct is made of words alone, and compared as such.
     fn is_flat(&self, id: StructId) -> bool {
         let rotation = self.cx.quaternions.get(&id) == Some(&true);
-        let fields = &self.cx.module.structs[id.index()].fields;
+        let fields = self.cx.fields(id);
         !rotation && fields.iter().all(|field| field.ty.is_word())
     }
 
@@ -216,7 +216,7 @@ impl Lowering<'_, '_> {
         let ty = Type::Struct(id);
         let paths = self.cx.types.iter().filter(|(_, it)| **it == ty);
         let mut homes: Vec<String> = paths.map(|(path, _)| format!("{path}::equal")).collect();
-        let own = super::names::snake(&self.cx.module.structs[id.index()].name);
+        let own = super::names::snake(self.cx.name_of(&ty).unwrap_or_default());
         homes.push(format!("::{own}::equal"));
         let taken = |known: &String| homes.iter().any(|home| known.ends_with(home));
         let name =
@@ -236,11 +236,7 @@ impl Lowering<'_, '_> {
                 "compare the slices themselves: `a.bytes == b.bytes`",
             );
         }
-        let name = match ty {
-            Type::Struct(id) => &self.cx.module.structs[id.index()].name,
-            Type::Enum(id) => &self.cx.module.enums[id.index()].name,
-            _ => return Ok(()),
-        };
+        let Some(name) = self.cx.name_of(ty) else { return Ok(()) };
         problem(
             site,
             format!("`{name}` does not derive `PartialEq` where the DSL sees it"),

@@ -6,6 +6,7 @@ use bessemer_ir::{
     Type, UnaryOp,
 };
 
+use super::fields::numbered;
 use super::function::takes_closures;
 use super::lengths::plus;
 use super::lowering::{Lowering, Target};
@@ -108,7 +109,7 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Tuple(parts) if !parts.is_empty() => match (expr.slot, expected) {
                 // One that no author wrote is of the type that is wanted.
-                (None, Some(Type::Struct(id))) => self.tuple(*id, parts, expr),
+                (None, Some(Type::Struct(id))) => self.parts(*id, &numbered(parts), None, expr),
                 _ => self.constructed("", parts, None, expr),
             },
             tree::ExprKind::Try(label, operand) => {

@@ -29,9 +29,7 @@ impl Lowering<'_, '_> {
             return self.parts(id, fields, rest, expr);
         }
         let (word, case) = self.named_case(id, name, expr.site)?;
-        let held = case
-            .field
-            .map(|field| self.cx.module.structs[id.index()].fields[field as usize].ty.clone());
+        let held = case.field.map(|field| self.cx.field_type(id, field));
         let payload = match (held, fields) {
             (Some(held), [(_, value)]) if case.single => {
                 let value = self.value(value, Some(&held))?;
@@ -61,24 +59,14 @@ impl Lowering<'_, '_> {
         if let (None, Some(Type::Struct(id))) = (expr.slot, expected)
             && let Some((word, case)) = self.case(*id, name)
         {
-            let field = |field| self.cx.module.structs[id.index()].fields[field as usize].clone();
-            let payload = match (parts, case.field.map(field)) {
-                ([part], Some(field)) => Some(self.value(part, Some(&field.ty))?),
+            let held = case.field.map(|field| self.cx.field_type(*id, field));
+            let payload = match (parts, held) {
+                ([part], Some(held)) => Some(self.value(part, Some(&held))?),
                 _ => None,
             };
             return self.choice(*id, word, payload, expr.site);
         }
         self.struct_value(name, &numbered(parts), None, expr)
-    }
-
-    /// `(a, b)` of a type that is known.
-    pub(super) fn tuple(
-        &mut self,
-        id: StructId,
-        parts: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
-        self.parts(id, &numbered(parts), None, expr)
     }
 
     /// The variant `word` of a struct that stands for an enum.
@@ -114,7 +102,7 @@ impl Lowering<'_, '_> {
                 ExprKind::Splat(Box::new(self.zero(&Type::Scalar(*element), span)))
             }
             Type::Struct(id) => {
-                let fields = &self.cx.module.structs[id.index()].fields;
+                let fields = self.cx.fields(*id);
                 ExprKind::Struct(fields.iter().map(|field| self.zero(&field.ty, span)).collect())
             }
         };
@@ -130,12 +118,12 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         let ty = Type::Struct(id);
-        let declared = self.cx.module.structs[id.index()].fields.clone();
-        let at = |lowering: &Self, name: &str| match lowering.cx.field_at(id, name) {
+        let declared = self.cx.fields(id).to_vec();
+        let at = |name: &str| match self.cx.field_at(id, name) {
             Some(At::Field(index)) => Some(index),
             _ => None,
         };
-        let places: Vec<_> = fields.iter().map(|(name, _)| at(self, name)).collect();
+        let places: Vec<_> = fields.iter().map(|(name, _)| at(name)).collect();
         if let Some((_, moved)) = fields.iter().find(|(_, it)| self.is_submatrix(it)) {
             return Self::moved_part(moved.site);
         }
@@ -176,10 +164,8 @@ impl Lowering<'_, '_> {
         for (at, field) in declared.iter().enumerate() {
             let index = places.iter().position(|place| *place == Some(at));
             let value = index.and_then(|index| values[index].take()).or_else(|| {
-                let mut place = rest.clone()?;
-                place.steps.push(Step::Field(at as u32));
-                place.ty = field.ty.clone();
-                Some(place.load())
+                let step = Step::Field(at as u32);
+                Some(rest.as_ref()?.inside(step, field.ty.clone()).load())
             });
             let Some(value) = value else {
                 return problem(expr.site, format!("`{}` is missing", field.name), OUR_FAULT);
@@ -241,7 +227,7 @@ impl Lowering<'_, '_> {
 }
 
 /// Parts with the names that the fields of a tuple have.
-fn numbered(parts: &[tree::Expr]) -> Vec<(String, tree::Expr)> {
+pub(super) fn numbered(parts: &[tree::Expr]) -> Vec<(String, tree::Expr)> {
     let named = |(index, part): (usize, &tree::Expr)| (index.to_string(), part.clone());
     parts.iter().enumerate().map(named).collect()
 }

@@ -5,7 +5,9 @@
 //! nothing about it.
 
 use bessemer_ir::tree::{self, Site, Ty};
-use bessemer_ir::{Enum, EnumId, Field, Form, Given, Scalar, Span, Struct, StructId, Type};
+use bessemer_ir::{
+    Enum, EnumId, Field, Form, Given, Scalar, Span, Struct, StructId, Type, Variant,
+};
 
 use super::names::snake;
 use super::words;
@@ -221,8 +223,7 @@ impl Context<'_> {
         form: Form,
         site: Site,
     ) -> Result<StructId> {
-        let known = |ty: &Type| matches!(ty, Type::Struct(id) if self.module.structs[id.index()].name == name);
-        if self.generics.values().any(known) {
+        if self.generics.values().any(|ty| self.name_of(ty) == Some(&name)) {
             return problem(
                 site,
                 format!("two types would both be `{}_t` in the C", snake(&name)),
@@ -239,10 +240,8 @@ impl Context<'_> {
             }
         };
         let docs = vec![format!("`{shown}`{meaning}.")];
-        let (initial, defaults, given) = (None, None, Given::default());
-        let item = Struct { name, module, docs, fields, form, initial, defaults, given, span };
-        self.module.structs.push(item);
-        let id = StructId(self.module.structs.len() as u32 - 1);
+        let item = Struct { name, module, docs, fields, form, span, ..Struct::default() };
+        let id = self.add_struct(item);
         self.shown.insert(id, shown);
         self.homes.extend(home.map(|home| (Type::Struct(id), home)));
         Ok(id)
@@ -353,11 +352,8 @@ impl Context<'_> {
             ..named
         });
         let form = Form::Choice(cases.iter().map(|case| case.field).collect());
-        let (initial, defaults) = (None, None);
-        let definition =
-            Struct { name, module, docs, fields, form, initial, defaults, given, span };
-        self.module.structs.push(definition);
-        let id = StructId(self.module.structs.len() as u32 - 1);
+        let item = Struct { name, module, docs, fields, form, given, span, ..Struct::default() };
+        let id = self.add_struct(item);
         self.cases.insert(id, cases);
         Ok(Type::Struct(id))
     }
@@ -382,18 +378,16 @@ impl Context<'_> {
             [] => Ok(None),
             [only] if is_tuple => Ok(Some((only.ty.clone(), true))),
             _ => {
-                self.module.structs.push(Struct {
+                let id = self.add_struct(Struct {
                     name: self.free_name(format!("{}{}", named.name, variant.name)),
                     module: named.module.clone(),
                     docs: vec![format!("What a `{}::{}` holds.", named.name, variant.name)],
                     fields,
-                    form: Form::Record,
-                    initial: None,
-                    defaults: None,
                     given: beside(&named.given, &snake(&variant.name)),
                     span: named.span,
+                    ..Struct::default()
                 });
-                Ok(Some((Type::Struct(StructId(self.module.structs.len() as u32 - 1)), false)))
+                Ok(Some((Type::Struct(id), false)))
             }
         }
     }
@@ -463,4 +457,20 @@ fn held(fields: &mut Vec<Field>, name: &str, docs: &str, ty: Type) -> Option<u32
 fn capitalised(word: &str) -> String {
     let mut letters = word.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The variants of an enum with their numbers: the author's, or from 0 upwards.
+pub(super) fn numbered(variants: &[tree::Variant], site: Site) -> Result<Vec<Variant>> {
+    let number = |(index, it): (i64, &tree::Variant)| {
+        let Ok(value) = i32::try_from(it.value.unwrap_or(index)) else {
+            return problem(
+                site,
+                "the number of a variant has 32 bits in C",
+                "choose numbers between -2147483648 and 2147483647",
+            );
+        };
+        let (name, docs, given) = (it.name.clone(), it.docs.clone(), it.given.clone());
+        Ok(Variant { name, docs, value, given })
+    };
+    (0..).zip(variants).map(number).collect()
 }

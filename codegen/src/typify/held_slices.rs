@@ -65,7 +65,7 @@ impl Lowering<'_, '_> {
     fn field_name(&self, place: &Place, at: u32) -> String {
         let (_, outer) = place.steps.split_last().unwrap_or((&Step::Field(at), &[]));
         match self.type_of(place.root, outer) {
-            Type::Struct(id) => self.cx.module.structs[id.index()].fields[at as usize].name.clone(),
+            Type::Struct(id) => self.cx.fields(id)[at as usize].name.clone(),
             _ => UNNAMED.into(),
         }
     }
@@ -233,7 +233,7 @@ impl Lowering<'_, '_> {
             },
             (Value::Slice(slice), Type::Struct(id)) => Ok(self.borrowed_value(*slice, *id, site)),
             (Value::Tuple(parts, _), Type::Struct(id)) => {
-                let fields = self.cx.module.structs[id.index()].fields.clone();
+                let fields = self.cx.fields(*id).to_vec();
                 let mut values = Vec::new();
                 for (part, field) in parts.into_iter().zip(&fields) {
                     values.push(self.lent_value(part, &field.ty, site)?);
@@ -249,7 +249,7 @@ impl Lowering<'_, '_> {
                 let Some(payload) = payload else {
                     return problem(site, "this is not an `Option`", OUR_FAULT);
                 };
-                let inner = self.cx.module.structs[id.index()].fields[payload as usize].ty.clone();
+                let inner = self.cx.field_type(*id, payload);
                 let then = self.scoped(|it| {
                     let value = it.lent_value(*lent, &inner, site)?;
                     let value = it.choice(*id, 1, Some(value), site)?;
@@ -317,7 +317,7 @@ impl Lowering<'_, '_> {
             ty = match (step, ty) {
                 (Step::Field(at), Type::Struct(id)) => {
                     found |= self.cx.loans.contains(&(id, *at));
-                    self.cx.module.structs[id.index()].fields[*at as usize].ty.clone()
+                    self.cx.field_type(id, *at)
                 }
                 (Step::Index(_), Type::Array { element, .. }) => *element,
                 (_, other) => other,

@@ -248,9 +248,7 @@ impl Lowering<'_, '_> {
         let mut ty = self.locals[root.index()].ty.clone();
         for step in steps {
             ty = match (step, ty) {
-                (Step::Field(at), Type::Struct(id)) => {
-                    self.cx.module.structs[id.index()].fields[*at as usize].ty.clone()
-                }
+                (Step::Field(at), Type::Struct(id)) => self.cx.field_type(id, *at),
                 (Step::Index(_), Type::Array { element, .. } | Type::Slice(element)) => *element,
                 (_, Type::Matrix { element, .. }) => Type::Scalar(element),
                 (_, other) => other,

@@ -1,9 +1,10 @@
-//! `<` of tuples, arrays and structs that derive it: the first parts that differ decide.
+//! `<` of tuples, arrays and structs that derive it: the first parts that differ decide. And of enums: by their numbers.
 //!
-//! A NaN among these parts makes each comparison false, as in Rust: it neither comes first nor is it equal.
+//! A NaN among these parts makes each comparison false, as in Rust: it neither comes first nor is it equal. A variant's word
+//! is its index; Rust compares and converts the numbers, which the author may choose.
 
 use bessemer_ir::tree::{BinaryOp as Op, Site};
-use bessemer_ir::{Expr, LogicOp, Place, Step, StructId, Type};
+use bessemer_ir::{EnumId, Expr, Int, LogicOp, Place, Scalar, Step, StructId, Type};
 
 use super::lowering::Lowering;
 use super::{Result, problem};
@@ -49,13 +50,29 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// The number of an enum that `<` compares.
+    pub(super) fn rank(&self, id: EnumId, value: Expr, site: Site) -> Result<Expr> {
+        let definition = &self.cx.module.enums[id.index()];
+        if !self.cx.ordered.contains(&Type::Enum(id)) {
+            return problem(
+                site,
+                format!("`{}` does not derive `PartialOrd` where the DSL sees it", definition.name),
+                "write `#[derive(PartialOrd)]` below `#[data]`, or `match`",
+            );
+        }
+        if !definition.is_numbered() {
+            return Ok(value);
+        }
+        Ok(value.cast(&Type::Scalar(Scalar::Int(Int::I32))))
+    }
+
     /// The way to each part, and its type; none if the whole has no order part by part.
     fn steps_to_parts(&self, ty: &Type, place: &Place) -> Option<Vec<(Step, Type)>> {
         match ty {
             Type::Struct(id)
                 if self.is_tuple(*id) || self.cx.ordered.contains(ty) || self.is_reversed(ty) =>
             {
-                let fields = self.cx.module.structs[id.index()].fields.iter();
+                let fields = self.cx.fields(*id).iter();
                 Some((0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect())
             }
             Type::Array { element, len } if *len <= MOST => {

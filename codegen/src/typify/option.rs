@@ -116,7 +116,7 @@ impl Lowering<'_, '_> {
 
     pub(super) fn payload_type(&self, id: StructId, case: &str) -> Option<Type> {
         let field = self.case(id, case)?.1.field?;
-        Some(self.cx.module.structs[id.index()].fields[field as usize].ty.clone())
+        Some(self.cx.field_type(id, field))
     }
 
     /// Methods whose result is one of two values: the second, unless the first is there.

@@ -132,8 +132,7 @@ impl Lowering<'_, '_> {
         for step in place.steps.clone() {
             let (indices, inner) = match (step, ty) {
                 (Step::Field(field), Type::Struct(id)) => {
-                    let fields = &self.cx.module.structs[id.index()].fields;
-                    (Vec::new(), fields[field as usize].ty.clone())
+                    (Vec::new(), self.cx.field_type(id, field))
                 }
                 (Step::Index(index), Type::Array { element, len }) => {
                     (vec![(index, len)], *element)

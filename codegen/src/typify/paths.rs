@@ -53,12 +53,9 @@ impl Lowering<'_, '_> {
             Some((_, Some(argument), rest)) => {
                 format!("{}::{rest}", self.cx.argument_name(argument))
             }
-            Some(("Default", None, rest)) => match &ty {
-                Type::Struct(id) => {
-                    format!("{}::{rest}", self.cx.module.structs[id.index()].name)
-                }
-                _ => name.to_owned(),
-            },
+            Some(("Default", None, rest)) if let Type::Struct(_) = ty => {
+                format!("{}::{rest}", self.cx.name_of(&ty).unwrap_or_default())
+            }
             _ => name.to_owned(),
         };
         let owner = source.owner.as_ref().map(|path| self.cx.item_name(path).to_owned());

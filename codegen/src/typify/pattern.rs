@@ -442,7 +442,7 @@ impl Lowering<'_, '_> {
 
     /// The place of a field.
     pub(super) fn part(&self, place: &Place, id: StructId, index: usize) -> Place {
-        let ty = self.cx.module.structs[id.index()].fields[index].ty.clone();
+        let ty = self.cx.field_type(id, index as u32);
         place.inside(Step::Field(index as u32), ty)
     }
 

@@ -141,8 +141,8 @@ impl Lowering<'_, '_> {
         match base {
             Type::Struct(id) => {
                 if let Some(At::Field(index)) = self.cx.field_at(*id, name) {
-                    let fields = &self.cx.module.structs[id.index()].fields;
-                    return Ok((Step::Field(index as u32), fields[index].ty.clone()));
+                    let step = Step::Field(index as u32);
+                    return Ok((step, self.cx.field_type(*id, index as u32)));
                 }
             }
             Type::Matrix { element, rows, cols } => {

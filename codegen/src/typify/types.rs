@@ -1,13 +1,44 @@
-//! Definitions and types: from paths to handles.
+//! Definitions and types: from paths to handles; and the constants by which an author says how many elements a field, a
+//! parameter or a result has.
+//!
+//! The name of a size stands for a constant where a marked one has this name and this number as its value, and other modules
+//! may read it; else it says nothing, and the C has the number.
 
-use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Field, Site, Table, Ty};
-use bessemer_ir::{Const, ConstId, Enum, Form, Given, Scalar, Span, Struct, StructId, Type};
+use bessemer_ir::tree::{self, Argument, Definition, DefinitionKind, Field, Site, Table, Ty};
+use bessemer_ir::{
+    Attributes, Const, ConstId, Enum, Form, Given, Local, Scalar, Span, Struct, StructId, Type,
+};
 
 use super::generic::Home;
 use super::names::{snake, split};
 use super::{Context, Result, problem};
 
 impl<'a> Context<'a> {
+    /// The fields of a struct.
+    pub(super) fn fields(&self, id: StructId) -> &[bessemer_ir::Field] {
+        &self.module.structs[id.index()].fields
+    }
+
+    /// The type of one of them.
+    pub(super) fn field_type(&self, id: StructId, at: u32) -> Type {
+        self.fields(id)[at as usize].ty.clone()
+    }
+
+    /// The name of a struct or an enum.
+    pub(super) fn name_of(&self, ty: &Type) -> Option<&str> {
+        match ty {
+            Type::Struct(id) => Some(&self.module.structs[id.index()].name),
+            Type::Enum(id) => Some(&self.module.enums[id.index()].name),
+            _ => None,
+        }
+    }
+
+    /// A struct more.
+    pub(super) fn add_struct(&mut self, item: Struct) -> StructId {
+        self.module.structs.push(item);
+        StructId(self.module.structs.len() as u32 - 1)
+    }
+
     /// A type in the words of its author.
     pub(super) fn show(&self, ty: &Type) -> String {
         match ty {
@@ -17,11 +48,8 @@ impl<'a> Context<'a> {
             Type::Matrix { element, rows, cols } => {
                 format!("SMatrix<{}, {rows}, {cols}>", element.name())
             }
-            Type::Struct(id) => match self.shown.get(id) {
-                Some(shown) => shown.clone(),
-                None => self.module.structs[id.index()].name.clone(),
-            },
-            Type::Enum(id) => self.module.enums[id.index()].name.clone(),
+            Type::Struct(id) if let Some(shown) = self.shown.get(id) => shown.clone(),
+            Type::Struct(_) | Type::Enum(_) => self.name_of(ty).unwrap_or_default().to_owned(),
             Type::Slice(element) => format!("[{}]", self.show(element)),
         }
     }
@@ -63,13 +91,12 @@ impl<'a> Context<'a> {
                 if fields.is_empty() {
                     return self.define_nothing(definition, name);
                 }
-                let id = StructId(self.module.structs.len() as u32);
-                self.note_fields(id, all, &kept);
-                let (form, initial, defaults) = (Form::Record, initial.clone(), defaults.clone());
+                let (initial, defaults) = (initial.clone(), defaults.clone());
                 if initial.is_some() || defaults.is_some() {
                     self.tell_defaults(definition, &mut fields);
                 }
-                self.module.structs.push(Struct {
+                let form = Form::Record;
+                let id = self.add_struct(Struct {
                     name,
                     module,
                     docs,
@@ -80,10 +107,11 @@ impl<'a> Context<'a> {
                     given,
                     span,
                 });
+                self.note_fields(id, all, &kept);
                 Type::Struct(id)
             }
             DefinitionKind::Enum(variants) => {
-                let named = super::enums::numbered(variants, definition.site)?;
+                let named = super::generic::numbered(variants, definition.site)?;
                 let named = Enum { name, module, docs, variants: named, given, span };
                 self.define_enum(variants, named, definition.site)?
             }
@@ -173,11 +201,8 @@ impl<'a> Context<'a> {
 
     /// The name of the type at a path.
     pub(super) fn item_name<'p>(&'p self, path: &'p str) -> &'p str {
-        match self.types.get(path) {
-            Some(Type::Struct(id)) => &self.module.structs[id.index()].name,
-            Some(Type::Enum(id)) => &self.module.enums[id.index()].name,
-            _ => self.name_of_nothing(path).unwrap_or(split(path).1),
-        }
+        let named = self.types.get(path).and_then(|ty| self.name_of(ty));
+        named.or(self.name_of_nothing(path)).unwrap_or(split(path).1)
     }
 
     /// The type of a value; references are refused.
@@ -302,5 +327,58 @@ impl<'a> Context<'a> {
         tables
             .into_iter()
             .find(|it| self.value_type(&it.value.ty, it.site).is_ok_and(|its| its == *ty))
+    }
+
+    /// The constants that names in the type of something mean, with their modules; nothing if none means any.
+    pub(super) fn sizes(&mut self, module: &str, ty: &Type, names: &[String]) -> Vec<String> {
+        let mut numbers = Vec::new();
+        dimensions(ty, &mut numbers);
+        let both = names.iter().zip(numbers);
+        let all: Vec<String> = both.map(|(name, number)| self.size(module, name, number)).collect();
+        if all.iter().all(String::is_empty) { Vec::new() } else { all }
+    }
+
+    fn size(&mut self, module: &str, name: &str, number: u32) -> String {
+        let words = [u64::from(number)];
+        let said = self.table(module, name, &Type::USIZE, &words);
+        if !said.is_some_and(|table| table.public) {
+            return String::new();
+        }
+        let id = self.constant(module, name, &Type::USIZE, &words);
+        self.module.consts[id.index()].path()
+    }
+
+    /// The same of all parameters of a function, and of its result. What its own parameters are called is no constant.
+    pub(super) fn sizes_of(
+        &mut self,
+        source: &tree::Function,
+        parameters: &[Local],
+        result: &Type,
+    ) -> Attributes {
+        let mut attributes = source.tree.attributes.clone();
+        let own = |name: &String| source.generics.iter().any(|(own, _)| own == name);
+        let mut sizes = |ty: &Type, names: &[String]| {
+            let names =
+                names.iter().map(|name| if own(name) { String::new() } else { name.clone() });
+            self.sizes(&source.module, ty, &names.collect::<Vec<_>>())
+        };
+        for (name, given) in &mut attributes.parameters {
+            let local = parameters.iter().find(|local| local.name == *name);
+            given.sizes = local.map_or(Vec::new(), |local| sizes(&local.ty, &given.sizes));
+        }
+        attributes.result.sizes = sizes(result, &attributes.result.sizes);
+        attributes
+    }
+}
+
+/// The numbers of elements of a type, from the outside in, rows before columns.
+fn dimensions(ty: &Type, numbers: &mut Vec<u32>) {
+    match ty {
+        Type::Array { element, len } => {
+            numbers.push(*len);
+            dimensions(element, numbers);
+        }
+        Type::Matrix { rows, cols, .. } => numbers.extend([*rows, *cols]),
+        _ => {}
     }
 }

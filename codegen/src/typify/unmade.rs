@@ -30,7 +30,7 @@ impl Lowering<'_, '_> {
         match (tuple, ty) {
             (Value::Place(_), _) => self.lent_value(tuple.clone(), ty, site).ok(),
             (Value::Tuple(parts, _), Type::Struct(id)) => {
-                let fields = self.cx.module.structs[id.index()].fields.clone();
+                let fields = self.cx.fields(*id).to_vec();
                 let parts = parts.iter().zip(&fields);
                 let parts = parts.map(|(part, field)| self.whole(part, &field.ty, site));
                 let kind = ExprKind::Struct(parts.collect::<Option<_>>()?);

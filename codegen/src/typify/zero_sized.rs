@@ -106,7 +106,7 @@ impl Context<'_> {
                 let (_, at) = all.iter().find(|(known, _)| known == name)?;
                 Some(at.map_or(At::Nowhere, At::Field))
             }
-            None => position(&self.module.structs[id.index()].fields, name).map(At::Field),
+            None => position(self.fields(id), name).map(At::Field),
         }
     }
 
@@ -114,7 +114,7 @@ impl Context<'_> {
     pub(super) fn fields_at(&self, id: StructId) -> Vec<Option<usize>> {
         match self.nothings.fields.get(&id) {
             Some(all) => all.iter().map(|(_, at)| *at).collect(),
-            None => (0..self.module.structs[id.index()].fields.len()).map(Some).collect(),
+            None => (0..self.fields(id).len()).map(Some).collect(),
         }
     }
 

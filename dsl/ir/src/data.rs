@@ -7,7 +7,7 @@ use crate::attributes::Given;
 use crate::ir::{Span, Type};
 
 /// Plain data, or the state of a component.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Struct {
     /// The author's name, `Pid`.
     pub name: String,
