@@ -63,7 +63,7 @@ impl Context<'_> {
         }
         let id = self.borrowed_struct(&element, (mutable, one), site)?;
         self.borrowed.insert(id, Borrowed { element, mutable, one });
-        self.unequal.insert(Type::Struct(id));
+        self.note(&Type::Struct(id)).unequal = true;
         self.generics.insert(ty, Type::Struct(id));
         Ok(Type::Struct(id))
     }

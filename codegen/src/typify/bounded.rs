@@ -16,7 +16,7 @@ impl Lowering<'_, '_> {
     /// The type of the elements of a `BoundedMatrix`, and how many rows and columns there may be.
     pub(super) fn bounded_type(&self, ty: &Type) -> Option<(Type, u32, u32)> {
         let Type::Struct(id) = ty else { return None };
-        if !self.cx.bounded.contains(id) {
+        if !self.cx.known(ty).bounded {
             return None;
         }
         match &self.cx.fields(*id).get(2)?.ty {

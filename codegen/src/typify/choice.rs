@@ -296,10 +296,10 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<bool> {
         let Type::Struct(id) = place.ty else { return Ok(false) };
-        let tag = match self.cx.cases.get(&id) {
-            Some(_) => self.part(place, id, 0),
-            None => return Ok(false),
-        };
+        if self.cx.known_of(id).cases.is_empty() {
+            return Ok(false);
+        }
+        let tag = self.part(place, id, 0);
         let words: Option<Vec<_>> = arms.iter().map(|arm| self.words(arm, id)).collect();
         let (Type::Enum(_), Some(words)) = (&tag.ty, words) else { return Ok(false) };
         let subject = Value::Place(place.clone());

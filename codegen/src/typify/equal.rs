@@ -28,7 +28,7 @@ impl Lowering<'_, '_> {
         {
             return Ok(equal);
         }
-        let own = self.cx.own_equalities.contains_key(&left.ty);
+        let own = self.cx.known(&left.ty).own_equality.is_some();
         match (self.is_variant(&left), self.is_variant(&right)) {
             (false, true) if !own => return self.equal_variant(left, right, site),
             // What stands in the variant is evaluated first: it must not change what is read of the other.
@@ -42,9 +42,7 @@ impl Lowering<'_, '_> {
         let left = self.compared(left);
         let right = self.compared(right);
         match left.ty {
-            Type::Struct(id)
-                if self.is_flat(id) && !self.cx.own_equalities.contains_key(&left.ty) =>
-            {
+            Type::Struct(id) if !own && self.is_flat(id) => {
                 self.equal_parts(id, &left, &right, site, span)
             }
             _ => self.equal(&left, &right, site, span),
@@ -92,9 +90,9 @@ impl Lowering<'_, '_> {
         let Some(part) = parts.into_iter().nth(at) else { return Ok(there) };
         let own = self.part(&value, id, at);
         // What may fault is evaluated whether the variant is there or not.
-        let authored = self.cx.own_equalities.contains_key(&part.ty);
         let loaded = matches!(part.kind, ExprKind::Load(_));
-        let plain = part.ty.is_word() && !authored && !self.cx.unequal.contains(&part.ty);
+        let known = self.cx.known(&part.ty);
+        let plain = part.ty.is_word() && known.own_equality.is_none() && !known.unequal;
         if plain && !loaded && is_free(&part) {
             let same = Expr::compare(CompareOp::Eq, own.load(), part).at(span);
             return Ok(Expr::logic(LogicOp::And, there, same));
@@ -105,7 +103,7 @@ impl Lowering<'_, '_> {
 
     /// Whether a struct is made of words alone, and compared as such.
     fn is_flat(&self, id: StructId) -> bool {
-        let rotation = self.cx.quaternions.get(&id) == Some(&true);
+        let rotation = self.cx.known_of(id).unit == Some(true);
         let fields = self.cx.fields(id);
         !rotation && fields.iter().all(|field| field.ty.is_word())
     }
@@ -175,8 +173,8 @@ impl Lowering<'_, '_> {
 
     /// The function that compares two values of a type.
     fn equality_of(&mut self, id: StructId, site: Site) -> Result<FunctionId> {
-        if let Some(known) = self.cx.equalities.get(&id) {
-            return Ok(*known);
+        if let Some(known) = self.cx.known_of(id).equality {
+            return Ok(known);
         }
         let (name, item) = (self.equality_name(id), &self.cx.module.structs[id.index()]);
         let (module, span, ty) = (item.module.clone(), item.span, Type::Struct(id));
@@ -207,7 +205,7 @@ impl Lowering<'_, '_> {
             span,
         });
         let function = FunctionId(self.cx.module.functions.len() as u32 - 1);
-        self.cx.equalities.insert(id, function);
+        self.cx.note(&ty).equality = Some(function);
         Ok(function)
     }
 
@@ -226,7 +224,7 @@ impl Lowering<'_, '_> {
 
     /// Refuses `==` of a type whose author did not say, where the DSL sees it, what it is.
     fn check_equality(&self, ty: &Type, site: Site) -> Result<()> {
-        if !self.cx.unequal.contains(ty) {
+        if !self.cx.known(ty).unequal {
             return Ok(());
         }
         if self.cx.as_borrowed(ty).is_some() {
@@ -254,7 +252,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         self.check_equality(&left.ty, site)?;
         let definition = &self.cx.module.structs[id.index()];
-        if self.cx.quaternions.get(&id) == Some(&true) {
+        if self.cx.known_of(id).unit == Some(true) {
             return Ok(self.same_rotation(id, left, right, span));
         }
         let (form, count) = (definition.form.clone(), definition.fields.len());

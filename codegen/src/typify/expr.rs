@@ -316,7 +316,8 @@ impl Lowering<'_, '_> {
                 return problem(site, "values of two types are not compared", remedy);
             }
             let equality = matches!(op, CompareOp::Eq | CompareOp::Ne);
-            if !equality && self.cx.own_equalities.contains_key(&left_ty) {
+            let known = self.cx.known(&left_ty);
+            if !equality && known.own_equality.is_some() {
                 return problem(
                     site,
                     "an order that was derived and a `==` of its author's own may contradict each other",
@@ -324,9 +325,7 @@ impl Lowering<'_, '_> {
                 );
             }
             // A word too, where its author says what `==` is.
-            let own = equality
-                && (self.cx.own_equalities.contains_key(&left_ty)
-                    || self.cx.unequal.contains(&left_ty));
+            let own = equality && (known.own_equality.is_some() || known.unequal);
             if !left_ty.is_word() || own {
                 let equal = match op {
                     CompareOp::Eq | CompareOp::Ne => self.equality(left, right, site)?,

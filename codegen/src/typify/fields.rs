@@ -25,7 +25,7 @@ impl Lowering<'_, '_> {
             }
             return problem(expr.site, "this is not a struct", OUR_FAULT);
         };
-        if !self.cx.cases.contains_key(&id) {
+        if self.cx.known_of(id).cases.is_empty() {
             return self.parts(id, fields, rest, expr);
         }
         let (word, case) = self.named_case(id, name, expr.site)?;

@@ -88,7 +88,7 @@ fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> St
         return name.clone();
     }
     match result {
-        Type::Struct(id) if !cx.shown.contains_key(id) => {
+        Type::Struct(id) if cx.known(result).shown.is_none() => {
             names::role(&cx.module.structs[id.index()].name)
         }
         Type::Enum(id) => names::snake(&cx.module.enums[id.index()].name),

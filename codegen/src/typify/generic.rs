@@ -190,7 +190,7 @@ impl Context<'_> {
         let id = self.own_struct(name, shown, fields, form, site)?;
         self.note_equality(id, &[ty]);
         let some = Case { name: "Some".into(), field: some, single: true };
-        self.cases.insert(id, vec![Case::bare("None"), some]);
+        self.note(&Type::Struct(id)).cases = vec![Case::bare("None"), some];
         Ok(id)
     }
 
@@ -206,9 +206,10 @@ impl Context<'_> {
         let err = held(&mut fields, words::ERROR, "Why there is none.", error);
         let id = self.own_struct(name, shown, fields, Form::Choice(vec![err, ok]), site)?;
         self.note_equality(id, &[of, or]);
-        self.errors.insert(id, or.clone());
         let case = |name: &str, field| Case { name: name.into(), field, single: true };
-        self.cases.insert(id, vec![case("Err", err), case("Ok", ok)]);
+        let known = self.note(&Type::Struct(id));
+        known.error = Some(or.clone());
+        known.cases = vec![case("Err", err), case("Ok", ok)];
         Ok(id)
     }
 
@@ -242,8 +243,9 @@ impl Context<'_> {
         let docs = vec![format!("`{shown}`{meaning}.")];
         let item = Struct { name, module, docs, fields, form, span, ..Struct::default() };
         let id = self.add_struct(item);
-        self.shown.insert(id, shown);
-        self.homes.extend(home.map(|home| (Type::Struct(id), home)));
+        let known = self.note(&Type::Struct(id));
+        known.shown = Some(shown);
+        known.home = home;
         Ok(id)
     }
 
@@ -251,7 +253,7 @@ impl Context<'_> {
     fn home(&self, ty: &Type) -> Option<Home> {
         match ty {
             Type::Array { element, .. } => self.home(element),
-            other => self.homes.get(other).cloned(),
+            other => self.known(other).home.clone(),
         }
     }
 
@@ -271,7 +273,7 @@ impl Context<'_> {
     /// Refuses `==` of what may hold values that are unequal though nothing tells them apart.
     fn note_equality(&mut self, id: StructId, parts: &[&Ty]) {
         if parts.iter().any(|ty| self.may_differ(ty)) {
-            self.unequal.insert(Type::Struct(id));
+            self.note(&Type::Struct(id)).unequal = true;
         }
     }
 
@@ -354,8 +356,9 @@ impl Context<'_> {
         let form = Form::Choice(cases.iter().map(|case| case.field).collect());
         let item = Struct { name, module, docs, fields, form, given, span, ..Struct::default() };
         let id = self.add_struct(item);
-        self.cases.insert(id, cases);
-        Ok(Type::Struct(id))
+        let ty = Type::Struct(id);
+        self.note(&ty).cases = cases;
+        Ok(ty)
     }
 
     /// The content of a variant, and whether that is one part itself.

@@ -244,8 +244,7 @@ impl Lowering<'_, '_> {
                 let none = self.choice(*id, 0, None, site)?;
                 let place = self.temporary_place(words::FOUND, none);
                 let held = place.load();
-                let payload =
-                    self.cx.cases.get(id).and_then(|cases| cases.iter().find_map(|it| it.field));
+                let payload = self.cx.known_of(*id).cases.iter().find_map(|it| it.field);
                 let Some(payload) = payload else {
                     return problem(site, "this is not an `Option`", OUR_FAULT);
                 };
@@ -316,7 +315,7 @@ impl Lowering<'_, '_> {
         for step in steps {
             ty = match (step, ty) {
                 (Step::Field(at), Type::Struct(id)) => {
-                    found |= self.cx.loans.contains(&(id, *at));
+                    found |= self.cx.known_of(id).loans.contains(at);
                     self.cx.field_type(id, *at)
                 }
                 (Step::Index(_), Type::Array { element, .. }) => *element,

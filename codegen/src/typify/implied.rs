@@ -53,8 +53,9 @@ impl<'a> Context<'a> {
             match (it.of.as_str(), &it.owner) {
                 ("PartialEq", tree::Ty::Named(path)) => {
                     // Of what holds nothing no comparison is taken.
-                    if let Some(ty) = self.types.get(path).filter(|ty| **ty != Type::Unit) {
-                        self.own_equalities.insert(ty.clone(), &it.function);
+                    let ty = self.types.get(path).filter(|ty| **ty != Type::Unit);
+                    if let Some(ty) = ty.cloned() {
+                        self.note(&ty).own_equality = Some(&it.function);
                     }
                 }
                 ("From", _) => self.conversions.push(it),
@@ -88,7 +89,7 @@ impl Lowering<'_, '_> {
         right: &Expr,
         site: Site,
     ) -> Result<Option<Expr>> {
-        let Some(path) = self.cx.own_equalities.get(&left.ty).copied() else { return Ok(None) };
+        let Some(path) = self.cx.known(&left.ty).own_equality else { return Ok(None) };
         let id = self.function_at(path, site)?;
         let arguments = self.passed_to(id, [left.clone(), right.clone()]);
         self.node(ExprKind::Call(id, arguments), Type::BOOL, site).map(Some)
@@ -106,7 +107,8 @@ impl Lowering<'_, '_> {
             return self.converted(error, wanted, site).map(Some);
         }
         // Types that hold nothing are told apart by their names alone.
-        let (from, to) = (self.cx.errors.get(&of), self.cx.errors.get(&result));
+        let (from, to) =
+            (self.cx.known_of(of).error.as_ref(), self.cx.known_of(result).error.as_ref());
         if from == to {
             return Ok(None);
         }

@@ -389,11 +389,8 @@ impl Lowering<'_, '_> {
         };
         let Type::Struct(id) = place.ty else { return Ok(()) };
         let inner = self.part(place, id, *first as usize);
-        let case = self
-            .cx
-            .cases
-            .get(&id)
-            .and_then(|cases| cases.iter().position(|case| case.field == Some(*first)));
+        let mut cases = self.cx.known_of(id).cases.iter();
+        let case = cases.position(|case| case.field == Some(*first));
         let then = self.scoped(|it| it.shift(&inner, rest, by))?;
         match case {
             Some(word) => {

@@ -4,7 +4,7 @@
 //! is its index; Rust compares and converts the numbers, which the author may choose.
 
 use bessemer_ir::tree::{BinaryOp as Op, Site};
-use bessemer_ir::{EnumId, Expr, Int, LogicOp, Place, Scalar, Step, StructId, Type};
+use bessemer_ir::{EnumId, Expr, Int, LogicOp, Place, Scalar, Step, Type};
 
 use super::lowering::Lowering;
 use super::{Result, problem};
@@ -16,7 +16,7 @@ impl Lowering<'_, '_> {
     /// `left < right` and the like of two values of several words.
     pub(super) fn lexical(&mut self, op: Op, left: Expr, right: Expr, site: Site) -> Result<Expr> {
         let [mut left, mut right] = [left, right].map(|operand| self.compared(operand));
-        if self.is_reversed(&left.ty) {
+        if self.cx.known(&left.ty).reversed {
             std::mem::swap(&mut left, &mut right);
         }
         let Some(steps) = self.steps_to_parts(&left.ty, &left) else {
@@ -53,7 +53,7 @@ impl Lowering<'_, '_> {
     /// The number of an enum that `<` compares.
     pub(super) fn rank(&self, id: EnumId, value: Expr, site: Site) -> Result<Expr> {
         let definition = &self.cx.module.enums[id.index()];
-        if !self.cx.ordered.contains(&Type::Enum(id)) {
+        if !self.cx.known(&Type::Enum(id)).ordered {
             return problem(
                 site,
                 format!("`{}` does not derive `PartialOrd` where the DSL sees it", definition.name),
@@ -68,10 +68,10 @@ impl Lowering<'_, '_> {
 
     /// The way to each part, and its type; none if the whole has no order part by part.
     fn steps_to_parts(&self, ty: &Type, place: &Place) -> Option<Vec<(Step, Type)>> {
+        let known = self.cx.known(ty);
+        let is_tuple = known.shown.is_some() && known.cases.is_empty();
         match ty {
-            Type::Struct(id)
-                if self.is_tuple(*id) || self.cx.ordered.contains(ty) || self.is_reversed(ty) =>
-            {
+            Type::Struct(id) if is_tuple || known.ordered || known.reversed => {
                 let fields = self.cx.fields(*id).iter();
                 Some((0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect())
             }
@@ -81,14 +81,5 @@ impl Lowering<'_, '_> {
             }
             _ => None,
         }
-    }
-
-    /// Whether the greater comes first.
-    fn is_reversed(&self, ty: &Type) -> bool {
-        matches!(ty, Type::Struct(id) if self.cx.reversed.contains(id))
-    }
-
-    fn is_tuple(&self, id: StructId) -> bool {
-        self.cx.shown.contains_key(&id) && !self.cx.cases.contains_key(&id)
     }
 }

@@ -237,6 +237,35 @@ fn claim(function: &tree::Function) -> (Option<&str>, &str, &[tree::Argument]) {
     (function.owner.as_deref(), &function.tree.name, &function.suffix)
 }
 
+/// What is known of a type beside its definition.
+#[derive(Default)]
+struct Known<'a> {
+    /// Of an author's, and of what is made of these: where it stands.
+    home: Option<generic::Home>,
+    /// Of a struct that stands for a type of Rust's own: that one.
+    shown: Option<String>,
+    /// The variants of a struct that stands for an `Option`, a `Result` or an enum with payload.
+    cases: Vec<generic::Case>,
+    /// The error of one that stands for a `Result`.
+    error: Option<tree::Ty>,
+    /// The fields that are references.
+    loans: Vec<u32>,
+    /// The function that compares two values part by part.
+    equality: Option<FunctionId>,
+    /// The function that its author wrote for `==`.
+    own_equality: Option<&'a str>,
+    /// It does not derive `PartialEq`.
+    unequal: bool,
+    /// It derives `PartialOrd`.
+    ordered: bool,
+    /// The greater comes first.
+    reversed: bool,
+    /// It is a `BoundedMatrix`.
+    bounded: bool,
+    /// Of what stands for a quaternion: whether that is a unit one.
+    unit: Option<bool>,
+}
+
 /// The module so far, and what its names mean.
 struct Context<'a> {
     module: Module,
@@ -260,38 +289,17 @@ struct Context<'a> {
     declared: Vec<(String, String)>,
     /// The structs that stand for types of Rust's own.
     generics: HashMap<tree::Ty, Type>,
-    /// Their types in Rust.
-    shown: HashMap<StructId, String>,
-    /// The variants of the structs that stand for `Option`, `Result` and enums with payload.
-    cases: HashMap<StructId, Vec<generic::Case>>,
-    /// Where the authors' types stand, and those that are made of them.
-    homes: HashMap<Type, generic::Home>,
-    /// The errors of the structs that stand for `Result`.
-    errors: HashMap<StructId, tree::Ty>,
-    /// The functions that compare values of structs.
-    equalities: HashMap<StructId, FunctionId>,
-    /// The types that do not derive `PartialEq`.
-    unequal: HashSet<Type>,
-    /// The functions that authors wrote for `==` of their types.
-    own_equalities: HashMap<Type, &'a str>,
+    /// What is known of each type, and of one of which nothing is.
+    known: HashMap<Type, Known<'a>>,
+    unknown: Known<'a>,
     /// The conversions between authors' types.
     conversions: Vec<&'a tree::Implied>,
-    /// The types of authors that derive `PartialOrd`.
-    ordered: HashSet<Type>,
-    /// The structs of which the greater comes first.
-    reversed: HashSet<StructId>,
     /// The structs that stand for slices in values.
     borrowed: HashMap<StructId, borrowed::Borrowed>,
-    /// The fields of authors' structs that are references.
-    loans: HashSet<(StructId, u32)>,
     /// The slices in structs that have one lender.
     joined: Vec<regions::Joined>,
     /// What functions give slices of: places in their parameters.
     given_back: HashMap<FunctionId, Vec<(regions::Path, bessemer_ir::Place)>>,
-    /// The instances of `BoundedMatrix`.
-    bounded: HashSet<StructId>,
-    /// The structs that stand for quaternions, and whether these are unit ones.
-    quaternions: HashMap<StructId, bool>,
     functions: HashMap<String, FunctionId>,
     /// All functions, by their paths.
     all: HashMap<&'a str, &'a tree::Function>,
@@ -331,22 +339,12 @@ impl<'a> Context<'a> {
             claims,
             declared: package.types.iter().map(|it| (it.name.clone(), it.module.clone())).collect(),
             generics: HashMap::new(),
-            shown: HashMap::new(),
-            cases: HashMap::new(),
-            homes: HashMap::new(),
-            errors: HashMap::new(),
-            equalities: HashMap::new(),
-            unequal: HashSet::new(),
-            own_equalities: HashMap::new(),
+            known: HashMap::new(),
+            unknown: Known::default(),
             conversions: Vec::new(),
-            ordered: HashSet::new(),
-            reversed: HashSet::new(),
             borrowed: HashMap::new(),
-            loans: HashSet::new(),
             joined: Vec::new(),
             given_back: HashMap::new(),
-            bounded: HashSet::new(),
-            quaternions: HashMap::new(),
             functions: HashMap::new(),
             all: HashMap::new(),
             lending: HashSet::new(),
@@ -356,6 +354,21 @@ impl<'a> Context<'a> {
             told: package.errors.iter().map(refusal).collect(),
             refused: !package.errors.is_empty(),
         }
+    }
+
+    /// What is known of a type.
+    fn known(&self, ty: &Type) -> &Known<'a> {
+        self.known.get(ty).unwrap_or(&self.unknown)
+    }
+
+    /// The same of a struct.
+    fn known_of(&self, id: StructId) -> &Known<'a> {
+        self.known(&Type::Struct(id))
+    }
+
+    /// The same, to note more.
+    fn note(&mut self, ty: &Type) -> &mut Known<'a> {
+        self.known.entry(ty.clone()).or_default()
     }
 
     /// Whether another function of its owner wants its name, too.

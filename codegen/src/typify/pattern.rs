@@ -400,7 +400,7 @@ impl Lowering<'_, '_> {
 
     /// The variant of a struct that stands for an enum: its word, and what it holds.
     pub(super) fn case(&self, id: StructId, name: &str) -> Option<(u64, Case)> {
-        let cases = self.cx.cases.get(&id)?;
+        let cases = &self.cx.known_of(id).cases;
         let index = cases.iter().position(|case| case.name == name)?;
         Some((index as u64, cases[index].clone()))
     }
@@ -409,7 +409,7 @@ impl Lowering<'_, '_> {
     pub(super) fn unit_word(&self, value: &tree::Expr, id: StructId) -> Option<u64> {
         let tree::ExprKind::Path(index, _) = &value.kind else { return None };
         let word = *self.source.constants.get(*index as usize)?.words.first()?;
-        let case = self.cx.cases.get(&id)?.get(usize::try_from(word).ok()?)?;
+        let case = self.cx.known_of(id).cases.get(usize::try_from(word).ok()?)?;
         case.field.is_none().then_some(word)
     }
 
@@ -421,7 +421,7 @@ impl Lowering<'_, '_> {
         name: &str,
         site: Site,
     ) -> Result<(Option<Place>, bool, Option<Expr>)> {
-        if !self.cx.cases.contains_key(&id) {
+        if self.cx.known_of(id).cases.is_empty() {
             return Ok((Some(place.clone()), false, None));
         }
         let name = match name {

@@ -97,6 +97,7 @@ impl Lowering<'_, '_> {
             self.keep_indices(&mut place, effects::calls);
             return place;
         }
+        let known = self.cx.known(&value.ty);
         let role = match &value.ty {
             Type::Struct(id)
                 if let Type::Struct(of) = self.type_behind(value.ty.clone())
@@ -104,10 +105,8 @@ impl Lowering<'_, '_> {
             {
                 super::names::role(&self.cx.module.structs[of.index()].name)
             }
-            Type::Struct(id)
-                if self.cx.shown.contains_key(id) && !self.cx.borrowed.contains_key(id) =>
-            {
-                match self.cx.cases.get(id).map(|cases| cases[0].name.as_str()) {
+            Type::Struct(id) if known.shown.is_some() && !self.cx.borrowed.contains_key(id) => {
+                match known.cases.first().map(|case| case.name.as_str()) {
                     Some("None") => words::OPTION.into(),
                     Some("Err") => words::OUTCOME.into(),
                     _ => words::TUPLES[1].into(),
@@ -119,8 +118,8 @@ impl Lowering<'_, '_> {
             _ => words::SELECTOR.into(),
         };
         // One that is looked into once has the name of what comes of it, if the author gave that one.
-        let shown = |id| self.cx.shown.contains_key(id) && self.cx.cases.contains_key(id);
-        let choice = matches!(&value.ty, Type::Struct(id) if shown(id))
+        let choice = known.shown.is_some()
+            && !known.cases.is_empty()
             && ![UNNAMED, RESULT].contains(&self.naming.as_str());
         let naming = if choice { self.naming.clone() } else { String::new() };
         self.naming_as(naming, |inner| inner.temporary_place(&role, value))

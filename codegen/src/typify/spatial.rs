@@ -108,10 +108,7 @@ impl Lowering<'_, '_> {
 
     /// A quaternion as what is asked for, unit or not; any other value as it is.
     pub(super) fn as_asked(&mut self, value: Expr, asked: &Type, site: Site) -> Result<Expr> {
-        let quaternion = |ty: &Type| match ty {
-            Type::Struct(id) => self.cx.quaternions.contains_key(id),
-            _ => false,
-        };
+        let quaternion = |ty: &Type| self.cx.known(ty).unit.is_some();
         if value.ty != *asked && quaternion(&value.ty) && quaternion(asked) {
             return self.same_parts(value, asked, site);
         }
@@ -164,7 +161,7 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::Field(base, name) if name == "coords" => {
                 let ty = self.type_alone(base)?;
-                Ok(matches!(ty, Type::Struct(id) if self.cx.quaternions.contains_key(&id)))
+                Ok(self.cx.known(&ty).unit.is_some())
             }
             tree::ExprKind::Field(base, _)
             | tree::ExprKind::Index(base, _)

@@ -48,7 +48,7 @@ impl<'a> Context<'a> {
             Type::Matrix { element, rows, cols } => {
                 format!("SMatrix<{}, {rows}, {cols}>", element.name())
             }
-            Type::Struct(id) if let Some(shown) = self.shown.get(id) => shown.clone(),
+            Type::Struct(_) if let Some(shown) = &self.known(ty).shown => shown.clone(),
             Type::Struct(_) | Type::Enum(_) => self.name_of(ty).unwrap_or_default().to_owned(),
             Type::Slice(element) => format!("[{}]", self.show(element)),
         }
@@ -116,32 +116,19 @@ impl<'a> Context<'a> {
                 self.define_enum(variants, named, definition.site)?
             }
         };
-        self.homes.insert(ty.clone(), Home { order: self.homes.len(), module: home, span });
-        if let Type::Struct(id) = &ty
-            && definition.path.starts_with("bessemer::bounded::BoundedMatrix<")
-        {
-            self.bounded.insert(*id);
-        }
-        if let (Type::Struct(id), Some(unit)) = (&ty, super::spatial::quaternion(&definition.path))
-        {
-            self.quaternions.insert(*id, unit);
-        }
-        let parts = match &definition.kind {
+        let parts: Vec<&Field> = match &definition.kind {
             DefinitionKind::Struct { fields, .. } => fields.iter().collect(),
             DefinitionKind::Enum(variants) => variants.iter().flat_map(|it| &it.fields).collect(),
         };
-        let parts: Vec<&Field> = parts;
-        if !definition.equal || parts.iter().any(|field| self.may_differ(&field.ty)) {
-            self.unequal.insert(ty.clone());
-        }
-        if definition.ordered {
-            self.ordered.insert(ty.clone());
-        }
-        if let Type::Struct(id) = &ty
-            && definition.path.starts_with("bessemer::comparison::Reverse<")
-        {
-            self.reversed.insert(*id);
-        }
+        let may_differ = parts.iter().any(|field| self.may_differ(&field.ty));
+        let (path, order) = (definition.path.as_str(), self.types.len());
+        let known = self.note(&ty);
+        known.home = Some(Home { order, module: home, span });
+        known.unequal = !definition.equal || may_differ;
+        known.ordered = definition.ordered;
+        known.reversed = path.starts_with("bessemer::comparison::Reverse<");
+        known.bounded = path.starts_with("bessemer::bounded::BoundedMatrix<");
+        known.unit = super::spatial::quaternion(path);
         self.types.insert(definition.path.clone(), ty);
         Ok(())
     }

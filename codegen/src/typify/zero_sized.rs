@@ -88,7 +88,7 @@ impl Context<'_> {
     pub(super) fn note_fields(&mut self, id: StructId, fields: &[tree::Field], kept: &[bool]) {
         let held = fields.iter().zip(kept).filter(|(_, kept)| **kept).map(|(field, _)| field);
         let loans = (0..).zip(held).filter(|(_, field)| matches!(field.ty, Ty::Ref(_, false)));
-        self.loans.extend(loans.map(|(at, _)| (id, at)));
+        self.note(&Type::Struct(id)).loans = loans.map(|(at, _)| at).collect();
         if kept.iter().all(|kept| *kept) {
             return;
         }
