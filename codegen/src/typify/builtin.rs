@@ -11,16 +11,14 @@ use super::{OUR_FAULT, Result, problem};
 
 /// `N as f64`, where `N` is what an instance is made of, as a literal.
 fn whole(value: Expr) -> Expr {
-    let word = match (&value.kind, &value.ty) {
-        (ExprKind::Cast(operand), Type::Scalar(Scalar::Float(Float::F64))) => {
-            match (&operand.kind, operand.ty.as_int()) {
-                (ExprKind::Literal(word), Some(int)) => (int.from_word(*word) as f64).to_bits(),
-                _ => return value,
-            }
-        }
-        _ => return value,
-    };
-    Expr { kind: ExprKind::Literal(word), ..value }
+    if let ExprKind::Cast(operand) = &value.kind
+        && let (ExprKind::Literal(word), Some(int)) = (&operand.kind, operand.ty.as_int())
+        && value.ty == Type::F64
+    {
+        let word = (int.from_word(*word) as f64).to_bits();
+        return Expr { kind: ExprKind::Literal(word), ..value };
+    }
+    value
 }
 
 /// The word of a number in double precision, in single.
@@ -201,29 +199,30 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         // A literal factor is of the matrix' own float.
         let scaled = matches!(routine, Routine::Scale | Routine::Unscale);
-        let factor = match expr.slot.filter(|_| scaled) {
-            Some(slot) => match self.slot(slot, expr.site)? {
-                Type::Matrix { element, .. } => Some(Type::Scalar(element)),
-                _ => None,
-            },
-            None => None,
+        let result = expr.slot.filter(|_| scaled).map(|slot| self.slot(slot, expr.site));
+        let factor = match result.transpose()? {
+            Some(Type::Matrix { element, .. }) => Some(Type::Scalar(element)),
+            _ => None,
         };
         let values = self.uniform(arguments, factor)?;
         let shape = |index: usize| match values.get(index).map(|value| &value.ty) {
             Some(Type::Matrix { element, rows, cols }) => Some((*element, *rows, *cols)),
             _ => None,
         };
-        let Some((element, rows, cols)) = shape(0) else {
-            return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
-        };
-        let ty = match routine {
-            Routine::Transpose => Type::Matrix { element, rows: cols, cols: rows },
-            Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
-            Routine::TrMul => match shape(1) {
-                Some((_, _, right)) => Type::Matrix { element, rows: cols, cols: right },
-                None => return problem(expr.site, "this takes a matrix or vector", OUR_FAULT),
-            },
-            _ => Type::Matrix { element, rows, cols },
+        let ty = match (routine, shape(0), shape(1)) {
+            (_, None, _) | (Routine::TrMul, _, None) => {
+                return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
+            }
+            (Routine::Transpose, Some((element, rows, cols)), _) => {
+                Type::Matrix { element, rows: cols, cols: rows }
+            }
+            (Routine::Dot | Routine::Norm | Routine::NormSquared, Some((element, ..)), _) => {
+                Type::Scalar(element)
+            }
+            (Routine::TrMul, Some((element, _, cols)), Some((.., right))) => {
+                Type::Matrix { element, rows: cols, cols: right }
+            }
+            (_, Some((element, rows, cols)), _) => Type::Matrix { element, rows, cols },
         };
         self.routine_node(routine, values, ty, expr.site)
     }

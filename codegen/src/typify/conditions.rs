@@ -54,10 +54,7 @@ impl Lowering<'_, '_> {
         left: Expr,
         right: impl FnOnce(&mut Self) -> Result<Expr>,
     ) -> Result<Expr> {
-        let outer = std::mem::take(&mut self.out);
-        let right = right(self);
-        let inner = std::mem::replace(&mut self.out, outer);
-        let right = right?;
+        let (right, inner) = self.apart(right)?;
         if inner.is_empty() {
             return Ok(Expr::logic(LogicOp::And, left, right));
         }

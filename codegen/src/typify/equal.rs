@@ -7,8 +7,8 @@
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
-    Argument, Attributes, Block, CompareOp, Expr, ExprKind, Form, Function, FunctionId, Local,
-    LocalId, LogicOp, Mode, Owner, Place, Role, Span, Step, Stmt, StmtKind, StructId, Type,
+    Argument, Attributes, Block, CompareOp, Expr, ExprKind, Form, Function, FunctionId, LocalId,
+    LogicOp, Mode, Owner, Place, Role, Span, Step, Stmt, StmtKind, StructId, Type,
 };
 
 use super::lowering::Lowering;
@@ -84,10 +84,10 @@ impl Lowering<'_, '_> {
         };
         let there = self.tag_is(&value, id, word);
         let definition = &self.cx.module.structs[id.index()];
-        let Some(at) = (1..parts.len()).find(|at| definition.holds(*at, word)) else {
+        let mut parts = parts.into_iter().enumerate().skip(1);
+        let Some((at, part)) = parts.find(|(at, _)| definition.holds(*at, word)) else {
             return Ok(there);
         };
-        let Some(part) = parts.into_iter().nth(at) else { return Ok(there) };
         let own = self.part(&value, id, at);
         // What may fault is evaluated whether the variant is there or not.
         let loaded = matches!(part.kind, ExprKind::Load(_));
@@ -178,14 +178,12 @@ impl Lowering<'_, '_> {
         }
         let (name, item) = (self.equality_name(id), &self.cx.module.structs[id.index()]);
         let (module, span, ty) = (item.module.clone(), item.span, Type::Struct(id));
-        let place = |root| Place { root: LocalId(root), steps: Vec::new(), ty: ty.clone(), span };
-        let (one, other) = (place(0), place(1));
         let mut inner = Lowering::new(&mut *self.cx, self.source)?;
         inner.naming = words::ALL_PARTS.into();
-        for name in words::COMPARED {
-            let (name, ty) = (name.to_owned(), ty.clone());
-            inner.locals.push(Local { name, ty, mode: Mode::Ref, span });
-        }
+        let [one, other] = words::COMPARED.map(|name| {
+            let local = inner.declare(name, ty.clone(), Mode::Ref, span);
+            Place::local(local, ty.clone(), span)
+        });
         let same = inner.equal_parts(id, &one, &other, site, span)?;
         inner.emit(StmtKind::Return(Some(same)), span);
         let (locals, out) = (std::mem::take(&mut inner.locals), std::mem::take(&mut inner.out));
@@ -290,16 +288,13 @@ impl Lowering<'_, '_> {
         absent: Expr,
         right: impl FnOnce(&mut Self) -> Result<Expr>,
     ) -> Result<Expr> {
-        let outer = std::mem::take(&mut self.out);
-        let right = right(self);
-        let inner = std::mem::replace(&mut self.out, outer);
-        let right = right?;
+        let (right, mut inner) = self.apart(right)?;
         if inner.is_empty() {
             return Ok(Expr::logic(LogicOp::Or, absent, right));
         }
         let span = right.span;
         let place = self.temporary_place("equal", Expr::bool(true, span));
-        let (held, mut inner) = (place.load(), inner);
+        let held = place.load();
         inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
         self.emit_if(absent.negated(), Block(inner), span);
         Ok(held)

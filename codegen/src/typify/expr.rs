@@ -2,8 +2,8 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Int, LogicOp, Place, Routine, Scalar, Stmt, StmtKind,
-    Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Place, Routine, Scalar, Stmt,
+    StmtKind, Type, UnaryOp,
 };
 
 use super::fields::numbered;
@@ -70,7 +70,7 @@ impl Lowering<'_, '_> {
                 self.integer(digits, false, *suffix, expected, site)
             }
             tree::ExprKind::Float(digits, suffix) => {
-                let scalar = literal::float_type(*suffix, expected);
+                let scalar = literal::type_of(*suffix, expected, Scalar::Float(Float::F64));
                 let word = literal::float(digits, scalar, site)?;
                 self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
             }
@@ -179,7 +179,7 @@ impl Lowering<'_, '_> {
         expected: Option<&Type>,
         site: Site,
     ) -> Result<Expr> {
-        let scalar = literal::integer_type(suffix, expected);
+        let scalar = literal::type_of(suffix, expected, Scalar::Int(Int::I32));
         let word = literal::integer(digits, negative, scalar, site)?;
         if digits.starts_with("0x") {
             let span = self.span(site);
@@ -400,23 +400,19 @@ impl Lowering<'_, '_> {
         right: &tree::Expr,
         site: Site,
     ) -> Result<Expr> {
-        let outer = std::mem::take(&mut self.out);
-        let right = self.value(right, Some(&Type::BOOL));
-        let inner = std::mem::replace(&mut self.out, outer);
-        let right = right?;
+        let (right, mut inner) = self.apart(|inner| inner.value(right, Some(&Type::BOOL)))?;
         if inner.is_empty() {
             let kind = ExprKind::Logic(op, Box::new(left), Box::new(right));
             return self.node(kind, Type::BOOL, site);
         }
         let place = self.temporary_place("holds", left);
         let (held, span) = (place.load(), place.span);
-        let mut body = inner;
-        body.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
+        inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
         let condition = match op {
             LogicOp::And => held.clone(),
             LogicOp::Or => held.clone().negated(),
         };
-        self.emit_if(condition, bessemer_ir::Block(body), span);
+        self.emit_if(condition, bessemer_ir::Block(inner), span);
         Ok(held)
     }
 

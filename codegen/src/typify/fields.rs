@@ -194,15 +194,15 @@ impl Lowering<'_, '_> {
         if !(loud > 1 && !sorted || writing && (!sorted || rest)) {
             return;
         }
-        let naming = std::mem::take(&mut self.naming);
-        for (value, (name, _)) in values.iter_mut().zip(fields) {
-            if let Some(value) = value
-                && !value.is_literal()
-            {
-                *value = self.temporary(name, value.clone());
+        self.naming_as("", |inner| {
+            for (value, (name, _)) in values.iter_mut().zip(fields) {
+                if let Some(value) = value
+                    && !value.is_literal()
+                {
+                    *value = inner.temporary(name, value.clone());
+                }
             }
-        }
-        self.naming = naming;
+        });
     }
 
     /// The place of `..base`; values that its statements could change are computed before them.

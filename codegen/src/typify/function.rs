@@ -376,11 +376,9 @@ impl Lowering<'_, '_> {
     /// Lowers in a scope of its own, into a block of its own.
     pub(super) fn scoped(&mut self, lower: impl FnOnce(&mut Self) -> Result<()>) -> Result<Block> {
         self.scopes.push(Vec::new());
-        let outer = std::mem::take(&mut self.out);
-        let done = lower(self);
-        let inner = std::mem::replace(&mut self.out, outer);
+        let done = self.apart(lower);
         self.scopes.pop();
-        done.map(|()| Block(inner))
+        done.map(|((), inner)| Block(inner))
     }
 
     /// The statements of a block, without its tail.
@@ -551,11 +549,9 @@ impl Lowering<'_, '_> {
 
     /// Its place.
     pub(super) fn temporary_place(&mut self, role: &str, value: Expr) -> Place {
-        let (ty, span) = (value.ty.clone(), value.span);
-        let local = self.temporary_local(role, ty.clone(), span);
-        self.held.insert(local);
-        self.emit(StmtKind::Let { local, value: Some(value) }, span);
-        Place::local(local, ty, span)
+        let place = self.let_local(self.temporary_name(role), value);
+        self.held.insert(place.root);
+        place
     }
 
     /// Lowers with a name for what its author left unnamed.
@@ -576,9 +572,11 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn temporary_local(&mut self, role: &str, ty: Type, span: Span) -> LocalId {
-        let name =
-            if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) };
-        self.local(name, ty, span)
+        self.local(self.temporary_name(role), ty, span)
+    }
+
+    fn temporary_name(&self, role: &str) -> String {
+        if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) }
     }
 
     /// Holds a computed type against rustc's.

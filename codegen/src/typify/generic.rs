@@ -135,27 +135,26 @@ impl Context<'_> {
         (mutable, one): (bool, bool),
         site: Site,
     ) -> Result<StructId> {
-        let word = self.word(element);
-        if one {
-            let shown = format!("&mut {}", self.show(element));
-            let meaning = ": an element of an array, which stands beside it";
-            let fields = [field(words::ENDS_OF_ONE[0], "Its index.", Type::USIZE)].into();
-            let name = format!("ElementMut{word}");
-            return self.own_struct(name, (shown, meaning), fields, Form::Record, site);
-        }
-        let (name, sign) = match mutable {
-            true => (format!("SliceMut{word}"), "&mut "),
-            false => (format!("Slice{word}"), "&"),
+        let (word, shown) = (self.word(element), self.show(element));
+        let (name, shown) = match (mutable, one) {
+            (_, true) => (format!("ElementMut{word}"), format!("&mut {shown}")),
+            (true, false) => (format!("SliceMut{word}"), format!("&mut [{shown}]")),
+            (false, false) => (format!("Slice{word}"), format!("&[{shown}]")),
         };
-        let shown = (
-            format!("{sign}[{}]", self.show(element)),
-            ": some elements of an array, which stands beside it",
-        );
-        let fields = vec![
-            field(words::ENDS[0], "The index of the first one.", Type::USIZE),
-            field(words::ENDS[1], "How many there are.", Type::USIZE),
-        ];
-        self.own_struct(name, shown, fields, Form::Record, site)
+        let (meaning, fields) = match one {
+            true => (
+                ": an element of an array, which stands beside it",
+                vec![field(words::ENDS_OF_ONE[0], "Its index.", Type::USIZE)],
+            ),
+            false => (
+                ": some elements of an array, which stands beside it",
+                vec![
+                    field(words::ENDS[0], "The index of the first one.", Type::USIZE),
+                    field(words::ENDS[1], "How many there are.", Type::USIZE),
+                ],
+            ),
+        };
+        self.own_struct(name, (shown, meaning), fields, Form::Record, site)
     }
 
     fn list(&mut self, element: &Ty, n: u32, site: Site) -> Result<StructId> {

@@ -90,9 +90,7 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<Option<Expr>> {
         let Some(path) = self.cx.known(&left.ty).own_equality else { return Ok(None) };
-        let id = self.function_at(path, site)?;
-        let arguments = self.passed_to(id, [left.clone(), right.clone()]);
-        self.node(ExprKind::Call(id, arguments), Type::BOOL, site).map(Some)
+        self.call_implied(path, [left.clone(), right.clone()], Type::BOOL, site).map(Some)
     }
 
     /// The value that a `?` leaves with, in a `Result` of the second type: the error, or nothing where it is zero-sized.
@@ -124,17 +122,13 @@ impl Lowering<'_, '_> {
         else {
             return problem(site, UNCONVERTED, MARK_CONVERSION);
         };
-        let id = self.function_at(path, site)?;
-        let arguments = self.passed_to(id, error);
-        let call = ExprKind::Call(id, arguments);
-        match wanted {
-            Some(wanted) => self.node(call, wanted.clone(), site).map(Some),
-            None => {
-                let call = self.node(call, Type::Unit, site)?;
-                self.discard(call);
-                Ok(None)
-            }
+        let given = wanted.cloned().unwrap_or(Type::Unit);
+        let call = self.call_implied(path, error, given, site)?;
+        if wanted.is_some() {
+            return Ok(Some(call));
         }
+        self.discard(call);
+        Ok(None)
     }
 
     /// The error of a `?` as one of the type that the function returns.
@@ -153,22 +147,26 @@ impl Lowering<'_, '_> {
             }
         }
         match found.as_slice() {
-            [path] => {
-                let id = self.function_at(path, site)?;
-                let arguments = self.passed_to(id, [error]);
-                self.node(ExprKind::Call(id, arguments), wanted.clone(), site)
-            }
+            [path] => self.call_implied(path, [error], wanted.clone(), site),
             _ => problem(site, UNCONVERTED, MARK_CONVERSION),
         }
     }
 
-    /// Values as a function takes them.
-    fn passed_to(&self, id: FunctionId, values: impl IntoIterator<Item = Expr>) -> Vec<Argument> {
+    /// A call of a function that no call names.
+    fn call_implied(
+        &mut self,
+        path: &str,
+        values: impl IntoIterator<Item = Expr>,
+        ty: Type,
+        site: Site,
+    ) -> Result<Expr> {
+        let id = self.function_at(path, site)?;
         let parameters = self.cx.module.functions[id.index()].parameters();
         let passed = parameters.iter().zip(values).map(|(parameter, value)| match parameter.mode {
             Mode::Value => Argument::Value(value),
             _ => Argument::Ref(value),
         });
-        passed.collect()
+        let arguments = passed.collect();
+        self.node(ExprKind::Call(id, arguments), ty, site)
     }
 }

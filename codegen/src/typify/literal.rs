@@ -1,7 +1,7 @@
 //! Literals: from the author's digits to words of the type that the context gives.
 
 use bessemer_ir::tree::{self, BinaryOp, Builtin, MatrixMethod, Site};
-use bessemer_ir::{Expr, ExprKind, Float, Int, Scalar, Type};
+use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type};
 
 use super::lowering::Lowering;
 use super::value::Value;
@@ -64,25 +64,16 @@ pub(super) fn float(digits: &str, scalar: Scalar, site: Site) -> Result<u64> {
     }
 }
 
-/// The type of an integer literal: its suffix, or what is expected, or Rust's default.
-pub(super) fn integer_type(suffix: Option<Scalar>, expected: Option<&Type>) -> Scalar {
-    match (suffix, expected) {
-        (Some(scalar), _) => scalar,
-        (None, Some(Type::Scalar(scalar @ (Scalar::Int(_) | Scalar::Float(_))))) => *scalar,
-        _ => Scalar::Int(Int::I32),
+/// The type of a literal: its suffix, or what is expected, or Rust's default. A float may be expected of an integer's digits.
+pub(super) fn type_of(suffix: Option<Scalar>, expected: Option<&Type>, default: Scalar) -> Scalar {
+    match (suffix, expected, default) {
+        (Some(scalar), ..) => scalar,
+        (None, Some(Type::Scalar(scalar @ Scalar::Float(_))), _) => *scalar,
+        (None, Some(Type::Scalar(scalar @ Scalar::Int(_))), Scalar::Int(_)) => *scalar,
+        _ => default,
     }
 }
 
-/// The type of a float literal: its suffix, or what is expected, or Rust's default.
-pub(super) fn float_type(suffix: Option<Scalar>, expected: Option<&Type>) -> Scalar {
-    match (suffix, expected) {
-        (Some(scalar), _) => scalar,
-        (None, Some(Type::Scalar(scalar @ Scalar::Float(_)))) => *scalar,
-        _ => Scalar::Float(Float::F64),
-    }
-}
-
-/// The methods that ask for the size of a matrix.
 impl Lowering<'_, '_> {
     /// Whether a number is made of those that an instance of something generic is made with, of the size of a matrix, or of
     /// those that an expanded function is called with.

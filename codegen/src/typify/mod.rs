@@ -207,15 +207,8 @@ fn diagnostic(file: &str, problem: Problem) -> Diagnostic {
 }
 
 fn refusal(refusal: &tree::Refusal) -> Diagnostic {
-    let Site(line, column) = refusal.site;
-    Diagnostic {
-        file: refusal.file.clone(),
-        line,
-        column,
-        message: refusal.message.clone(),
-        help: refusal.remedy.clone(),
-        ..Diagnostic::default()
-    }
+    let (message, help) = (refusal.message.clone(), refusal.remedy.clone());
+    diagnostic(&refusal.file, Problem { site: refusal.site, message, help })
 }
 
 /// The names of what is not an instance, and of instances that have one.

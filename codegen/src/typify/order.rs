@@ -21,6 +21,17 @@ impl Lowering<'_, '_> {
         self.out.split_off(mark)
     }
 
+    /// What `lower` gives, and the statements that it emits, which are not emitted here.
+    pub(super) fn apart<T>(
+        &mut self,
+        lower: impl FnOnce(&mut Self) -> super::Result<T>,
+    ) -> super::Result<(T, Vec<Stmt>)> {
+        let outer = std::mem::take(&mut self.out);
+        let done = lower(self);
+        let inner = std::mem::replace(&mut self.out, outer);
+        Ok((done?, inner))
+    }
+
     /// Computes `value` now if the statements to come could change it.
     pub(super) fn settle(&mut self, value: &mut Expr, role: &str, later: &[Stmt]) {
         self.settle_all([(value, role)], later);
