@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, Builtin, MatrixMethod};
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
-use super::expr::Operand;
+use super::expr::{Call, Operand};
 use super::lowering::Lowering;
 use super::numbers::number;
 use super::words;
@@ -27,28 +27,24 @@ fn single(word: u64) -> u64 {
 }
 
 impl Lowering<'_, '_> {
-    pub(super) fn builtin(
-        &mut self,
-        builtin: Builtin,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn builtin(&mut self, builtin: Builtin, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         match builtin {
-            Builtin::Scalar(op) => self.intrinsic(op, arguments, expr),
-            Builtin::Number(method) => self.number_method(method, arguments, expr),
-            Builtin::Bytes(order) => self.bytes(order, arguments, expr),
-            Builtin::Real => self.real(&arguments[0], Some(Type::F64), expr),
-            Builtin::AsF64 => self.real(&arguments[0], None, expr),
+            Builtin::Scalar(op) => self.intrinsic(op, call),
+            Builtin::Number(method) => self.number_method(method, call),
+            Builtin::Bytes(order) => self.bytes(order, call),
+            Builtin::Real => self.real(Some(Type::F64), call),
+            Builtin::AsF64 => self.real(None, call),
             Builtin::TryFrom => self.if_it_fits(&arguments[0], expr),
             Builtin::Owned => self.read(&arguments[0], None),
-            Builtin::Linear(routine) => self.routine(routine, arguments, expr),
-            Builtin::Matrix(method) => self.matrix_method(method, arguments, expr),
+            Builtin::Linear(routine) => self.routine(routine, call),
+            Builtin::Matrix(method) => self.matrix_method(method, call),
             Builtin::Kernel(routine) => self.kernel_call(routine, arguments, expr),
-            Builtin::Spatial(method) => self.spatial(method, arguments, expr),
-            Builtin::Parts(parts) => self.of_parts(parts, arguments, expr),
-            Builtin::List(method) => self.list_method(method, arguments, expr),
+            Builtin::Spatial(method) => self.spatial(method, call),
+            Builtin::Parts(parts) => self.of_parts(parts, call),
+            Builtin::List(method) => self.list_method(method, call),
             Builtin::Slice(method) => self.slice_method(method, arguments, expr),
-            Builtin::Option(method) => self.option_method(method, arguments, expr),
+            Builtin::Option(method) => self.option_method(method, call),
             // It was put in its place before, if its arguments are closures.
             Builtin::Desugared(_) => {
                 problem(expr.site, format!("{builtin:?} has no meaning here"), OUR_FAULT)
@@ -56,15 +52,11 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn matrix_method(
-        &mut self,
-        method: MatrixMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    fn matrix_method(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         match method {
             MatrixMethod::Rows | MatrixMethod::Cols | MatrixMethod::Elements => {
-                self.size(method, &arguments[0], expr)
+                self.size(method, call)
             }
             MatrixMethod::ByRows => self.by_rows(&arguments[0], expr),
             MatrixMethod::FromArray => self.exchanged_with_array(&arguments[0], expr),
@@ -76,18 +68,14 @@ impl Lowering<'_, '_> {
             | MatrixMethod::Zeros
             | MatrixMethod::Identity
             | MatrixMethod::FromElement
-            | MatrixMethod::Axis(_) => self.constructor(method, arguments, expr),
+            | MatrixMethod::Axis(_) => self.constructor(method, call),
         }
     }
 
     /// How many rows, columns or elements a matrix has.
-    fn size(
-        &mut self,
-        method: MatrixMethod,
-        matrix: &tree::Expr,
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
-        let Type::Matrix { rows, cols, .. } = self.type_alone(matrix)? else {
+    fn size(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
+        let Type::Matrix { rows, cols, .. } = self.type_alone(&arguments[0])? else {
             return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
         };
         let count = match method {
@@ -108,18 +96,14 @@ impl Lowering<'_, '_> {
                 }
             }
         }
-        self.constructor(MatrixMethod::New, &elements, expr)
+        self.constructor(MatrixMethod::New, Call { arguments: &elements, expr })
     }
 
     /// `real(0.5)`, `x.as_f64()`: a float as one of another type, a literal as one of it.
-    fn real(
-        &mut self,
-        argument: &tree::Expr,
-        expected: Option<Type>,
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    fn real(&mut self, expected: Option<Type>, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
-        let value = whole(self.value(argument, expected.as_ref())?);
+        let value = whole(self.value(&arguments[0], expected.as_ref())?);
         let kind = match value.kind {
             _ if value.ty == ty => return Ok(value),
             ExprKind::Literal(word) if ty == Type::F32 => ExprKind::Literal(single(word)),
@@ -142,12 +126,8 @@ impl Lowering<'_, '_> {
         self.node(kind, ty, expr.site)
     }
 
-    fn intrinsic(
-        &mut self,
-        op: Intrinsic,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    fn intrinsic(&mut self, op: Intrinsic, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         // Operands and result are of one type, save for those that change it.
         let expected = match op {
             Intrinsic::FromBits => match self.slot_of(expr)?.as_float() {
@@ -191,12 +171,8 @@ impl Lowering<'_, '_> {
         self.operands(&operands)
     }
 
-    fn routine(
-        &mut self,
-        routine: Routine,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    fn routine(&mut self, routine: Routine, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         // A literal factor is of the matrix' own float.
         let scaled = matches!(routine, Routine::Scale | Routine::Unscale);
         let result = expr.slot.filter(|_| scaled).map(|slot| self.slot(slot, expr.site));
@@ -228,12 +204,8 @@ impl Lowering<'_, '_> {
     }
 
     /// A matrix of its elements, or of numbers.
-    fn constructor(
-        &mut self,
-        method: MatrixMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    fn constructor(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
         let Type::Matrix { element, rows, cols } = ty else {
             return problem(expr.site, "this is not a matrix", OUR_FAULT);

@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, Builtin, OptionMethod, Site};
 use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, StmtKind, Type};
 
 use super::conditions::{decided, has_let};
+use super::expr::Call;
 use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
 use super::value::Value;
@@ -282,7 +283,7 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {
-                self.unwrap(OptionMethod::Unwrap, arguments, expr).map(|_| ())
+                self.unwrap(OptionMethod::Unwrap, Call { arguments, expr }).map(|_| ())
             }
             tree::ExprKind::Try(label, operand) => {
                 self.try_value(label.as_deref(), operand, expr.site).map(|_| ())

@@ -6,11 +6,10 @@ use bessemer_ir::{
     StmtKind, Type, UnaryOp,
 };
 
-use super::fields::numbered;
 use super::function::takes_closures;
 use super::lengths::plus;
 use super::lowering::{Lowering, Target};
-use super::syntax::{control_with_value, is_question};
+use super::syntax::{control_with_value, is_question, numbered};
 use super::words;
 use super::{OUR_FAULT, Result, literal, order, problem};
 
@@ -19,6 +18,13 @@ pub(super) struct Operand<'e> {
     pub expr: &'e tree::Expr,
     pub expected: Option<Type>,
     pub role: &'static str,
+}
+
+/// A call of one of the DSL's operations: what it is called with, and the whole.
+#[derive(Clone, Copy)]
+pub(super) struct Call<'e> {
+    pub arguments: &'e [tree::Expr],
+    pub expr: &'e tree::Expr,
 }
 
 /// The remedy where an operator is a function that the DSL does not find.
@@ -509,7 +515,7 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         match callee {
-            tree::Callee::Builtin(builtin) => self.builtin(*builtin, arguments, expr),
+            tree::Callee::Builtin(builtin) => self.builtin(*builtin, Call { arguments, expr }),
             tree::Callee::Function(path) => {
                 let function = self.cx.all.get(path.as_str()).copied();
                 if let Some(template) = function.filter(|it| takes_closures(it)) {

@@ -6,6 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, Step, StmtKind, StructId, Type};
 use super::expr::Operand;
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
+use super::syntax::numbered;
 use super::zero_sized::At;
 use super::{OUR_FAULT, Result, problem};
 
@@ -224,10 +225,4 @@ impl Lowering<'_, '_> {
         }
         Ok(place)
     }
-}
-
-/// Parts with the names that the fields of a tuple have.
-pub(super) fn numbered(parts: &[tree::Expr]) -> Vec<(String, tree::Expr)> {
-    let named = |(index, part): (usize, &tree::Expr)| (index.to_string(), part.clone());
-    parts.iter().enumerate().map(named).collect()
 }

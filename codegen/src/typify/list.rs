@@ -8,6 +8,7 @@ use bessemer_ir::{
     StructId, Type,
 };
 
+use super::expr::Call;
 use super::lengths::lesser;
 use super::lowering::Lowering;
 use super::order::is_free;
@@ -111,12 +112,8 @@ impl Lowering<'_, '_> {
     }
 
     /// The value of a method of `List` that has one.
-    pub(super) fn list_method(
-        &mut self,
-        method: ListMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn list_method(&mut self, method: ListMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         let (site, span) = (expr.site, self.span(expr.site));
         match method {
             ListMethod::New => {

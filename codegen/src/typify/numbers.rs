@@ -11,7 +11,7 @@ use bessemer_ir::{
     UnaryOp,
 };
 
-use super::expr::Operand;
+use super::expr::{Call, Operand};
 use super::lowering::Lowering;
 use super::within;
 use super::words;
@@ -156,12 +156,8 @@ const U32: Type = Type::Scalar(Scalar::Int(Int::U32));
 
 impl Lowering<'_, '_> {
     /// The value of a method of numbers.
-    pub(super) fn number_method(
-        &mut self,
-        method: NumberMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn number_method(&mut self, method: NumberMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         use NumberMethod as M;
         let ty = self.slot_of(expr)?;
         let same = Some(ty.clone());
@@ -213,12 +209,8 @@ impl Lowering<'_, '_> {
     }
 
     /// The square or the cube of an integer, which need no loop; none if it is another call.
-    pub(super) fn small_power(
-        &mut self,
-        path: &str,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
+    pub(super) fn small_power(&mut self, path: &str, call: Call<'_>) -> Result<Option<Expr>> {
+        let Call { arguments, expr } = call;
         let Some(name) = path.strip_prefix("bessemer::math::integer::") else { return Ok(None) };
         let wrapping = name.starts_with("wrapping_pow");
         let exponent = match arguments {
@@ -241,12 +233,8 @@ impl Lowering<'_, '_> {
     }
 
     /// The bytes of a number as an array, or the number that they make.
-    pub(super) fn bytes(
-        &mut self,
-        order: ByteOrder,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn bytes(&mut self, order: ByteOrder, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
         let byte = of(Int::U8);
         // Of so many bytes the one at an index, shifted from or to its place.

@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, OptionMethod, Site};
 use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
 
-use super::expr::Operand;
+use super::expr::{Call, Operand};
 use super::lowering::Lowering;
 use super::order::is_free;
 use super::{OUR_FAULT, Result, problem, struct_of};
@@ -15,12 +15,8 @@ const LENT_BY_OPTION: &str =
 
 impl Lowering<'_, '_> {
     /// The value of a method of `Option` or `Result`.
-    pub(super) fn option_method(
-        &mut self,
-        method: OptionMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn option_method(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         use OptionMethod as M;
         let (case, absent) = match method {
             M::IsSome => ("Some", false),
@@ -28,7 +24,7 @@ impl Lowering<'_, '_> {
             M::IsOk => ("Ok", false),
             M::IsErr => ("Ok", true),
             M::Unwrap | M::UnwrapErr => {
-                return match self.unwrap(method, arguments, expr)? {
+                return match self.unwrap(method, call)? {
                     Some(value) => Ok(value),
                     None => problem(expr.site, "this has no value", "write it as a statement"),
                 };
@@ -36,7 +32,7 @@ impl Lowering<'_, '_> {
             M::Copied => return self.value(&arguments[0], None),
             M::Take | M::Replace => return self.exchanged(arguments, expr),
             M::UnwrapOr | M::UnwrapOrDefault | M::Or | M::And | M::OkOr | M::Ok | M::Err => {
-                return self.chosen(method, arguments, expr);
+                return self.chosen(method, call);
             }
             // A place is lent: each use of one that takes it has looked before.
             M::AsMut | M::Insert | M::GetOrInsert | M::GetOrInsertWith => {
@@ -68,12 +64,8 @@ impl Lowering<'_, '_> {
     }
 
     /// `unwrap`: a check, and the value if there is something to it.
-    pub(super) fn unwrap(
-        &mut self,
-        method: OptionMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
+    pub(super) fn unwrap(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Option<Expr>> {
+        let Call { arguments, expr } = call;
         if method == OptionMethod::Unwrap
             && let Some(array) = self.unwrapped_array(&arguments[0])?
         {
@@ -120,12 +112,8 @@ impl Lowering<'_, '_> {
     }
 
     /// Methods whose result is one of two values: the second, unless the first is there.
-    fn chosen(
-        &mut self,
-        method: OptionMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    fn chosen(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         use OptionMethod as M;
         let site = expr.site;
         let ty = self.slot_of(expr)?;

@@ -6,7 +6,7 @@ use bessemer_ir::{
     CompareOp, Expr, ExprKind, LogicOp, Place, Routine, Span, StructId, Type, UnaryOp,
 };
 
-use super::expr::{Operand, two};
+use super::expr::{Call, Operand, two};
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem, struct_of};
 
@@ -28,12 +28,8 @@ impl Lowering<'_, '_> {
     }
 
     /// An operation on rotations or poses.
-    pub(super) fn spatial(
-        &mut self,
-        method: SpatialMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn spatial(&mut self, method: SpatialMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         use SpatialMethod as M;
         match (method, arguments) {
             (M::PlatformAngles, _) => problem(
@@ -56,8 +52,8 @@ impl Lowering<'_, '_> {
                 let value = self.value(q, None)?;
                 self.same_parts(value, &ty, expr.site)
             }
-            (M::Plus | M::Minus | M::Times | M::TimesTransposed, [left, right]) => {
-                self.matrix_operation(method, left, right, expr)
+            (M::Plus | M::Minus | M::Times | M::TimesTransposed, _) => {
+                self.matrix_operation(method, call)
             }
             (M::Negative, [matrix]) => {
                 let matrix = self.value(matrix, None)?;
@@ -69,12 +65,8 @@ impl Lowering<'_, '_> {
     }
 
     /// A struct from its parts, named in the order of the arguments.
-    pub(super) fn of_parts(
-        &mut self,
-        parts: Parts,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn of_parts(&mut self, parts: Parts, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         let id = struct_of(&self.slot_of(expr)?, expr.site, "a struct")?;
         let names = parts.names().iter().map(|name| (*name).to_owned());
         let parts: Vec<_> = names.zip(arguments.iter().cloned()).collect();
@@ -82,18 +74,12 @@ impl Lowering<'_, '_> {
     }
 
     /// An operator of matrices for what is a matrix in the C.
-    fn matrix_operation(
-        &mut self,
-        method: SpatialMethod,
-        left: &tree::Expr,
-        right: &tree::Expr,
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
-        let operands = self.operands(&[
-            Operand { expr: left, expected: None, role: "left" },
-            Operand { expr: right, expected: None, role: "right" },
-        ])?;
-        let [left, mut right] = two(operands, expr.site)?;
+    fn matrix_operation(&mut self, method: SpatialMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
+        let operands = arguments.iter().zip(["left", "right"]);
+        let operands: Vec<_> =
+            operands.map(|(expr, role)| Operand { expr, expected: None, role }).collect();
+        let [left, mut right] = two(self.operands(&operands)?, expr.site)?;
         let op = match method {
             SpatialMethod::Plus => tree::BinaryOp::Add,
             SpatialMethod::Minus => tree::BinaryOp::Sub,

@@ -139,3 +139,9 @@ pub(super) fn slots_of(tree: &tree::FunctionTree, name: &str) -> Vec<u32> {
 pub(super) fn generates(function: &tree::Function) -> bool {
     function.tree.params.last().is_some_and(|param| param.name == tree::EACH)
 }
+
+/// Parts with the names that the fields of a tuple have.
+pub(super) fn numbered(parts: &[tree::Expr]) -> Vec<(String, tree::Expr)> {
+    let named = |(index, part): (usize, &tree::Expr)| (index.to_string(), part.clone());
+    parts.iter().enumerate().map(named).collect()
+}

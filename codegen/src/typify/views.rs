@@ -4,6 +4,7 @@ use bessemer_ir::tree;
 use bessemer_ir::{Expr, ExprKind, Step, Type};
 
 use super::elements::SMALL;
+use super::expr::Call;
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
@@ -18,7 +19,7 @@ impl Lowering<'_, '_> {
         let view = path.strip_prefix("bessemer::linear::views::");
         match view.and_then(|view| view.split('<').next()) {
             Some(name) => self.view(name, arguments, expr),
-            None => self.small_power(path, arguments, expr),
+            None => self.small_power(path, Call { arguments, expr }),
         }
     }
 
