@@ -6,9 +6,9 @@ use bessemer_ir::{
     StructId, Type,
 };
 
+use super::conditions::within;
 use super::lowering::{Lowering, Target};
 use super::value::Value;
-use super::within::test;
 use super::words;
 use super::{Result, problem};
 
@@ -182,7 +182,7 @@ impl Lowering<'_, '_> {
         guard: Option<&tree::Expr>,
         span: Span,
     ) -> Result<Option<Expr>> {
-        let tests = ranges.iter().map(|range| test(value, *range, span));
+        let tests = ranges.iter().map(|range| within(value, *range, span));
         let pattern = tests.reduce(|one, other| Expr::logic(LogicOp::Or, one, other).at(span));
         match (pattern, guard) {
             (Some(pattern), Some(guard)) => {

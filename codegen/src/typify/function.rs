@@ -47,8 +47,8 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
         _ => tree.name.clone(),
     };
     // The methods of what is no type of the author's in the C say in their names whose they are.
-    let nameless = source.owner.as_deref().and_then(|path| lowering.cx.name_of_nothing(path));
-    let nameless = nameless.map(names::snake);
+    let nameless = source.owner.as_ref().and_then(|path| lowering.cx.nothings.get(path));
+    let nameless = nameless.map(|it| names::snake(&it.name));
     let name = match nameless.as_deref().or(number_of(source)) {
         Some(owner) => format!("{owner}_{name}"),
         None => name,

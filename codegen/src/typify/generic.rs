@@ -258,15 +258,15 @@ impl Context<'_> {
 
     /// The content of an `Option` or a `Result`, as part of its name.
     fn content(&self, ty: &Ty, lowered: &Type) -> String {
-        match self.called(ty) {
-            Some((name, module)) => self.qualified(name, module),
+        match self.nothing_of(ty) {
+            Some(it) => self.qualified(&it.name, &it.module),
             None => self.word(lowered),
         }
     }
 
     /// The same in the words of its author.
     fn shown_content(&self, ty: &Ty, lowered: &Type) -> String {
-        self.called(ty).map_or_else(|| self.show(lowered), |(name, _)| name.to_owned())
+        self.nothing_of(ty).map_or_else(|| self.show(lowered), |it| it.name.clone())
     }
 
     /// Refuses `==` of what may hold values that are unequal though nothing tells them apart.

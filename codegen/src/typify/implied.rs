@@ -34,7 +34,7 @@ impl<'a> Context<'a> {
     /// Adds a function to the module.
     pub(super) fn add(&mut self, lowered: function::Lowered) -> FunctionId {
         let id = FunctionId(self.module.functions.len() as u32);
-        self.note_params(id, lowered.absent);
+        self.absent.insert(id, lowered.absent);
         self.given_back.insert(id, lowered.given_back);
         self.module.functions.push(lowered.function);
         id

@@ -20,6 +20,7 @@ mod call;
 mod choice;
 mod closure;
 mod closure_args;
+mod comparison;
 mod conditions;
 mod control;
 mod counted;
@@ -27,7 +28,6 @@ mod destructure;
 mod destructuring_assignment;
 mod each;
 mod elements;
-mod equal;
 mod equal_slices;
 mod expand;
 mod expr;
@@ -45,7 +45,6 @@ mod kernels;
 mod labelled;
 mod lenders;
 mod lengths;
-mod lexical;
 mod list;
 mod literal;
 mod loops;
@@ -59,7 +58,6 @@ mod one_arm;
 mod option;
 mod option_places;
 mod order;
-mod paths;
 mod pattern;
 mod place;
 mod place_functions;
@@ -76,7 +74,6 @@ mod unmade;
 mod unreached;
 mod value;
 mod views;
-mod within;
 mod words;
 mod zero_sized;
 
@@ -241,6 +238,8 @@ struct Known<'a> {
     cases: Vec<generic::Case>,
     /// The error of one that stands for a `Result`.
     error: Option<tree::Ty>,
+    /// The author's fields, if some hold nothing, and where the others are.
+    fields: Vec<(String, Option<usize>)>,
     /// The fields that are references.
     loans: Vec<u32>,
     /// The function that compares two values part by part.
@@ -268,7 +267,9 @@ struct Context<'a> {
     files: HashMap<String, u32>,
     types: HashMap<String, Type>,
     /// Zero-sized types, which are not in the C.
-    nothings: zero_sized::Nothings,
+    nothings: HashMap<String, zero_sized::Nothing>,
+    /// Whether the C leaves out a type or a field.
+    leaves_out: bool,
     /// The authors' types with which something is wrong, which has been told.
     undefined: HashSet<&'a str>,
     /// The constants of which their author says more than their value.
@@ -291,6 +292,8 @@ struct Context<'a> {
     borrowed: HashMap<StructId, borrowed::Borrowed>,
     /// The slices in structs that have one lender.
     joined: Vec<regions::Joined>,
+    /// Which parameters of functions hold nothing.
+    absent: HashMap<FunctionId, Vec<bool>>,
     /// What functions give slices of: places in their parameters.
     given_back: HashMap<FunctionId, Vec<(regions::Path, bessemer_ir::Place)>>,
     functions: HashMap<String, FunctionId>,
@@ -324,7 +327,8 @@ impl<'a> Context<'a> {
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
-            nothings: zero_sized::Nothings::default(),
+            nothings: HashMap::new(),
+            leaves_out: false,
             undefined: HashSet::new(),
             tables: &package.tables,
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
@@ -337,6 +341,7 @@ impl<'a> Context<'a> {
             conversions: Vec::new(),
             borrowed: HashMap::new(),
             joined: Vec::new(),
+            absent: HashMap::new(),
             given_back: HashMap::new(),
             functions: HashMap::new(),
             all: HashMap::new(),

@@ -11,9 +11,9 @@ use bessemer_ir::{
     UnaryOp,
 };
 
+use super::conditions::within;
 use super::expr::{Call, Operand};
 use super::lowering::Lowering;
-use super::within;
 use super::words;
 use super::{OUR_FAULT, Result, problem, struct_of};
 
@@ -297,7 +297,7 @@ impl Lowering<'_, '_> {
         };
         let x = place.load();
         let bounds = (from.min().max(to.min()), from.max().min(to.max()));
-        let condition = within::test(&x, bounds, span);
+        let condition = within(&x, bounds, span);
         let number = self.node(ExprKind::Cast(Box::new(x)), target, expr.site)?;
         let there = self.choice(id, fits, Some(number), expr.site)?;
         if condition.is_literal() {

@@ -12,6 +12,7 @@ use bessemer_ir::{
 };
 
 use super::closure_args::is_hidden;
+use super::conditions::within;
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::is_settled;
@@ -336,7 +337,7 @@ impl Lowering<'_, '_> {
                 let value = place.load();
                 Ok(ranges
                     .into_iter()
-                    .map(|range| super::within::test(&value, range, place.span))
+                    .map(|range| within(&value, range, place.span))
                     .reduce(|one, other| Expr::logic(LogicOp::Or, one, other)))
             }
             _ => problem(
@@ -437,7 +438,7 @@ impl Lowering<'_, '_> {
     pub(super) fn tag_is(&mut self, place: &Place, id: StructId, word: u64) -> Expr {
         let tag = self.part(place, id, 0);
         let word = i128::from(word);
-        super::within::test(&tag.load(), (word, word), place.span)
+        within(&tag.load(), (word, word), place.span)
     }
 
     /// The place of a field.

@@ -189,7 +189,8 @@ impl<'a> Context<'a> {
     /// The name of the type at a path.
     pub(super) fn item_name<'p>(&'p self, path: &'p str) -> &'p str {
         let named = self.types.get(path).and_then(|ty| self.name_of(ty));
-        named.or(self.name_of_nothing(path)).unwrap_or(split(path).1)
+        let nothing = || self.nothings.get(path).map(|it| it.name.as_str());
+        named.or_else(nothing).unwrap_or(split(path).1)
     }
 
     /// The type of a value; references are refused.

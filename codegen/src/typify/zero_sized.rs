@@ -1,8 +1,6 @@
 //! Zero-sized types: structs without fields, `PhantomData`, `()`. C has no such types, so their values vanish
 //! from structs, variants, parameters and results; an expression that computes one runs for its effect.
 
-use std::collections::HashMap;
-
 use bessemer_ir::tree::{self, Definition, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
 
@@ -15,17 +13,12 @@ use super::{Context, Result, problem};
 pub(super) const EMPTY_SLICE: &str = "a slice of what holds nothing is not in the DSL";
 pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
 
-/// A zero-sized value, and where it was left out.
-#[derive(Default)]
-pub(super) struct Nothings {
-    /// The names of authors' types and their modules, by their paths.
-    names: HashMap<String, (String, String)>,
-    /// Those of which the DSL does not see that all values are equal.
-    unequal: Vec<String>,
-    /// The author's fields of a struct in which some hold nothing, and where the others are.
-    fields: HashMap<StructId, Vec<(String, Option<usize>)>>,
-    /// Which parameters of a function hold nothing, where some do.
-    params: HashMap<FunctionId, Vec<bool>>,
+/// An author's zero-sized type.
+pub(super) struct Nothing {
+    pub name: String,
+    pub module: String,
+    /// The DSL does not see that all its values are equal.
+    unequal: bool,
 }
 
 /// Where a field is.
@@ -54,41 +47,32 @@ impl Context<'_> {
                 "leave the name out, or give one to its methods",
             );
         }
-        if !definition.equal {
-            self.nothings.unequal.push(definition.path.clone());
-        }
-        let named = (name, definition.module.clone());
-        self.nothings.names.insert(definition.path.clone(), named);
+        let (module, unequal) = (definition.module.clone(), !definition.equal);
+        self.nothings.insert(definition.path.clone(), Nothing { name, module, unequal });
+        self.leaves_out = true;
         self.types.insert(definition.path.clone(), Type::Unit);
         Ok(())
     }
 
-    /// The name of an author's type that holds nothing.
-    pub(super) fn name_of_nothing(&self, path: &str) -> Option<&str> {
-        self.nothings.names.get(path).map(|(name, _)| name.as_str())
-    }
-
-    /// The same of a type, if it is an author's.
-    pub(super) fn called(&self, ty: &Ty) -> Option<(&str, &str)> {
+    /// The author's type that a type is, if it holds nothing.
+    pub(super) fn nothing_of(&self, ty: &Ty) -> Option<&Nothing> {
         match ty {
-            Ty::Named(path) => {
-                let (name, module) = self.nothings.names.get(path)?;
-                Some((name, module))
-            }
+            Ty::Named(path) => self.nothings.get(path),
             _ => None,
         }
     }
 
     /// Whether a type is one that holds nothing, and of which values may be unequal for all that the DSL sees.
     pub(super) fn may_differ(&self, ty: &Ty) -> bool {
-        matches!(ty, Ty::Named(path) if self.nothings.unequal.contains(path))
+        self.nothing_of(ty).is_some_and(|it| it.unequal)
     }
 
     /// Notes which of the author's fields are in the C, where not all are.
     pub(super) fn note_fields(&mut self, id: StructId, fields: &[tree::Field], kept: &[bool]) {
         let held = fields.iter().zip(kept).filter(|(_, kept)| **kept).map(|(field, _)| field);
         let loans = (0..).zip(held).filter(|(_, field)| matches!(field.ty, Ty::Ref(_, false)));
-        self.note(&Type::Struct(id)).loans = loans.map(|(at, _)| at).collect();
+        let known = self.note(&Type::Struct(id));
+        known.loans = loans.map(|(at, _)| at).collect();
         if kept.iter().all(|kept| *kept) {
             return;
         }
@@ -96,38 +80,32 @@ impl Context<'_> {
         let places = fields.iter().zip(kept).map(|(field, kept)| {
             (field.name.clone(), kept.then(|| next.next().unwrap_or_default()))
         });
-        self.nothings.fields.insert(id, places.collect());
+        known.fields = places.collect();
+        self.leaves_out = true;
     }
 
     /// Where the field is that an author means by a name, or by the number of a part.
     pub(super) fn field_at(&self, id: StructId, name: &str) -> Option<At> {
-        match self.nothings.fields.get(&id) {
-            Some(all) => {
+        match self.known_of(id).fields.as_slice() {
+            [] => position(self.fields(id), name).map(At::Field),
+            all => {
                 let (_, at) = all.iter().find(|(known, _)| known == name)?;
                 Some(at.map_or(At::Nowhere, At::Field))
             }
-            None => position(self.fields(id), name).map(At::Field),
         }
     }
 
     /// Where the author's fields of a struct are, in order.
     pub(super) fn fields_at(&self, id: StructId) -> Vec<Option<usize>> {
-        match self.nothings.fields.get(&id) {
-            Some(all) => all.iter().map(|(_, at)| *at).collect(),
-            None => (0..self.fields(id).len()).map(Some).collect(),
-        }
-    }
-
-    /// Notes which parameters of a function are not in the C.
-    pub(super) fn note_params(&mut self, id: FunctionId, absent: Vec<bool>) {
-        if absent.contains(&true) {
-            self.nothings.params.insert(id, absent);
+        match self.known_of(id).fields.as_slice() {
+            [] => (0..self.fields(id).len()).map(Some).collect(),
+            all => all.iter().map(|(_, at)| *at).collect(),
         }
     }
 
     /// Whether an argument holds nothing, by its place among those of the author.
     pub(super) fn is_absent(&self, id: FunctionId, index: usize) -> bool {
-        let absent = self.nothings.params.get(&id).and_then(|absent| absent.get(index));
+        let absent = self.absent.get(&id).and_then(|absent| absent.get(index));
         absent.copied().unwrap_or_default()
     }
 
@@ -135,7 +113,7 @@ impl Context<'_> {
     pub(super) fn is_nothing(&self, ty: &Ty) -> bool {
         match ty {
             Ty::Unit => true,
-            Ty::Named(path) => self.nothings.names.contains_key(path),
+            Ty::Named(path) => self.nothings.contains_key(path),
             Ty::Ref(inner, _) | Ty::Known(_, inner) => self.is_nothing(inner),
             _ => false,
         }
@@ -159,7 +137,7 @@ impl Lowering<'_, '_> {
                 self.holds_nothing(inner)
             }
             tree::ExprKind::Field(base, name) => {
-                if self.cx.nothings.names.is_empty() && self.cx.nothings.fields.is_empty() {
+                if !self.cx.leaves_out {
                     return false;
                 }
                 self.holds_nothing(base)
