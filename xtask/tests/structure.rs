@@ -244,10 +244,11 @@ fn shown(circle: &BTreeSet<&Module>) -> String {
 }
 
 /// What takes the name of a temporary, or of a hidden local: the word decides nothing but how the C reads.
-const NAMING: [&str; 17] = [
+const NAMING: [&str; 18] = [
     "copy_of_part",
     "counter",
     "counter_of",
+    "either",
     "fresh",
     "fresh_beside",
     "fresh_beside_all",

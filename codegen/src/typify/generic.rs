@@ -144,7 +144,7 @@ impl Context<'_> {
         let (meaning, fields) = match one {
             true => (
                 ": an element of an array, which stands beside it",
-                vec![field(words::ENDS_OF_ONE[0], "Its index.", Type::USIZE)],
+                [field(words::ENDS_OF_ONE[0], "Its index.", Type::USIZE)].into(),
             ),
             false => (
                 ": some elements of an array, which stands beside it",

@@ -8,6 +8,7 @@ use bessemer_ir::{
 
 use super::expr::{Call, Operand, two};
 use super::lowering::Lowering;
+use super::words;
 use super::{OUR_FAULT, Result, problem, struct_of};
 
 /// Whether the type at a path stands for a quaternion, and then whether for a unit one.
@@ -76,7 +77,7 @@ impl Lowering<'_, '_> {
     /// An operator of matrices for what is a matrix in the C.
     fn matrix_operation(&mut self, method: SpatialMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
-        let operands = arguments.iter().zip(["left", "right"]);
+        let operands = arguments.iter().zip(words::SIDES);
         let operands: Vec<_> =
             operands.map(|(expr, role)| Operand { expr, expected: None, role }).collect();
         let [left, mut right] = two(self.operands(&operands)?, expr.site)?;

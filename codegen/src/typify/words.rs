@@ -48,6 +48,7 @@ pub(super) const OPERAND: &str = "operand";
 pub(super) const ARGUMENT: &str = "argument";
 pub(super) const INDEX: &str = "index";
 pub(super) const OPERANDS: [&str; 3] = ["left", "middle", "right"];
+pub(super) const SIDES: [&str; 2] = ["left", "right"];
 pub(super) const OF_NUMBERS: [&str; 2] = ["value", "by"];
 pub(super) const BOUNDS: [&str; 2] = ["first", "end"];
 
