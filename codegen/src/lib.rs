@@ -2,9 +2,10 @@
 //!
 //! [`compile`] is the whole way, stage by stage; [`generate`] is the command line's work around it.
 //! Each stage takes the form before it and gives the form behind it; none imports another, save that the C asks the proofs
-//! of the passes which sizes fit into 32 bits (`passes::sizes`). What all of them ask of the IR is in [`effects`] and
-//! [`built`].
+//! of the passes which sizes fit into 32 bits (`passes::sizes`). What all of them ask of the IR is in [`effects`],
+//! [`alias`] and [`built`].
 
+mod alias;
 mod built;
 pub mod c;
 pub mod compile;

@@ -6,7 +6,11 @@ use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
 use super::lowering::Lowering;
 use super::words;
 use super::{Result, problem};
-use crate::effects;
+use crate::{alias, effects};
+
+/// Two parts of one array where what is checked before the call keeps them apart, if anything does.
+const MAY_MEET: &str = "two arguments are parts of one array, one of them to be written, and nothing shows that they have no element in common";
+const APART: &str = "pass the halves of one `split_at_mut` as they are, and take the parts in the function: `merge(low, n, high)`, there `low[..n]`";
 
 /// A function, and what it is called with.
 pub(super) type Called<'a, 't> = (&'a tree::Function, &'t [tree::Expr]);
@@ -115,6 +119,9 @@ impl<'a> Lowering<'a, '_> {
         self.keep_copies(&mut passed);
         if self.cx.given_back.get(&id).is_some_and(|given| !given.is_empty()) {
             self.settle_lent(&mut passed);
+        }
+        if !alias::conflicts(&passed).is_empty() {
+            return problem(expr.site, MAY_MEET, APART);
         }
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
         let call = self.counted_from_lender(call)?;

@@ -8,7 +8,8 @@ use bessemer_ir::{
     Scalar, Step, Type, UnaryOp,
 };
 
-use super::alias::conflicts;
+use crate::alias::conflicts;
+
 use super::body::Body;
 use super::items::check_span;
 use super::problem::Problem;

@@ -49,7 +49,6 @@
 //!
 //! Absent: anything that changes a module; anything that knows C.
 
-mod alias;
 mod body;
 mod expr;
 mod flow;

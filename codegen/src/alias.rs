@@ -9,7 +9,7 @@ use bessemer_ir::{Argument, BinaryOp, Expr, ExprKind, Place, Step, Type};
 use crate::effects::{self, overlap, same_place};
 
 /// The index of each argument that conflicts with an earlier one.
-pub(super) fn conflicts(arguments: &[Argument]) -> Vec<usize> {
+pub(crate) fn conflicts(arguments: &[Argument]) -> Vec<usize> {
     let mut held: Vec<(Lent, bool)> = Vec::new();
     let mut conflicts = Vec::new();
     for (index, argument) in arguments.iter().enumerate() {
