@@ -3,7 +3,7 @@
 use core::cmp::Ordering as Native;
 
 use crate::math::Real;
-use crate::{Plain, data, function, sort};
+use crate::{Plain, data, function, library, sort};
 
 /// `core::cmp::Ordering` in the C.
 #[data]
@@ -47,12 +47,72 @@ pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
     }
 }
 
-/// What comes first by one order, and if that does not say, by another.
-#[function(rewrite)]
-pub fn then_with<F: FnOnce() -> Native>(order: Native, f: F) -> Native {
-    match order {
-        Native::Equal => f(),
-        value => value,
+#[library(OrderingCompanions)]
+impl Native {
+    /// What comes first by one order, and if that does not say, by another.
+    #[function(rewrite)]
+    pub fn then_with<F: FnOnce() -> Native>(order: Self, f: F) -> Self {
+        match order {
+            Native::Equal => f(),
+            value => value,
+        }
+    }
+
+    /// The other way round.
+    #[method(reverse)]
+    pub fn reversed(order: Self) -> Self {
+        match order {
+            Native::Less => Native::Greater,
+            Native::Equal => Native::Equal,
+            Native::Greater => Native::Less,
+        }
+    }
+
+    /// This order, or, where it tells nothing, the next.
+    pub fn then(order: Self, next: Self) -> Self {
+        if order == Native::Equal { next } else { order }
+    }
+
+    /// Whether the first comes before the second.
+    #[inline]
+    #[method(is_lt)]
+    pub fn is_less(order: Self) -> bool {
+        order == Native::Less
+    }
+
+    /// Whether the first comes behind the second.
+    #[inline]
+    #[method(is_gt)]
+    pub fn is_greater(order: Self) -> bool {
+        order == Native::Greater
+    }
+
+    /// Whether neither comes first.
+    #[inline]
+    #[method(is_eq)]
+    pub fn is_equal(order: Self) -> bool {
+        order == Native::Equal
+    }
+
+    /// Whether the first does not come behind the second.
+    #[inline]
+    #[method(is_le)]
+    pub fn is_at_most(order: Self) -> bool {
+        order != Native::Greater
+    }
+
+    /// Whether the first does not come before the second.
+    #[inline]
+    #[method(is_ge)]
+    pub fn is_at_least(order: Self) -> bool {
+        order != Native::Less
+    }
+
+    /// Whether one of the two comes first.
+    #[inline]
+    #[method(is_ne)]
+    pub fn is_unequal(order: Self) -> bool {
+        order != Native::Equal
     }
 }
 
@@ -107,62 +167,4 @@ pub fn total<T: Real>(one: T, other: T) -> Native {
     } else {
         Native::Equal
     }
-}
-
-/// The other way round.
-#[function]
-pub fn reversed(order: Native) -> Native {
-    match order {
-        Native::Less => Native::Greater,
-        Native::Equal => Native::Equal,
-        Native::Greater => Native::Less,
-    }
-}
-
-/// This order, or, where it tells nothing, the next.
-#[function]
-pub fn then(order: Native, next: Native) -> Native {
-    if order == Native::Equal { next } else { order }
-}
-
-/// Whether the first comes before the second.
-#[function]
-#[inline]
-pub fn is_less(order: Native) -> bool {
-    order == Native::Less
-}
-
-/// Whether the first comes behind the second.
-#[function]
-#[inline]
-pub fn is_greater(order: Native) -> bool {
-    order == Native::Greater
-}
-
-/// Whether neither comes first.
-#[function]
-#[inline]
-pub fn is_equal(order: Native) -> bool {
-    order == Native::Equal
-}
-
-/// Whether the first does not come behind the second.
-#[function]
-#[inline]
-pub fn is_at_most(order: Native) -> bool {
-    order != Native::Greater
-}
-
-/// Whether the first does not come before the second.
-#[function]
-#[inline]
-pub fn is_at_least(order: Native) -> bool {
-    order != Native::Less
-}
-
-/// Whether one of the two comes first.
-#[function]
-#[inline]
-pub fn is_unequal(order: Native) -> bool {
-    order != Native::Equal
 }

@@ -16,6 +16,7 @@
 use nalgebra::Complex as Native;
 
 use crate::Plain;
+use crate::library;
 use crate::prelude::*;
 
 /// A complex number re + im·𝐢.
@@ -28,30 +29,197 @@ pub struct ComplexNumber<T> {
     pub im: T,
 }
 
-/// The imaginary unit.
-#[function]
-pub fn i<T: Real>() -> Native<T> {
-    Native::new(T::ZERO, T::ONE)
+#[library(ComplexCompanions)]
+impl<T: Real> Native<T> {
+    /// The imaginary unit.
+    pub fn i() -> Self {
+        Native::new(T::ZERO, T::ONE)
+    }
+
+    /// From an absolute value and an argument, rad.
+    pub fn from_polar(r: T, angle: T) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        Native::new(r * cosine, r * sine)
+    }
+
+    /// e to the power of `angle`·𝐢.
+    pub fn cis(angle: T) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        Native::new(cosine, sine)
+    }
+
+    /// Each part times a real number.
+    pub fn scale(z: &Self, factor: T) -> Self {
+        Native::new(z.re * factor, z.im * factor)
+    }
+
+    /// Each part over a real number.
+    pub fn unscale(z: &Self, divisor: T) -> Self {
+        Native::new(z.re / divisor, z.im / divisor)
+    }
+
+    /// The conjugate.
+    pub fn conj(z: &Self) -> Self {
+        Native::new(z.re, -z.im)
+    }
+
+    /// 1 over it.
+    pub fn inv(z: &Self) -> Self {
+        let squared = norm_sqr(z);
+        Native::new(z.re / squared, -z.im / squared)
+    }
+
+    /// The square of the absolute value.
+    pub fn norm_sqr(z: &Self) -> T {
+        z.re * z.re + z.im * z.im
+    }
+
+    /// The sum of the magnitudes of the parts.
+    pub fn l1_norm(z: &Self) -> T {
+        z.re.abs() + z.im.abs()
+    }
+
+    /// The argument, rad, −π to π.
+    #[by_value(z)]
+    pub fn arg(z: &Self) -> T {
+        z.im.atan2(z.re)
+    }
+
+    /// The absolute value and the argument, rad.
+    #[by_value(z)]
+    pub fn to_polar(z: &Self) -> (T, T) {
+        (norm(z), arg(z))
+    }
+
+    /// Whether a part is not a number.
+    #[by_value(z)]
+    pub fn is_nan(z: &Self) -> bool {
+        z.re.is_nan() || z.im.is_nan()
+    }
+
+    /// Whether a part is infinite, and none is not a number.
+    #[by_value(z)]
+    pub fn is_infinite(z: &Self) -> bool {
+        !is_nan(z) && (z.re.is_infinite() || z.im.is_infinite())
+    }
+
+    /// Whether both parts are finite.
+    #[by_value(z)]
+    pub fn is_finite(z: &Self) -> bool {
+        z.re.is_finite() && z.im.is_finite()
+    }
+
+    /// To the power of a number that is not negative, by squaring.
+    pub fn powu(z: &Self, exponent: u32) -> Self {
+        let mut result = Native::new(T::ONE, T::ZERO);
+        let mut square = *z;
+        let mut left = exponent;
+        let mut begun = false;
+        for _ in 0..32 {
+            if left & 1 == 1 {
+                result = if begun { product(&result, &square) } else { square };
+                begun = true;
+            }
+            left >>= 1;
+            if left == 0 {
+                break;
+            }
+            square = product(&square, &square);
+        }
+        result
+    }
+
+    /// To a whole power.
+    pub fn powi(z: &Self, exponent: i32) -> Self {
+        if exponent < 0 { powu(&inv(z), exponent.unsigned_abs()) } else { powu(z, exponent as u32) }
+    }
+
+    /// To a real power.
+    #[by_value(z)]
+    pub fn powf(z: &Self, exponent: T) -> Self {
+        if exponent == T::ZERO {
+            return from_real(T::ONE);
+        }
+        let (r, angle) = to_polar(z);
+        from_polar(r.powf(exponent), angle * exponent)
+    }
+
+    /// e to its power.
+    #[by_value(z)]
+    pub fn exp(z: &Self) -> Self {
+        let (re, im) = (z.re, z.im);
+        if re.is_infinite() {
+            if re < T::ZERO {
+                if !im.is_finite() {
+                    return Native::new(T::ZERO, T::ZERO);
+                }
+            } else if im == T::ZERO || !im.is_finite() {
+                return Native::new(re, if im.is_infinite() { T::NAN } else { im });
+            }
+        } else if re.is_nan() && im == T::ZERO {
+            return *z;
+        }
+        from_polar(re.exp(), im)
+    }
+
+    /// The principal value of the natural logarithm.
+    #[by_value(z)]
+    pub fn ln(z: &Self) -> Self {
+        let (r, angle) = to_polar(z);
+        Native::new(r.ln(), angle)
+    }
+
+    /// The principal value of the root.
+    #[by_value(z)]
+    pub fn sqrt(z: &Self) -> Self {
+        if z.im == T::ZERO {
+            if z.re.is_sign_positive() {
+                return Native::new(z.re.sqrt(), z.im);
+            }
+            let root = (-z.re).sqrt();
+            return Native::new(T::ZERO, if z.im.is_sign_positive() { root } else { -root });
+        }
+        if z.re == T::ZERO {
+            let root = (z.im.abs() / real(2.0)).sqrt();
+            return Native::new(root, if z.im.is_sign_positive() { root } else { -root });
+        }
+        let (r, angle) = to_polar(z);
+        from_polar(r.sqrt(), angle / real(2.0))
+    }
+
+    /// The sine.
+    #[by_value(z)]
+    pub fn sin(z: &Self) -> Self {
+        let (sine, cosine) = z.re.sin_cos();
+        Native::new(sine * z.im.cosh(), cosine * z.im.sinh())
+    }
+
+    /// The cosine.
+    #[by_value(z)]
+    pub fn cos(z: &Self) -> Self {
+        let (sine, cosine) = z.re.sin_cos();
+        Native::new(cosine * z.im.cosh(), -sine * z.im.sinh())
+    }
+
+    /// The hyperbolic sine.
+    #[by_value(z)]
+    pub fn sinh(z: &Self) -> Self {
+        let (sine, cosine) = z.im.sin_cos();
+        Native::new(z.re.sinh() * cosine, z.re.cosh() * sine)
+    }
+
+    /// The hyperbolic cosine.
+    #[by_value(z)]
+    pub fn cosh(z: &Self) -> Self {
+        let (sine, cosine) = z.im.sin_cos();
+        Native::new(z.re.cosh() * cosine, z.re.sinh() * sine)
+    }
 }
 
 /// A real number as a complex one.
 #[function]
 pub fn from_real<T: Real>(re: T) -> Native<T> {
     Native::new(re, T::ZERO)
-}
-
-/// From an absolute value and an argument, rad.
-#[function]
-pub fn from_polar<T: Real>(r: T, angle: T) -> Native<T> {
-    let (sine, cosine) = angle.sin_cos();
-    Native::new(r * cosine, r * sine)
-}
-
-/// e to the power of `angle`·𝐢.
-#[function]
-pub fn cis<T: Real>(angle: T) -> Native<T> {
-    let (sine, cosine) = angle.sin_cos();
-    Native::new(cosine, sine)
 }
 
 /// The sum.
@@ -96,12 +264,6 @@ pub fn product<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
     Native::new(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re)
 }
 
-/// Each part times a real number.
-#[function]
-pub fn scale<T: Real>(z: &Native<T>, factor: T) -> Native<T> {
-    Native::new(z.re * factor, z.im * factor)
-}
-
 /// The same, the real number on the left.
 #[function]
 pub fn scaled_by<T: Real>(factor: T, z: &Native<T>) -> Native<T> {
@@ -117,12 +279,6 @@ pub fn quotient<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
     Native::new(re / squared, im / squared)
 }
 
-/// Each part over a real number.
-#[function]
-pub fn unscale<T: Real>(z: &Native<T>, divisor: T) -> Native<T> {
-    Native::new(z.re / divisor, z.im / divisor)
-}
-
 /// A real number over a complex one.
 #[function]
 pub fn quotient_of_real<T: Real>(a: T, b: &Native<T>) -> Native<T> {
@@ -136,173 +292,10 @@ pub fn negative<T: Real>(z: &Native<T>) -> Native<T> {
     Native::new(-z.re, -z.im)
 }
 
-/// The conjugate.
-#[function]
-pub fn conj<T: Real>(z: &Native<T>) -> Native<T> {
-    Native::new(z.re, -z.im)
-}
-
-/// 1 over it.
-#[function]
-pub fn inv<T: Real>(z: &Native<T>) -> Native<T> {
-    let squared = norm_sqr(z);
-    Native::new(z.re / squared, -z.im / squared)
-}
-
-/// The square of the absolute value.
-#[function]
-pub fn norm_sqr<T: Real>(z: &Native<T>) -> T {
-    z.re * z.re + z.im * z.im
-}
-
-/// The sum of the magnitudes of the parts.
-#[function]
-pub fn l1_norm<T: Real>(z: &Native<T>) -> T {
-    z.re.abs() + z.im.abs()
-}
-
 /// The absolute value, without overflow on the way.
 #[function]
 pub fn norm<T: Real>(z: &Native<T>) -> T {
     z.re.hypot(z.im)
-}
-
-/// The argument, rad, −π to π.
-#[function]
-pub fn arg<T: Real>(z: &Native<T>) -> T {
-    z.im.atan2(z.re)
-}
-
-/// The absolute value and the argument, rad.
-#[function]
-pub fn to_polar<T: Real>(z: &Native<T>) -> (T, T) {
-    (norm(z), arg(z))
-}
-
-/// Whether a part is not a number.
-#[function]
-pub fn is_nan<T: Real>(z: &Native<T>) -> bool {
-    z.re.is_nan() || z.im.is_nan()
-}
-
-/// Whether a part is infinite, and none is not a number.
-#[function]
-pub fn is_infinite<T: Real>(z: &Native<T>) -> bool {
-    !is_nan(z) && (z.re.is_infinite() || z.im.is_infinite())
-}
-
-/// Whether both parts are finite.
-#[function]
-pub fn is_finite<T: Real>(z: &Native<T>) -> bool {
-    z.re.is_finite() && z.im.is_finite()
-}
-
-/// To the power of a number that is not negative, by squaring.
-#[function]
-pub fn powu<T: Real>(z: &Native<T>, exponent: u32) -> Native<T> {
-    let mut result = Native::new(T::ONE, T::ZERO);
-    let mut square = *z;
-    let mut left = exponent;
-    let mut begun = false;
-    for _ in 0..32 {
-        if left & 1 == 1 {
-            result = if begun { product(&result, &square) } else { square };
-            begun = true;
-        }
-        left >>= 1;
-        if left == 0 {
-            break;
-        }
-        square = product(&square, &square);
-    }
-    result
-}
-
-/// To a whole power.
-#[function]
-pub fn powi<T: Real>(z: &Native<T>, exponent: i32) -> Native<T> {
-    if exponent < 0 { powu(&inv(z), exponent.unsigned_abs()) } else { powu(z, exponent as u32) }
-}
-
-/// To a real power.
-#[function]
-pub fn powf<T: Real>(z: &Native<T>, exponent: T) -> Native<T> {
-    if exponent == T::ZERO {
-        return from_real(T::ONE);
-    }
-    let (r, angle) = to_polar(z);
-    from_polar(r.powf(exponent), angle * exponent)
-}
-
-/// e to its power.
-#[function]
-pub fn exp<T: Real>(z: &Native<T>) -> Native<T> {
-    let (re, im) = (z.re, z.im);
-    if re.is_infinite() {
-        if re < T::ZERO {
-            if !im.is_finite() {
-                return Native::new(T::ZERO, T::ZERO);
-            }
-        } else if im == T::ZERO || !im.is_finite() {
-            return Native::new(re, if im.is_infinite() { T::NAN } else { im });
-        }
-    } else if re.is_nan() && im == T::ZERO {
-        return *z;
-    }
-    from_polar(re.exp(), im)
-}
-
-/// The principal value of the natural logarithm.
-#[function]
-pub fn ln<T: Real>(z: &Native<T>) -> Native<T> {
-    let (r, angle) = to_polar(z);
-    Native::new(r.ln(), angle)
-}
-
-/// The principal value of the root.
-#[function]
-pub fn sqrt<T: Real>(z: &Native<T>) -> Native<T> {
-    if z.im == T::ZERO {
-        if z.re.is_sign_positive() {
-            return Native::new(z.re.sqrt(), z.im);
-        }
-        let root = (-z.re).sqrt();
-        return Native::new(T::ZERO, if z.im.is_sign_positive() { root } else { -root });
-    }
-    if z.re == T::ZERO {
-        let root = (z.im.abs() / real(2.0)).sqrt();
-        return Native::new(root, if z.im.is_sign_positive() { root } else { -root });
-    }
-    let (r, angle) = to_polar(z);
-    from_polar(r.sqrt(), angle / real(2.0))
-}
-
-/// The sine.
-#[function]
-pub fn sin<T: Real>(z: &Native<T>) -> Native<T> {
-    let (sine, cosine) = z.re.sin_cos();
-    Native::new(sine * z.im.cosh(), cosine * z.im.sinh())
-}
-
-/// The cosine.
-#[function]
-pub fn cos<T: Real>(z: &Native<T>) -> Native<T> {
-    let (sine, cosine) = z.re.sin_cos();
-    Native::new(cosine * z.im.cosh(), -sine * z.im.sinh())
-}
-
-/// The hyperbolic sine.
-#[function]
-pub fn sinh<T: Real>(z: &Native<T>) -> Native<T> {
-    let (sine, cosine) = z.im.sin_cos();
-    Native::new(z.re.sinh() * cosine, z.re.cosh() * sine)
-}
-
-/// The hyperbolic cosine.
-#[function]
-pub fn cosh<T: Real>(z: &Native<T>) -> Native<T> {
-    let (sine, cosine) = z.im.sin_cos();
-    Native::new(z.re.cosh() * cosine, z.re.sinh() * sine)
 }
 
 /// The attributes call these in place of the methods of these names.

@@ -51,6 +51,8 @@
 extern crate alloc;
 extern crate self as bessemer;
 
+#[doc(hidden)]
+pub use bessemer_macros::library;
 #[doc(inline)]
 pub use bessemer_macros::{c, component, data, entry, external, function, interface};
 pub use bounded::BoundedMatrix;

@@ -3,67 +3,63 @@
 // The checks of indices are proved of loops over them.
 #![allow(clippy::needless_range_loop)]
 
-use crate::{List, function};
+use crate::{List, function, library};
 
-/// True if no element can be added. The comparison is the one by which the proofs know that a push has room.
-#[function(expand)]
-pub fn is_full<T: Copy + Default, const N: usize>(list: &List<T, N>) -> bool {
-    list.len() >= N
-}
-
-/// Puts an element before the one at `index`, or at the end.
-#[function]
-pub fn insert<T: Copy + Default, const N: usize>(list: &mut List<T, N>, index: usize, element: T) {
-    crate::__inside!(index <= list.len());
-    list.push(element);
-    for i in (index + 1..list.len()).rev() {
-        list[i] = list[i - 1];
+#[library(ListEditCompanions)]
+impl<T: Copy + Default, const N: usize> List<T, N> {
+    /// True if no element can be added. The comparison is the one by which the proofs know that a push has room.
+    #[function(expand)]
+    pub fn is_full(list: &Self) -> bool {
+        list.len() >= N
     }
-    list[index] = element;
-}
 
-/// Takes an element out; those behind it move up.
-#[function]
-pub fn remove<T: Copy + Default, const N: usize>(list: &mut List<T, N>, index: usize) -> T {
-    let element = list[index];
-    for i in index + 1..list.len() {
-        list[i - 1] = list[i];
-    }
-    list.pop();
-    element
-}
-
-/// Takes an element out; the last comes in its place.
-#[function]
-pub fn swap_remove<T: Copy + Default, const N: usize>(list: &mut List<T, N>, index: usize) -> T {
-    let element = list[index];
-    list[index] = list[list.len() - 1];
-    list.pop();
-    element
-}
-
-/// Keeps the elements for which `keep` holds, in their order.
-#[function(expand)]
-pub fn retain<T: Copy + Default, F: FnMut(&T) -> bool, const N: usize>(
-    list: &mut List<T, N>,
-    mut keep: F,
-) {
-    let mut kept = 0;
-    for at in 0..list.len() {
-        let keeps = keep(&list[at]);
-        if keeps {
-            list[kept] = list[at];
-            kept += 1;
+    /// Puts an element before the one at `index`, or at the end.
+    pub fn insert(list: &mut Self, index: usize, element: T) {
+        crate::__inside!(index <= list.len());
+        list.push(element);
+        for i in (index + 1..list.len()).rev() {
+            list[i] = list[i - 1];
         }
+        list[index] = element;
     }
-    list.truncate(kept);
-}
 
-/// Adds elements at the end.
-#[function]
-pub fn extend_from_slice<T: Copy + Default, const N: usize>(list: &mut List<T, N>, elements: &[T]) {
-    for element in elements {
-        list.push(*element);
+    /// Takes an element out; those behind it move up.
+    pub fn remove(list: &mut Self, index: usize) -> T {
+        let element = list[index];
+        for i in index + 1..list.len() {
+            list[i - 1] = list[i];
+        }
+        list.pop();
+        element
+    }
+
+    /// Takes an element out; the last comes in its place.
+    pub fn swap_remove(list: &mut Self, index: usize) -> T {
+        let element = list[index];
+        list[index] = list[list.len() - 1];
+        list.pop();
+        element
+    }
+
+    /// Keeps the elements for which `keep` holds, in their order.
+    #[function(expand)]
+    pub fn retain<F: FnMut(&T) -> bool>(list: &mut Self, mut keep: F) {
+        let mut kept = 0;
+        for at in 0..list.len() {
+            let keeps = keep(&list[at]);
+            if keeps {
+                list[kept] = list[at];
+                kept += 1;
+            }
+        }
+        list.truncate(kept);
+    }
+
+    /// Adds elements at the end.
+    pub fn extend_from_slice(list: &mut Self, elements: &[T]) {
+        for element in elements {
+            list.push(*element);
+        }
     }
 }
 

@@ -5,117 +5,145 @@
 // They are what they would be written with.
 #![allow(clippy::manual_map, clippy::manual_unwrap_or_default)]
 
-use crate::function;
+use crate::{function, library};
 
-/// The value of `f` for what is there.
-#[function(rewrite)]
-pub fn map<T, U, F: FnOnce(T) -> U>(option: Option<T>, f: F) -> Option<U> {
-    match option {
-        Some(value) => Some(f(value)),
-        None => None,
-    }
-}
-
-/// What `f` gives for what is there.
-#[function(rewrite)]
-pub fn and_then<T, U, F: FnOnce(T) -> Option<U>>(option: Option<T>, f: F) -> Option<U> {
-    match option {
-        Some(value) => f(value),
-        None => None,
-    }
-}
-
-/// What is there, if `f` says so.
-#[function(rewrite)]
-pub fn filter<T, F: FnOnce(&T) -> bool>(option: Option<T>, f: F) -> Option<T> {
-    match option {
-        Some(value) if f(&value) => Some(value),
-        _ => None,
-    }
-}
-
-/// Shows what is there to `f`.
-#[function(rewrite)]
-pub fn inspect<T, F: FnOnce(&T)>(option: Option<T>, f: F) -> Option<T> {
-    match option {
-        Some(value) => {
-            f(&value);
-            Some(value)
+#[library(OptionCompanions)]
+impl<T> Option<T> {
+    /// The value of `f` for what is there.
+    #[function(rewrite)]
+    pub fn map<U, F: FnOnce(T) -> U>(option: Self, f: F) -> Option<U> {
+        match option {
+            Some(value) => Some(f(value)),
+            None => None,
         }
-        None => None,
+    }
+
+    /// What `f` gives for what is there.
+    #[function(rewrite)]
+    pub fn and_then<U, F: FnOnce(T) -> Option<U>>(option: Self, f: F) -> Option<U> {
+        match option {
+            Some(value) => f(value),
+            None => None,
+        }
+    }
+
+    /// What is there, if `f` says so.
+    #[function(rewrite)]
+    pub fn filter<F: FnOnce(&T) -> bool>(option: Self, f: F) -> Self {
+        match option {
+            Some(value) if f(&value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Shows what is there to `f`.
+    #[function(rewrite)]
+    pub fn inspect<F: FnOnce(&T)>(option: Self, f: F) -> Self {
+        match option {
+            Some(value) => {
+                f(&value);
+                Some(value)
+            }
+            None => None,
+        }
+    }
+
+    /// What is there, else what `f` gives.
+    #[function(rewrite)]
+    pub fn or_else<F: FnOnce() -> Option<T>>(option: Self, f: F) -> Self {
+        match option {
+            Some(value) => Some(value),
+            None => f(),
+        }
+    }
+
+    /// What is there, else the value of `f`.
+    #[function(rewrite)]
+    pub fn unwrap_or_else<F: FnOnce() -> T>(option: Self, f: F) -> T {
+        match option {
+            Some(value) => value,
+            None => f(),
+        }
+    }
+
+    /// The value of `f` for what is there, else another.
+    #[function(rewrite)]
+    pub fn map_or<U, F: FnOnce(T) -> U>(option: Self, other: U, f: F) -> U {
+        match option {
+            Some(value) => f(value),
+            None => other,
+        }
+    }
+
+    /// The value of `f` for what is there, else that of `other`.
+    #[function(rewrite)]
+    pub fn map_or_else<U, O: FnOnce() -> U, F: FnOnce(T) -> U>(option: Self, other: O, f: F) -> U {
+        match option {
+            Some(value) => f(value),
+            None => other(),
+        }
+    }
+
+    /// Whether there is something of which `f` says yes.
+    #[function(rewrite)]
+    pub fn is_some_and<F: FnOnce(T) -> bool>(option: Self, f: F) -> bool
+    where
+        T: Copy,
+    {
+        matches!(option, Some(value) if f(value))
+    }
+
+    /// Whether there is nothing, or something of which `f` says yes.
+    #[function(rewrite)]
+    pub fn is_none_or<F: FnOnce(T) -> bool>(option: Self, f: F) -> bool {
+        match option {
+            Some(value) => f(value),
+            None => true,
+        }
+    }
+
+    /// What is there, else the error that `f` gives.
+    #[function(rewrite)]
+    pub fn ok_or_else<E, F: FnOnce() -> E>(option: Self, f: F) -> Result<T, E> {
+        match option {
+            Some(value) => Ok(value),
+            None => Err(f()),
+        }
+    }
+
+    /// The one that is there, if the other is not.
+    #[function(rewrite)]
+    pub fn xor(one: Self, other: Self) -> Self {
+        match (one, other) {
+            (Some(value), None) => Some(value),
+            (None, Some(value)) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Both as a pair, if both are there.
+    #[function(rewrite)]
+    pub fn zip<U>(one: Self, other: Option<U>) -> Option<(T, U)> {
+        match (one, other) {
+            (Some(first), Some(second)) => Some((first, second)),
+            _ => None,
+        }
     }
 }
 
-/// What is there, else what `f` gives.
-#[function(rewrite)]
-pub fn or_else<T, F: FnOnce() -> Option<T>>(option: Option<T>, f: F) -> Option<T> {
-    match option {
-        Some(value) => Some(value),
-        None => f(),
-    }
-}
-
-/// What is there, else the value of `f`.
-#[function(rewrite)]
-pub fn unwrap_or_else<T, F: FnOnce() -> T>(option: Option<T>, f: F) -> T {
-    match option {
-        Some(value) => value,
-        None => f(),
-    }
-}
-
-/// The value of `f` for what is there, else another.
-#[function(rewrite)]
-pub fn map_or<T, U, F: FnOnce(T) -> U>(option: Option<T>, other: U, f: F) -> U {
-    match option {
-        Some(value) => f(value),
-        None => other,
-    }
-}
-
-/// The value of `f` for what is there, else that of `other`.
-#[function(rewrite)]
-pub fn map_or_else<T, U, O: FnOnce() -> U, F: FnOnce(T) -> U>(
-    option: Option<T>,
-    other: O,
-    f: F,
-) -> U {
-    match option {
-        Some(value) => f(value),
-        None => other(),
-    }
-}
-
-/// Whether there is something of which `f` says yes.
-#[function(rewrite)]
-pub fn is_some_and<T: Copy, F: FnOnce(T) -> bool>(option: Option<T>, f: F) -> bool {
-    matches!(option, Some(value) if f(value))
-}
-
-/// Whether there is nothing, or something of which `f` says yes.
-#[function(rewrite)]
-pub fn is_none_or<T, F: FnOnce(T) -> bool>(option: Option<T>, f: F) -> bool {
-    match option {
-        Some(value) => f(value),
-        None => true,
-    }
-}
-
-/// What is there, else the error that `f` gives.
-#[function(rewrite)]
-pub fn ok_or_else<T, E, F: FnOnce() -> E>(option: Option<T>, f: F) -> Result<T, E> {
-    match option {
-        Some(value) => Ok(value),
-        None => Err(f()),
-    }
-}
-
-/// A copy of what is referred to.
-#[function(rewrite)]
-pub fn copied<T: Copy>(option: Option<&mut T>) -> Option<T> {
-    match option {
-        Some(value) => Some(*value),
-        None => None,
+#[library(CopiedMutCompanions)]
+impl<T> Option<&mut T> {
+    /// A copy of what is referred to.
+    #[function(rewrite)]
+    #[method(copied, cloned)]
+    pub fn copied(option: Self) -> Option<T>
+    where
+        T: Copy,
+    {
+        match option {
+            Some(value) => Some(*value),
+            None => None,
+        }
     }
 }
 
@@ -128,62 +156,55 @@ pub fn as_deref<'a, T: ?Sized>(option: &'a Option<&mut T>) -> Option<&'a T> {
     }
 }
 
-/// The option in an option.
-#[function(rewrite)]
-pub fn flatten<T>(option: Option<Option<T>>) -> Option<T> {
-    match option {
-        Some(value) => value,
-        None => None,
+#[library(FlattenCompanion)]
+impl<T> Option<Option<T>> {
+    /// The option in an option.
+    #[function(rewrite)]
+    pub fn flatten(option: Self) -> Option<T> {
+        match option {
+            Some(value) => value,
+            None => None,
+        }
     }
 }
 
-/// The one that is there, if the other is not.
-#[function(rewrite)]
-pub fn xor<T>(one: Option<T>, other: Option<T>) -> Option<T> {
-    match (one, other) {
-        (Some(value), None) => Some(value),
-        (None, Some(value)) => Some(value),
-        _ => None,
+#[library(BoolCompanions)]
+impl bool {
+    /// The value of `f` if the condition holds.
+    #[function(rewrite)]
+    pub fn then<T, F: FnOnce() -> T>(condition: Self, f: F) -> Option<T> {
+        if condition { Some(f()) } else { None }
+    }
+
+    /// A value if the condition holds; it is computed whether it does or not.
+    #[function(rewrite)]
+    pub fn then_some<T>(condition: Self, value: T) -> Option<T> {
+        if condition { Some(value) } else { None }
     }
 }
 
-/// Both as a pair, if both are there.
-#[function(rewrite)]
-pub fn zip<T, U>(one: Option<T>, other: Option<U>) -> Option<(T, U)> {
-    match (one, other) {
-        (Some(first), Some(second)) => Some((first, second)),
-        _ => None,
+#[library(TransposeCompanion)]
+impl<T, E> Option<Result<T, E>> {
+    /// The option in a result, outside.
+    #[function(rewrite)]
+    pub fn transpose(option: Self) -> Result<Option<T>, E> {
+        match option {
+            Some(Ok(value)) => Ok(Some(value)),
+            Some(Err(error)) => Err(error),
+            None => Ok(None),
+        }
     }
 }
 
-/// The value of `f` if the condition holds.
-#[function(rewrite)]
-pub fn then<T, F: FnOnce() -> T>(condition: bool, f: F) -> Option<T> {
-    if condition { Some(f()) } else { None }
-}
-
-/// A value if the condition holds; it is computed whether it does or not.
-#[function(rewrite)]
-pub fn then_some<T>(condition: bool, value: T) -> Option<T> {
-    if condition { Some(value) } else { None }
-}
-
-/// The option in a result, outside.
-#[function(rewrite)]
-pub fn transpose<T, E>(option: Option<Result<T, E>>) -> Result<Option<T>, E> {
-    match option {
-        Some(Ok(value)) => Ok(Some(value)),
-        Some(Err(error)) => Err(error),
-        None => Ok(None),
-    }
-}
-
-/// The parts, each by itself.
-#[function(rewrite)]
-pub fn unzip<A, B>(option: Option<(A, B)>) -> (Option<A>, Option<B>) {
-    match option {
-        Some((one, other)) => (Some(one), Some(other)),
-        None => (None, None),
+#[library(UnzipCompanion)]
+impl<A, B> Option<(A, B)> {
+    /// The parts, each by itself.
+    #[function(rewrite)]
+    pub fn unzip(option: Self) -> (Option<A>, Option<B>) {
+        match option {
+            Some((one, other)) => (Some(one), Some(other)),
+            None => (None, None),
+        }
     }
 }
 

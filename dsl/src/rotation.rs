@@ -18,52 +18,122 @@ use nalgebra::{
     Matrix2, Matrix3, Quaternion, Rotation2, Rotation3, UnitQuaternion, UnitVector3, Vector3,
 };
 
+use crate::library;
 use crate::prelude::*;
 
-/// By `roll` about x, then `pitch` about y, then `yaw` about z, rad.
-#[function]
-pub fn from_euler_angles<T: Real>(roll: T, pitch: T, yaw: T) -> UnitQuaternion<T> {
-    let (sr, cr) = (roll * real(0.5)).sin_cos();
-    let (sp, cp) = (pitch * real(0.5)).sin_cos();
-    let (sy, cy) = (yaw * real(0.5)).sin_cos();
-    UnitQuaternion::new_unchecked(Quaternion::new(
-        cr * cp * cy + sr * sp * sy,
-        sr * cp * cy - cr * sp * sy,
-        cr * sp * cy + sr * cp * sy,
-        cr * cp * sy - sr * sp * cy,
-    ))
-}
-
-/// By `angle` about an axis, rad.
-#[function]
-pub fn from_axis_angle<T: Real>(axis: &UnitVector3<T>, angle: T) -> UnitQuaternion<T> {
-    let (sine, cosine) = (angle / real(2.0)).sin_cos();
-    UnitQuaternion::new_unchecked(Quaternion::new(
-        cosine,
-        axis.x * sine,
-        axis.y * sine,
-        axis.z * sine,
-    ))
-}
-
-/// By the length of `axis`, rad, about it; none for a length of 2ε or less. Also nalgebra's
-/// `UnitQuaternion::new`.
-#[function]
-pub fn from_scaled_axis<T: Real>(axis: Vector3<T>) -> UnitQuaternion<T> {
-    let half = axis / real::<T>(2.0);
-    let squared = half.norm_squared();
-    if squared <= T::EPSILON * T::EPSILON {
-        return UnitQuaternion::identity();
+#[library(TurnCompanions)]
+impl<T: Real> UnitQuaternion<T> {
+    /// By the length of `axis`, rad, about it; none for a length of 2ε or less. Also nalgebra's
+    /// `UnitQuaternion::new`.
+    #[method(dsl_new, from_scaled_axis)]
+    pub fn from_scaled_axis(axis: Vector3<T>) -> Self {
+        let half = axis / real::<T>(2.0);
+        let squared = half.norm_squared();
+        if squared <= T::EPSILON * T::EPSILON {
+            return UnitQuaternion::identity();
+        }
+        let angle = squared.sqrt();
+        let (sine, cosine) = angle.sin_cos();
+        let share = sine / angle;
+        UnitQuaternion::new_unchecked(Quaternion::new(
+            cosine,
+            half.x * share,
+            half.y * share,
+            half.z * share,
+        ))
     }
-    let angle = squared.sqrt();
-    let (sine, cosine) = angle.sin_cos();
-    let share = sine / angle;
-    UnitQuaternion::new_unchecked(Quaternion::new(
-        cosine,
-        half.x * share,
-        half.y * share,
-        half.z * share,
-    ))
+
+    /// By `angle` about an axis, rad.
+    pub fn from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
+        let (sine, cosine) = (angle / real(2.0)).sin_cos();
+        UnitQuaternion::new_unchecked(Quaternion::new(
+            cosine,
+            axis.x * sine,
+            axis.y * sine,
+            axis.z * sine,
+        ))
+    }
+
+    /// By `roll` about x, then `pitch` about y, then `yaw` about z, rad.
+    pub fn from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
+        let (sr, cr) = (roll * real(0.5)).sin_cos();
+        let (sp, cp) = (pitch * real(0.5)).sin_cos();
+        let (sy, cy) = (yaw * real(0.5)).sin_cos();
+        UnitQuaternion::new_unchecked(Quaternion::new(
+            cr * cp * cy + sr * sp * sy,
+            sr * cp * cy - cr * sp * sy,
+            cr * sp * cy + sr * cp * sy,
+            cr * cp * sy - sr * sp * cy,
+        ))
+    }
+
+    /// The smallest rotation that turns `a` into `b`; none where they are opposite, so that its axis is open.
+    pub fn rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self> {
+        let across = a.cross(b);
+        let cosine = a.dot(b);
+        let squared = across.norm_squared();
+        if squared > T::EPSILON * T::EPSILON {
+            if cosine <= -T::ONE {
+                return None;
+            }
+            if cosine < T::ONE {
+                let axis = UnitVector3::new_unchecked(across / squared.sqrt());
+                return Some(from_axis_angle(&axis, cosine.acos()));
+            }
+        } else if cosine < T::ZERO {
+            return None;
+        }
+        Some(UnitQuaternion::identity())
+    }
+
+    /// The rotation `share` times as far, about the same axis.
+    pub fn powf(q: &Self, share: T) -> Self {
+        match q.axis() {
+            Some(axis) => from_axis_angle(&axis, angle(q) * share),
+            None => UnitQuaternion::identity(),
+        }
+    }
+
+    /// The rotation `share` of the way from `a` to `b`, by the shorter way; `a`, where they are too near to each
+    /// other for a direction (where nalgebra panics).
+    pub fn slerp(a: &Self, b: &Self, share: T) -> Self {
+        let along = (a.i * b.i + a.k * b.k) + (a.j * b.j + a.w * b.w);
+        let opposite = along < T::ZERO;
+        let cosine = along.abs();
+        let sine = (T::ONE - cosine * cosine).sqrt();
+        if cosine >= T::ONE || sine == T::ZERO {
+            return *a;
+        }
+        let angle = cosine.acos();
+        let own = ((T::ONE - share) * angle).sin() / sine;
+        let part = (share * angle).sin() / sine;
+        let theirs = if opposite { -part } else { part };
+        UnitQuaternion::new_unchecked(Quaternion::new(
+            theirs * b.w + own * a.w,
+            theirs * b.i + own * a.i,
+            theirs * b.j + own * a.j,
+            theirs * b.k + own * a.k,
+        ))
+    }
+
+    /// The axis and the angle, rad; none of no rotation.
+    pub fn axis_angle(q: &Self) -> Option<(UnitVector3<T>, T)> {
+        let axis = q.axis()?;
+        Some((axis, angle(q)))
+    }
+
+    /// The axis times the angle, rad.
+    pub fn scaled_axis(q: &Self) -> Vector3<T> {
+        match q.axis() {
+            Some(axis) => axis.into_inner() * angle(q),
+            None => Vector3::zeros(),
+        }
+    }
+
+    /// Roll, pitch and yaw, rad, pitch from −π/2 to π/2; at its ends yaw is 0.
+    pub fn euler_angles(q: &Self) -> (T, T, T) {
+        matrix_euler_angles(&q.to_rotation_matrix())
+    }
 }
 
 /// How far it turns, rad, from 0 to π.
@@ -78,159 +148,88 @@ pub fn angle_to<T: Real>(from: &UnitQuaternion<T>, to: &UnitQuaternion<T>) -> T 
     angle(&from.rotation_to(to))
 }
 
-/// The axis and the angle, rad; none of no rotation.
-#[function]
-pub fn axis_angle<T: Real>(q: &UnitQuaternion<T>) -> Option<(UnitVector3<T>, T)> {
-    let axis = q.axis()?;
-    Some((axis, angle(q)))
-}
-
-/// The axis times the angle, rad.
-#[function]
-pub fn scaled_axis<T: Real>(q: &UnitQuaternion<T>) -> Vector3<T> {
-    match q.axis() {
-        Some(axis) => axis.into_inner() * angle(q),
-        None => Vector3::zeros(),
+#[library(PlaneRotationCompanion)]
+impl<T: Real> Rotation2<T> {
+    /// The matrix of a rotation in the plane, rad (`Rotation2::new`).
+    #[method(dsl_new)]
+    pub fn matrix_from_angle(angle: T) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        Rotation2::from_matrix_unchecked(Matrix2::new(cosine, -sine, sine, cosine))
     }
 }
 
-/// The rotation `share` times as far, about the same axis.
-#[function]
-pub fn powf<T: Real>(q: &UnitQuaternion<T>, share: T) -> UnitQuaternion<T> {
-    match q.axis() {
-        Some(axis) => from_axis_angle(&axis, angle(q) * share),
-        None => UnitQuaternion::identity(),
+#[library(SpaceRotationCompanions)]
+impl<T: Real> Rotation3<T> {
+    /// The matrix of a rotation by the length of `axis`, rad, about it (`Rotation3::from_scaled_axis`, and `Rotation3::new`).
+    #[method(dsl_new, from_scaled_axis)]
+    pub fn matrix_from_scaled_axis(axis: Vector3<T>) -> Self {
+        let angle = axis.norm();
+        matrix_from_axis_angle(&UnitVector3::new_unchecked(axis / angle), angle)
     }
-}
 
-/// Roll, pitch and yaw, rad, pitch from −π/2 to π/2; at its ends yaw is 0.
-#[function]
-pub fn euler_angles<T: Real>(q: &UnitQuaternion<T>) -> (T, T, T) {
-    matrix_euler_angles(&q.to_rotation_matrix())
-}
-
-/// The rotation `share` of the way from `a` to `b`, by the shorter way; `a`, where they are too near to each
-/// other for a direction (where nalgebra panics).
-#[function]
-pub fn slerp<T: Real>(a: &UnitQuaternion<T>, b: &UnitQuaternion<T>, share: T) -> UnitQuaternion<T> {
-    let along = (a.i * b.i + a.k * b.k) + (a.j * b.j + a.w * b.w);
-    let opposite = along < T::ZERO;
-    let cosine = along.abs();
-    let sine = (T::ONE - cosine * cosine).sqrt();
-    if cosine >= T::ONE || sine == T::ZERO {
-        return *a;
-    }
-    let angle = cosine.acos();
-    let own = ((T::ONE - share) * angle).sin() / sine;
-    let part = (share * angle).sin() / sine;
-    let theirs = if opposite { -part } else { part };
-    UnitQuaternion::new_unchecked(Quaternion::new(
-        theirs * b.w + own * a.w,
-        theirs * b.i + own * a.i,
-        theirs * b.j + own * a.j,
-        theirs * b.k + own * a.k,
-    ))
-}
-
-/// The matrix of a rotation in the plane, rad (`Rotation2::new`).
-#[function]
-pub fn matrix_from_angle<T: Real>(angle: T) -> Rotation2<T> {
-    let (sine, cosine) = angle.sin_cos();
-    Rotation2::from_matrix_unchecked(Matrix2::new(cosine, -sine, sine, cosine))
-}
-
-/// The matrix of `roll` about x, then `pitch` about y, then `yaw` about z, rad
-/// (`Rotation3::from_euler_angles`).
-#[function]
-pub fn matrix_from_euler_angles<T: Real>(roll: T, pitch: T, yaw: T) -> Rotation3<T> {
-    let (sr, cr) = roll.sin_cos();
-    let (sp, cp) = pitch.sin_cos();
-    let (sy, cy) = yaw.sin_cos();
-    Rotation3::from_matrix_unchecked(Matrix3::new(
-        cy * cp,
-        cy * sp * sr - sy * cr,
-        cy * sp * cr + sy * sr,
-        sy * cp,
-        sy * sp * sr + cy * cr,
-        sy * sp * cr - cy * sr,
-        -sp,
-        cp * sr,
-        cp * cr,
-    ))
-}
-
-/// The matrix of a rotation about an axis, rad (`Rotation3::from_axis_angle`).
-#[function]
-pub fn matrix_from_axis_angle<T: Real>(axis: &UnitVector3<T>, angle: T) -> Rotation3<T> {
-    if angle == T::ZERO {
-        return Rotation3::identity();
-    }
-    let (x, y, z) = (axis.x, axis.y, axis.z);
-    let (xx, yy, zz) = (x * x, y * y, z * z);
-    let (sine, cosine) = angle.sin_cos();
-    let rest = T::ONE - cosine;
-    Rotation3::from_matrix_unchecked(Matrix3::new(
-        xx + (T::ONE - xx) * cosine,
-        x * y * rest - z * sine,
-        x * z * rest + y * sine,
-        x * y * rest + z * sine,
-        yy + (T::ONE - yy) * cosine,
-        y * z * rest - x * sine,
-        x * z * rest - y * sine,
-        y * z * rest + x * sine,
-        zz + (T::ONE - zz) * cosine,
-    ))
-}
-
-/// The matrix of a rotation by the length of `axis`, rad, about it (`Rotation3::from_scaled_axis`, and `Rotation3::new`).
-#[function]
-pub fn matrix_from_scaled_axis<T: Real>(axis: Vector3<T>) -> Rotation3<T> {
-    let angle = axis.norm();
-    matrix_from_axis_angle(&UnitVector3::new_unchecked(axis / angle), angle)
-}
-
-/// Roll, pitch and yaw of a matrix, rad, pitch from −π/2 to π/2; at its ends yaw is 0
-/// (`Rotation3::euler_angles`).
-#[function]
-pub fn matrix_euler_angles<T: Real>(m: &Rotation3<T>) -> (T, T, T) {
-    let down = m[(2, 0)];
-    let quarter = T::PI * real(0.5);
-    if down.abs() < T::ONE {
-        let pitch = -down.asin();
-        let cosine = pitch.cos();
-        (
-            (m[(2, 1)] / cosine).atan2(m[(2, 2)] / cosine),
-            pitch,
-            (m[(1, 0)] / cosine).atan2(m[(0, 0)] / cosine),
-        )
-    } else if down <= -T::ONE {
-        (m[(0, 1)].atan2(m[(0, 2)]), quarter, T::ZERO)
-    } else {
-        (-m[(0, 1)].atan2(-m[(0, 2)]), -quarter, T::ZERO)
-    }
-}
-
-/// The smallest rotation that turns `a` into `b`; none where they are opposite, so that its axis is open.
-#[function]
-pub fn rotation_between_axis<T: Real>(
-    a: &UnitVector3<T>,
-    b: &UnitVector3<T>,
-) -> Option<UnitQuaternion<T>> {
-    let across = a.cross(b);
-    let cosine = a.dot(b);
-    let squared = across.norm_squared();
-    if squared > T::EPSILON * T::EPSILON {
-        if cosine <= -T::ONE {
-            return None;
+    /// The matrix of a rotation about an axis, rad (`Rotation3::from_axis_angle`).
+    #[method(from_axis_angle)]
+    pub fn matrix_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
+        if angle == T::ZERO {
+            return Rotation3::identity();
         }
-        if cosine < T::ONE {
-            let axis = UnitVector3::new_unchecked(across / squared.sqrt());
-            return Some(from_axis_angle(&axis, cosine.acos()));
-        }
-    } else if cosine < T::ZERO {
-        return None;
+        let (x, y, z) = (axis.x, axis.y, axis.z);
+        let (xx, yy, zz) = (x * x, y * y, z * z);
+        let (sine, cosine) = angle.sin_cos();
+        let rest = T::ONE - cosine;
+        Rotation3::from_matrix_unchecked(Matrix3::new(
+            xx + (T::ONE - xx) * cosine,
+            x * y * rest - z * sine,
+            x * z * rest + y * sine,
+            x * y * rest + z * sine,
+            yy + (T::ONE - yy) * cosine,
+            y * z * rest - x * sine,
+            x * z * rest - y * sine,
+            y * z * rest + x * sine,
+            zz + (T::ONE - zz) * cosine,
+        ))
     }
-    Some(UnitQuaternion::identity())
+
+    /// The matrix of `roll` about x, then `pitch` about y, then `yaw` about z, rad
+    /// (`Rotation3::from_euler_angles`).
+    #[method(from_euler_angles)]
+    pub fn matrix_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
+        let (sr, cr) = roll.sin_cos();
+        let (sp, cp) = pitch.sin_cos();
+        let (sy, cy) = yaw.sin_cos();
+        Rotation3::from_matrix_unchecked(Matrix3::new(
+            cy * cp,
+            cy * sp * sr - sy * cr,
+            cy * sp * cr + sy * sr,
+            sy * cp,
+            sy * sp * sr + cy * cr,
+            sy * sp * cr - cy * sr,
+            -sp,
+            cp * sr,
+            cp * cr,
+        ))
+    }
+
+    /// Roll, pitch and yaw of a matrix, rad, pitch from −π/2 to π/2; at its ends yaw is 0
+    /// (`Rotation3::euler_angles`).
+    #[method(euler_angles)]
+    pub fn matrix_euler_angles(m: &Self) -> (T, T, T) {
+        let down = m[(2, 0)];
+        let quarter = T::PI * real(0.5);
+        if down.abs() < T::ONE {
+            let pitch = -down.asin();
+            let cosine = pitch.cos();
+            (
+                (m[(2, 1)] / cosine).atan2(m[(2, 2)] / cosine),
+                pitch,
+                (m[(1, 0)] / cosine).atan2(m[(0, 0)] / cosine),
+            )
+        } else if down <= -T::ONE {
+            (m[(0, 1)].atan2(m[(0, 2)]), quarter, T::ZERO)
+        } else {
+            (-m[(0, 1)].atan2(-m[(0, 2)]), -quarter, T::ZERO)
+        }
+    }
 }
 
 /// The attributes call these in place of nalgebra's methods of these names.

@@ -4,36 +4,58 @@
 
 use core::cmp::Ordering;
 
-use crate::function;
+use crate::{function, library};
 
-/// The index of an element that is `Equal`, or where one would have to be put in.
-///
-/// # Errors
-/// That index, if no element is `Equal`.
-#[function]
-pub fn binary_search_by<T: Copy, F: Fn(&T) -> Ordering>(
-    values: &[T],
-    order: F,
-) -> Result<usize, usize> {
-    let mut from = 0_usize;
-    let mut left = values.len();
-    // No more can be halved than there are bits.
-    for _ in 0..64 {
-        let middle = from.wrapping_add(left / 2);
-        if left == 0 || middle >= values.len() {
-            break;
+#[library(SearchCompanions)]
+impl<T: Copy> [T] {
+    /// The index of an element that is `Equal`, or where one would have to be put in.
+    ///
+    /// # Errors
+    /// That index, if no element is `Equal`.
+    pub fn binary_search_by<F: Fn(&T) -> Ordering>(
+        values: &Self,
+        order: F,
+    ) -> Result<usize, usize> {
+        let mut from = 0_usize;
+        let mut left = values.len();
+        // No more can be halved than there are bits.
+        for _ in 0..64 {
+            let middle = from.wrapping_add(left / 2);
+            if left == 0 || middle >= values.len() {
+                break;
+            }
+            let value = values[middle];
+            match order(&value) {
+                Ordering::Equal => return Ok(middle),
+                Ordering::Less => {
+                    from = middle.wrapping_add(1);
+                    left = left.wrapping_sub(left / 2).wrapping_sub(1);
+                }
+                Ordering::Greater => left /= 2,
+            }
         }
-        let value = values[middle];
-        match order(&value) {
-            Ordering::Equal => return Ok(middle),
-            Ordering::Less => {
+        Err(from)
+    }
+
+    /// The index of the first element that is not among the first ones.
+    pub fn partition_point<F: Fn(&T) -> bool>(values: &Self, is_first: F) -> usize {
+        let mut from = 0_usize;
+        let mut left = values.len();
+        for _ in 0..64 {
+            let middle = from.wrapping_add(left / 2);
+            if left == 0 || middle >= values.len() {
+                break;
+            }
+            let value = values[middle];
+            if is_first(&value) {
                 from = middle.wrapping_add(1);
                 left = left.wrapping_sub(left / 2).wrapping_sub(1);
+            } else {
+                left /= 2;
             }
-            Ordering::Greater => left /= 2,
         }
+        from
     }
-    Err(from)
 }
 
 /// The index of an element that is `wanted`, or where it would have to be put in. Inline, so that it stands beside the
@@ -78,27 +100,6 @@ pub fn binary_search_by_key<T: Copy, B: Copy + Ord, F: Fn(&T) -> B>(
         }
     }
     Err(from)
-}
-
-/// The index of the first element that is not among the first ones.
-#[function]
-pub fn partition_point<T: Copy, F: Fn(&T) -> bool>(values: &[T], is_first: F) -> usize {
-    let mut from = 0_usize;
-    let mut left = values.len();
-    for _ in 0..64 {
-        let middle = from.wrapping_add(left / 2);
-        if left == 0 || middle >= values.len() {
-            break;
-        }
-        let value = values[middle];
-        if is_first(&value) {
-            from = middle.wrapping_add(1);
-            left = left.wrapping_sub(left / 2).wrapping_sub(1);
-        } else {
-            left /= 2;
-        }
-    }
-    from
 }
 
 #[cfg(test)]

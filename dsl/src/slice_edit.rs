@@ -5,7 +5,7 @@
 // They are what they would be written with.
 #![allow(clippy::manual_swap, clippy::manual_slice_fill, clippy::manual_contains)]
 
-use crate::function;
+use crate::{function, library};
 
 /// Exchanges two elements. Both are read before one is written.
 #[function(expand)]
@@ -23,58 +23,62 @@ pub fn fill<T: Copy>(values: &mut [T], element: T) {
     }
 }
 
-/// Whether an element is among them.
-#[function(expand)]
-pub fn contains<T: PartialEq>(values: &[T], element: &T) -> bool {
-    let mut found = false;
-    for value in values {
-        if value == element {
-            found = true;
-            break;
+#[library(ContainsCompanion)]
+impl<T: PartialEq> [T] {
+    /// Whether an element is among them.
+    #[function(expand)]
+    pub fn contains(values: &Self, element: &T) -> bool {
+        let mut found = false;
+        for value in values {
+            if value == element {
+                found = true;
+                break;
+            }
         }
-    }
-    found
-}
-
-/// Moves the first `by` elements behind the others.
-#[function]
-pub fn rotate_left<T: Copy>(values: &mut [T], by: usize) {
-    assert!(by <= values.len());
-    values[..by].reverse();
-    values[by..].reverse();
-    values.reverse();
-}
-
-/// Moves the last `by` elements before the others.
-#[function]
-pub fn rotate_right<T: Copy>(values: &mut [T], by: usize) {
-    assert!(by <= values.len());
-    values.reverse();
-    values[..by].reverse();
-    values[by..].reverse();
-}
-
-/// Copies the elements from `from` to `to` to where `place` is, which may be among them.
-#[function]
-pub fn copy_within<T: Copy>(values: &mut [T], from: usize, to: usize, place: usize) {
-    crate::__inside!(from <= to && to <= values.len());
-    let count = to - from;
-    crate::__inside!(place <= values.len() - count);
-    if place <= from {
-        for i in 0..count {
-            values[place + i] = values[from + i];
-        }
-    } else {
-        for i in (0..count).rev() {
-            values[place + i] = values[from + i];
-        }
+        found
     }
 }
 
-/// The same of all elements from `from` on.
-#[function]
-pub fn copy_behind_within<T: Copy>(values: &mut [T], from: usize, place: usize) {
-    copy_within(values, from, values.len(), place);
+#[library(SliceEditCompanions)]
+impl<T: Copy> [T] {
+    /// Moves the first `by` elements behind the others.
+    pub fn rotate_left(values: &mut Self, by: usize) {
+        assert!(by <= values.len());
+        values[..by].reverse();
+        values[by..].reverse();
+        values.reverse();
+    }
+
+    /// Moves the last `by` elements before the others.
+    pub fn rotate_right(values: &mut Self, by: usize) {
+        assert!(by <= values.len());
+        values.reverse();
+        values[..by].reverse();
+        values[by..].reverse();
+    }
+
+    /// Copies the elements from `from` to `to` to where `place` is, which may be among them.
+    #[method(slice_copy_within_part)]
+    pub fn copy_within(values: &mut Self, from: usize, to: usize, place: usize) {
+        crate::__inside!(from <= to && to <= values.len());
+        let count = to - from;
+        crate::__inside!(place <= values.len() - count);
+        if place <= from {
+            for i in 0..count {
+                values[place + i] = values[from + i];
+            }
+        } else {
+            for i in (0..count).rev() {
+                values[place + i] = values[from + i];
+            }
+        }
+    }
+
+    /// The same of all elements from `from` on.
+    #[method(slice_copy_within_rest)]
+    pub fn copy_behind_within(values: &mut Self, from: usize, place: usize) {
+        copy_within(values, from, values.len(), place);
+    }
 }
 
 /// Whether the first elements are these.

@@ -60,17 +60,15 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let Some(parts) = lower(subject, scope, refusals) else { return TokenStream::new() };
     let name = &subject.signature.ident;
     let call = format_ident!("__call", span = name.span());
-    // What is not generic is its own marker.
-    let generic = format_ident!("__function_{}", lower::text(name));
-    let marker = if scope.is_generic() { &generic } else { name };
+    let marker = &function_marker(name, scope);
     let declared = scope.is_generic().then(|| declare_marker(marker, scope));
     let companion = companion(subject, &call, marker, scope, &parts);
     let callee = callee(&quote! { #name }, marker, scope, None, &subject.signature.ident);
     let register = (!rewritten).then(|| register(name, marker, scope));
     let builder = parts.builder;
     quote! {
+        #declared
         const _: () = {
-            #declared
             impl #name {
                 #companion
                 #builder
@@ -115,6 +113,14 @@ pub fn method(
             #callee
             #register
         };
+    }
+}
+
+/// What stands for a free function in slots: what is not generic is its own marker.
+pub fn function_marker(name: &syn::Ident, scope: Scope<'_>) -> syn::Ident {
+    match scope.is_generic() {
+        true => format_ident!("__function_{}", lower::text(name)),
+        false => name.clone(),
     }
 }
 

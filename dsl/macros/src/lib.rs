@@ -18,6 +18,7 @@ mod given;
 mod instance;
 mod interface;
 mod kind;
+mod library;
 mod lower;
 mod operators;
 mod owned;
@@ -154,6 +155,13 @@ pub fn component(arguments: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
     deep(|| function::expand(arguments.into(), item.into()))
+}
+
+/// A block of the DSL's own library: free functions that say what the methods of a type of std's or nalgebra's compute.
+#[doc(hidden)]
+#[proc_macro_attribute]
+pub fn library(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    deep(|| library::expand(arguments.into(), item.into()))
 }
 
 /// A function that the firmware brings in C; its body stands in for it in the simulation and in the tests.

@@ -23,44 +23,31 @@ macro_rules! markers {
 }
 pub(super) use markers;
 
-/// Companions that are asked for their types alone: none is ever run. A method's own types stand in square brackets.
-macro_rules! signatures {
-    ($(
-        $visible:vis fn $name:ident $([$($g:ident),*])? ($($parameters:tt)*) -> $result:ty
-            $(where $of:ident: $bound:ident)?;
-    )*) => {$(
-        $visible fn $name $(<$($g),*>)? ($($parameters)*) -> $result $(where $of: $bound)? {
-            unreachable!("a witness copy is never run")
-        }
-    )*};
-}
-pub(super) use signatures;
-
-/// A trait of companions whose meaning is the typifier's business: each with its marker, and with what that stands for,
-/// where it is not another's as well; a marker that is named by a path stands in square brackets, and so do a method's own
-/// types.
-macro_rules! operations {
+/// A trait of companions, asked for their types alone: none is ever run. It is generic over types and, behind a semicolon,
+/// numbers. A method's own parameters stand in square brackets. Each companion has its marker: what that stands for is said
+/// where it is not another's as well; a marker that is named by a path stands in square brackets.
+macro_rules! companions {
     ($(
         $(#[$doc:meta])*
-        pub trait $trait:ident $(<$($p:ident),*>)? $(: $super:ident)? {
+        pub trait $trait:ident $(<$($p:ident $(: $of_p:path)?),* $(; $($n:ident),*)?>)? $(: $($super:path),+)? {
             $(type $associated:ident $(: $kept:ident)?;)*
             $(
-                fn $name:ident $([$($g:ident),*])? ($($parameters:tt)*) -> $result:ty
-                    $(where $of:ident: $bound:ident)?
-                    = $($marker:ident $(<$at:ident>)? $(: $kind:ident($operation:expr))?)? $([$other:ty])?;
+                fn $name:ident $([$($g:tt)*])? ($($parameters:tt)*) -> $result:ty
+                    $(where $($of:ty: $bound:path),+)?
+                    = $($marker:ident $(: $kind:ident$(($operation:expr))?)?)? $([$other:ty])?;
             )*
         }
     )*) => {$(
-        $($($(markers! { $marker: $kind($operation); })?)?)*
+        $($($($crate::generate::builtin::markers! { $marker: $kind$(($operation))?; })?)?)*
 
         $(#[$doc])*
-        #[allow(missing_docs)]
-        pub trait $trait $(<$($p),*>)? $(: $super)? {
+        #[allow(missing_docs, clippy::type_complexity, clippy::too_many_arguments)]
+        pub trait $trait $(<$($p $(: $of_p)?,)* $($(const $n: usize),*)?>)? $(: $($super +)+)? {
             $(type $associated $(: $kept)?;)*
             $(
-                fn $name $(<$($g),*>)? ($($parameters)*)
-                    -> Called<$($marker $(<$at>)?)? $($other)?, $result>
-                $(where $of: $bound)?
+                fn $name $(<$($g)*>)? ($($parameters)*)
+                    -> Called<$($marker)? $($other)?, $result>
+                $(where $($of: $bound),+)?
                 {
                     unreachable!("a witness copy is never run")
                 }
@@ -68,31 +55,86 @@ macro_rules! operations {
         }
     )*};
 }
-pub(super) use operations;
+pub(super) use companions;
+
+/// The companions of functions, asked for their types alone as well: what a function is generic over stands in square brackets.
+macro_rules! calls {
+    ($($($function:ident)::+ [$($g:tt)*] ($($parameters:tt)*) -> $result:ty = $marker:ty;)*) => {$(
+        impl $($function)::+ {
+            pub fn __call<$($g)*>($($parameters)*) -> Called<$marker, $result> {
+                unreachable!("a witness copy is never run")
+            }
+        }
+    )*};
+}
+pub(super) use calls;
 
 markers! {
-    Sqrt: Scalar(Intrinsic::Sqrt); Floor: Scalar(Intrinsic::Floor); ToBits: Scalar(Intrinsic::ToBits); RawBits: Scalar(Intrinsic::RawBits); FromBits: Scalar(Intrinsic::FromBits); Copysign: Scalar(Intrinsic::Copysign);
-    Abs: Scalar(Intrinsic::Abs); Min: Scalar(Intrinsic::Min); Max: Scalar(Intrinsic::Max); Clamp: Scalar(Intrinsic::Clamp);
-    New: Matrix(MatrixMethod::New); Zeros: Matrix(MatrixMethod::Zeros); Identity: Matrix(MatrixMethod::Identity); FromElement: Matrix(MatrixMethod::FromElement);
-    Transpose: Linear(Routine::Transpose); Dot: Linear(Routine::Dot); Cross: Linear(Routine::Cross); Norm: Linear(Routine::Norm); NormSquared: Linear(Routine::NormSquared);
-    Real: Real; AsF64: AsF64;
-    ComponentMul: Linear(Routine::ComponentMul); ComponentDiv: Linear(Routine::ComponentDiv); TrMul: Linear(Routine::TrMul);
-    Scale: Linear(Routine::Scale); Unscale: Linear(Routine::Unscale);
-    AxisX: Matrix(MatrixMethod::Axis(0)); AxisY: Matrix(MatrixMethod::Axis(1)); AxisZ: Matrix(MatrixMethod::Axis(2)); AxisW: Matrix(MatrixMethod::Axis(3)); AxisA: Matrix(MatrixMethod::Axis(4)); AxisB: Matrix(MatrixMethod::Axis(5));
-    Rows: Matrix(MatrixMethod::Rows); Cols: Matrix(MatrixMethod::Cols); Elements: Matrix(MatrixMethod::Elements);
+    New: Matrix(MatrixMethod::New);
+    Real: Real;
 }
 
-/// Methods of floats.
-#[allow(missing_docs)]
-pub trait FloatBuiltins: Sized {
-    type Bits: Value;
-    signatures! {
-        fn __b_sqrt(self) -> Called<Sqrt, Self>;
-        fn __b_floor(self) -> Called<Floor, Self>;
-        fn __b_copysign(self, _sign: Self) -> Called<Copysign, Self>;
-        fn __b_to_bits(self) -> Called<ToBits, Self::Bits>;
-        fn __b_raw_bits(self) -> Called<RawBits, Self::Bits>;
-        fn __b_from_bits(_bits: Self::Bits) -> Called<FromBits, Self>;
+companions! {
+    /// Methods of floats.
+    pub trait FloatBuiltins: Sized {
+        type Bits: Value;
+        fn __b_sqrt(self) -> Self = Sqrt: Scalar(Intrinsic::Sqrt);
+        fn __b_floor(self) -> Self = Floor: Scalar(Intrinsic::Floor);
+        fn __b_copysign(self, _sign: Self) -> Self = Copysign: Scalar(Intrinsic::Copysign);
+        fn __b_to_bits(self) -> Self::Bits = ToBits: Scalar(Intrinsic::ToBits);
+        fn __b_raw_bits(self) -> Self::Bits = RawBits: Scalar(Intrinsic::RawBits);
+        fn __b_from_bits(_bits: Self::Bits) -> Self = FromBits: Scalar(Intrinsic::FromBits);
+    }
+    /// From a float to double precision.
+    pub trait RealBuiltins: Sized {
+        fn __b_as_f64(self) -> f64 = AsF64: AsF64;
+    }
+    /// Methods of numbers that are ordered.
+    pub trait OrderBuiltins: Sized {
+        fn __b_abs(self) -> Self = Abs: Scalar(Intrinsic::Abs);
+        fn __b_min(self, _other: Self) -> Self = Min: Scalar(Intrinsic::Min);
+        fn __b_max(self, _other: Self) -> Self = Max: Scalar(Intrinsic::Max);
+        fn __b_clamp(self, _low: Self, _high: Self) -> Self = Clamp: Scalar(Intrinsic::Clamp);
+    }
+    /// Methods of matrices and vectors.
+    pub trait MatrixBuiltins<T; R, C>: Sized {
+        fn __b_zeros() -> Self = Zeros: Matrix(MatrixMethod::Zeros);
+        fn __b_from_element(_element: T) -> Self = FromElement: Matrix(MatrixMethod::FromElement);
+        fn __b_repeat(_element: T) -> Self = FromElement;
+        fn __b_nrows(&self) -> usize = Rows: Matrix(MatrixMethod::Rows);
+        fn __b_ncols(&self) -> usize = Cols: Matrix(MatrixMethod::Cols);
+        fn __b_len(&self) -> usize = Elements: Matrix(MatrixMethod::Elements);
+        fn __b_transpose(&self) -> SMatrix<T, C, R> = Transpose: Linear(Routine::Transpose);
+        fn __b_adjoint(&self) -> SMatrix<T, C, R> = Transpose;
+        fn __b_scale(&self, _factor: T) -> Self = Scale: Linear(Routine::Scale);
+        fn __b_unscale(&self, _divisor: T) -> Self = Unscale: Linear(Routine::Unscale);
+        fn __b_tr_mul[const K: usize](&self, _other: &SMatrix<T, R, K>) -> SMatrix<T, C, K> = TrMul: Linear(Routine::TrMul);
+        fn __b_ad_mul[const K: usize](&self, _other: &SMatrix<T, R, K>) -> SMatrix<T, C, K> = TrMul;
+        fn __b_dot(&self, _other: &Self) -> T = Dot: Linear(Routine::Dot);
+        fn __b_dotc(&self, _other: &Self) -> T = Dot;
+        fn __b_norm(&self) -> T = Norm: Linear(Routine::Norm);
+        fn __b_magnitude(&self) -> T = Norm;
+        fn __b_norm_squared(&self) -> T = NormSquared: Linear(Routine::NormSquared);
+        fn __b_magnitude_squared(&self) -> T = NormSquared;
+        fn __b_component_mul(&self, _other: &Self) -> Self = ComponentMul: Linear(Routine::ComponentMul);
+        fn __b_component_div(&self, _other: &Self) -> Self = ComponentDiv: Linear(Routine::ComponentDiv);
+    }
+    /// The identity of a matrix.
+    pub trait IdentityBuiltin: Sized {
+        fn __b_identity() -> Self = Identity: Matrix(MatrixMethod::Identity);
+    }
+    /// The unit vectors.
+    pub trait AxisBuiltins: Sized {
+        fn __b_x() -> Self = AxisX: Matrix(MatrixMethod::Axis(0));
+        fn __b_y() -> Self = AxisY: Matrix(MatrixMethod::Axis(1));
+        fn __b_z() -> Self = AxisZ: Matrix(MatrixMethod::Axis(2));
+        fn __b_w() -> Self = AxisW: Matrix(MatrixMethod::Axis(3));
+        fn __b_a() -> Self = AxisA: Matrix(MatrixMethod::Axis(4));
+        fn __b_b() -> Self = AxisB: Matrix(MatrixMethod::Axis(5));
+    }
+    /// The cross product.
+    pub trait CrossBuiltin: Sized {
+        fn __b_cross(&self, _other: &Self) -> Self = Cross: Linear(Routine::Cross);
     }
 }
 
@@ -104,111 +146,20 @@ impl FloatBuiltins for f32 {
     type Bits = u32;
 }
 
-/// From a float to double precision.
-#[allow(missing_docs)]
-pub trait RealBuiltins: Sized {
-    fn __b_as_f64(self) -> Called<AsF64, f64> {
-        unreachable!()
-    }
-}
-
 impl RealBuiltins for f64 {}
 impl RealBuiltins for f32 {}
-
-/// Methods of numbers that are ordered.
-#[allow(missing_docs)]
-pub trait OrderBuiltins: Sized {
-    signatures! {
-        fn __b_abs(self) -> Called<Abs, Self>;
-        fn __b_min(self, _other: Self) -> Called<Min, Self>;
-        fn __b_max(self, _other: Self) -> Called<Max, Self>;
-        fn __b_clamp(self, _low: Self, _high: Self) -> Called<Clamp, Self>;
-    }
-}
 
 macro_rules! ordered {
     ($($ty:ty),*) => { $(impl OrderBuiltins for $ty {})* };
 }
 ordered!(f32, f64, i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
 
-/// Methods of matrices and vectors.
-#[allow(missing_docs)]
-pub trait MatrixBuiltins<T, const R: usize, const C: usize>: Sized {
-    signatures! {
-        fn __b_zeros() -> Called<Zeros, Self>;
-        fn __b_from_element(_element: T) -> Called<FromElement, Self>;
-        fn __b_repeat(_element: T) -> Called<FromElement, Self>;
-        fn __b_nrows(&self) -> Called<Rows, usize>;
-        fn __b_ncols(&self) -> Called<Cols, usize>;
-        fn __b_len(&self) -> Called<Elements, usize>;
-        fn __b_transpose(&self) -> Called<Transpose, SMatrix<T, C, R>>;
-        fn __b_adjoint(&self) -> Called<Transpose, SMatrix<T, C, R>>;
-        fn __b_scale(&self, _factor: T) -> Called<Scale, Self>;
-        fn __b_unscale(&self, _divisor: T) -> Called<Unscale, Self>;
-    }
-    fn __b_ad_mul<const K: usize>(
-        &self,
-        _other: &SMatrix<T, R, K>,
-    ) -> Called<TrMul, SMatrix<T, C, K>> {
-        unreachable!()
-    }
-    signatures! {
-        fn __b_dot(&self, _other: &Self) -> Called<Dot, T>;
-        fn __b_norm(&self) -> Called<Norm, T>;
-        fn __b_norm_squared(&self) -> Called<NormSquared, T>;
-        fn __b_magnitude(&self) -> Called<Norm, T>;
-        fn __b_magnitude_squared(&self) -> Called<NormSquared, T>;
-        fn __b_dotc(&self, _other: &Self) -> Called<Dot, T>;
-        fn __b_component_mul(&self, _other: &Self) -> Called<ComponentMul, Self>;
-        fn __b_component_div(&self, _other: &Self) -> Called<ComponentDiv, Self>;
-    }
-    fn __b_tr_mul<const K: usize>(
-        &self,
-        _other: &SMatrix<T, R, K>,
-    ) -> Called<TrMul, SMatrix<T, C, K>> {
-        unreachable!()
-    }
-}
-
 impl<T: ScalarType + Scalar, const R: usize, const C: usize> MatrixBuiltins<T, R, C>
     for SMatrix<T, R, C>
 {
 }
-
-/// The identity of a matrix.
-pub trait IdentityBuiltin: Sized {
-    #[allow(missing_docs)]
-    fn __b_identity() -> Called<Identity, Self> {
-        unreachable!()
-    }
-}
-
 impl<T: ScalarType + Scalar, const R: usize, const C: usize> IdentityBuiltin for SMatrix<T, R, C> {}
-
-macro_rules! axes {
-    ($($name:ident $marker:ident;)*) => {
-        /// The unit vectors.
-        #[allow(missing_docs)]
-        pub trait AxisBuiltins: Sized {$(
-            fn $name() -> Called<$marker, Self> {
-                unreachable!()
-            }
-        )*}
-    };
-}
-
-axes! { __b_x AxisX; __b_y AxisY; __b_z AxisZ; __b_w AxisW; __b_a AxisA; __b_b AxisB; }
-
 impl<T: ScalarType + Scalar, const N: usize> AxisBuiltins for SMatrix<T, N, 1> {}
-
-/// The cross product.
-pub trait CrossBuiltin: Sized {
-    #[allow(missing_docs)]
-    fn __b_cross(&self, _other: &Self) -> Called<Cross, Self> {
-        unreachable!()
-    }
-}
-
 impl<T: ScalarType + Scalar> CrossBuiltin for SMatrix<T, 3, 1> {}
 
 macro_rules! constructors {

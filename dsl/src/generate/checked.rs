@@ -1,49 +1,49 @@
 //! The companions of checked arithmetic: functions of [`math::checked`](crate::math::checked).
 
 use super::builder::Callee;
-use super::builtin::signatures;
+use super::builtin::companions;
 use super::slot::Called;
 use crate::math::{checked, integer};
 
-/// Checked arithmetic of integers.
-#[allow(missing_docs)]
-pub trait CheckedBuiltins: Sized {
-    type Add: Callee;
-    type Sub: Callee;
-    type Mul: Callee;
-    type Div: Callee;
-    type Rem: Callee;
-    type Neg: Callee;
-    type Shl: Callee;
-    type Shr: Callee;
-    type Pow: Callee;
-    signatures! {
-        fn __b_checked_add(self, _other: Self) -> Called<Self::Add, Option<Self>>;
-        fn __b_checked_sub(self, _other: Self) -> Called<Self::Sub, Option<Self>>;
-        fn __b_checked_mul(self, _other: Self) -> Called<Self::Mul, Option<Self>>;
-        fn __b_checked_div(self, _other: Self) -> Called<Self::Div, Option<Self>>;
-        fn __b_checked_rem(self, _other: Self) -> Called<Self::Rem, Option<Self>>;
-        fn __b_checked_neg(self) -> Called<Self::Neg, Option<Self>>;
-        fn __b_checked_shl(self, _bits: u32) -> Called<Self::Shl, Option<Self>>;
-        fn __b_checked_shr(self, _bits: u32) -> Called<Self::Shr, Option<Self>>;
-        fn __b_checked_pow(self, _exponent: u32) -> Called<Self::Pow, Option<Self>>;
+companions! {
+    /// Checked arithmetic of integers.
+    pub trait CheckedBuiltins: Sized {
+        type Add: Callee;
+        type Sub: Callee;
+        type Mul: Callee;
+        type Div: Callee;
+        type Rem: Callee;
+        type Neg: Callee;
+        type Shl: Callee;
+        type Shr: Callee;
+        type Pow: Callee;
+        fn __b_checked_add(self, _other: Self) -> Option<Self> = [Self::Add];
+        fn __b_checked_sub(self, _other: Self) -> Option<Self> = [Self::Sub];
+        fn __b_checked_mul(self, _other: Self) -> Option<Self> = [Self::Mul];
+        fn __b_checked_div(self, _other: Self) -> Option<Self> = [Self::Div];
+        fn __b_checked_rem(self, _other: Self) -> Option<Self> = [Self::Rem];
+        fn __b_checked_neg(self) -> Option<Self> = [Self::Neg];
+        fn __b_checked_shl(self, _bits: u32) -> Option<Self> = [Self::Shl];
+        fn __b_checked_shr(self, _bits: u32) -> Option<Self> = [Self::Shr];
+        fn __b_checked_pow(self, _exponent: u32) -> Option<Self> = [Self::Pow];
     }
-}
-
-/// The magnitude of signed integers.
-#[allow(missing_docs)]
-pub trait CheckedAbsBuiltin: Sized {
-    type Abs: Callee;
-    fn __b_checked_abs(self) -> Called<Self::Abs, Option<Self>> {
-        unreachable!()
+    /// The magnitude of signed integers.
+    pub trait CheckedAbsBuiltin: Sized {
+        type Abs: Callee;
+        type SaturatingNeg: Callee;
+        type SaturatingAbs: Callee;
+        fn __b_checked_abs(self) -> Option<Self> = [Self::Abs];
+        fn __b_saturating_neg(self) -> Self = [Self::SaturatingNeg];
+        fn __b_saturating_abs(self) -> Self = [Self::SaturatingAbs];
     }
-    type SaturatingNeg: Callee;
-    type SaturatingAbs: Callee;
-    fn __b_saturating_neg(self) -> Called<Self::SaturatingNeg, Self> {
-        unreachable!()
-    }
-    fn __b_saturating_abs(self) -> Called<Self::SaturatingAbs, Self> {
-        unreachable!()
+    /// The sum of what has no sign and what has one.
+    pub trait CheckedSignedBuiltin<S>: Sized {
+        type AddSigned: Callee;
+        type SaturatingAddSigned: Callee;
+        type WrappingAddSigned: Callee;
+        fn __b_checked_add_signed(self, _other: S) -> Option<Self> = [Self::AddSigned];
+        fn __b_saturating_add_signed(self, _other: S) -> Self = [Self::SaturatingAddSigned];
+        fn __b_wrapping_add_signed(self, _other: S) -> Self = [Self::WrappingAddSigned];
     }
 }
 
@@ -84,23 +84,6 @@ magnitudes! {
     i32 abs_i32 neg_i32 abs_i32;
     i64 abs_i64 neg_i64 abs_i64;
     isize abs_isize neg_isize abs_isize;
-}
-
-/// The sum of what has no sign and what has one.
-#[allow(missing_docs)]
-pub trait CheckedSignedBuiltin<S>: Sized {
-    type AddSigned: Callee;
-    type SaturatingAddSigned: Callee;
-    type WrappingAddSigned: Callee;
-    fn __b_checked_add_signed(self, _other: S) -> Called<Self::AddSigned, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_saturating_add_signed(self, _other: S) -> Called<Self::SaturatingAddSigned, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_add_signed(self, _other: S) -> Called<Self::WrappingAddSigned, Self> {
-        unreachable!()
-    }
 }
 
 macro_rules! signed_operands {

@@ -1,6 +1,7 @@
 //! The companions of the elementary functions.
 
 use super::builder::Callee;
+use super::builtin::companions;
 use super::slot::Called;
 use crate::math::{
     arctangent, exponential, fused, hyperbolic, logarithm, of_f32, power, roots, sine, tangent,
@@ -11,14 +12,13 @@ macro_rules! elementary {
     ($(
         $kind:ident $companion:ident($($operand:ident: $ty:ty),*) -> $result:ty: $double:ty, $single:ty;
     )*) => {
-        /// Elementary functions of floats.
-        #[allow(missing_docs)]
-        pub trait ElementaryBuiltins: Sized {$(
-            type $kind: Callee;
-            fn $companion(self $(, $operand: $ty)*) -> Called<Self::$kind, $result> {
-                unreachable!("a witness copy is never run")
+        companions! {
+            /// Elementary functions of floats.
+            pub trait ElementaryBuiltins: Sized {
+                $(type $kind: Callee;)*
+                $(fn $companion(self $(, $operand: $ty)*) -> $result = [Self::$kind];)*
             }
-        )*}
+        }
 
         impl ElementaryBuiltins for f64 {
             $(type $kind = $double;)*

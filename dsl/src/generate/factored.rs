@@ -7,28 +7,31 @@ use bessemer_ir::tree::Ty;
 use nalgebra::{Cholesky, Const, DimMin, LU, QR, SMatrix, SVector, UDU};
 
 use super::builder::{Builder, Callee};
-use super::matrices::{companions, told};
+use super::builtin::companions;
 use super::slot::{Called, DslType, Seen};
 use crate::linear::factored::cholesky::CholeskyFactor;
 use crate::linear::factored::lu::Lu;
 use crate::linear::factored::qr::Qr;
 use crate::linear::factored::udu::Udu;
-use crate::linear::factored::{cholesky, lu, qr, triangular, udu};
+use crate::linear::factored::{cholesky, lu, qr, udu};
 use crate::math::Real;
 
-/// The DSL's struct in place of nalgebra's value. No companion is ever run.
-pub(super) fn held<N, D>(_: &N) -> &D {
-    unreachable!()
-}
-
-/// The same, lent to be changed.
-pub(super) fn held_mut<N, D>(_: &mut N) -> &mut D {
-    unreachable!()
+/// The DSL's struct in place of nalgebra's value, lent to be read or to be changed. No companion is ever run.
+#[allow(clippy::mut_from_ref)]
+fn held<N, D>(_: &N) -> &mut D {
+    unreachable!("a witness copy is never run")
 }
 
 /// nalgebra's value in place of the DSL's struct.
-pub(super) fn gives<M, D, N>(_: Called<M, D>) -> Called<M, N> {
-    unreachable!()
+fn gives<M, D, N>(_: Called<M, D>) -> Called<M, N> {
+    unreachable!("a witness copy is never run")
+}
+
+/// What a companion returns that names a method of such a struct: its marker has no name here.
+macro_rules! told {
+    ([$($kept:ident),*] $(+ $more:ident)* => $result:ty) => {
+        Called<impl Callee + use<$($kept),* $(, $more)*>, $result>
+    };
 }
 
 macro_rules! stands {
@@ -57,16 +60,14 @@ pub trait LuBuiltins<T: Real, const N: usize>: Sized
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    fn __b_lu(self) -> told!([Self, T, N] => LU<T, Const<N>, Const<N>>);
+    fn __b_lu(self) -> Called<lu::__function_factored<T, N>, LU<T, Const<N>, Const<N>>> {
+        unreachable!("a witness copy is never run")
+    }
 }
 
-impl<T: Real, const N: usize> LuBuiltins<T, N> for SMatrix<T, N, N>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+impl<T: Real, const N: usize> LuBuiltins<T, N> for SMatrix<T, N, N> where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>
 {
-    fn __b_lu(self) -> told!([T, N] => LU<T, Const<N>, Const<N>>) {
-        gives(lu::factored::__call(&self))
-    }
 }
 
 /// Factors of matrices with no more columns than rows.
@@ -74,55 +75,25 @@ pub trait QrBuiltins<T: Real, const R: usize, const C: usize>: Sized
 where
     Const<R>: DimMin<Const<C>, Output = Const<C>>,
 {
-    fn __b_qr(self) -> told!([Self, T, R, C] => QR<T, Const<R>, Const<C>>);
+    fn __b_qr(self) -> Called<qr::__function_factored<T, R, C>, QR<T, Const<R>, Const<C>>> {
+        unreachable!("a witness copy is never run")
+    }
 }
 
-impl<T: Real, const R: usize, const C: usize> QrBuiltins<T, R, C> for SMatrix<T, R, C>
-where
-    Const<R>: DimMin<Const<C>, Output = Const<C>>,
+impl<T: Real, const R: usize, const C: usize> QrBuiltins<T, R, C> for SMatrix<T, R, C> where
+    Const<R>: DimMin<Const<C>, Output = Const<C>>
 {
-    fn __b_qr(self) -> told!([T, R, C] => QR<T, Const<R>, Const<C>>) {
-        gives(qr::factored::__call(&self))
-    }
 }
 
 companions! {
-    /// Systems of equations with a triangular matrix.
-    TriangularBuiltins<N>: Real [Self, T, N] for SMatrix<T, N, N>, [T, N] {
-        fn __b_solve_lower_triangular<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
-            triangular::solve_lower_triangular(self, b)
-        }
-        fn __b_solve_upper_triangular<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
-            triangular::solve_upper_triangular(self, b)
-        }
-        fn __b_tr_solve_lower_triangular<K>(
-            &self, b: &SMatrix<T, N, K>
-        ) -> Option<SMatrix<T, N, K>> {
-            triangular::tr_solve_lower_triangular(self, b)
-        }
-        fn __b_tr_solve_upper_triangular<K>(
-            &self, b: &SMatrix<T, N, K>
-        ) -> Option<SMatrix<T, N, K>> {
-            triangular::tr_solve_upper_triangular(self, b)
-        }
-        fn __b_ad_solve_lower_triangular<K>(
-            &self, b: &SMatrix<T, N, K>
-        ) -> Option<SMatrix<T, N, K>> {
-            triangular::tr_solve_lower_triangular(self, b)
-        }
-        fn __b_ad_solve_upper_triangular<K>(
-            &self, b: &SMatrix<T, N, K>
-        ) -> Option<SMatrix<T, N, K>> {
-            triangular::tr_solve_upper_triangular(self, b)
-        }
-        fn __b_solve_lower_triangular_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> bool {
-            triangular::solve_lower_triangular_mut(self, b)
-        }
-        fn __b_solve_upper_triangular_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> bool {
-            triangular::solve_upper_triangular_mut(self, b)
-        }
+    /// Factors of symmetric matrices.
+    pub trait SymmetricBuiltins<T: Real; N>: Sized {
+        fn __b_cholesky(self) -> Option<Cholesky<T, Const<N>>> = [cholesky::__function_factored<T, N>];
+        fn __b_udu(self) -> Option<UDU<T, Const<N>>> = [udu::__function_factored<T, N>];
     }
 }
+
+impl<T: Real, const N: usize> SymmetricBuiltins<T, N> for SMatrix<T, N, N> {}
 
 /// A trait with the companions of the methods of one of nalgebra's types.
 macro_rules! methods {
@@ -147,18 +118,6 @@ macro_rules! methods {
         )*}
     };
 }
-pub(super) use methods;
-
-methods! {
-    /// Factors of symmetric matrices, and systems with triangular ones.
-    SymmetricBuiltins<N> [Self, T, N] for SMatrix<T, N, N>, [T, N] {
-        fn __b_cholesky(self) -> Option<Cholesky<T, Const<N>>> {
-            gives(cholesky::factored::__call(&self))
-        }
-        fn __b_udu(self) -> Option<UDU<T, Const<N>>> { gives(udu::factored::__call(&self)) }
-    }
-}
-
 methods! {
     /// Methods of LU.
     LuMethods<N> [Self, T, N] for LU<T, Const<N>, Const<N>>, [T, N]
@@ -202,7 +161,7 @@ methods! {
         }
         fn __b_determinant(&self) -> T { held::<_, CholeskyFactor<T, N>>(self).__b_determinant() }
         fn __b_rank_one_update(&mut self, x: &SVector<T, N>, sigma: T) -> () {
-            held_mut::<_, CholeskyFactor<T, N>>(self).__b_rank_one_update(x, sigma)
+            held::<_, CholeskyFactor<T, N>>(self).__b_rank_one_update(x, sigma)
         }
     }
 }
@@ -222,22 +181,20 @@ methods! {
     }
 }
 
-methods! {
+companions! {
     /// Methods of QR of square matrices.
-    SquareQrMethods<N> [Self, T, N] for QR<T, Const<N>, Const<N>>, [T, N]
-    where [Const<N>: DimMin<Const<N>, Output = Const<N>>]
-    {
-        fn __b_solve<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
-            qr::solve::__call(held(self), b)
-        }
-        fn __b_solve_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> bool {
-            qr::solve_mut::__call(held(self), b)
-        }
-        fn __b_try_inverse(&self) -> Option<SMatrix<T, N, N>> {
-            qr::try_inverse::__call(held(self))
-        }
-        fn __b_is_invertible(&self) -> bool { qr::is_invertible::__call::<T, N>(held(self)) }
+    pub trait SquareQrMethods<T; N>: Sized {
+        fn __b_solve[const K: usize](&self, _b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>>
+            = [qr::__function_solve<T, N, K>];
+        fn __b_solve_mut[const K: usize](&self, _b: &mut SMatrix<T, N, K>) -> bool = [qr::__function_solve_mut<T, N, K>];
+        fn __b_try_inverse(&self) -> Option<SMatrix<T, N, N>> = [qr::__function_try_inverse<T, N>];
+        fn __b_is_invertible(&self) -> bool = [qr::__function_is_invertible<T, N>];
     }
+}
+
+impl<T: Real, const N: usize> SquareQrMethods<T, N> for QR<T, Const<N>, Const<N>> where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>
+{
 }
 
 methods! {

@@ -12,9 +12,8 @@ use nalgebra::{Const, OPoint, RealField};
 use num_traits::Float as Number;
 
 use super::builder::{Builder, Callee};
-use super::builtin::{FloatBuiltins, OrderBuiltins};
+use super::builtin::{FloatBuiltins, OrderBuiltins, calls};
 use super::elementary::ElementaryBuiltins;
-use super::matrices::told;
 use super::numbers::{FloatKindBuiltins, SignBuiltins};
 use super::slot::{Called, Companion, DslType};
 use crate::linear::norms;
@@ -159,29 +158,18 @@ companions! { AnyRealBuiltins: RealField }
 #[allow(non_camel_case_types)]
 pub struct convert;
 
-impl convert {
-    /// What it gives.
-    pub fn __call<T: RealField>(_: f64) -> Called<super::builtin::Real, T> {
-        unreachable!()
-    }
+/// Stands for nalgebra's function of that name.
+#[allow(non_camel_case_types)]
+pub struct distance;
+
+/// Stands for nalgebra's function of that name.
+#[allow(non_camel_case_types)]
+pub struct distance_squared;
+
+calls! {
+    convert[T: RealField](_: f64) -> T = super::builtin::Real;
+    distance[T: Real, const N: usize](_p: &OPoint<T, Const<N>>, _q: &OPoint<T, Const<N>>) -> T
+        = norms::__function_distance<T, N>;
+    distance_squared[T: Real, const N: usize](_p: &OPoint<T, Const<N>>, _q: &OPoint<T, Const<N>>) -> T
+        = norms::__function_distance_squared<T, N>;
 }
-
-macro_rules! between_points {
-    ($($name:ident)*) => {$(
-        /// Stands for nalgebra's function of that name.
-        #[allow(non_camel_case_types)]
-        pub struct $name;
-
-        impl $name {
-            /// What it gives.
-            pub fn __call<T: Real, const N: usize>(
-                p: &OPoint<T, Const<N>>,
-                q: &OPoint<T, Const<N>>,
-            ) -> told!([T, N] => T) {
-                norms::$name::__call(&p.coords, &q.coords)
-            }
-        }
-    )*};
-}
-
-between_points! { distance distance_squared }

@@ -9,11 +9,10 @@ use core::marker::PhantomData;
 use bessemer_ir::tree::{self, Desugared, Together, Ty};
 
 use super::builder::{Builder, Callee};
-use super::builtin::{markers, signatures};
+use super::builtin::companions;
 use super::option;
-use super::slot::{Called, Companion, DslType, Exclusive, Seen, Shared, Value};
-use crate::Plain;
-use crate::iterate;
+use super::slot::{Called, DslType, Exclusive, Seen, Shared};
+use crate::{List, Plain, adapt, iterate};
 
 /// What the companion of a function gives that gives an iterator of `T`, and what the builder of one that takes it has.
 pub struct Items<T>(PhantomData<T>);
@@ -87,6 +86,28 @@ impl<T> Plain for Items<T> {
     }
 }
 
+/// What a reference to it is gone through for.
+pub trait Held {
+    /// References to these.
+    type Of;
+}
+
+impl<T, const N: usize> Held for [T; N] {
+    type Of = T;
+}
+
+impl<T> Held for [T] {
+    type Of = T;
+}
+
+impl<T> Held for Option<T> {
+    type Of = T;
+}
+
+impl<T, const N: usize> Held for List<T, N> {
+    type Of = T;
+}
+
 /// A reference is a value where a function stands in place: it is what it refers to.
 macro_rules! references {
     ($($reference:ident)*) => {$(
@@ -106,6 +127,14 @@ macro_rules! references {
             }
         }
 
+        impl<T: Held + ?Sized> IntoIterator for $reference<T> {
+            type Item = $reference<T::Of>;
+            type IntoIter = Items<$reference<T::Of>>;
+            fn into_iter(self) -> Self::IntoIter {
+                unreachable!("a witness copy is never run")
+            }
+        }
+
         impl<T: ?Sized> Plain for $reference<T> {
             const WORDS: usize = 0;
             fn store(&self, _: &mut dyn FnMut(u64)) {}
@@ -121,141 +150,116 @@ references! { Shared Exclusive }
 /// The type of an item in a slot.
 pub(super) type Item<I> = <<I as Iterator>::Item as Seen>::Slot;
 
-/// The marker of a function that takes an iterator, by what it is generic over.
-macro_rules! takes_items {
-    ($module:ident: $(
-        $marker:ident<$($of:ident $(: $bound:path)?),+>: $function:ident($($parameter:ty),*);
-    )*) => {$(
-        #[doc = concat!("The marker of `", stringify!($function), "`.")]
-        pub struct $marker<$($of),+>(PhantomData<($($of,)+)>);
-        impl<$($of: Value $(+ $bound)?),+> Callee for $marker<$($of),+> {
-            fn callee(cx: &mut Builder) -> tree::Callee {
-                let function = $module::$function::__call as fn($($parameter),*) -> _;
-                Companion::callee(function, cx)
-            }
-        }
-    )*};
-}
-pub(super) use takes_items;
-
-takes_items! { iterate:
-    Count<T>: count(Items<T>);
-    Fold<T, A>: fold(Items<T>, A, fn(A, T) -> A);
-    Any<T>: any(Items<T>, fn(T) -> bool);
-    All<T>: all(Items<T>, fn(T) -> bool);
-    Find<T>: find(Items<T>, fn(&T) -> bool);
-    FindMap<T, U>: find_map(Items<T>, fn(T) -> Option<U>);
-    Last<T>: last(Items<T>);
-    Next<T>: next(Items<T>);
-    Nth<T>: nth(Items<T>, usize);
-    Position<T>: position(Items<T>, fn(T) -> bool);
-    Rposition<T>: rposition(Items<T>, fn(T) -> bool);
-    Max<T: PartialOrd>: max(Items<T>);
-    Min<T: PartialOrd>: min(Items<T>);
-    MaxBy<T>: max_by(Items<T>, fn(&T, &T) -> Ordering);
-    MinBy<T>: min_by(Items<T>, fn(&T, &T) -> Ordering);
-    MaxByKey<T, K: PartialOrd>: max_by_key(Items<T>, fn(&T) -> K);
-    MinByKey<T, K: PartialOrd>: min_by_key(Items<T>, fn(&T) -> K);
-    Cmp<T: PartialOrd>: cmp(Items<T>, Items<T>);
-    Lt<T: PartialOrd<U>, U>: lt(Items<T>, Items<U>);
-    Le<T: PartialOrd<U>, U>: le(Items<T>, Items<U>);
-    Gt<T: PartialOrd<U>, U>: gt(Items<T>, Items<U>);
-    Ge<T: PartialOrd<U>, U>: ge(Items<T>, Items<U>);
-    Eq<T: PartialEq<U>, U>: eq(Items<T>, Items<U>);
-    Ne<T: PartialEq<U>, U>: ne(Items<T>, Items<U>);
-    ForEach<T>: for_each(Items<T>, fn(T));
-    Reduce<T>: reduce(Items<T>, fn(T, T) -> T);
-}
-
-markers! {
-    Sum: Desugared(Desugared::Together(Together::Sum));
-    Product: Desugared(Desugared::Together(Together::Product));
-    TryFold: Desugared(Desugared::Together(Together::Tried));
-    ByRef: Desugared(Desugared::ByRef);
-}
-
 /// What a `try_fold` gives.
 pub trait Tried<A> {}
 
 impl<A> Tried<A> for Option<A> {}
 impl<A, E> Tried<A> for Result<A, E> {}
 
-/// Companions of methods of iterators, by their markers and by what they give, which are asked for their types alone.
-macro_rules! of_iterators {
-    (
-        $(#[$doc:meta])*
-        $trait:ident {$(
-            $name:ident $([$($g:ident: $bound:path),+])? ($($parameter:ty),*)
-                -> $marker:ty, $result:ty $(where $of:ty: $($such:path),+)?;
-        )*}
-    ) => {
-        $(#[$doc])*
-        pub trait $trait: Iterator<Item: Seen> + Sized {$(
-            fn $name $(<$($g: $bound),+>)? (self, $(_: $parameter),*) -> Called<$marker, $result>
-            $(where $of: $($such +)+)?
-            {
-                unreachable!("a witness copy is never run")
-            }
-        )*}
-
-        impl<I: Iterator<Item: Seen>> $trait for I {}
-    };
+/// What an expression is gone through for.
+pub fn __items<I: IntoIterator>(_: I) -> Items<I::Item> {
+    unreachable!("a witness copy is never run")
 }
-pub(super) use of_iterators;
 
-of_iterators! {
+companions! {
     /// What iterators end in.
-    Ends {
-        __b_sum[S: core::iter::Sum<Self::Item>]() -> Sum, S;
-        __b_product[P: core::iter::Product<Self::Item>]() -> Product, P;
-        __b_for_each[F: FnMut(Self::Item)](F) -> ForEach<Item<Self>>, ();
-        __b_reduce[F: FnMut(Self::Item, Self::Item) -> Self::Item](F)
-            -> Reduce<Item<Self>>, Option<Self::Item>;
-        __b_nth(usize) -> Nth<Item<Self>>, Option<Self::Item>;
-        __b_position[F: FnMut(Self::Item) -> bool](F) -> Position<Item<Self>>, Option<usize>;
-        __b_rposition[F: FnMut(Self::Item) -> bool](F) -> Rposition<Item<Self>>, Option<usize>
-            where Self: DoubleEndedIterator, ExactSizeIterator;
-        __b_max() -> Max<Item<Self>>, Option<Self::Item> where Self::Item: Ord;
-        __b_min() -> Min<Item<Self>>, Option<Self::Item> where Self::Item: Ord;
-        __b_count() -> Count<Item<Self>>, usize;
-        __b_fold[A: Seen, F: FnMut(A, Self::Item) -> A](A, F) -> Fold<Item<Self>, A::Slot>, A;
-        __b_try_fold[A: Sized, R: Tried<A>, F: FnMut(A, Self::Item) -> R](A, F) -> TryFold, R;
-        __b_any[F: FnMut(Self::Item) -> bool](F) -> Any<Item<Self>>, bool;
-        __b_all[F: FnMut(Self::Item) -> bool](F) -> All<Item<Self>>, bool;
-        __b_find[F: FnMut(&Self::Item) -> bool](F) -> Find<Item<Self>>, Option<Self::Item>;
-        __b_find_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](F)
-            -> FindMap<Item<Self>, U::Slot>, Option<U>;
-        __b_max_by[F: FnMut(&Self::Item, &Self::Item) -> Ordering](F)
-            -> MaxBy<Item<Self>>, Option<Self::Item>;
-        __b_min_by[F: FnMut(&Self::Item, &Self::Item) -> Ordering](F)
-            -> MinBy<Item<Self>>, Option<Self::Item>;
-        __b_max_by_key[K: Seen, F: FnMut(&Self::Item) -> K](F)
-            -> MaxByKey<Item<Self>, K::Slot>, Option<Self::Item> where K: Ord;
-        __b_min_by_key[K: Seen, F: FnMut(&Self::Item) -> K](F)
-            -> MinByKey<Item<Self>, K::Slot>, Option<Self::Item> where K: Ord;
-        __b_cmp[I: IntoIterator<Item = Self::Item>](I) -> Cmp<Item<Self>>, Ordering
-            where Self::Item: Ord;
-        __b_lt[U: Seen, I: IntoIterator<Item = U>](I) -> Lt<Item<Self>, U::Slot>, bool
-            where Self::Item: PartialOrd<U>;
-        __b_le[U: Seen, I: IntoIterator<Item = U>](I) -> Le<Item<Self>, U::Slot>, bool
-            where Self::Item: PartialOrd<U>;
-        __b_gt[U: Seen, I: IntoIterator<Item = U>](I) -> Gt<Item<Self>, U::Slot>, bool
-            where Self::Item: PartialOrd<U>;
-        __b_ge[U: Seen, I: IntoIterator<Item = U>](I) -> Ge<Item<Self>, U::Slot>, bool
-            where Self::Item: PartialOrd<U>;
-        __b_eq[U: Seen, I: IntoIterator<Item = U>](I) -> Eq<Item<Self>, U::Slot>, bool
-            where Self::Item: PartialEq<U>;
-        __b_ne[U: Seen, I: IntoIterator<Item = U>](I) -> Ne<Item<Self>, U::Slot>, bool
-            where Self::Item: PartialEq<U>;
-        __b_last() -> Last<Item<Self>>, Option<Self::Item>;
-        __b_next() -> Next<Item<Self>>, Option<Self::Item>;
+    pub trait Ends: Iterator<Item: Seen>, Sized {
+        fn __b_sum[S: core::iter::Sum<Self::Item>](self) -> S = Sum: Desugared(Desugared::Together(Together::Sum));
+        fn __b_product[P: core::iter::Product<Self::Item>](self) -> P
+            = Product: Desugared(Desugared::Together(Together::Product));
+        fn __b_for_each[F: FnMut(Self::Item)](self, _: F) -> () = [iterate::__function_for_each<Item<Self>>];
+        fn __b_reduce[F: FnMut(Self::Item, Self::Item) -> Self::Item](self, _: F) -> Option<Self::Item>
+            = [iterate::__function_reduce<Item<Self>>];
+        fn __b_nth(self, _: usize) -> Option<Self::Item> = [iterate::__function_nth<Item<Self>>];
+        fn __b_position[F: FnMut(Self::Item) -> bool](self, _: F) -> Option<usize>
+            = [iterate::__function_position<Item<Self>>];
+        fn __b_rposition[F: FnMut(Self::Item) -> bool](self, _: F) -> Option<usize>
+            where Self: DoubleEndedIterator, Self: ExactSizeIterator
+            = [iterate::__function_rposition<Item<Self>>];
+        fn __b_max(self) -> Option<Self::Item> where Self::Item: Ord = [iterate::__function_max<Item<Self>>];
+        fn __b_min(self) -> Option<Self::Item> where Self::Item: Ord = [iterate::__function_min<Item<Self>>];
+        fn __b_count(self) -> usize = [iterate::__function_count<Item<Self>>];
+        fn __b_fold[A: Seen, F: FnMut(A, Self::Item) -> A](self, _: A, _: F) -> A
+            = [iterate::__function_fold<Item<Self>, A::Slot>];
+        fn __b_try_fold[A, R: Tried<A>, F: FnMut(A, Self::Item) -> R](self, _: A, _: F) -> R
+            = TryFold: Desugared(Desugared::Together(Together::Tried));
+        fn __b_any[F: FnMut(Self::Item) -> bool](self, _: F) -> bool = [iterate::__function_any<Item<Self>>];
+        fn __b_all[F: FnMut(Self::Item) -> bool](self, _: F) -> bool = [iterate::__function_all<Item<Self>>];
+        fn __b_find[F: FnMut(&Self::Item) -> bool](self, _: F) -> Option<Self::Item>
+            = [iterate::__function_find<Item<Self>>];
+        fn __b_find_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](self, _: F) -> Option<U>
+            = [iterate::__function_find_map<Item<Self>, U::Slot>];
+        fn __b_max_by[F: FnMut(&Self::Item, &Self::Item) -> Ordering](self, _: F) -> Option<Self::Item>
+            = [iterate::__function_max_by<Item<Self>>];
+        fn __b_min_by[F: FnMut(&Self::Item, &Self::Item) -> Ordering](self, _: F) -> Option<Self::Item>
+            = [iterate::__function_min_by<Item<Self>>];
+        fn __b_max_by_key[K: Seen + Ord, F: FnMut(&Self::Item) -> K](self, _: F) -> Option<Self::Item>
+            = [iterate::__function_max_by_key<Item<Self>, K::Slot>];
+        fn __b_min_by_key[K: Seen + Ord, F: FnMut(&Self::Item) -> K](self, _: F) -> Option<Self::Item>
+            = [iterate::__function_min_by_key<Item<Self>, K::Slot>];
+        fn __b_cmp[I: IntoIterator<Item = Self::Item>](self, _: I) -> Ordering where Self::Item: Ord
+            = [iterate::__function_cmp<Item<Self>>];
+        fn __b_lt[U: Seen, I: IntoIterator<Item = U>](self, _: I) -> bool where Self::Item: PartialOrd<U>
+            = [iterate::__function_lt<Item<Self>, U::Slot>];
+        fn __b_le[U: Seen, I: IntoIterator<Item = U>](self, _: I) -> bool where Self::Item: PartialOrd<U>
+            = [iterate::__function_le<Item<Self>, U::Slot>];
+        fn __b_gt[U: Seen, I: IntoIterator<Item = U>](self, _: I) -> bool where Self::Item: PartialOrd<U>
+            = [iterate::__function_gt<Item<Self>, U::Slot>];
+        fn __b_ge[U: Seen, I: IntoIterator<Item = U>](self, _: I) -> bool where Self::Item: PartialOrd<U>
+            = [iterate::__function_ge<Item<Self>, U::Slot>];
+        fn __b_eq[U: Seen, I: IntoIterator<Item = U>](self, _: I) -> bool where Self::Item: PartialEq<U>
+            = [iterate::__function_eq<Item<Self>, U::Slot>];
+        fn __b_ne[U: Seen, I: IntoIterator<Item = U>](self, _: I) -> bool where Self::Item: PartialEq<U>
+            = [iterate::__function_ne<Item<Self>, U::Slot>];
+        fn __b_last(self) -> Option<Self::Item> = [iterate::__function_last<Item<Self>>];
+        fn __b_next(self) -> Option<Self::Item> = [iterate::__function_next<Item<Self>>];
+    }
+    /// What iterators are made of others with. Each gives [`Items`], so that a witness copy has one type of iterators, which
+    /// no closure borrows.
+    pub trait Adapters: Iterator<Item: Seen>, Sized {
+        fn __b_map[U: Seen, F: FnMut(Self::Item) -> U](self, _: F) -> Items<U>
+            = [adapt::__function_map<Item<Self>, U::Slot>];
+        fn __b_filter[F: FnMut(&Self::Item) -> bool](self, _: F) -> Items<Self::Item>
+            = [adapt::__function_filter<Item<Self>>];
+        fn __b_filter_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](self, _: F) -> Items<U>
+            = [adapt::__function_filter_map<Item<Self>, U::Slot>];
+        fn __b_map_while[U: Seen, F: FnMut(Self::Item) -> Option<U>](self, _: F) -> Items<U>
+            = [adapt::__function_map_while<Item<Self>, U::Slot>];
+        fn __b_take_while[F: FnMut(&Self::Item) -> bool](self, _: F) -> Items<Self::Item>
+            = [adapt::__function_take_while<Item<Self>>];
+        fn __b_skip_while[F: FnMut(&Self::Item) -> bool](self, _: F) -> Items<Self::Item>
+            = [adapt::__function_skip_while<Item<Self>>];
+        fn __b_skip(self, _: usize) -> Items<Self::Item> = [adapt::__function_skip<Item<Self>>];
+        fn __b_take(self, _: usize) -> Items<Self::Item> = [adapt::__function_take<Item<Self>>];
+        fn __b_zip[V: Seen, U: IntoIterator<Item = V>](self, _: U) -> Items<(Self::Item, V)>
+            = [adapt::__function_zip<Item<Self>, V::Slot>];
+        fn __b_step_by(self, _: usize) -> Items<Self::Item> = [adapt::__function_step_by<Item<Self>>];
+        fn __b_scan[S: Seen, U: Seen, F: FnMut(&mut S, Self::Item) -> Option<U>](self, _: S, _: F) -> Items<U>
+            = [adapt::__function_scan<Item<Self>, S::Slot, U::Slot>];
+        fn __b_inspect[F: FnMut(&Self::Item)](self, _: F) -> Items<Self::Item>
+            = [adapt::__function_inspect<Item<Self>>];
+        fn __b_enumerate(self) -> Items<(usize, Self::Item)> = [adapt::__function_enumerate<Item<Self>>];
+        fn __b_rev(self) -> Items<Self::Item> where Self: DoubleEndedIterator = [adapt::__function_rev<Item<Self>>];
+        fn __b_flat_map[V: Seen, U: IntoIterator<Item = V>, F: FnMut(Self::Item) -> U](self, _: F) -> Items<V>
+            = [adapt::__function_flat_map<Item<Self>, Items<V::Slot>, V::Slot>];
+        fn __b_flatten[U: Seen](self) -> Items<U> where Self::Item: IntoIterator<Item = U>
+            = [adapt::__function_flatten<Item<Self>, U::Slot>];
+        fn __b_chain[U: IntoIterator<Item = Self::Item>](self, _: U) -> Items<Self::Item>
+            = [adapt::__function_chain<Item<Self>>];
+        fn __b_collect[C: FromIteratorBuiltin<Self::Item>](self) -> C = [C::Marker];
+    }
+    /// What gives the values behind references.
+    pub trait CopiedItems<T>: Sized {
+        fn __b_copied(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
+        fn __b_cloned(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
+    }
+    /// What lends an iterator that is gone through by hand.
+    pub trait ByHand: Iterator<Item: Seen>, Sized {
+        fn __b_by_ref(&mut self) -> Items<Self::Item> = ByRef: Desugared(Desugared::ByRef);
     }
 }
 
-/// What lends an iterator that is gone through by hand.
-#[allow(missing_docs)]
-pub trait ByHand: Iterator<Item: Seen> + Sized {
-    signatures! { fn __b_by_ref(&mut self) -> Called<ByRef, Items<Self::Item>>; }
-}
-
+impl<I: Iterator<Item: Seen>> Ends for I {}
+impl<I: Iterator<Item: Seen>> Adapters for I {}
+impl<'a, T: Seen + 'a, I: Iterator<Item = &'a T>> CopiedItems<T> for I {}
 impl<I: Iterator<Item: Seen>> ByHand for I {}

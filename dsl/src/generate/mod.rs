@@ -3,22 +3,17 @@
 //! A builder's slots tell what rustc decided ([`slot`]); companions tell which function a call means,
 //! the DSL's own operations among them ([`builtin`]); [`Builder`] collects the package.
 
-mod adapters;
 pub mod ascii;
 mod builder;
 pub mod builtin;
 pub mod checked;
 pub mod comparison;
-pub mod complex;
-mod converted;
-pub mod each_element;
 pub mod elementary;
 pub mod factored;
 pub mod generic;
 mod handed;
 mod items;
 pub mod iterator;
-pub mod linear;
 pub mod list;
 pub mod matrices;
 pub mod non_zero;
@@ -30,9 +25,6 @@ pub mod resized;
 pub mod slice;
 mod slot;
 pub mod spatial;
-pub mod swizzles;
-pub mod views;
-pub mod whole;
 
 pub use alloc::string::String;
 pub use alloc::vec::Vec;
@@ -56,41 +48,33 @@ pub use slot::{
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.
 pub mod prelude {
-    pub use super::adapters::{__items, Adapters as _, CopiedItems as _};
     pub use super::ascii::{ByteBuiltins as _, CharBuiltins as _};
-    pub use super::builtin::{AxisBuiltins as _, CrossBuiltin as _, IdentityBuiltin as _};
     pub use super::builtin::{
-        FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _, RealBuiltins as _,
-    };
-    pub use super::builtin::{
-        New1 as _, New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New8 as _, New9 as _,
-        New12 as _, New16 as _,
+        AxisBuiltins as _, CrossBuiltin as _, FloatBuiltins as _, IdentityBuiltin as _,
+        MatrixBuiltins as _, New1 as _, New2 as _, New3 as _, New4 as _, New5 as _, New6 as _,
+        New8 as _, New9 as _, New12 as _, New16 as _, OrderBuiltins as _, RealBuiltins as _,
     };
     pub use super::checked::{
         CheckedAbsBuiltin as _, CheckedBuiltins as _, CheckedSignedBuiltin as _,
     };
     pub use super::comparison::{
-        CompareBuiltins as _, OrderingBuiltins as _, PartialCompareBuiltins as _,
-        RankedBuiltins as _, RankedOrderBuiltins as _, ReferredOrderBuiltins as _,
-        ThenBuiltin as _, TotalCompareBuiltins as _,
+        CompareBuiltins as _, PartialCompareBuiltins as _, RankedBuiltins as _,
+        RankedOrderBuiltins as _, ReferredOrderBuiltins as _, TotalCompareBuiltins as _,
     };
-    pub use super::complex::{ComplexBuiltins as _, ComplexMethods as _};
-    pub use super::each_element::EachElement as _;
     pub use super::elementary::ElementaryBuiltins as _;
     pub use super::factored::{
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
-        SquareQrMethods as _, SymmetricBuiltins as _, TriangularBuiltins as _, UduMethods as _,
+        SquareQrMethods as _, SymmetricBuiltins as _, UduMethods as _,
     };
     pub use super::handed::{__function, __made};
     pub use super::iterator::{
-        ByHand as _, Ends as _, ExtendBuiltin as _, FromIteratorBuiltin as _,
+        __items, Adapters as _, ByHand as _, CopiedItems as _, Ends as _, ExtendBuiltin as _,
+        FromIteratorBuiltin as _,
     };
-    pub use super::linear::SquareBuiltins as _;
-    pub use super::list::{ListBuiltins as _, ListEdits as _, ListExtends as _};
+    pub use super::list::{ListBuiltins as _, ListExtends as _};
     pub use super::matrices::{
-        CastBuiltin as _, CrossMatrixBuiltin as _, ElementBuiltins as _, NumberBuiltins as _,
-        PartBuiltins as _, PerpBuiltin as _, ScalarBuiltins as _, SquareElementBuiltins as _,
-        SquareNumberBuiltins as _, SquarePartBuiltins as _, VectorPartBuiltins as _,
+        CopyBuiltin as _, LineBuiltins as _, OwnedBuiltins as _, ScalarBuiltins as _,
+        SquareBuiltins as _, SumBuiltins as _, SwizzleBuiltins as _, WrittenViews as _,
     };
     pub use super::non_zero::NonZeroBuiltins as _;
     pub use super::numbers::{
@@ -103,35 +87,58 @@ pub mod prelude {
         __operated, __placed, __settled, OtherOperands as _, OwnOperands as _,
     };
     pub use super::option::{
-        ArrayBuiltins as _, BoolBuiltins as _, CopiedBuiltin as _, CopiedMutBuiltin as _,
-        FlattenBuiltin as _, LentOnBuiltin as _, OptionBuiltins as _, ReadOnBuiltin as _,
-        ResultBuiltins as _, TransposeBackBuiltin as _, TransposeBuiltin as _, UnzipBuiltin as _,
+        ArrayBuiltins as _, CopiedBuiltin as _, LentOnBuiltin as _, OptionBuiltins as _,
+        ReadOnBuiltin as _, ResultBuiltins as _,
     };
     pub use super::range::{ClosedBuiltins as _, ClosedContents as _, Contents as _};
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{
-        SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceEquals as _,
-        SliceOrder as _, SliceSearch as _, SliceSearches as _, SliceSorts as _, TotalOrder as _,
-        VectorSliceBuiltins as _,
+        SliceArrays as _, SliceBuiltins as _, SliceEnds as _, SliceOrder as _, SliceSearch as _,
+        SliceSearches as _, SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,
     };
     pub use super::slot::{
         __any, __glance, __look, __next, __pass, __result, __see, __take, __unreached, Through as _,
     };
     pub use super::spatial::{
-        DirectionMethods as _, IsometryBuiltins as _, IsometryMethods as _, NewPlaneRotation as _,
-        NewPoint2 as _, NewPoint3 as _, NewSpaceRotation as _, NewTranslation2 as _,
-        NewTranslation3 as _, PlaneRotationMethods as _, PointBuiltins as _,
-        QuaternionBuiltins as _, QuaternionMethods as _, RotationBuiltins as _,
-        RotationMethods as _, SpaceRotationMethods as _, TranslationBuiltins as _,
-        TranslationMethods as _, UnitAxisBuiltins as _, UnitBuiltins as _,
-        UnitQuaternionBuiltins as _, UnitQuaternionMethods as _,
+        ComplexBuiltins as _, IsometryBuiltins as _, NewInPlane as _, NewInSpace as _,
+        NewPlaneRotation as _, NewSpaceRotation as _, PointBuiltins as _, QuaternionBuiltins as _,
+        RotationBuiltins as _, TranslationBuiltins as _, UnitAxisBuiltins as _, UnitBuiltins as _,
+        UnitQuaternionBuiltins as _,
     };
-    pub use super::swizzles::SwizzleBuiltins as _;
-    pub use super::views::{
-        CopyBuiltin as _, LineBuiltins as _, OwnedBuiltins as _, ViewBuiltins as _,
-        WrittenViews as _,
+    pub use crate::comparison::OrderingCompanions as _;
+    pub use crate::complex::ComplexCompanions as _;
+    pub use crate::linear::InverseCompanion as _;
+    pub use crate::linear::blas::{
+        PerpCompanion as _, ProductCompanions as _, QuadraticFormCompanion as _,
+        SquareProductCompanions as _, SumOfVectorsCompanions as _,
+        TransposedProductCompanions as _, TransposedVectorProductCompanions as _,
+        VectorProductCompanion as _,
     };
-    pub use super::whole::WholeBuiltins as _;
+    pub use crate::linear::each_element::EachElementCompanions as _;
+    pub use crate::linear::elementwise::{ElementwiseCompanions as _, LerpCompanion as _};
+    pub use crate::linear::factored::triangular::TriangularCompanions as _;
+    pub use crate::linear::matrix_edit::{
+        EditCompanions as _, IdentityEditCompanion as _, SquareEditCompanions as _,
+    };
+    pub use crate::linear::matrix_extremes::{
+        ExtremeCompanions as _, NumberExtremeCompanions as _, VectorExtremeCompanions as _,
+    };
+    pub use crate::linear::matrix_powers::PowerCompanions as _;
+    pub use crate::linear::matrix_resize::FixedResizeCompanion as _;
+    pub use crate::linear::matrix_statistics::{StatisticCompanions as _, SumCompanions as _};
+    pub use crate::linear::norms::{
+        DirectionCompanions as _, NormCompanions as _, SquareNormCompanions as _,
+    };
+    pub use crate::linear::parts::{
+        CrossMatrixCompanion as _, IthCompanion as _, PartCompanions as _,
+        SquarePartCompanions as _, SymmetricPartCompanion as _, TraceCompanion as _,
+    };
+    pub use crate::linear::spatial::isometry::IsometryCompanions as _;
+    pub use crate::linear::spatial::quaternion::QuaternionCompanions as _;
+    pub use crate::linear::spatial::unit_quaternion::UnitQuaternionCompanions as _;
+    pub use crate::linear::views::ViewCompanions as _;
+    pub use crate::list_edit::ListEditCompanions as _;
+    pub use crate::math::whole::WholeCompanions as _;
     pub use crate::math::{
         AngleMethods as _, BetweenMethods as _, ByteMethods as _, ComplexMethods as _,
         DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _,
@@ -139,6 +146,16 @@ pub mod prelude {
         RoundMethods as _, SearchMethods as _, SignMethods as _, SquareMethods as _,
         TotalMethods as _, TurnMethods as _,
     };
+    pub use crate::optional::{
+        BoolCompanions as _, CopiedMutCompanions as _, FlattenCompanion as _,
+        OptionCompanions as _, TransposeCompanion as _, UnzipCompanion as _,
+    };
+    pub use crate::outcome::{ResultCompanions as _, TransposeBackCompanion as _};
+    pub use crate::rotation::{
+        PlaneRotationCompanion as _, SpaceRotationCompanions as _, TurnCompanions as _,
+    };
+    pub use crate::search::SearchCompanions as _;
+    pub use crate::slice_edit::{ContainsCompanion as _, SliceEditCompanions as _};
 }
 
 /// Registers an item with the package; expanded by the attributes.

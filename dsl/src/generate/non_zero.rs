@@ -4,24 +4,21 @@
 
 use core::num::NonZero;
 
-use bessemer_ir::tree::{self, Ty};
+use bessemer_ir::tree::Ty;
 
-use super::builder::{Builder, Callee};
-use super::factored::{gives, held};
-use super::matrices::told;
+use super::builder::Builder;
+use super::builtin::companions;
 use super::numbers::FromBuiltin;
 use super::slot::{Called, DslType, Seen};
-use super::spatial::of;
 use crate::non_zero;
 
-/// Methods of integers that are not zero.
-pub trait NonZeroBuiltins<T>: Sized {
-    fn __b_new(value: T) -> told!([Self, T] => Option<Self>);
-    fn __b_get(self) -> told!([Self, T] => T);
+companions! {
+    /// Methods of integers that are not zero.
+    pub trait NonZeroBuiltins<T>: Sized {
+        fn __b_new(_value: T) -> Option<Self> = [non_zero::__function_new<T>];
+        fn __b_get(self) -> T = [non_zero::__function_get<T>];
+    }
 }
-
-/// The marker of `u32::from` of a `NonZeroU32`.
-pub struct Integer<T>(core::marker::PhantomData<fn() -> T>);
 
 macro_rules! integers {
     ($($int:ident)*) => {$(
@@ -33,21 +30,9 @@ macro_rules! integers {
         impl Seen for NonZero<$int> {
             type Slot = Self;
         }
-        impl NonZeroBuiltins<$int> for NonZero<$int> {
-            fn __b_new(value: $int) -> told!([] => Option<Self>) {
-                gives(non_zero::new::__call(value))
-            }
-            fn __b_get(self) -> told!([] => $int) {
-                non_zero::get::__call::<$int>(*held(&self))
-            }
-        }
-        impl Callee for Integer<$int> {
-            fn callee(cx: &mut Builder) -> tree::Callee {
-                of(cx, non_zero::get::__call::<$int>)
-            }
-        }
+        impl NonZeroBuiltins<$int> for NonZero<$int> {}
         impl FromBuiltin<NonZero<$int>> for $int {
-            type Marker = Integer<$int>;
+            type Marker = non_zero::__function_get<$int>;
         }
     )*};
 }

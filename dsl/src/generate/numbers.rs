@@ -6,16 +6,17 @@ use bessemer_ir::Intrinsic;
 use bessemer_ir::tree::{self, ByteOrder, NumberMethod, Ty};
 
 use super::builder::{Builder, Callee};
-use super::builtin::{markers, operations};
+use super::builtin::{companions, markers};
 use super::slot::{Called, DslType, Seen};
 use crate::math::integer;
+use crate::math::whole::WholeCompanions;
 
 markers! {
     From: Number(NumberMethod::From);
     TryFrom: TryFrom;
 }
 
-operations! {
+companions! {
     /// Methods of integers.
     pub trait IntegerBuiltins: Sized {
         type Unsigned;
@@ -45,9 +46,6 @@ operations! {
         fn __b_pow(self, _exponent: u32) -> Self = [Self::Pow];
         fn __b_wrapping_pow(self, _exponent: u32) -> Self = [Self::WrappingPow];
     }
-}
-
-operations! {
     /// Methods of signed integers.
     pub trait SignedBuiltins: IntegerBuiltins {
         fn __b_is_positive(self) -> bool = IsPositive: Number(NumberMethod::IsPositive);
@@ -55,31 +53,19 @@ operations! {
         fn __b_wrapping_abs(self) -> Self = WrappingAbs: Number(NumberMethod::WrappingAbs);
         fn __b_unsigned_abs(self) -> Self::Unsigned = UnsignedAbs: Scalar(Intrinsic::UnsignedAbs);
     }
-}
-
-operations! {
     /// Methods of unsigned integers.
     pub trait UnsignedBuiltins: Sized {
         fn __b_is_power_of_two(self) -> bool = IsPowerOfTwo: Number(NumberMethod::IsPowerOfTwo);
     }
-}
-
-operations! {
     /// The sign as a number.
     pub trait SignBuiltins: Sized {
         fn __b_signum(self) -> Self = Signum: Number(NumberMethod::Signum);
     }
-}
-
-operations! {
     /// Division with a remainder of 0 or more.
     pub trait DivisionBuiltins: Sized {
         fn __b_div_euclid(self, _other: Self) -> Self = DivEuclid: Number(NumberMethod::DivEuclid);
         fn __b_rem_euclid(self, _other: Self) -> Self = RemEuclid: Number(NumberMethod::RemEuclid);
     }
-}
-
-operations! {
     /// Methods of floats that are exact.
     pub trait FloatKindBuiltins: Sized {
         fn __b_ceil(self) -> Self = Ceil: Scalar(Intrinsic::Ceil);
@@ -95,9 +81,6 @@ operations! {
         fn __b_is_sign_negative(self) -> bool = IsSignNegative: Number(NumberMethod::IsSignNegative);
         fn __b_is_sign_positive(self) -> bool = IsSignPositive: Number(NumberMethod::IsSignPositive);
     }
-}
-
-operations! {
     /// Numbers as bytes.
     pub trait BytesBuiltins: Sized {
         type Bytes;
@@ -184,6 +167,7 @@ macro_rules! implement {
 }
 
 implement! {
+    WholeCompanions: i8 i16 i32 i64 isize u8 u16 u32 u64 usize;
     SignedBuiltins: i8 i16 i32 i64 isize;
     UnsignedBuiltins: u8 u16 u32 u64 usize;
     SignBuiltins: i8 i16 i32 i64 isize f32 f64;

@@ -6,9 +6,8 @@ use core::ops::{Range, RangeInclusive};
 
 use bessemer_ir::tree::Ty;
 
-use super::builder::{Builder, Callee};
-use super::factored::{gives, held};
-use super::matrices::{told, told_methods};
+use super::builder::Builder;
+use super::builtin::companions;
 use super::slot::{Called, DslType, Seen, Value};
 use crate::range;
 
@@ -30,27 +29,25 @@ stands! {
     Range => HalfOpen;
 }
 
-told_methods! {
+companions! {
     /// Methods of ranges with a last number.
-    ClosedBuiltins<T> [Self, T]: Sized for (T: (Value + Copy)) RangeInclusive<T>, [T] {
-        fn __b_new(start: T, end: T) -> Self { gives(range::closed::__call(start, end)) }
-        fn __b_start(&self) -> &T { range::start::__call(held::<_, range::Closed<T>>(self)) }
-        fn __b_end(&self) -> &T { range::end::__call(held::<_, range::Closed<T>>(self)) }
+    pub trait ClosedBuiltins<T>: Sized {
+        fn __b_new(_start: T, _end: T) -> Self = [range::__function_closed<T>];
+        fn __b_start(&self) -> &T = [range::__function_start<T>];
+        fn __b_end(&self) -> &T = [range::__function_end<T>];
+    }
+    /// What a range with a last number contains.
+    pub trait ClosedContents<T>: Sized {
+        fn __b_contains(&self, _number: &T) -> bool = [range::__function_closed_contains<T>];
+        fn __b_is_empty(&self) -> bool = [range::__function_closed_is_empty<T>];
+    }
+    /// What one without contains.
+    pub trait Contents<T>: Sized {
+        fn __b_contains(&self, _number: &T) -> bool = [range::__function_contains<T>];
+        fn __b_is_empty(&self) -> bool = [range::__function_is_empty<T>];
     }
 }
 
-/// What ranges with and without a last number have.
-macro_rules! of_ranges {
-    ($($trait:ident $range:ident $contains:ident $is_empty:ident;)*) => {$(told_methods! {
-        /// What a range contains.
-        $trait<T> [Self, T]: Sized for (T: (Value + Copy + PartialOrd)) $range<T>, [T] {
-            fn __b_contains(&self, number: &T) -> bool { range::$contains::__call(held(self), number) }
-            fn __b_is_empty(&self) -> bool { range::$is_empty::__call::<T>(held(self)) }
-        }
-    })*};
-}
-
-of_ranges! {
-    ClosedContents RangeInclusive closed_contains closed_is_empty;
-    Contents Range contains is_empty;
-}
+impl<T: Value + Copy> ClosedBuiltins<T> for RangeInclusive<T> {}
+impl<T: Value + Copy + PartialOrd> ClosedContents<T> for RangeInclusive<T> {}
+impl<T: Value + Copy + PartialOrd> Contents<T> for Range<T> {}

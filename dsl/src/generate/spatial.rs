@@ -1,6 +1,6 @@
-//! The companions of nalgebra's rotations and poses, and what their operators and those of complex numbers mean.
+//! The companions of nalgebra's complex numbers, rotations and poses, and what their operators and those of complex numbers mean.
 //!
-//! A `Quaternion`, a `UnitQuaternion` and an `Isometry3` are structs of the DSL in the C; a `Rotation`, a
+//! A `Complex`, a `Quaternion`, a `UnitQuaternion` and an `Isometry3` are structs of the DSL in the C; a `Rotation`, a
 //! `Point`, a `Translation` and a `Unit` of a vector are matrices and vectors.
 
 #![allow(missing_docs)]
@@ -12,32 +12,18 @@ use alloc::vec::Vec;
 use bessemer_ir::tree::{self, Parts, SpatialMethod, Ty};
 use bessemer_ir::{Float, Scalar};
 use nalgebra::{
-    Const, Isometry3, Matrix4, OPoint, Point3, Quaternion, Rotation, Rotation2, Rotation3, SMatrix,
+    Complex, Const, Isometry3, OPoint, Point3, Quaternion, Rotation, Rotation2, Rotation3, SMatrix,
     SVector, Translation, Translation3, Unit, UnitQuaternion, UnitVector3, Vector3, Vector4,
 };
 
 use super::builder::{Builder, Callee};
-use super::builtin::{
-    AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros, markers, signatures,
-};
-use super::factored::{gives, held_mut, methods};
-use super::matrices::told;
+use super::builtin::{AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros, companions};
+use super::numbers::FromBuiltin;
 use super::slot::{Called, DslType, Seen};
+use crate::complex;
 use crate::linear::spatial::{isometry, quaternion, unit_quaternion};
 use crate::linear::{elementwise, matrix_edit, norms};
 use crate::math::Real;
-use crate::{complex, rotation};
-
-markers! {
-    QuaternionNew: Parts(Parts::Quaternion);
-    QuaternionIdentity: Spatial(SpatialMethod::QuaternionIdentity);
-    QuaternionCoords: Spatial(SpatialMethod::QuaternionCoords);
-    IsometryNew: Parts(Parts::Isometry);
-    SameParts: Spatial(SpatialMethod::SameParts);
-    Same: Owned;
-    Times: Spatial(SpatialMethod::Times); Plus: Spatial(SpatialMethod::Plus); Minus: Spatial(SpatialMethod::Minus); Negative: Spatial(SpatialMethod::Negative);
-    PlatformAngles: Spatial(SpatialMethod::PlatformAngles);
-}
 
 macro_rules! stands {
     ($($native:ty => $data:ty;)*) => {$(
@@ -53,6 +39,7 @@ macro_rules! stands {
 }
 
 stands! {
+    Complex<T> => complex::ComplexNumber<T>;
     Quaternion<T> => quaternion::Quaternion<T>;
     UnitQuaternion<T> => unit_quaternion::UnitQuaternion<T>;
     Isometry3<T> => isometry::Isometry3<T>;
@@ -78,345 +65,150 @@ known! {
     Unit<SVector<T, N>> => N, 1, "UnitVector";
 }
 
-/// Companions whose meaning is the typifier's business.
-macro_rules! builtins {
-    (
-        $(#[$doc:meta])*
-        $trait:ident<$($n:ident)?> for $native:ty {$(
-            fn $name:ident($($parameters:tt)*) -> $result:ty = $marker:ty;
-        )*}
-    ) => {
-        $(#[$doc])*
-        pub trait $trait<T: Real, $(const $n: usize)?>: Sized {$(
-            fn $name($($parameters)*) -> Called<$marker, $result> {
-                unreachable!()
-            }
-        )*}
-        impl<T: Real, $(const $n: usize)?> $trait<T, $($n)?> for $native {}
-    };
-}
-
-builtins! {
+companions! {
+    /// Complex numbers: what needs no function, and what num-complex takes from the platform.
+    pub trait ComplexBuiltins<T>: Sized {
+        fn __b_new(_re: T, _im: T) -> Self = ComplexNew: Parts(Parts::Complex);
+        fn __b_norm(self) -> T = PlatformAngles;
+    }
     /// Quaternions: what needs no function.
-    QuaternionBuiltins<> for Quaternion<T> {
-        fn __b_new(_w: T, _i: T, _j: T, _k: T) -> Self = QuaternionNew;
+    pub trait QuaternionBuiltins<T>: Sized {
+        fn __b_new(_w: T, _i: T, _j: T, _k: T) -> Self = QuaternionNew: Parts(Parts::Quaternion);
+        fn __b_identity() -> Self = QuaternionIdentity: Spatial(SpatialMethod::QuaternionIdentity);
+        fn __b_as_vector(&self) -> &Vector4<T> = QuaternionCoords: Spatial(SpatialMethod::QuaternionCoords);
+    }
+    /// Methods of `Unit`.
+    pub trait UnitBuiltins<U: Unitary>: Sized {
+        fn __b_new_unchecked(_value: U) -> Self = [U::Wrap];
+        fn __b_into_inner(self) -> U = [U::Wrap];
+        fn __b_as_ref(&self) -> &U = [U::Wrap];
+        fn __b_new_normalize(_value: U) -> Self = [U::Normalized];
+    }
+    /// Unit quaternions: what needs no function, and what it takes of other types than its own.
+    pub trait UnitQuaternionBuiltins<T: Real>: Sized {
         fn __b_identity() -> Self = QuaternionIdentity;
-        fn __b_as_vector(&self) -> &Vector4<T> = QuaternionCoords;
-    }
-}
-
-methods! {
-    /// Methods of quaternions.
-    QuaternionMethods<> [Self, T] for Quaternion<T>, [T] {
-        fn __b_from_parts(scalar: T, vector: Vector3<T>) -> Self {
-            quaternion::from_parts::__call(scalar, &vector)
-        }
-        fn __b_from_imag(vector: Vector3<T>) -> Self { quaternion::from_imag::__call(&vector) }
-        fn __b_from_real(number: T) -> Self { quaternion::from_real::__call(number) }
-        fn __b_conjugate(&self) -> Self { quaternion::conjugate::__call(self) }
-        fn __b_conjugate_mut(&mut self) -> () { quaternion::conjugate_mut::__call(self) }
-        fn __b_scalar(&self) -> T { quaternion::scalar::__call(self) }
-        fn __b_imag(&self) -> Vector3<T> { quaternion::imag::__call(self) }
-        fn __b_dot(&self, other: &Self) -> T { quaternion::dot::__call(self, other) }
-        fn __b_norm(&self) -> T { quaternion::norm::__call(self) }
-        fn __b_magnitude(&self) -> T { quaternion::norm::__call(self) }
-        fn __b_norm_squared(&self) -> T { quaternion::norm_squared::__call(self) }
-        fn __b_magnitude_squared(&self) -> T { quaternion::norm_squared::__call(self) }
-        fn __b_normalize(&self) -> Self { quaternion::normalize::__call(self) }
-        fn __b_normalize_mut(&mut self) -> T { quaternion::normalize_mut::__call(self) }
-        fn __b_try_inverse(&self) -> Option<Self> { quaternion::try_inverse::__call(self) }
-        fn __b_lerp(&self, other: &Self, share: T) -> Self {
-            quaternion::lerp::__call(self, other, share)
-        }
-        fn __b_squared(&self) -> Self { quaternion::squared::__call(self) }
-        fn __b_half(&self) -> Self { quaternion::half::__call(self) }
-    }
-}
-
-/// What a `Unit` is made of.
-pub trait Unitary: Sized {
-    type Wrap: Callee;
-    fn __normalized(self) -> Called<impl Callee + use<Self>, Unit<Self>>;
-}
-
-impl<T: Real> Unitary for Quaternion<T> {
-    type Wrap = SameParts;
-    fn __normalized(self) -> Called<impl Callee + use<T>, Unit<Self>> {
-        unit_quaternion::new_normalize::__call(&self)
-    }
-}
-
-impl<T: Real, const N: usize> Unitary for SVector<T, N> {
-    type Wrap = Same;
-    fn __normalized(self) -> Called<impl Callee + use<T, N>, Unit<Self>> {
-        gives(norms::normalize::__call(&self))
-    }
-}
-
-/// Methods of `Unit`.
-pub trait UnitBuiltins<U: Unitary>: Sized {
-    signatures! {
-        fn __b_new_unchecked(_value: U) -> Called<U::Wrap, Self>;
-        fn __b_into_inner(self) -> Called<U::Wrap, U>;
-        fn __b_as_ref(&self) -> Called<U::Wrap, &U>;
-    }
-    fn __b_new_normalize(value: U) -> Called<impl Callee + use<Self, U>, Self>;
-}
-
-impl<U: Unitary> UnitBuiltins<U> for Unit<U> {
-    fn __b_new_normalize(value: U) -> Called<impl Callee + use<U>, Self> {
-        value.__normalized()
-    }
-}
-
-builtins! {
-    /// Unit quaternions: what needs no function.
-    UnitQuaternionBuiltins<> for UnitQuaternion<T> {
-        fn __b_identity() -> Self = QuaternionIdentity;
-        fn __b_new(_axis: Vector3<T>) -> Self = PlatformAngles;
-        fn __b_quaternion(&self) -> &Quaternion<T> = SameParts;
+        fn __b_new(_axis: Vector3<T>) -> Self = PlatformAngles: Spatial(SpatialMethod::PlatformAngles);
+        fn __b_quaternion(&self) -> &Quaternion<T> = SameParts: Spatial(SpatialMethod::SameParts);
         fn __b_angle(&self) -> T = PlatformAngles;
         fn __b_angle_to(&self, _other: &Self) -> T = PlatformAngles;
         fn __b_exp(&self) -> Quaternion<T> = PlatformAngles;
         fn __b_ln(&self) -> Quaternion<T> = PlatformAngles;
         fn __b_try_slerp(&self, _other: &Self, _share: T, _least: T) -> Option<Self> = PlatformAngles;
+        fn __b_inverse_transform_unit_vector(&self, _v: &UnitVector3<T>) -> UnitVector3<T>
+            = [unit_quaternion::__function_inverse_transform_vector<T>];
+        fn __b_transform_point(&self, _p: &Point3<T>) -> Point3<T> = [unit_quaternion::__function_transform_vector<T>];
+        fn __b_inverse_transform_point(&self, _p: &Point3<T>) -> Point3<T>
+            = [unit_quaternion::__function_inverse_transform_vector<T>];
     }
-}
-
-methods! {
-    /// Methods of unit quaternions.
-    UnitQuaternionMethods<> [Self, T] for UnitQuaternion<T>, [T] {
-        fn __b_dsl_new(axis: Vector3<T>) -> Self { rotation::from_scaled_axis::__call(axis) }
-        fn __b_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
-            rotation::from_axis_angle::__call(axis, angle)
-        }
-        fn __b_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
-            rotation::from_euler_angles::__call(roll, pitch, yaw)
-        }
-        fn __b_from_scaled_axis(axis: Vector3<T>) -> Self {
-            rotation::from_scaled_axis::__call(axis)
-        }
-        fn __b_rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self> {
-            rotation::rotation_between_axis::__call(a, b)
-        }
-        fn __b_from_quaternion(q: Quaternion<T>) -> Self {
-            unit_quaternion::new_normalize::__call(&q)
-        }
-        fn __b_from_rotation_matrix(matrix: &Rotation3<T>) -> Self {
-            unit_quaternion::from_rotation_matrix::__call(matrix)
-        }
-        fn __b_inverse(&self) -> Self { unit_quaternion::inverse::__call(self) }
-        fn __b_conjugate(&self) -> Self { unit_quaternion::inverse::__call(self) }
-        fn __b_inverse_mut(&mut self) -> () { unit_quaternion::inverse_mut::__call(self) }
-        fn __b_conjugate_mut(&mut self) -> () { unit_quaternion::inverse_mut::__call(self) }
-        fn __b_rotation_to(&self, other: &Self) -> Self {
-            unit_quaternion::rotation_to::__call(self, other)
-        }
-        fn __b_transform_vector(&self, v: &Vector3<T>) -> Vector3<T> {
-            unit_quaternion::transform_vector::__call(self, v)
-        }
-        fn __b_inverse_transform_vector(&self, v: &Vector3<T>) -> Vector3<T> {
-            unit_quaternion::inverse_transform_vector::__call(self, v)
-        }
-        fn __b_inverse_transform_unit_vector(&self, v: &UnitVector3<T>) -> UnitVector3<T> {
-            gives(unit_quaternion::inverse_transform_vector::__call(self, v))
-        }
-        fn __b_transform_point(&self, p: &Point3<T>) -> Point3<T> {
-            gives(unit_quaternion::transform_vector::__call(self, &p.coords))
-        }
-        fn __b_inverse_transform_point(&self, p: &Point3<T>) -> Point3<T> {
-            gives(unit_quaternion::inverse_transform_vector::__call(self, &p.coords))
-        }
-        fn __b_to_rotation_matrix(self) -> Rotation3<T> {
-            unit_quaternion::to_rotation_matrix::__call(&self)
-        }
-        fn __b_to_homogeneous(self) -> Matrix4<T> {
-            unit_quaternion::to_homogeneous::__call(&self)
-        }
-        fn __b_nlerp(&self, other: &Self, share: T) -> Self {
-            unit_quaternion::nlerp::__call(self, other, share)
-        }
-        fn __b_powf(&self, share: T) -> Self { rotation::powf::__call(self, share) }
-        fn __b_slerp(&self, other: &Self, share: T) -> Self {
-            rotation::slerp::__call(self, other, share)
-        }
-        fn __b_axis_angle(&self) -> Option<(UnitVector3<T>, T)> { rotation::axis_angle::__call(self) }
-        fn __b_scaled_axis(&self) -> Vector3<T> { rotation::scaled_axis::__call(self) }
-        fn __b_euler_angles(&self) -> (T, T, T) { rotation::euler_angles::__call(self) }
-        fn __b_axis(&self) -> Option<UnitVector3<T>> { unit_quaternion::axis::__call(self) }
-        fn __b_append_axisangle_linearized(&self, axis: &Vector3<T>) -> Self {
-            unit_quaternion::append_axisangle_linearized::__call(self, axis)
-        }
-        fn __b_renormalize(&mut self) -> T { unit_quaternion::renormalize::__call(self) }
-        fn __b_renormalize_fast(&mut self) -> () { unit_quaternion::renormalize_fast::__call(self) }
+    /// `new` of rotations that are called by another name than nalgebra's: from an angle, over the platform's sine.
+    pub trait NewPlaneRotation<T>: Sized {
+        fn __b_new(_turn: T) -> Self = PlatformAngles;
     }
-}
-
-methods! {
-    /// Methods of rotation matrices in space.
-    SpaceRotationMethods<> [Self, T] for Rotation3<T>, [T] {
-        fn __b_dsl_new(axis: Vector3<T>) -> Self { rotation::matrix_from_scaled_axis::__call(axis) }
-        fn __b_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
-            rotation::matrix_from_axis_angle::__call(axis, angle)
-        }
-        fn __b_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
-            rotation::matrix_from_euler_angles::__call(roll, pitch, yaw)
-        }
-        fn __b_from_scaled_axis(axis: Vector3<T>) -> Self {
-            rotation::matrix_from_scaled_axis::__call(axis)
-        }
-        fn __b_euler_angles(&self) -> (T, T, T) { rotation::matrix_euler_angles::__call(self) }
+    /// The same in space.
+    pub trait NewSpaceRotation<T>: Sized {
+        fn __b_new(_turn: Vector3<T>) -> Self = PlatformAngles;
     }
-}
-
-methods! {
-    /// Methods of rotation matrices in the plane.
-    PlaneRotationMethods<> [Self, T] for Rotation2<T>, [T] {
-        fn __b_dsl_new(angle: T) -> Self { rotation::matrix_from_angle::__call(angle) }
-    }
-}
-
-/// `new` of rotations that are called by another name than nalgebra's.
-macro_rules! turns {
-    ($($trait:ident for $native:ty, $turn:ty;)*) => {$(builtins! {
-        /// From an angle, over the platform's sine.
-        $trait<> for $native {
-            fn __b_new(_turn: $turn) -> Self = PlatformAngles;
-        }
-    })*};
-}
-
-turns! {
-    NewPlaneRotation for Rotation2<T>, T;
-    NewSpaceRotation for Rotation3<T>, Vector3<T>;
-}
-
-methods! {
-    /// Directions.
-    DirectionMethods<N> [Self, T, N] for Unit<SVector<T, N>>, [T, N] {
-        fn __b_try_new(v: SVector<T, N>, least: T) -> Option<Self> {
-            norms::try_direction::__call(&v, least)
-        }
-        fn __b_try_new_and_get(v: SVector<T, N>, least: T) -> Option<(Self, T)> {
-            norms::try_direction_and_norm::__call(&v, least)
-        }
-    }
-}
-
-builtins! {
     /// Methods of rotation matrices.
-    RotationBuiltins<N> for Rotation<T, N> {
+    pub trait RotationBuiltins<T: Real; N>: Sized {
         fn __b_identity() -> Self = Identity;
-        fn __b_from_matrix_unchecked(_matrix: SMatrix<T, N, N>) -> Self = Same;
+        fn __b_from_matrix_unchecked(_matrix: SMatrix<T, N, N>) -> Self = Same: Owned;
         fn __b_matrix(&self) -> &SMatrix<T, N, N> = Same;
         fn __b_into_inner(self) -> SMatrix<T, N, N> = Same;
         fn __b_transpose(&self) -> Self = Transpose;
         fn __b_inverse(&self) -> Self = Transpose;
-        fn __b_transform_vector(&self, _v: &SVector<T, N>) -> SVector<T, N> = Times;
+        fn __b_transpose_mut(&mut self) -> () = [matrix_edit::__function_transpose_mut<T, N>];
+        fn __b_inverse_mut(&mut self) -> () = [matrix_edit::__function_transpose_mut<T, N>];
+        fn __b_transform_vector(&self, _v: &SVector<T, N>) -> SVector<T, N> = Times: Spatial(SpatialMethod::Times);
         fn __b_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = Times;
         fn __b_inverse_transform_vector(&self, _v: &SVector<T, N>) -> SVector<T, N> = TrMul;
         fn __b_inverse_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = TrMul;
     }
-}
-
-methods! {
-    /// Methods of rotation matrices that change them.
-    RotationMethods<N> [Self, T, N] for Rotation<T, N>, [T, N] {
-        fn __b_transpose_mut(&mut self) -> () { matrix_edit::transpose_mut::__call::<T, N>(held_mut(self)) }
-        fn __b_inverse_mut(&mut self) -> () { matrix_edit::transpose_mut::__call::<T, N>(held_mut(self)) }
-    }
-}
-
-builtins! {
     /// Methods of translations.
-    TranslationBuiltins<N> for Translation<T, N> {
+    pub trait TranslationBuiltins<T: Real; N>: Sized {
         fn __b_identity() -> Self = Zeros;
-        fn __b_inverse(&self) -> Self = Negative;
+        fn __b_inverse(&self) -> Self = Negative: Spatial(SpatialMethod::Negative);
+        fn __b_inverse_mut(&mut self) -> () = [elementwise::__function_neg_mut<T, N, 1>];
         fn __b_from(_vector: SVector<T, N>) -> Self = Same;
-        fn __b_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = Plus;
+        fn __b_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = Plus: Spatial(SpatialMethod::Plus);
     }
-}
-
-methods! {
-    /// Methods of translations that change them.
-    TranslationMethods<N> [Self, T, N] for Translation<T, N>, [T, N] {
-        fn __b_inverse_mut(&mut self) -> () {
-            elementwise::neg_mut::__call::<T, N, 1>(held_mut(self))
-        }
-    }
-}
-
-builtins! {
     /// Methods of points.
-    PointBuiltins<N> for OPoint<T, Const<N>> {
+    pub trait PointBuiltins<T; N>: Sized {
         fn __b_origin() -> Self = Zeros;
         fn __b_from(_vector: SVector<T, N>) -> Self = Same;
     }
-}
-
-macro_rules! constructors {
-    ($($trait:ident for $native:ty, ($($argument:ident),*);)*) => {$(builtins! {
-        /// From its parts.
-        $trait<> for $native {
-            fn __b_new($($argument: T),*) -> Self = New;
-        }
-    })*};
-}
-
-constructors! {
-    NewPoint2 for OPoint<T, Const<2>>, (_x, _y);
-    NewPoint3 for OPoint<T, Const<3>>, (_x, _y, _z);
-    NewTranslation2 for Translation<T, 2>, (_x, _y);
-    NewTranslation3 for Translation<T, 3>, (_x, _y, _z);
-}
-
-builtins! {
+    /// Points and translations in the plane, from their parts.
+    pub trait NewInPlane<T>: Sized {
+        fn __b_new(_x: T, _y: T) -> Self = New;
+    }
+    /// The same in space.
+    pub trait NewInSpace<T>: Sized {
+        fn __b_new(_x: T, _y: T, _z: T) -> Self = New;
+    }
     /// Unit vectors along the axes.
-    UnitAxisBuiltins<N> for SVector<T, N> {
+    pub trait UnitAxisBuiltins: Sized {
         fn __b_x_axis() -> Unit<Self> = AxisX;
         fn __b_y_axis() -> Unit<Self> = AxisY;
         fn __b_z_axis() -> Unit<Self> = AxisZ;
     }
-}
-
-builtins! {
-    /// Poses: what needs no function.
-    IsometryBuiltins<> for Isometry3<T> {
-        fn __b_from_parts(_by: Translation3<T>, _q: UnitQuaternion<T>) -> Self = IsometryNew;
+    /// Poses: what needs no function, and what it takes of other types than its own.
+    pub trait IsometryBuiltins<T: Real>: Sized {
+        fn __b_from_parts(_by: Translation3<T>, _q: UnitQuaternion<T>) -> Self = IsometryNew: Parts(Parts::Isometry);
         fn __b_new(_by: Vector3<T>, _axis: Vector3<T>) -> Self = PlatformAngles;
         fn __b_lerp_slerp(&self, _other: &Self, _share: T) -> Self = PlatformAngles;
+        fn __b_transform_point(&self, _p: &Point3<T>) -> Point3<T> = [isometry::__function_transform_point<T>];
+        fn __b_inverse_transform_point(&self, _p: &Point3<T>) -> Point3<T>
+            = [isometry::__function_inverse_transform_point<T>];
     }
 }
 
-methods! {
-    /// Methods of poses.
-    IsometryMethods<> [Self, T] for Isometry3<T>, [T] {
-        fn __b_identity() -> Self { isometry::identity::__call() }
-        fn __b_translation(x: T, y: T, z: T) -> Self { isometry::translation::__call(x, y, z) }
-        fn __b_inverse(&self) -> Self { isometry::inverse::__call(self) }
-        fn __b_inverse_mut(&mut self) -> () { isometry::inverse_mut::__call(self) }
-        fn __b_inv_mul(&self, other: &Self) -> Self { isometry::inv_mul::__call(self, other) }
-        fn __b_transform_point(&self, p: &Point3<T>) -> Point3<T> {
-            gives(isometry::transform_point::__call(self, &p.coords))
+impl<T: Real> ComplexBuiltins<T> for Complex<T> {}
+impl<T: Real> QuaternionBuiltins<T> for Quaternion<T> {}
+impl<U: Unitary> UnitBuiltins<U> for Unit<U> {}
+impl<T: Real> UnitQuaternionBuiltins<T> for UnitQuaternion<T> {}
+impl<T: Real> NewPlaneRotation<T> for Rotation2<T> {}
+impl<T: Real> NewSpaceRotation<T> for Rotation3<T> {}
+impl<T: Real, const N: usize> RotationBuiltins<T, N> for Rotation<T, N> {}
+impl<T: Real, const N: usize> TranslationBuiltins<T, N> for Translation<T, N> {}
+impl<T: Real, const N: usize> PointBuiltins<T, N> for OPoint<T, Const<N>> {}
+impl<T: Real> NewInPlane<T> for OPoint<T, Const<2>> {}
+impl<T: Real> NewInSpace<T> for OPoint<T, Const<3>> {}
+impl<T: Real> NewInPlane<T> for Translation<T, 2> {}
+impl<T: Real> NewInSpace<T> for Translation<T, 3> {}
+impl<T: Real, const N: usize> UnitAxisBuiltins for SVector<T, N> {}
+impl<T: Real> IsometryBuiltins<T> for Isometry3<T> {}
+
+/// What a `Unit` is made of.
+pub trait Unitary: Sized {
+    type Wrap: Callee;
+    type Normalized: Callee;
+}
+
+impl<T: Real> Unitary for Quaternion<T> {
+    type Wrap = SameParts;
+    type Normalized = unit_quaternion::__function_new_normalize<T>;
+}
+
+impl<T: Real, const N: usize> Unitary for SVector<T, N> {
+    type Wrap = Same;
+    type Normalized = norms::__function_normalize<T, N, 1>;
+}
+
+/// Conversions that are functions of the DSL.
+macro_rules! converts {
+    ($([$($t:ident)?] $from:ty => $to:ty: $function:ty;)*) => {$(
+        impl$(<$t: Real>)? FromBuiltin<$from> for $to {
+            type Marker = $function;
         }
-        fn __b_inverse_transform_point(&self, p: &Point3<T>) -> Point3<T> {
-            gives(isometry::inverse_transform_point::__call(self, &p.coords))
-        }
-        fn __b_transform_vector(&self, v: &Vector3<T>) -> Vector3<T> {
-            isometry::transform_vector::__call(self, v)
-        }
-        fn __b_inverse_transform_vector(&self, v: &Vector3<T>) -> Vector3<T> {
-            isometry::inverse_transform_vector::__call(self, v)
-        }
-        fn __b_to_homogeneous(&self) -> Matrix4<T> { isometry::to_homogeneous::__call(self) }
-        fn __b_to_matrix(&self) -> Matrix4<T> { isometry::to_homogeneous::__call(self) }
-        fn __b_append_translation_mut(&mut self, by: &Translation3<T>) -> () {
-            isometry::append_translation_mut::__call(self, by)
-        }
-        fn __b_append_rotation_mut(&mut self, q: &UnitQuaternion<T>) -> () {
-            isometry::append_rotation_mut::__call(self, q)
-        }
-    }
+    )*};
+}
+
+converts! {
+    [] f32 => Complex<f32>: complex::__function_from_real<f32>;
+    [] f64 => Complex<f64>: complex::__function_from_real<f64>;
+    [T] Vector4<T> => Quaternion<T>: quaternion::__function_from_vector<T>;
+    [T] [T; 4] => Quaternion<T>: quaternion::__function_from_array<T>;
+    [T] Rotation3<T> => UnitQuaternion<T>: unit_quaternion::__function_from_rotation_matrix<T>;
+    [T] UnitQuaternion<T> => Rotation3<T>: unit_quaternion::__function_to_rotation_matrix<T>;
 }
 
 /// What the operators of a function mean, as far as the types of their operands say.
@@ -508,47 +300,51 @@ fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Op
     use Kind::*;
     let known = |it| Some(tree::Callee::Builtin(tree::Builtin::Spatial(it)));
     match (left, sign, right) {
-        (Complex, "Neg", _) => one(cx, complex::negative::__call::<T>),
-        (Complex, "Add", Complex) => two(cx, complex::sum::__call::<T>),
-        (Complex, "Add", Number) => two(cx, complex::sum_with_real::__call::<T>),
-        (Number, "Add", Complex) => two(cx, complex::sum_of_real::__call::<T>),
-        (Complex, "Sub", Complex) => two(cx, complex::difference::__call::<T>),
-        (Complex, "Sub", Number) => two(cx, complex::difference_with_real::__call::<T>),
-        (Number, "Sub", Complex) => two(cx, complex::difference_of_real::__call::<T>),
-        (Complex, "Mul", Complex) => two(cx, complex::product::__call::<T>),
-        (Complex, "Mul", Number) => two(cx, complex::scale::__call::<T>),
-        (Number, "Mul", Complex) => two(cx, complex::scaled_by::__call::<T>),
-        (Complex, "Div", Complex) => two(cx, complex::quotient::__call::<T>),
-        (Complex, "Div", Number) => two(cx, complex::unscale::__call::<T>),
-        (Number, "Div", Complex) => two(cx, complex::quotient_of_real::__call::<T>),
-        (Quaternion, "Neg", _) => one(cx, quaternion::negative::__call::<T>),
-        (Quaternion, "Add", Quaternion) => two(cx, quaternion::sum::__call::<T>),
-        (Quaternion, "Sub", Quaternion) => two(cx, quaternion::difference::__call::<T>),
-        (Quaternion, "Mul", Quaternion) => two(cx, quaternion::product::__call::<T>),
-        (Quaternion, "Mul", Number) => two(cx, quaternion::scaled::__call::<T>),
-        (Number, "Mul", Quaternion) => two(cx, quaternion::scaled_by::__call::<T>),
-        (Quaternion, "Div", Number) => two(cx, quaternion::unscaled::__call::<T>),
-        (Unit, "Mul", Unit) => two(cx, unit_quaternion::product::__call::<T>),
-        (Unit, "Div", Unit) => two(cx, unit_quaternion::quotient::__call::<T>),
-        (Unit, "Mul", Rotation3) => two(cx, unit_quaternion::product_with_matrix::__call::<T>),
-        (Unit, "Div", Rotation3) => two(cx, unit_quaternion::quotient_by_matrix::__call::<T>),
-        (Rotation3, "Mul", Unit) => two(cx, unit_quaternion::product_of_matrix::__call::<T>),
-        (Rotation3, "Div", Unit) => two(cx, unit_quaternion::quotient_of_matrix::__call::<T>),
+        (Complex, "Neg", _) => of::<complex::__function_negative<T>>(cx),
+        (Complex, "Add", Complex) => of::<complex::__function_sum<T>>(cx),
+        (Complex, "Add", Number) => of::<complex::__function_sum_with_real<T>>(cx),
+        (Number, "Add", Complex) => of::<complex::__function_sum_of_real<T>>(cx),
+        (Complex, "Sub", Complex) => of::<complex::__function_difference<T>>(cx),
+        (Complex, "Sub", Number) => of::<complex::__function_difference_with_real<T>>(cx),
+        (Number, "Sub", Complex) => of::<complex::__function_difference_of_real<T>>(cx),
+        (Complex, "Mul", Complex) => of::<complex::__function_product<T>>(cx),
+        (Complex, "Mul", Number) => of::<complex::__function_scale<T>>(cx),
+        (Number, "Mul", Complex) => of::<complex::__function_scaled_by<T>>(cx),
+        (Complex, "Div", Complex) => of::<complex::__function_quotient<T>>(cx),
+        (Complex, "Div", Number) => of::<complex::__function_unscale<T>>(cx),
+        (Number, "Div", Complex) => of::<complex::__function_quotient_of_real<T>>(cx),
+        (Quaternion, "Neg", _) => of::<quaternion::__function_negative<T>>(cx),
+        (Quaternion, "Add", Quaternion) => of::<quaternion::__function_sum<T>>(cx),
+        (Quaternion, "Sub", Quaternion) => of::<quaternion::__function_difference<T>>(cx),
+        (Quaternion, "Mul", Quaternion) => of::<quaternion::__function_product<T>>(cx),
+        (Quaternion, "Mul", Number) => of::<quaternion::__function_scaled<T>>(cx),
+        (Number, "Mul", Quaternion) => of::<quaternion::__function_scaled_by<T>>(cx),
+        (Quaternion, "Div", Number) => of::<quaternion::__function_unscaled<T>>(cx),
+        (Unit, "Mul", Unit) => of::<unit_quaternion::__function_product<T>>(cx),
+        (Unit, "Div", Unit) => of::<unit_quaternion::__function_quotient<T>>(cx),
+        (Unit, "Mul", Rotation3) => of::<unit_quaternion::__function_product_with_matrix<T>>(cx),
+        (Unit, "Div", Rotation3) => of::<unit_quaternion::__function_quotient_by_matrix<T>>(cx),
+        (Rotation3, "Mul", Unit) => of::<unit_quaternion::__function_product_of_matrix<T>>(cx),
+        (Rotation3, "Div", Unit) => of::<unit_quaternion::__function_quotient_of_matrix<T>>(cx),
         (Unit, "Mul", Matrix | Point | UnitVector) => {
-            two(cx, unit_quaternion::transform_vector::__call::<T>)
+            of::<unit_quaternion::__function_transform_vector<T>>(cx)
         }
-        (Unit, "Mul", Translation) => two(cx, isometry::rotated_translation::__call::<T>),
-        (Translation, "Mul", Unit) => two(cx, isometry::translated_rotation::__call::<T>),
-        (Unit, "Mul", Isometry) => two(cx, isometry::product_of_rotation::__call::<T>),
-        (Unit, "Div", Isometry) => two(cx, isometry::quotient_of_rotation::__call::<T>),
-        (Isometry, "Mul", Unit) => two(cx, isometry::product_with_rotation::__call::<T>),
-        (Isometry, "Div", Unit) => two(cx, isometry::quotient_by_rotation::__call::<T>),
-        (Isometry, "Mul", Isometry) => two(cx, isometry::product::__call::<T>),
-        (Isometry, "Div", Isometry) => two(cx, isometry::quotient::__call::<T>),
-        (Isometry, "Mul", Translation) => two(cx, isometry::product_with_translation::__call::<T>),
-        (Translation, "Mul", Isometry) => two(cx, isometry::product_of_translation::__call::<T>),
-        (Isometry, "Mul", Point) => two(cx, isometry::transform_point::__call::<T>),
-        (Isometry, "Mul", Matrix | UnitVector) => two(cx, isometry::transform_vector::__call::<T>),
+        (Unit, "Mul", Translation) => of::<isometry::__function_rotated_translation<T>>(cx),
+        (Translation, "Mul", Unit) => of::<isometry::__function_translated_rotation<T>>(cx),
+        (Unit, "Mul", Isometry) => of::<isometry::__function_product_of_rotation<T>>(cx),
+        (Unit, "Div", Isometry) => of::<isometry::__function_quotient_of_rotation<T>>(cx),
+        (Isometry, "Mul", Unit) => of::<isometry::__function_product_with_rotation<T>>(cx),
+        (Isometry, "Div", Unit) => of::<isometry::__function_quotient_by_rotation<T>>(cx),
+        (Isometry, "Mul", Isometry) => of::<isometry::__function_product<T>>(cx),
+        (Isometry, "Div", Isometry) => of::<isometry::__function_quotient<T>>(cx),
+        (Isometry, "Mul", Translation) => {
+            of::<isometry::__function_product_with_translation<T>>(cx)
+        }
+        (Translation, "Mul", Isometry) => of::<isometry::__function_product_of_translation<T>>(cx),
+        (Isometry, "Mul", Point) => of::<isometry::__function_transform_point<T>>(cx),
+        (Isometry, "Mul", Matrix | UnitVector) => {
+            of::<isometry::__function_transform_vector<T>>(cx)
+        }
         (Translation, "Mul", Translation | Point) => known(SpatialMethod::Plus),
         (Translation, "Div", Translation) => known(SpatialMethod::Minus),
         (Rotation | Rotation3 | Matrix, "Div", Rotation | Rotation3) => {
@@ -558,17 +354,7 @@ fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Op
     }
 }
 
-/// The function whose companion takes one argument.
-pub(super) fn of<A, M: Callee, R>(cx: &mut Builder, _: fn(A) -> Called<M, R>) -> tree::Callee {
-    M::callee(cx)
-}
-
-/// The same as the meaning of a sign.
-fn one<A, M: Callee, R>(cx: &mut Builder, call: fn(A) -> Called<M, R>) -> Option<tree::Callee> {
-    Some(of(cx, call))
-}
-
-/// The function whose companion takes two.
-fn two<A, B, M: Callee, R>(cx: &mut Builder, _: fn(A, B) -> Called<M, R>) -> Option<tree::Callee> {
+/// The function of a marker, as the meaning of a sign.
+fn of<M: Callee>(cx: &mut Builder) -> Option<tree::Callee> {
     Some(M::callee(cx))
 }

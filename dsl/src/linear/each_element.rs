@@ -3,132 +3,103 @@
 use nalgebra::SMatrix;
 
 use crate::element::Element;
-use crate::function;
+use crate::library;
 
-/// The values of `f` for the elements.
-#[function(expand)]
-pub fn map<T: Element, U: Element, F: FnMut(T) -> U, const R: usize, const C: usize>(
-    elements: &SMatrix<T, R, C>,
-    mut f: F,
-) -> SMatrix<U, R, C> {
-    let mut mapped = SMatrix::<U, R, C>::from_element(U::ZERO);
-    for (mapped, x) in mapped.iter_mut().zip(elements.iter()) {
-        *mapped = f(*x);
+#[library(EachElementCompanions)]
+impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
+    /// The values of `f` for the elements.
+    #[function(expand)]
+    pub fn map<U: Element, F: FnMut(T) -> U>(elements: &Self, mut f: F) -> SMatrix<U, R, C> {
+        let mut mapped = SMatrix::<U, R, C>::from_element(U::ZERO);
+        for (mapped, x) in mapped.iter_mut().zip(elements.iter()) {
+            *mapped = f(*x);
+        }
+        mapped
     }
-    mapped
-}
 
-/// The values of `f` for the elements of two matrices.
-#[function(expand)]
-pub fn zip_map<
-    T: Element,
-    U: Element,
-    V: Element,
-    F: FnMut(T, U) -> V,
-    const R: usize,
-    const C: usize,
->(
-    elements: &SMatrix<T, R, C>,
-    others: &SMatrix<U, R, C>,
-    mut f: F,
-) -> SMatrix<V, R, C> {
-    let mut mapped = SMatrix::<V, R, C>::from_element(V::ZERO);
-    for ((mapped, x), y) in mapped.iter_mut().zip(elements.iter()).zip(others.iter()) {
-        *mapped = f(*x, *y);
+    /// The values of `f` for the elements of two matrices.
+    #[function(expand)]
+    pub fn zip_map<U: Element, V: Element, F: FnMut(T, U) -> V>(
+        elements: &Self,
+        others: &SMatrix<U, R, C>,
+        mut f: F,
+    ) -> SMatrix<V, R, C> {
+        let mut mapped = SMatrix::<V, R, C>::from_element(V::ZERO);
+        for ((mapped, x), y) in mapped.iter_mut().zip(elements.iter()).zip(others.iter()) {
+            *mapped = f(*x, *y);
+        }
+        mapped
     }
-    mapped
-}
 
-/// The values of `f` for each row, column and element.
-#[function(expand)]
-pub fn map_with_location<
-    T: Element,
-    U: Element,
-    F: FnMut(usize, usize, T) -> U,
-    const R: usize,
-    const C: usize,
->(
-    elements: &SMatrix<T, R, C>,
-    mut f: F,
-) -> SMatrix<U, R, C> {
-    let mut mapped = SMatrix::<U, R, C>::from_element(U::ZERO);
-    for column in 0..C {
-        for row in 0..R {
-            mapped[(row, column)] = f(row, column, elements[(row, column)]);
+    /// The values of `f` for each row, column and element.
+    #[function(expand)]
+    pub fn map_with_location<U: Element, F: FnMut(usize, usize, T) -> U>(
+        elements: &Self,
+        mut f: F,
+    ) -> SMatrix<U, R, C> {
+        let mut mapped = SMatrix::<U, R, C>::from_element(U::ZERO);
+        for column in 0..C {
+            for row in 0..R {
+                mapped[(row, column)] = f(row, column, elements[(row, column)]);
+            }
+        }
+        mapped
+    }
+
+    /// The values of `f` for each row and column.
+    #[function(expand)]
+    pub fn from_fn<F: FnMut(usize, usize) -> T>(mut f: F) -> Self {
+        let mut made = SMatrix::<T, R, C>::from_element(T::ZERO);
+        for column in 0..C {
+            for row in 0..R {
+                made[(row, column)] = f(row, column);
+            }
+        }
+        made
+    }
+
+    /// Does `f` to each element.
+    #[function(expand)]
+    pub fn apply<F: FnMut(&mut T)>(elements: &mut Self, mut f: F) {
+        for x in elements.iter_mut() {
+            f(x);
         }
     }
-    mapped
-}
 
-/// The values of `f` for each row and column.
-#[function(expand)]
-pub fn from_fn<T: Element, F: FnMut(usize, usize) -> T, const R: usize, const C: usize>(
-    mut f: F,
-) -> SMatrix<T, R, C> {
-    let mut made = SMatrix::<T, R, C>::from_element(T::ZERO);
-    for column in 0..C {
-        for row in 0..R {
-            made[(row, column)] = f(row, column);
+    /// Does `f` to each element, with another's beside it.
+    #[function(expand)]
+    pub fn zip_apply<U: Element, F: FnMut(&mut T, U)>(
+        elements: &mut Self,
+        others: &SMatrix<U, R, C>,
+        mut f: F,
+    ) {
+        for (x, y) in elements.iter_mut().zip(others.iter()) {
+            f(x, *y);
         }
     }
-    made
-}
 
-/// Does `f` to each element.
-#[function(expand)]
-pub fn apply<T: Element, F: FnMut(&mut T), const R: usize, const C: usize>(
-    elements: &mut SMatrix<T, R, C>,
-    mut f: F,
-) {
-    for x in elements.iter_mut() {
-        f(x);
+    /// What `f` gathers of the elements.
+    #[function(expand)]
+    pub fn fold<A, F: FnMut(A, T) -> A>(elements: &Self, start: A, mut f: F) -> A {
+        let mut gathered = start;
+        for x in elements.iter() {
+            gathered = f(gathered, *x);
+        }
+        gathered
     }
-}
 
-/// Does `f` to each element, with another's beside it.
-#[function(expand)]
-pub fn zip_apply<T: Element, U: Element, F: FnMut(&mut T, U), const R: usize, const C: usize>(
-    elements: &mut SMatrix<T, R, C>,
-    others: &SMatrix<U, R, C>,
-    mut f: F,
-) {
-    for (x, y) in elements.iter_mut().zip(others.iter()) {
-        f(x, *y);
+    /// What `f` gathers of the elements of two matrices.
+    #[function(expand)]
+    pub fn zip_fold<U: Element, A, F: FnMut(A, T, U) -> A>(
+        elements: &Self,
+        others: &SMatrix<U, R, C>,
+        start: A,
+        mut f: F,
+    ) -> A {
+        let mut gathered = start;
+        for (x, y) in elements.iter().zip(others.iter()) {
+            gathered = f(gathered, *x, *y);
+        }
+        gathered
     }
-}
-
-/// What `f` gathers of the elements.
-#[function(expand)]
-pub fn fold<T: Element, A, F: FnMut(A, T) -> A, const R: usize, const C: usize>(
-    elements: &SMatrix<T, R, C>,
-    start: A,
-    mut f: F,
-) -> A {
-    let mut gathered = start;
-    for x in elements.iter() {
-        gathered = f(gathered, *x);
-    }
-    gathered
-}
-
-/// What `f` gathers of the elements of two matrices.
-#[function(expand)]
-pub fn zip_fold<
-    T: Element,
-    U: Element,
-    A,
-    F: FnMut(A, T, U) -> A,
-    const R: usize,
-    const C: usize,
->(
-    elements: &SMatrix<T, R, C>,
-    others: &SMatrix<U, R, C>,
-    start: A,
-    mut f: F,
-) -> A {
-    let mut gathered = start;
-    for (x, y) in elements.iter().zip(others.iter()) {
-        gathered = f(gathered, *x, *y);
-    }
-    gathered
 }

@@ -7,8 +7,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::element::Number;
-use crate::function;
 use crate::math::Real;
+use crate::{function, library};
 
 /// The larger of two; the second where they do not compare.
 #[function]
@@ -24,141 +24,170 @@ pub fn lower<T: Number>(a: T, b: T) -> T {
     if a <= b { a } else { b }
 }
 
-/// The largest element.
-#[function]
-pub fn max<T: Number, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut largest = a[(0, 0)];
-    for column in 0..C {
-        for row in 0..R {
-            largest = upper(largest, a[(row, column)]);
-        }
-    }
-    largest
-}
-
-/// The smallest element.
-#[function]
-pub fn min<T: Number, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut smallest = a[(0, 0)];
-    for column in 0..C {
-        for row in 0..R {
-            smallest = lower(smallest, a[(row, column)]);
-        }
-    }
-    smallest
-}
-
-/// The largest magnitude.
-#[function]
-pub fn amax<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut largest = a[(0, 0)].abs();
-    for column in 0..C {
-        for row in 0..R {
-            largest = upper(largest, a[(row, column)].abs());
-        }
-    }
-    largest
-}
-
-/// The smallest magnitude.
-#[function]
-pub fn amin<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut smallest = a[(0, 0)].abs();
-    for column in 0..C {
-        for row in 0..R {
-            smallest = lower(smallest, a[(row, column)].abs());
-        }
-    }
-    smallest
-}
-
-/// Where the largest element is, and what it is.
-#[function]
-pub fn argmax<T: Real, const N: usize>(v: &SVector<T, N>) -> (usize, T) {
-    let mut largest = v[0];
-    let mut place = 0;
-    for k in 1..N {
-        if v[k] > largest {
-            largest = v[k];
-            place = k;
-        }
-    }
-    (place, largest)
-}
-
-/// Where the smallest element is, and what it is.
-#[function]
-pub fn argmin<T: Real, const N: usize>(v: &SVector<T, N>) -> (usize, T) {
-    let mut smallest = v[0];
-    let mut place = 0;
-    for k in 1..N {
-        if v[k] < smallest {
-            smallest = v[k];
-            place = k;
-        }
-    }
-    (place, smallest)
-}
-
-/// Where the largest element is.
-#[function]
-pub fn imax<T: Real, const N: usize>(v: &SVector<T, N>) -> usize {
-    let (place, _) = argmax(v);
-    place
-}
-
-/// Where the smallest element is.
-#[function]
-pub fn imin<T: Real, const N: usize>(v: &SVector<T, N>) -> usize {
-    let (place, _) = argmin(v);
-    place
-}
-
-/// Where the largest magnitude is.
-#[function]
-pub fn iamax<T: Real, const N: usize>(v: &SVector<T, N>) -> usize {
-    let mut largest = v[0].abs();
-    let mut place = 0;
-    for k in 1..N {
-        let magnitude = v[k].abs();
-        if magnitude > largest {
-            largest = magnitude;
-            place = k;
-        }
-    }
-    place
-}
-
-/// Where the smallest magnitude is.
-#[function]
-pub fn iamin<T: Real, const N: usize>(v: &SVector<T, N>) -> usize {
-    let mut smallest = v[0].abs();
-    let mut place = 0;
-    for k in 1..N {
-        let magnitude = v[k].abs();
-        if magnitude < smallest {
-            smallest = magnitude;
-            place = k;
-        }
-    }
-    place
-}
-
-/// The row and the column of the largest magnitude.
-#[function]
-pub fn iamax_full<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> (usize, usize) {
-    let mut largest = a[(0, 0)].abs();
-    let mut place = (0, 0);
-    for column in 0..C {
-        for row in 0..R {
-            let magnitude = a[(row, column)].abs();
-            if magnitude > largest {
-                largest = magnitude;
-                place = (row, column);
+#[library(NumberExtremeCompanions)]
+impl<T: Number, const R: usize, const C: usize> SMatrix<T, R, C> {
+    /// The largest element.
+    pub fn max(a: &Self) -> T {
+        let mut largest = a[(0, 0)];
+        for column in 0..C {
+            for row in 0..R {
+                largest = upper(largest, a[(row, column)]);
             }
         }
+        largest
     }
-    place
+
+    /// The smallest element.
+    pub fn min(a: &Self) -> T {
+        let mut smallest = a[(0, 0)];
+        for column in 0..C {
+            for row in 0..R {
+                smallest = lower(smallest, a[(row, column)]);
+            }
+        }
+        smallest
+    }
+}
+
+#[library(ExtremeCompanions)]
+impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
+    /// The largest magnitude.
+    #[method(amax, camax)]
+    pub fn amax(a: &Self) -> T {
+        let mut largest = a[(0, 0)].abs();
+        for column in 0..C {
+            for row in 0..R {
+                largest = upper(largest, a[(row, column)].abs());
+            }
+        }
+        largest
+    }
+
+    /// The smallest magnitude.
+    #[method(amin, camin)]
+    pub fn amin(a: &Self) -> T {
+        let mut smallest = a[(0, 0)].abs();
+        for column in 0..C {
+            for row in 0..R {
+                smallest = lower(smallest, a[(row, column)].abs());
+            }
+        }
+        smallest
+    }
+
+    /// The row and the column of the largest magnitude.
+    #[method(iamax_full, icamax_full)]
+    pub fn iamax_full(a: &Self) -> (usize, usize) {
+        let mut largest = a[(0, 0)].abs();
+        let mut place = (0, 0);
+        for column in 0..C {
+            for row in 0..R {
+                let magnitude = a[(row, column)].abs();
+                if magnitude > largest {
+                    largest = magnitude;
+                    place = (row, column);
+                }
+            }
+        }
+        place
+    }
+
+    /// Of each pair of elements the smaller.
+    pub fn inf(a: &Self, b: &Self) -> Self {
+        let mut smaller = *a;
+        for column in 0..C {
+            for row in 0..R {
+                smaller[(row, column)] = lower(a[(row, column)], b[(row, column)]);
+            }
+        }
+        smaller
+    }
+
+    /// Of each pair of elements the larger.
+    pub fn sup(a: &Self, b: &Self) -> Self {
+        let mut larger = *a;
+        for column in 0..C {
+            for row in 0..R {
+                larger[(row, column)] = upper(a[(row, column)], b[(row, column)]);
+            }
+        }
+        larger
+    }
+
+    /// Of each pair of elements the smaller, and the larger.
+    pub fn inf_sup(a: &Self, b: &Self) -> (Self, Self) {
+        (inf(a, b), sup(a, b))
+    }
+}
+
+#[library(VectorExtremeCompanions)]
+impl<T: Real, const N: usize> SVector<T, N> {
+    /// Where the largest element is, and what it is.
+    pub fn argmax(v: &Self) -> (usize, T) {
+        let mut largest = v[0];
+        let mut place = 0;
+        for k in 1..N {
+            if v[k] > largest {
+                largest = v[k];
+                place = k;
+            }
+        }
+        (place, largest)
+    }
+
+    /// Where the smallest element is, and what it is.
+    pub fn argmin(v: &Self) -> (usize, T) {
+        let mut smallest = v[0];
+        let mut place = 0;
+        for k in 1..N {
+            if v[k] < smallest {
+                smallest = v[k];
+                place = k;
+            }
+        }
+        (place, smallest)
+    }
+
+    /// Where the largest element is.
+    pub fn imax(v: &Self) -> usize {
+        let (place, _) = argmax(v);
+        place
+    }
+
+    /// Where the smallest element is.
+    pub fn imin(v: &Self) -> usize {
+        let (place, _) = argmin(v);
+        place
+    }
+
+    /// Where the largest magnitude is.
+    #[method(iamax, icamax)]
+    pub fn iamax(v: &Self) -> usize {
+        let mut largest = v[0].abs();
+        let mut place = 0;
+        for k in 1..N {
+            let magnitude = v[k].abs();
+            if magnitude > largest {
+                largest = magnitude;
+                place = k;
+            }
+        }
+        place
+    }
+
+    /// Where the smallest magnitude is.
+    pub fn iamin(v: &Self) -> usize {
+        let mut smallest = v[0].abs();
+        let mut place = 0;
+        for k in 1..N {
+            let magnitude = v[k].abs();
+            if magnitude < smallest {
+                smallest = magnitude;
+                place = k;
+            }
+        }
+        place
+    }
 }
 
 /// Whether no element is infinite or a NaN.
@@ -172,43 +201,4 @@ pub fn all_finite<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>)
         }
     }
     true
-}
-
-/// Of each pair of elements the smaller.
-#[function]
-pub fn inf<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    b: &SMatrix<T, R, C>,
-) -> SMatrix<T, R, C> {
-    let mut smaller = *a;
-    for column in 0..C {
-        for row in 0..R {
-            smaller[(row, column)] = lower(a[(row, column)], b[(row, column)]);
-        }
-    }
-    smaller
-}
-
-/// Of each pair of elements the larger.
-#[function]
-pub fn sup<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    b: &SMatrix<T, R, C>,
-) -> SMatrix<T, R, C> {
-    let mut larger = *a;
-    for column in 0..C {
-        for row in 0..R {
-            larger[(row, column)] = upper(a[(row, column)], b[(row, column)]);
-        }
-    }
-    larger
-}
-
-/// Of each pair of elements the smaller, and the larger.
-#[function]
-pub fn inf_sup<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    b: &SMatrix<T, R, C>,
-) -> (SMatrix<T, R, C>, SMatrix<T, R, C>) {
-    (inf(a, b), sup(a, b))
 }

@@ -4,77 +4,77 @@ use nalgebra::SMatrix;
 
 use super::norms::one_norm;
 use super::solve_mut;
-use crate::function;
+use crate::library;
 use crate::math::{Real, real};
 
-/// `a` multiplied by itself, by squaring, in nalgebra's order.
-#[function]
-pub fn pow<T: Real, const N: usize>(a: &SMatrix<T, N, N>, exponent: u32) -> SMatrix<T, N, N> {
-    let mut left = exponent;
-    let mut power = *a;
-    if left & 1 == 0 {
-        power = SMatrix::<T, N, N>::identity();
-    }
-    // What is odd is in the power already.
-    left = left / 2 * 2;
-    let mut square = *a;
-    for _ in 0..32 {
-        if left & 1 == 1 {
-            power *= square;
+#[library(PowerCompanions)]
+impl<T: Real, const N: usize> SMatrix<T, N, N> {
+    /// `a` multiplied by itself, by squaring, in nalgebra's order.
+    pub fn pow(a: &Self, exponent: u32) -> Self {
+        let mut left = exponent;
+        let mut power = *a;
+        if left & 1 == 0 {
+            power = SMatrix::<T, N, N>::identity();
         }
-        left /= 2;
-        if left == 0 {
-            break;
+        // What is odd is in the power already.
+        left = left / 2 * 2;
+        let mut square = *a;
+        for _ in 0..32 {
+            if left & 1 == 1 {
+                power *= square;
+            }
+            left /= 2;
+            if left == 0 {
+                break;
+            }
+            square *= square;
         }
-        square *= square;
+        power
     }
-    power
-}
 
-/// Raises `a` to a power: see [`pow`].
-#[function]
-pub fn pow_mut<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>, exponent: u32) {
-    *a = pow(a, exponent);
-}
-
-/// The exponential of a matrix: halved until its one-norm is below 0.95, Padé's approximant of degree 7,
-/// squared as often as it was halved (Higham 2005). NaN everywhere where an element is not finite.
-///
-/// nalgebra has one only with std, which asks the platform for logarithms and powers on the way; this has an
-/// order of its own.
-#[function]
-pub fn exp<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
-    let norm = one_norm(a);
-    if !norm.is_finite() {
-        return SMatrix::<T, N, N>::from_element(T::NAN);
+    /// Raises `a` to a power: see [`pow`].
+    pub fn pow_mut(a: &mut Self, exponent: u32) {
+        *a = pow(a, exponent);
     }
-    let limit: T = real(0.95);
-    let half: T = real(0.5);
-    let mut scale = T::ONE;
-    let mut squarings = 0;
-    for halvings in 0..1025 {
-        if norm * scale < limit {
-            squarings = halvings;
-            break;
+
+    /// The exponential of a matrix: halved until its one-norm is below 0.95, Padé's approximant of degree 7,
+    /// squared as often as it was halved (Higham 2005). NaN everywhere where an element is not finite.
+    ///
+    /// nalgebra has one only with std, which asks the platform for logarithms and powers on the way; this has an
+    /// order of its own.
+    pub fn exp(a: &Self) -> Self {
+        let norm = one_norm(a);
+        if !norm.is_finite() {
+            return SMatrix::<T, N, N>::from_element(T::NAN);
         }
-        scale *= half;
-    }
+        let limit: T = real(0.95);
+        let half: T = real(0.5);
+        let mut scale = T::ONE;
+        let mut squarings = 0;
+        for halvings in 0..1025 {
+            if norm * scale < limit {
+                squarings = halvings;
+                break;
+            }
+            scale *= half;
+        }
 
-    let identity = SMatrix::<T, N, N>::identity();
-    let x = a * scale;
-    let x2 = x * x;
-    let x4 = x2 * x2;
-    let x6 = x4 * x2;
-    let inner = x6 + x4.scale(real(1_512.0)) + x2.scale(real(277_200.0));
-    let odd = x * (inner + identity.scale(real(8_648_640.0)));
-    let inner = x6.scale(real(56.0)) + x4.scale(real(25_200.0)) + x2.scale(real(1_995_840.0));
-    let even = inner + identity.scale(real(17_297_280.0));
-    let mut divisor = even - odd;
-    let mut power = even + odd;
-    solve_mut(&mut divisor, &mut power);
+        let identity = SMatrix::<T, N, N>::identity();
+        let x = a * scale;
+        let x2 = x * x;
+        let x4 = x2 * x2;
+        let x6 = x4 * x2;
+        let inner = x6 + x4.scale(real(1_512.0)) + x2.scale(real(277_200.0));
+        let odd = x * (inner + identity.scale(real(8_648_640.0)));
+        let inner = x6.scale(real(56.0)) + x4.scale(real(25_200.0)) + x2.scale(real(1_995_840.0));
+        let even = inner + identity.scale(real(17_297_280.0));
+        let mut divisor = even - odd;
+        let mut power = even + odd;
+        solve_mut(&mut divisor, &mut power);
 
-    for _ in 0..squarings {
-        power *= power;
+        for _ in 0..squarings {
+            power *= power;
+        }
+        power
     }
-    power
 }

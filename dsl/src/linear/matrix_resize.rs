@@ -3,8 +3,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::function;
 use crate::math::Real;
+use crate::{function, library};
 
 /// The product of each element of `a` with the whole of `b`.
 #[function]
@@ -116,23 +116,20 @@ pub fn remove_column<T: Real, const R: usize, const C: usize, const COLUMNS: usi
     smaller
 }
 
-/// Of another size: cut off, or with a value where there was nothing.
-#[function]
-pub fn fixed_resize<
-    T: Real,
-    const R: usize,
-    const C: usize,
-    const ROWS: usize,
-    const COLUMNS: usize,
->(
-    a: &SMatrix<T, R, C>,
-    value: T,
-) -> SMatrix<T, ROWS, COLUMNS> {
-    let mut resized = SMatrix::<T, ROWS, COLUMNS>::from_element(value);
-    for column in 0..C.min(COLUMNS) {
-        for row in 0..R.min(ROWS) {
-            resized[(row, column)] = a[(row, column)];
+#[library(FixedResizeCompanion)]
+impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
+    /// Of another size: cut off, or with a value where there was nothing.
+    #[by_value(a)]
+    pub fn fixed_resize<const ROWS: usize, const COLUMNS: usize>(
+        a: &Self,
+        value: T,
+    ) -> SMatrix<T, ROWS, COLUMNS> {
+        let mut resized = SMatrix::<T, ROWS, COLUMNS>::from_element(value);
+        for column in 0..C.min(COLUMNS) {
+            for row in 0..R.min(ROWS) {
+                resized[(row, column)] = a[(row, column)];
+            }
         }
+        resized
     }
-    resized
 }

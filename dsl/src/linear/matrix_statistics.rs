@@ -4,195 +4,167 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::element::Number;
-use crate::function;
+use crate::library;
 use crate::math::{Real, real};
 
-/// The sum of all elements, by columns.
-#[function]
-pub fn sum<T: Number, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut sum = T::ZERO;
-    for column in 0..C {
-        for row in 0..R {
-            sum += a[(row, column)];
+#[library(SumCompanions)]
+impl<T: Number, const R: usize, const C: usize> SMatrix<T, R, C> {
+    /// The sum of all elements, by columns.
+    pub fn sum(a: &Self) -> T {
+        let mut sum = T::ZERO;
+        for column in 0..C {
+            for row in 0..R {
+                sum += a[(row, column)];
+            }
         }
+        sum
     }
-    sum
-}
 
-/// The product of all elements, by columns.
-#[function]
-pub fn product<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut product = T::ONE;
-    for column in 0..C {
-        for row in 0..R {
-            product *= a[(row, column)];
+    /// The sum of each column, as a column.
+    pub fn row_sum_tr(a: &Self) -> SVector<T, C> {
+        let mut sums = SVector::<T, C>::from_element(T::ZERO);
+        for column in 0..C {
+            for row in 0..R {
+                sums[column] += a[(row, column)];
+            }
         }
+        sums
     }
-    product
-}
 
-/// The mean of all elements.
-#[function]
-pub fn mean<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let count: T = real((R * C) as f64);
-    sum(a) / count
-}
+    /// The sum of each column, as a row.
+    pub fn row_sum(a: &Self) -> SMatrix<T, 1, C> {
+        row_sum_tr(a).transpose()
+    }
 
-/// The mean of the squared distances from the mean.
-#[function]
-pub fn variance<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let count: T = real((R * C) as f64);
-    let mean = mean(a);
-    let mut squares = T::ZERO;
-    for column in 0..C {
-        for row in 0..R {
-            let distance = a[(row, column)] - mean;
-            squares += distance * distance;
+    /// The sum of each row.
+    pub fn column_sum(a: &Self) -> SVector<T, R> {
+        let mut sums = SVector::<T, R>::from_element(T::ZERO);
+        for column in 0..C {
+            for row in 0..R {
+                sums[row] += a[(row, column)];
+            }
         }
+        sums
     }
-    squares / count
 }
 
-/// The sum of each column, as a column.
-#[function]
-pub fn row_sum_tr<T: Number, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SVector<T, C> {
-    let mut sums = SVector::<T, C>::from_element(T::ZERO);
-    for column in 0..C {
-        for row in 0..R {
-            sums[column] += a[(row, column)];
+#[library(StatisticCompanions)]
+impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
+    /// The product of all elements, by columns.
+    pub fn product(a: &Self) -> T {
+        let mut product = T::ONE;
+        for column in 0..C {
+            for row in 0..R {
+                product *= a[(row, column)];
+            }
         }
+        product
     }
-    sums
-}
 
-/// The sum of each column, as a row.
-#[function]
-pub fn row_sum<T: Number, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SMatrix<T, 1, C> {
-    row_sum_tr(a).transpose()
-}
+    /// The mean of all elements.
+    pub fn mean(a: &Self) -> T {
+        let count: T = real((R * C) as f64);
+        sum(a) / count
+    }
 
-/// The sum of each row.
-#[function]
-pub fn column_sum<T: Number, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SVector<T, R> {
-    let mut sums = SVector::<T, R>::from_element(T::ZERO);
-    for column in 0..C {
-        for row in 0..R {
-            sums[row] += a[(row, column)];
+    /// The mean of the squared distances from the mean.
+    pub fn variance(a: &Self) -> T {
+        let count: T = real((R * C) as f64);
+        let mean = mean(a);
+        let mut squares = T::ZERO;
+        for column in 0..C {
+            for row in 0..R {
+                let distance = a[(row, column)] - mean;
+                squares += distance * distance;
+            }
         }
+        squares / count
     }
-    sums
-}
 
-/// The product of each column, as a column.
-#[function]
-pub fn row_product_tr<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SVector<T, C> {
-    let mut products = SVector::<T, C>::from_element(T::ONE);
-    for column in 0..C {
-        for row in 0..R {
-            products[column] *= a[(row, column)];
+    /// The product of each column, as a column.
+    pub fn row_product_tr(a: &Self) -> SVector<T, C> {
+        let mut products = SVector::<T, C>::from_element(T::ONE);
+        for column in 0..C {
+            for row in 0..R {
+                products[column] *= a[(row, column)];
+            }
         }
+        products
     }
-    products
-}
 
-/// The product of each column, as a row.
-#[function]
-pub fn row_product<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SMatrix<T, 1, C> {
-    row_product_tr(a).transpose()
-}
+    /// The product of each column, as a row.
+    pub fn row_product(a: &Self) -> SMatrix<T, 1, C> {
+        row_product_tr(a).transpose()
+    }
 
-/// The product of each row.
-#[function]
-pub fn column_product<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SVector<T, R> {
-    let mut products = SVector::<T, R>::from_element(T::ONE);
-    for column in 0..C {
-        for row in 0..R {
-            products[row] *= a[(row, column)];
+    /// The product of each row.
+    pub fn column_product(a: &Self) -> SVector<T, R> {
+        let mut products = SVector::<T, R>::from_element(T::ONE);
+        for column in 0..C {
+            for row in 0..R {
+                products[row] *= a[(row, column)];
+            }
         }
+        products
     }
-    products
-}
 
-/// The mean of each column, as a column.
-#[function]
-pub fn row_mean_tr<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> SVector<T, C> {
-    let count: T = real(R as f64);
-    row_sum_tr(a) / count
-}
+    /// The mean of each column, as a column.
+    pub fn row_mean_tr(a: &Self) -> SVector<T, C> {
+        let count: T = real(R as f64);
+        row_sum_tr(a) / count
+    }
 
-/// The mean of each column, as a row.
-#[function]
-pub fn row_mean<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> SMatrix<T, 1, C> {
-    row_mean_tr(a).transpose()
-}
+    /// The mean of each column, as a row.
+    pub fn row_mean(a: &Self) -> SMatrix<T, 1, C> {
+        row_mean_tr(a).transpose()
+    }
 
-/// The mean of each row: its elements, each times the reciprocal of their number, added up.
-#[function]
-pub fn column_mean<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> SVector<T, R> {
-    let count: T = real(C as f64);
-    let share = T::ONE / count;
-    let mut means = SVector::<T, R>::zeros();
-    for column in 0..C {
-        for row in 0..R {
-            means[row] = share * a[(row, column)] + means[row];
+    /// The mean of each row: its elements, each times the reciprocal of their number, added up.
+    pub fn column_mean(a: &Self) -> SVector<T, R> {
+        let count: T = real(C as f64);
+        let share = T::ONE / count;
+        let mut means = SVector::<T, R>::zeros();
+        for column in 0..C {
+            for row in 0..R {
+                means[row] = share * a[(row, column)] + means[row];
+            }
         }
+        means
     }
-    means
-}
 
-/// The variance of each column, as a column.
-#[function]
-pub fn row_variance_tr<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SVector<T, C> {
-    let count: T = real(R as f64);
-    let means = row_mean_tr(a);
-    let mut squares = SVector::<T, C>::zeros();
-    for column in 0..C {
-        for row in 0..R {
-            let distance = a[(row, column)] - means[column];
-            squares[column] += distance * distance;
+    /// The variance of each column, as a column.
+    pub fn row_variance_tr(a: &Self) -> SVector<T, C> {
+        let count: T = real(R as f64);
+        let means = row_mean_tr(a);
+        let mut squares = SVector::<T, C>::zeros();
+        for column in 0..C {
+            for row in 0..R {
+                let distance = a[(row, column)] - means[column];
+                squares[column] += distance * distance;
+            }
         }
+        squares / count
     }
-    squares / count
-}
 
-/// The variance of each column, as a row.
-#[function]
-pub fn row_variance<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SMatrix<T, 1, C> {
-    row_variance_tr(a).transpose()
-}
-
-/// The variance of each row: the mean of the squares less the square of the mean.
-#[function]
-pub fn column_variance<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SVector<T, R> {
-    let count: T = real(C as f64);
-    let share = T::ONE / count;
-    let means = column_mean(a);
-    let mut variances = SVector::<T, R>::zeros();
-    for row in 0..R {
-        variances[row] = -(means[row] * means[row]);
+    /// The variance of each column, as a row.
+    pub fn row_variance(a: &Self) -> SMatrix<T, 1, C> {
+        row_variance_tr(a).transpose()
     }
-    for column in 0..C {
+
+    /// The variance of each row: the mean of the squares less the square of the mean.
+    pub fn column_variance(a: &Self) -> SVector<T, R> {
+        let count: T = real(C as f64);
+        let share = T::ONE / count;
+        let means = column_mean(a);
+        let mut variances = SVector::<T, R>::zeros();
         for row in 0..R {
-            variances[row] += share * a[(row, column)] * a[(row, column)];
+            variances[row] = -(means[row] * means[row]);
         }
+        for column in 0..C {
+            for row in 0..R {
+                variances[row] += share * a[(row, column)] * a[(row, column)];
+            }
+        }
+        variances
     }
-    variances
 }

@@ -33,4 +33,7 @@ pub use factored::ldl::factored as ldl;
 pub use factored::svd::jacobi as svd;
 pub use literal::by_rows;
 pub use lu::{inverse_mut, solve_into, solve_mut};
+#[cfg(feature = "generate")]
+#[doc(hidden)]
+pub use systems::InverseCompanion;
 pub use systems::{inverse, solve};

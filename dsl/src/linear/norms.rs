@@ -5,33 +5,114 @@ use nalgebra::{SMatrix, SVector, Unit};
 
 use super::kernels::determinant;
 use super::matrix_extremes::upper;
-use crate::function;
 use crate::math::{Real, real};
+use crate::{function, library};
 
-/// The largest of the sums of the magnitudes of each column.
-#[function]
-pub fn one_norm<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut largest = T::ZERO;
-    for column in 0..C {
+#[library(NormCompanions)]
+impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
+    /// The largest of the sums of the magnitudes of each column.
+    pub fn one_norm(a: &Self) -> T {
+        let mut largest = T::ZERO;
+        for column in 0..C {
+            let mut sum = T::ZERO;
+            for row in 0..R {
+                sum += a[(row, column)].abs();
+            }
+            largest = upper(largest, sum);
+        }
+        largest
+    }
+
+    /// The p-th root of the sum of the magnitudes to the power of `p`, by columns.
+    pub fn lp_norm(a: &Self, p: i32) -> T {
         let mut sum = T::ZERO;
-        for row in 0..R {
-            sum += a[(row, column)].abs();
+        for column in 0..C {
+            for row in 0..R {
+                sum += a[(row, column)].abs().powi(p);
+            }
         }
-        largest = upper(largest, sum);
+        sum.powf(real(1.0 / f64::from(p)))
     }
-    largest
-}
 
-/// The p-th root of the sum of the magnitudes to the power of `p`, by columns.
-#[function]
-pub fn lp_norm<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>, p: i32) -> T {
-    let mut sum = T::ZERO;
-    for column in 0..C {
-        for row in 0..R {
-            sum += a[(row, column)].abs().powi(p);
+    /// The root of the sum of the squared differences, by columns.
+    pub fn metric_distance(a: &Self, b: &Self) -> T {
+        let mut squares = T::ZERO;
+        for column in 0..C {
+            for row in 0..R {
+                let difference = a[(row, column)] - b[(row, column)];
+                squares += difference * difference;
+            }
+        }
+        squares.sqrt()
+    }
+
+    /// Divided by its norm.
+    pub fn normalize(a: &Self) -> Self {
+        let norm = a.norm();
+        a / norm
+    }
+
+    /// Divides a matrix by its norm, which is the result.
+    pub fn normalize_mut(a: &mut Self) -> T {
+        let norm = a.norm();
+        *a /= norm;
+        norm
+    }
+
+    /// Divided by its norm; none where that is at most `least`.
+    pub fn try_normalize(a: &Self, least: T) -> Option<Self> {
+        let norm = a.norm();
+        if norm <= least { None } else { Some(a / norm) }
+    }
+
+    /// Divides a matrix by its norm, which is the result; leaves one whose norm is at most `least`.
+    pub fn try_normalize_mut(a: &mut Self, least: T) -> Option<T> {
+        let norm = a.norm();
+        if norm <= least {
+            return None;
+        }
+        *a /= norm;
+        Some(norm)
+    }
+
+    /// Scales a matrix to a norm.
+    pub fn set_magnitude(a: &mut Self, magnitude: T) {
+        let factor = magnitude / a.norm();
+        *a *= factor;
+    }
+
+    /// Scales a matrix to a norm, if its own is above `least`.
+    pub fn try_set_magnitude(a: &mut Self, magnitude: T, least: T) {
+        let norm = a.norm();
+        if norm > least {
+            let factor = magnitude / norm;
+            *a *= factor;
         }
     }
-    sum.powf(real(1.0 / f64::from(p)))
+
+    /// Scaled to the norm `most`, if its own is above.
+    pub fn cap_magnitude(a: &Self, most: T) -> Self {
+        let norm = a.norm();
+        if norm > most { a * (most / norm) } else { *a }
+    }
+
+    /// Whether each element is near that of the identity: see [`is_near`].
+    pub fn is_identity(a: &Self, tolerance: T) -> bool {
+        for column in 0..C {
+            for row in 0..R {
+                let wanted = if row == column { T::ONE } else { T::ZERO };
+                if !is_near(a[(row, column)], wanted, tolerance) {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// Whether the columns are near to orthonormal: see [`is_near`].
+    pub fn is_orthogonal(a: &Self, tolerance: T) -> bool {
+        is_identity(&a.tr_mul(a), tolerance)
+    }
 }
 
 /// The distance between points, as nalgebra has it: how long the way from one to the other is.
@@ -44,97 +125,6 @@ pub fn distance<T: Real, const N: usize>(p: &SVector<T, N>, q: &SVector<T, N>) -
 #[function(expand)]
 pub fn distance_squared<T: Real, const N: usize>(p: &SVector<T, N>, q: &SVector<T, N>) -> T {
     (q - p).norm_squared()
-}
-
-/// The root of the sum of the squared differences, by columns.
-#[function]
-pub fn metric_distance<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    b: &SMatrix<T, R, C>,
-) -> T {
-    let mut squares = T::ZERO;
-    for column in 0..C {
-        for row in 0..R {
-            let difference = a[(row, column)] - b[(row, column)];
-            squares += difference * difference;
-        }
-    }
-    squares.sqrt()
-}
-
-/// Divided by its norm.
-#[function]
-pub fn normalize<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SMatrix<T, R, C> {
-    let norm = a.norm();
-    a / norm
-}
-
-/// Divides a matrix by its norm, which is the result.
-#[function]
-pub fn normalize_mut<T: Real, const R: usize, const C: usize>(a: &mut SMatrix<T, R, C>) -> T {
-    let norm = a.norm();
-    *a /= norm;
-    norm
-}
-
-/// Divided by its norm; none where that is at most `least`.
-#[function]
-pub fn try_normalize<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    least: T,
-) -> Option<SMatrix<T, R, C>> {
-    let norm = a.norm();
-    if norm <= least { None } else { Some(a / norm) }
-}
-
-/// Divides a matrix by its norm, which is the result; leaves one whose norm is at most `least`.
-#[function]
-pub fn try_normalize_mut<T: Real, const R: usize, const C: usize>(
-    a: &mut SMatrix<T, R, C>,
-    least: T,
-) -> Option<T> {
-    let norm = a.norm();
-    if norm <= least {
-        return None;
-    }
-    *a /= norm;
-    Some(norm)
-}
-
-/// Scales a matrix to a norm.
-#[function]
-pub fn set_magnitude<T: Real, const R: usize, const C: usize>(
-    a: &mut SMatrix<T, R, C>,
-    magnitude: T,
-) {
-    let factor = magnitude / a.norm();
-    *a *= factor;
-}
-
-/// Scales a matrix to a norm, if its own is above `least`.
-#[function]
-pub fn try_set_magnitude<T: Real, const R: usize, const C: usize>(
-    a: &mut SMatrix<T, R, C>,
-    magnitude: T,
-    least: T,
-) {
-    let norm = a.norm();
-    if norm > least {
-        let factor = magnitude / norm;
-        *a *= factor;
-    }
-}
-
-/// Scaled to the norm `most`, if its own is above.
-#[function]
-pub fn cap_magnitude<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    most: T,
-) -> SMatrix<T, R, C> {
-    let norm = a.norm();
-    if norm > most { a * (most / norm) } else { *a }
 }
 
 /// Whether two numbers differ by no more than `tolerance`, or by a part of 2⁻⁵² (in single precision 2⁻²³) of
@@ -156,65 +146,39 @@ pub fn is_near<T: Real>(a: T, b: T, tolerance: T) -> bool {
     difference <= largest * T::EPSILON
 }
 
-/// Whether each element is near that of the identity: see [`is_near`].
-#[function]
-pub fn is_identity<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    tolerance: T,
-) -> bool {
-    for column in 0..C {
-        for row in 0..R {
-            let wanted = if row == column { T::ONE } else { T::ZERO };
-            if !is_near(a[(row, column)], wanted, tolerance) {
-                return false;
-            }
-        }
+#[library(SquareNormCompanions)]
+impl<T: Real, const N: usize> SMatrix<T, N, N> {
+    /// Whether a matrix is near to a rotation: orthonormal columns, and a determinant above zero.
+    pub fn is_special_orthogonal(a: &Self, tolerance: T) -> bool {
+        is_orthogonal(a, tolerance) && determinant(a) > T::ZERO
     }
-    true
+
+    /// Whether a matrix has an inverse.
+    pub fn is_invertible(a: &Self) -> bool {
+        super::inverse(a).is_some()
+    }
 }
 
-/// Whether the columns are near to orthonormal: see [`is_near`].
-#[function]
-pub fn is_orthogonal<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    tolerance: T,
-) -> bool {
-    is_identity(&a.tr_mul(a), tolerance)
-}
+#[library(DirectionCompanions)]
+impl<T: Real, const N: usize> Unit<SVector<T, N>> {
+    /// `v / |v|` where |v| is above `least`.
+    #[method(try_new)]
+    #[by_value(v)]
+    pub fn try_direction(v: &SVector<T, N>, least: T) -> Option<Self> {
+        let (direction, _) = try_direction_and_norm(v, least)?;
+        Some(direction)
+    }
 
-/// Whether a matrix is near to a rotation: orthonormal columns, and a determinant above zero.
-#[function]
-pub fn is_special_orthogonal<T: Real, const N: usize>(a: &SMatrix<T, N, N>, tolerance: T) -> bool {
-    is_orthogonal(a, tolerance) && determinant(a) > T::ZERO
-}
-
-/// Whether a matrix has an inverse.
-#[function]
-pub fn is_invertible<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> bool {
-    super::inverse(a).is_some()
-}
-
-/// `v / |v|` where |v| is above `least`.
-#[function]
-pub fn try_direction<T: Real, const N: usize>(
-    v: &SVector<T, N>,
-    least: T,
-) -> Option<Unit<SVector<T, N>>> {
-    let (direction, _) = try_direction_and_norm(v, least)?;
-    Some(direction)
-}
-
-/// The same, and |v|.
-#[function]
-pub fn try_direction_and_norm<T: Real, const N: usize>(
-    v: &SVector<T, N>,
-    least: T,
-) -> Option<(Unit<SVector<T, N>>, T)> {
-    let squared = v.norm_squared();
-    if squared > least * least {
-        let norm = squared.sqrt();
-        Some((Unit::new_unchecked(v / norm), norm))
-    } else {
-        None
+    /// The same, and |v|.
+    #[method(try_new_and_get)]
+    #[by_value(v)]
+    pub fn try_direction_and_norm(v: &SVector<T, N>, least: T) -> Option<(Self, T)> {
+        let squared = v.norm_squared();
+        if squared > least * least {
+            let norm = squared.sqrt();
+            Some((Unit::new_unchecked(v / norm), norm))
+        } else {
+            None
+        }
     }
 }

@@ -8,114 +8,86 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::element::Element;
-use crate::function;
+use crate::library;
 
-/// A row.
-#[function]
-pub fn row<T: Element, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    row: usize,
-) -> SMatrix<T, 1, C> {
-    crate::__inside!(row + 1 <= R);
-    let mut part = SMatrix::<T, 1, C>::repeat(T::ZERO);
-    for column in 0..C {
-        part[(0, column)] = a[(row, column)];
+#[library(ViewCompanions)]
+impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
+    /// A row.
+    pub fn row(a: &Self, row: usize) -> SMatrix<T, 1, C> {
+        crate::__inside!(row + 1 <= R);
+        let mut part = SMatrix::<T, 1, C>::repeat(T::ZERO);
+        for column in 0..C {
+            part[(0, column)] = a[(row, column)];
+        }
+        part
     }
-    part
-}
 
-/// A column.
-#[function]
-pub fn column<T: Element, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-    column: usize,
-) -> SVector<T, R> {
-    crate::__inside!(column + 1 <= C);
-    let mut part = SVector::<T, R>::repeat(T::ZERO);
-    for row in 0..R {
-        part[row] = a[(row, column)];
+    /// A column.
+    pub fn column(a: &Self, column: usize) -> SVector<T, R> {
+        crate::__inside!(column + 1 <= C);
+        let mut part = SVector::<T, R>::repeat(T::ZERO);
+        for row in 0..R {
+            part[row] = a[(row, column)];
+        }
+        part
     }
-    part
-}
 
-/// The block whose first element is at a row and a column.
-#[function]
-pub fn fixed_view<
-    T: Element,
-    const R: usize,
-    const C: usize,
-    const ROWS: usize,
-    const COLUMNS: usize,
->(
-    a: &SMatrix<T, R, C>,
-    row: usize,
-    column: usize,
-) -> SMatrix<T, ROWS, COLUMNS> {
-    crate::__inside!(row + ROWS <= R);
-    crate::__inside!(column + COLUMNS <= C);
-    let mut part = SMatrix::<T, ROWS, COLUMNS>::repeat(T::ZERO);
-    for j in 0..COLUMNS {
-        for i in 0..ROWS {
-            part[(i, j)] = a[(row + i, column + j)];
+    /// The block whose first element is at a row and a column.
+    pub fn fixed_view<const ROWS: usize, const COLUMNS: usize>(
+        a: &Self,
+        row: usize,
+        column: usize,
+    ) -> SMatrix<T, ROWS, COLUMNS> {
+        crate::__inside!(row + ROWS <= R);
+        crate::__inside!(column + COLUMNS <= C);
+        let mut part = SMatrix::<T, ROWS, COLUMNS>::repeat(T::ZERO);
+        for j in 0..COLUMNS {
+            for i in 0..ROWS {
+                part[(i, j)] = a[(row + i, column + j)];
+            }
+        }
+        part
+    }
+
+    /// Rows one below the other.
+    pub fn fixed_rows<const ROWS: usize>(a: &Self, row: usize) -> SMatrix<T, ROWS, C> {
+        crate::__inside!(row + ROWS <= R);
+        let mut part = SMatrix::<T, ROWS, C>::repeat(T::ZERO);
+        for j in 0..C {
+            for i in 0..ROWS {
+                part[(i, j)] = a[(row + i, j)];
+            }
+        }
+        part
+    }
+
+    /// Columns side by side.
+    pub fn fixed_columns<const COLUMNS: usize>(a: &Self, column: usize) -> SMatrix<T, R, COLUMNS> {
+        crate::__inside!(column + COLUMNS <= C);
+        let mut part = SMatrix::<T, R, COLUMNS>::repeat(T::ZERO);
+        for j in 0..COLUMNS {
+            for i in 0..R {
+                part[(i, j)] = a[(i, column + j)];
+            }
+        }
+        part
+    }
+
+    /// Writes a row.
+    #[function(expand)]
+    pub fn set_row(a: &mut Self, row: usize, part: &SMatrix<T, 1, C>) {
+        crate::__inside!(row + 1 <= R);
+        for column in 0..C {
+            a[(row, column)] = part[(0, column)];
         }
     }
-    part
-}
 
-/// Rows one below the other.
-#[function]
-pub fn fixed_rows<T: Element, const R: usize, const C: usize, const ROWS: usize>(
-    a: &SMatrix<T, R, C>,
-    row: usize,
-) -> SMatrix<T, ROWS, C> {
-    crate::__inside!(row + ROWS <= R);
-    let mut part = SMatrix::<T, ROWS, C>::repeat(T::ZERO);
-    for j in 0..C {
-        for i in 0..ROWS {
-            part[(i, j)] = a[(row + i, j)];
+    /// Writes a column.
+    #[function(expand)]
+    pub fn set_column(a: &mut Self, column: usize, part: &SVector<T, R>) {
+        crate::__inside!(column + 1 <= C);
+        for row in 0..R {
+            a[(row, column)] = part[row];
         }
-    }
-    part
-}
-
-/// Columns side by side.
-#[function]
-pub fn fixed_columns<T: Element, const R: usize, const C: usize, const COLUMNS: usize>(
-    a: &SMatrix<T, R, C>,
-    column: usize,
-) -> SMatrix<T, R, COLUMNS> {
-    crate::__inside!(column + COLUMNS <= C);
-    let mut part = SMatrix::<T, R, COLUMNS>::repeat(T::ZERO);
-    for j in 0..COLUMNS {
-        for i in 0..R {
-            part[(i, j)] = a[(i, column + j)];
-        }
-    }
-    part
-}
-
-/// Writes a row.
-#[function(expand)]
-pub fn set_row<T: Element, const R: usize, const C: usize>(
-    a: &mut SMatrix<T, R, C>,
-    row: usize,
-    part: &SMatrix<T, 1, C>,
-) {
-    crate::__inside!(row + 1 <= R);
-    for column in 0..C {
-        a[(row, column)] = part[(0, column)];
-    }
-}
-
-/// Writes a column.
-#[function(expand)]
-pub fn set_column<T: Element, const R: usize, const C: usize>(
-    a: &mut SMatrix<T, R, C>,
-    column: usize,
-    part: &SVector<T, R>,
-) {
-    crate::__inside!(column + 1 <= C);
-    for row in 0..R {
-        a[(row, column)] = part[row];
     }
 }

@@ -2,39 +2,212 @@
 //!
 //! Each gives what core's method gives, and faults where that panics.
 
+use crate::library;
 use crate::prelude::*;
 
-/// `a / b`, rounded up.
-#[function]
-pub fn div_ceil<T: Integer>(a: T, b: T) -> T {
-    let quotient = a / b;
-    if a % b == T::ZERO { quotient } else { quotient + T::ONE }
-}
+#[library(WholeCompanions)]
+impl<T: Integer> T {
+    /// `a / b`, rounded up.
+    pub fn div_ceil(a: Self, b: Self) -> Self {
+        let quotient = a / b;
+        if a % b == T::ZERO { quotient } else { quotient + T::ONE }
+    }
 
-/// The smallest multiple of `b` that is not below `a`.
-#[function]
-pub fn next_multiple_of<T: Integer>(a: T, b: T) -> T {
-    let rest = a % b;
-    if rest == T::ZERO { a } else { a + (b - rest) }
-}
+    /// The smallest multiple of `b` that is not below `a`.
+    pub fn next_multiple_of(a: Self, b: Self) -> Self {
+        let rest = a % b;
+        if rest == T::ZERO { a } else { a + (b - rest) }
+    }
 
-/// Whether `a` is a multiple of `b`; of 0, only 0 is.
-#[function]
-pub fn is_multiple_of<T: Integer>(a: T, b: T) -> bool {
-    if b == T::ZERO { a == T::ZERO } else { a % b == T::ZERO }
-}
+    /// Whether `a` is a multiple of `b`; of 0, only 0 is.
+    pub fn is_multiple_of(a: Self, b: Self) -> bool {
+        if b == T::ZERO { a == T::ZERO } else { a % b == T::ZERO }
+    }
 
-/// The smallest power of two that is not below `a`.
-#[function]
-pub fn next_power_of_two<T: Integer>(a: T) -> T {
-    filled(a) + T::ONE
-}
+    /// The smallest power of two that is not below `a`.
+    pub fn next_power_of_two(a: Self) -> Self {
+        filled(a) + T::ONE
+    }
 
-/// The same; none where the type does not hold it.
-#[function]
-pub fn checked_next_power_of_two<T: Integer>(a: T) -> Option<T> {
-    let below = filled(a);
-    if below == T::MAX { None } else { Some(below.wrapping_add(T::ONE)) }
+    /// The same; none where the type does not hold it.
+    pub fn checked_next_power_of_two(a: Self) -> Option<Self> {
+        let below = filled(a);
+        if below == T::MAX { None } else { Some(below.wrapping_add(T::ONE)) }
+    }
+
+    /// The position of the highest bit.
+    pub fn ilog2(a: Self) -> u32 {
+        assert!(a > T::ZERO);
+        T::BITS - 1 - a.leading_zeros()
+    }
+
+    /// The same; none of 0 and what is below.
+    pub fn checked_ilog2(a: Self) -> Option<u32> {
+        if a > T::ZERO { Some(T::BITS - 1 - a.leading_zeros()) } else { None }
+    }
+
+    /// The square root, rounded down: a bit of it after another, from the highest.
+    pub fn isqrt(a: Self) -> Self {
+        assert!(a >= T::ZERO);
+        let mut rest = a;
+        let mut root = T::ZERO;
+        for step in 1..=T::BITS / 2 {
+            let bit = T::ONE.wrapping_shl(T::BITS - 2 * step);
+            let tried = root.wrapping_add(bit);
+            root = root.wrapping_shr(1);
+            if rest >= tried {
+                rest = rest.wrapping_sub(tried);
+                root = root.wrapping_add(bit);
+            }
+        }
+        root
+    }
+
+    /// Half of `a + b`, which may leave the type; rounded towards zero.
+    pub fn midpoint(a: Self, b: Self) -> Self {
+        let differing = a ^ b;
+        let middle = (a & b).wrapping_add(differing >> 1);
+        if middle < T::ZERO { middle.wrapping_add(differing & T::ONE) } else { middle }
+    }
+
+    /// The bits from the last to the first: bytes, then halves, quarters and eighths of each.
+    pub fn reverse_bits(a: Self) -> Self {
+        let bytes = a.swap_bytes();
+        let halves = exchanged(bytes, T::NIBBLES, 4);
+        exchanged(exchanged(halves, T::PAIRS, 2), T::ODDS, 1)
+    }
+
+    /// `a + b` modulo what the type holds, and whether the sum is another.
+    pub fn overflowing_add(a: Self, b: Self) -> (Self, bool) {
+        let sum = a.wrapping_add(b);
+        (sum, (b < T::ZERO) != (sum < a))
+    }
+
+    /// `a - b` modulo what the type holds, and whether the difference is another.
+    pub fn overflowing_sub(a: Self, b: Self) -> (Self, bool) {
+        let difference = a.wrapping_sub(b);
+        (difference, (b > T::ZERO) != (difference < a))
+    }
+
+    /// `a * b` modulo what the type holds, and whether the product is another.
+    pub fn overflowing_mul(a: Self, b: Self) -> (Self, bool) {
+        let product = a.wrapping_mul(b);
+        if a == T::ZERO {
+            return (product, false);
+        }
+        // The least number of a signed type is its own negative, and so hides that the product is another.
+        let hidden = b < T::ZERO && b == T::MIN && a == T::ZERO.wrapping_sub(T::ONE);
+        (product, hidden || product.wrapping_div(a) != b)
+    }
+
+    /// `-a` modulo what the type holds, and whether the number is another.
+    pub fn overflowing_neg(a: Self) -> (Self, bool) {
+        let negative = T::ZERO.wrapping_sub(a);
+        (negative, a != T::ZERO && (a < T::ZERO) == (negative < T::ZERO))
+    }
+
+    /// `a / b`, or the largest value where the quotient is larger.
+    pub fn saturating_div(a: Self, b: Self) -> Self {
+        if a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) { T::MAX } else { a / b }
+    }
+
+    /// `base` to the power of `exponent`, or the nearest value that the type holds.
+    pub fn saturating_pow(base: Self, exponent: u32) -> Self {
+        let nearest = if base < T::ZERO && exponent & 1 == 1 { T::MIN } else { T::MAX };
+        let mut result = T::ONE;
+        let mut square = (base, false);
+        let mut left = exponent;
+        for _ in 0..32 {
+            if left & 1 == 1 {
+                let (product, is_other) = overflowing_mul(result, square.0);
+                if square.1 || is_other {
+                    return nearest;
+                }
+                result = product;
+            }
+            left >>= 1;
+            if left == 0 {
+                break;
+            }
+            let (next, is_other) = overflowing_mul(square.0, square.0);
+            square = (next, square.1 || is_other);
+        }
+        result
+    }
+
+    /// The quotient with a remainder of 0 or more; none where the type does not hold it.
+    pub fn checked_div_euclid(a: Self, b: Self) -> Option<Self> {
+        if b == T::ZERO || a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) {
+            return None;
+        }
+        let quotient = a / b;
+        if a % b >= T::ZERO {
+            return Some(quotient);
+        }
+        Some(if b > T::ZERO {
+            quotient.wrapping_sub(T::ONE)
+        } else {
+            quotient.wrapping_add(T::ONE)
+        })
+    }
+
+    /// The remainder of 0 or more; none where the type does not hold the quotient.
+    pub fn checked_rem_euclid(a: Self, b: Self) -> Option<Self> {
+        if b == T::ZERO || a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) {
+            return None;
+        }
+        let rest = a % b;
+        let step = if b < T::ZERO { T::ZERO.wrapping_sub(b) } else { b };
+        Some(if rest < T::ZERO { rest.wrapping_add(step) } else { rest })
+    }
+
+    /// The smallest multiple of `b` that is not below `a`; none where the type does not hold it.
+    pub fn checked_next_multiple_of(a: Self, b: Self) -> Option<Self> {
+        if b == T::ZERO {
+            return None;
+        }
+        let rest = a % b;
+        let next = if rest == T::ZERO { a } else { a.wrapping_add(b.wrapping_sub(rest)) };
+        if next < a { None } else { Some(next) }
+    }
+
+    /// The square root, rounded down; none of what is below 0.
+    pub fn checked_isqrt(a: Self) -> Option<Self> {
+        if a < T::ZERO { None } else { Some(isqrt(a)) }
+    }
+
+    /// How many digits stand behind the first.
+    pub fn ilog10(a: Self) -> u32 {
+        assert!(a > T::ZERO);
+        let ten = (T::ONE << 3) | (T::ONE << 1);
+        let (mut rest, mut digits) = (a, 0);
+        for _ in 0..19 {
+            rest = rest / ten;
+            digits += u32::from(rest > T::ZERO);
+        }
+        digits
+    }
+
+    /// The same; none of 0 and what is below.
+    pub fn checked_ilog10(a: Self) -> Option<u32> {
+        if a > T::ZERO { Some(ilog10(a)) } else { None }
+    }
+
+    /// `a << bits`; all bits are moved out by as many as there are, or more.
+    pub fn unbounded_shl(a: Self, bits: u32) -> Self {
+        if bits < T::BITS { a << bits } else { T::ZERO }
+    }
+
+    /// `a >> bits`; by as many bits as there are, or more, only the sign is left.
+    pub fn unbounded_shr(a: Self, bits: u32) -> Self {
+        if bits < T::BITS {
+            a >> bits
+        } else if a < T::ZERO {
+            T::ZERO.wrapping_sub(T::ONE)
+        } else {
+            T::ZERO
+        }
+    }
 }
 
 /// Ones in each place that `a - 1` reaches.
@@ -47,197 +220,8 @@ pub fn filled<T: Integer>(a: T) -> T {
     }
 }
 
-/// The position of the highest bit.
-#[function]
-pub fn ilog2<T: Integer>(a: T) -> u32 {
-    assert!(a > T::ZERO);
-    T::BITS - 1 - a.leading_zeros()
-}
-
-/// The same; none of 0 and what is below.
-#[function]
-pub fn checked_ilog2<T: Integer>(a: T) -> Option<u32> {
-    if a > T::ZERO { Some(T::BITS - 1 - a.leading_zeros()) } else { None }
-}
-
-/// The square root, rounded down: a bit of it after another, from the highest.
-#[function]
-pub fn isqrt<T: Integer>(a: T) -> T {
-    assert!(a >= T::ZERO);
-    let mut rest = a;
-    let mut root = T::ZERO;
-    for step in 1..=T::BITS / 2 {
-        let bit = T::ONE.wrapping_shl(T::BITS - 2 * step);
-        let tried = root.wrapping_add(bit);
-        root = root.wrapping_shr(1);
-        if rest >= tried {
-            rest = rest.wrapping_sub(tried);
-            root = root.wrapping_add(bit);
-        }
-    }
-    root
-}
-
-/// Half of `a + b`, which may leave the type; rounded towards zero.
-#[function]
-pub fn midpoint<T: Integer>(a: T, b: T) -> T {
-    let differing = a ^ b;
-    let middle = (a & b).wrapping_add(differing >> 1);
-    if middle < T::ZERO { middle.wrapping_add(differing & T::ONE) } else { middle }
-}
-
-/// The bits from the last to the first: bytes, then halves, quarters and eighths of each.
-#[function]
-pub fn reverse_bits<T: Integer>(a: T) -> T {
-    let bytes = a.swap_bytes();
-    let halves = exchanged(bytes, T::NIBBLES, 4);
-    exchanged(exchanged(halves, T::PAIRS, 2), T::ODDS, 1)
-}
-
 /// Each group of `by` bits of `a` in the place of its neighbour; `low` has those of each lower one.
 #[function]
 pub fn exchanged<T: Integer>(a: T, low: T, by: u32) -> T {
     ((a & low).wrapping_shl(by)) | (a.wrapping_shr(by) & low)
-}
-
-/// `a + b` modulo what the type holds, and whether the sum is another.
-#[function]
-pub fn overflowing_add<T: Integer>(a: T, b: T) -> (T, bool) {
-    let sum = a.wrapping_add(b);
-    (sum, (b < T::ZERO) != (sum < a))
-}
-
-/// `a - b` modulo what the type holds, and whether the difference is another.
-#[function]
-pub fn overflowing_sub<T: Integer>(a: T, b: T) -> (T, bool) {
-    let difference = a.wrapping_sub(b);
-    (difference, (b > T::ZERO) != (difference < a))
-}
-
-/// `a * b` modulo what the type holds, and whether the product is another.
-#[function]
-pub fn overflowing_mul<T: Integer>(a: T, b: T) -> (T, bool) {
-    let product = a.wrapping_mul(b);
-    if a == T::ZERO {
-        return (product, false);
-    }
-    // The least number of a signed type is its own negative, and so hides that the product is another.
-    let hidden = b < T::ZERO && b == T::MIN && a == T::ZERO.wrapping_sub(T::ONE);
-    (product, hidden || product.wrapping_div(a) != b)
-}
-
-/// `-a` modulo what the type holds, and whether the number is another.
-#[function]
-pub fn overflowing_neg<T: Integer>(a: T) -> (T, bool) {
-    let negative = T::ZERO.wrapping_sub(a);
-    (negative, a != T::ZERO && (a < T::ZERO) == (negative < T::ZERO))
-}
-
-/// `a / b`, or the largest value where the quotient is larger.
-#[function]
-pub fn saturating_div<T: Integer>(a: T, b: T) -> T {
-    if a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) { T::MAX } else { a / b }
-}
-
-/// `base` to the power of `exponent`, or the nearest value that the type holds.
-#[function]
-pub fn saturating_pow<T: Integer>(base: T, exponent: u32) -> T {
-    let nearest = if base < T::ZERO && exponent & 1 == 1 { T::MIN } else { T::MAX };
-    let mut result = T::ONE;
-    let mut square = (base, false);
-    let mut left = exponent;
-    for _ in 0..32 {
-        if left & 1 == 1 {
-            let (product, is_other) = overflowing_mul(result, square.0);
-            if square.1 || is_other {
-                return nearest;
-            }
-            result = product;
-        }
-        left >>= 1;
-        if left == 0 {
-            break;
-        }
-        let (next, is_other) = overflowing_mul(square.0, square.0);
-        square = (next, square.1 || is_other);
-    }
-    result
-}
-
-/// The quotient with a remainder of 0 or more; none where the type does not hold it.
-#[function]
-pub fn checked_div_euclid<T: Integer>(a: T, b: T) -> Option<T> {
-    if b == T::ZERO || a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) {
-        return None;
-    }
-    let quotient = a / b;
-    if a % b >= T::ZERO {
-        return Some(quotient);
-    }
-    Some(if b > T::ZERO { quotient.wrapping_sub(T::ONE) } else { quotient.wrapping_add(T::ONE) })
-}
-
-/// The remainder of 0 or more; none where the type does not hold the quotient.
-#[function]
-pub fn checked_rem_euclid<T: Integer>(a: T, b: T) -> Option<T> {
-    if b == T::ZERO || a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) {
-        return None;
-    }
-    let rest = a % b;
-    let step = if b < T::ZERO { T::ZERO.wrapping_sub(b) } else { b };
-    Some(if rest < T::ZERO { rest.wrapping_add(step) } else { rest })
-}
-
-/// The smallest multiple of `b` that is not below `a`; none where the type does not hold it.
-#[function]
-pub fn checked_next_multiple_of<T: Integer>(a: T, b: T) -> Option<T> {
-    if b == T::ZERO {
-        return None;
-    }
-    let rest = a % b;
-    let next = if rest == T::ZERO { a } else { a.wrapping_add(b.wrapping_sub(rest)) };
-    if next < a { None } else { Some(next) }
-}
-
-/// The square root, rounded down; none of what is below 0.
-#[function]
-pub fn checked_isqrt<T: Integer>(a: T) -> Option<T> {
-    if a < T::ZERO { None } else { Some(isqrt(a)) }
-}
-
-/// How many digits stand behind the first.
-#[function]
-pub fn ilog10<T: Integer>(a: T) -> u32 {
-    assert!(a > T::ZERO);
-    let ten = (T::ONE << 3) | (T::ONE << 1);
-    let (mut rest, mut digits) = (a, 0);
-    for _ in 0..19 {
-        rest = rest / ten;
-        digits += u32::from(rest > T::ZERO);
-    }
-    digits
-}
-
-/// The same; none of 0 and what is below.
-#[function]
-pub fn checked_ilog10<T: Integer>(a: T) -> Option<u32> {
-    if a > T::ZERO { Some(ilog10(a)) } else { None }
-}
-
-/// `a << bits`; all bits are moved out by as many as there are, or more.
-#[function]
-pub fn unbounded_shl<T: Integer>(a: T, bits: u32) -> T {
-    if bits < T::BITS { a << bits } else { T::ZERO }
-}
-
-/// `a >> bits`; by as many bits as there are, or more, only the sign is left.
-#[function]
-pub fn unbounded_shr<T: Integer>(a: T, bits: u32) -> T {
-    if bits < T::BITS {
-        a >> bits
-    } else if a < T::ZERO {
-        T::ZERO.wrapping_sub(T::ONE)
-    } else {
-        T::ZERO
-    }
 }

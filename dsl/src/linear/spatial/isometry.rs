@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3 as Native, Matrix4, Translation3, UnitQuaternion, Vector3};
 
 use crate::math::Real;
-use crate::{data, function};
+use crate::{data, function, library};
 
 /// A pose: a rotation, and then a translation.
 #[data]
@@ -15,16 +15,70 @@ pub struct Isometry3<T: Real> {
     pub translation: Translation3<T>,
 }
 
-/// The pose of the origin.
-#[function]
-pub fn identity<T: Real>() -> Native<T> {
-    Native::from_parts(Translation3::identity(), UnitQuaternion::identity())
-}
+#[library(IsometryCompanions)]
+impl<T: Real> Native<T> {
+    /// The pose of the origin.
+    pub fn identity() -> Self {
+        Native::from_parts(Translation3::identity(), UnitQuaternion::identity())
+    }
 
-/// A translation without a rotation.
-#[function]
-pub fn translation<T: Real>(x: T, y: T, z: T) -> Native<T> {
-    Native::from_parts(Translation3::new(x, y, z), UnitQuaternion::identity())
+    /// A translation without a rotation.
+    pub fn translation(x: T, y: T, z: T) -> Self {
+        Native::from_parts(Translation3::new(x, y, z), UnitQuaternion::identity())
+    }
+
+    /// The pose back.
+    pub fn inverse(pose: &Self) -> Self {
+        let rotation = pose.rotation.inverse();
+        let back = -pose.translation.vector;
+        Native::from_parts(Translation3::from(rotation.transform_vector(&back)), rotation)
+    }
+
+    /// The same in its place.
+    pub fn inverse_mut(pose: &mut Self) {
+        *pose = inverse(pose);
+    }
+
+    /// `second`, seen from `first`.
+    pub fn inv_mul(first: &Self, second: &Self) -> Self {
+        let back = first.rotation.inverse();
+        let between = second.translation.vector - first.translation.vector;
+        Native::from_parts(
+            Translation3::from(back.transform_vector(&between)),
+            back * second.rotation,
+        )
+    }
+
+    /// The vector turned.
+    pub fn transform_vector(pose: &Self, vector: &Vector3<T>) -> Vector3<T> {
+        pose.rotation.transform_vector(vector)
+    }
+
+    /// The vector turned back.
+    pub fn inverse_transform_vector(pose: &Self, vector: &Vector3<T>) -> Vector3<T> {
+        pose.rotation.inverse_transform_vector(vector)
+    }
+
+    /// The matrix that moves homogeneous coordinates so.
+    #[method(to_homogeneous, to_matrix)]
+    pub fn to_homogeneous(pose: &Self) -> Matrix4<T> {
+        let mut matrix = pose.rotation.to_homogeneous();
+        for row in 0..3 {
+            matrix[(row, 3)] = pose.translation.vector[row];
+        }
+        matrix
+    }
+
+    /// A translation on top.
+    pub fn append_translation_mut(pose: &mut Self, by: &Translation3<T>) {
+        pose.translation.vector += by.vector;
+    }
+
+    /// A rotation on top.
+    pub fn append_rotation_mut(pose: &mut Self, q: &UnitQuaternion<T>) {
+        pose.rotation = q * pose.rotation;
+        pose.translation.vector = q.transform_vector(&pose.translation.vector);
+    }
 }
 
 /// `second`, and then `first`.
@@ -93,28 +147,6 @@ pub fn translated_rotation<T: Real>(by: &Translation3<T>, q: &UnitQuaternion<T>)
     Native::from_parts(*by, *q)
 }
 
-/// The pose back.
-#[function]
-pub fn inverse<T: Real>(pose: &Native<T>) -> Native<T> {
-    let rotation = pose.rotation.inverse();
-    let back = -pose.translation.vector;
-    Native::from_parts(Translation3::from(rotation.transform_vector(&back)), rotation)
-}
-
-/// The same in its place.
-#[function]
-pub fn inverse_mut<T: Real>(pose: &mut Native<T>) {
-    *pose = inverse(pose);
-}
-
-/// `second`, seen from `first`.
-#[function]
-pub fn inv_mul<T: Real>(first: &Native<T>, second: &Native<T>) -> Native<T> {
-    let back = first.rotation.inverse();
-    let between = second.translation.vector - first.translation.vector;
-    Native::from_parts(Translation3::from(back.transform_vector(&between)), back * second.rotation)
-}
-
 /// The point turned and moved.
 #[function]
 pub fn transform_point<T: Real>(pose: &Native<T>, point: &Vector3<T>) -> Vector3<T> {
@@ -125,39 +157,4 @@ pub fn transform_point<T: Real>(pose: &Native<T>, point: &Vector3<T>) -> Vector3
 #[function]
 pub fn inverse_transform_point<T: Real>(pose: &Native<T>, point: &Vector3<T>) -> Vector3<T> {
     pose.rotation.inverse_transform_vector(&(point - pose.translation.vector))
-}
-
-/// The vector turned.
-#[function]
-pub fn transform_vector<T: Real>(pose: &Native<T>, vector: &Vector3<T>) -> Vector3<T> {
-    pose.rotation.transform_vector(vector)
-}
-
-/// The vector turned back.
-#[function]
-pub fn inverse_transform_vector<T: Real>(pose: &Native<T>, vector: &Vector3<T>) -> Vector3<T> {
-    pose.rotation.inverse_transform_vector(vector)
-}
-
-/// The matrix that moves homogeneous coordinates so.
-#[function]
-pub fn to_homogeneous<T: Real>(pose: &Native<T>) -> Matrix4<T> {
-    let mut matrix = pose.rotation.to_homogeneous();
-    for row in 0..3 {
-        matrix[(row, 3)] = pose.translation.vector[row];
-    }
-    matrix
-}
-
-/// A translation on top.
-#[function]
-pub fn append_translation_mut<T: Real>(pose: &mut Native<T>, by: &Translation3<T>) {
-    pose.translation.vector += by.vector;
-}
-
-/// A rotation on top.
-#[function]
-pub fn append_rotation_mut<T: Real>(pose: &mut Native<T>, q: &UnitQuaternion<T>) {
-    pose.rotation = q * pose.rotation;
-    pose.translation.vector = q.transform_vector(&pose.translation.vector);
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Quaternion as Native, Vector3, Vector4};
 
 use crate::math::{Real, real};
-use crate::{data, function};
+use crate::{data, function, library};
 
 /// A quaternion w + i·𝐢 + j·𝐣 + k·𝐤.
 #[data]
@@ -19,22 +19,97 @@ pub struct Quaternion<T> {
     pub w: T,
 }
 
-/// From the real part and the factors of 𝐢, 𝐣 and 𝐤.
-#[function]
-pub fn from_parts<T: Real>(scalar: T, vector: &Vector3<T>) -> Native<T> {
-    Native::new(scalar, vector.x, vector.y, vector.z)
-}
+#[library(QuaternionCompanions)]
+impl<T: Real> Native<T> {
+    /// From the real part and the factors of 𝐢, 𝐣 and 𝐤.
+    #[by_value(vector)]
+    pub fn from_parts(scalar: T, vector: &Vector3<T>) -> Self {
+        Native::new(scalar, vector.x, vector.y, vector.z)
+    }
 
-/// With these factors of 𝐢, 𝐣 and 𝐤, and no real part.
-#[function]
-pub fn from_imag<T: Real>(vector: &Vector3<T>) -> Native<T> {
-    Native::new(T::ZERO, vector.x, vector.y, vector.z)
-}
+    /// With these factors of 𝐢, 𝐣 and 𝐤, and no real part.
+    #[by_value(vector)]
+    pub fn from_imag(vector: &Vector3<T>) -> Self {
+        Native::new(T::ZERO, vector.x, vector.y, vector.z)
+    }
 
-/// A number as a quaternion.
-#[function]
-pub fn from_real<T: Real>(number: T) -> Native<T> {
-    Native::new(number, T::ZERO, T::ZERO, T::ZERO)
+    /// A number as a quaternion.
+    pub fn from_real(number: T) -> Self {
+        Native::new(number, T::ZERO, T::ZERO, T::ZERO)
+    }
+
+    /// The conjugate.
+    pub fn conjugate(q: &Self) -> Self {
+        Native::new(q.w, -q.i, -q.j, -q.k)
+    }
+
+    /// The same in its place.
+    pub fn conjugate_mut(q: &mut Self) {
+        q.i = -q.i;
+        q.j = -q.j;
+        q.k = -q.k;
+    }
+
+    /// The real part.
+    #[inline]
+    pub fn scalar(q: &Self) -> T {
+        q.w
+    }
+
+    /// The factors of 𝐢, 𝐣 and 𝐤.
+    pub fn imag(q: &Self) -> Vector3<T> {
+        Vector3::new(q.i, q.j, q.k)
+    }
+
+    /// The sum of the products of the parts.
+    pub fn dot(a: &Self, b: &Self) -> T {
+        (a.i * b.i + a.k * b.k) + (a.j * b.j + a.w * b.w)
+    }
+
+    /// The length.
+    #[method(norm, magnitude)]
+    pub fn norm(q: &Self) -> T {
+        norm_squared(q).sqrt()
+    }
+
+    /// The square of the length.
+    #[method(norm_squared, magnitude_squared)]
+    pub fn norm_squared(q: &Self) -> T {
+        (q.i * q.i + q.k * q.k) + (q.j * q.j + q.w * q.w)
+    }
+
+    /// The quaternion at length 1.
+    pub fn normalize(q: &Self) -> Self {
+        unscaled(q, norm(q))
+    }
+
+    /// The same in its place; the length that it had.
+    pub fn normalize_mut(q: &mut Self) -> T {
+        let length = norm(q);
+        *q = unscaled(q, length);
+        length
+    }
+
+    /// The inverse; none if the square of the length is below ε.
+    pub fn try_inverse(q: &Self) -> Option<Self> {
+        let squared = norm_squared(q);
+        if squared >= T::EPSILON { Some(unscaled(&conjugate(q), squared)) } else { None }
+    }
+
+    /// `share` of the way from `a` to `b`.
+    pub fn lerp(a: &Self, b: &Self, share: T) -> Self {
+        sum(&scaled(a, T::ONE - share), &scaled(b, share))
+    }
+
+    /// The product with itself.
+    pub fn squared(q: &Self) -> Self {
+        product(q, q)
+    }
+
+    /// Half of it.
+    pub fn half(q: &Self) -> Self {
+        unscaled(q, real(2.0))
+    }
 }
 
 /// From the factors of 𝐢, 𝐣 and 𝐤, and then the real part.
@@ -58,12 +133,6 @@ pub fn product<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
         a.w * b.j - a.i * b.k + a.j * b.w + a.k * b.i,
         a.w * b.k + a.i * b.j - a.j * b.i + a.k * b.w,
     )
-}
-
-/// The product with itself.
-#[function]
-pub fn squared<T: Real>(q: &Native<T>) -> Native<T> {
-    product(q, q)
 }
 
 /// The sum.
@@ -100,82 +169,4 @@ pub fn unscaled<T: Real>(q: &Native<T>, divisor: T) -> Native<T> {
 #[function]
 pub fn negative<T: Real>(q: &Native<T>) -> Native<T> {
     Native::new(-q.w, -q.i, -q.j, -q.k)
-}
-
-/// The conjugate.
-#[function]
-pub fn conjugate<T: Real>(q: &Native<T>) -> Native<T> {
-    Native::new(q.w, -q.i, -q.j, -q.k)
-}
-
-/// The same in its place.
-#[function]
-pub fn conjugate_mut<T: Real>(q: &mut Native<T>) {
-    q.i = -q.i;
-    q.j = -q.j;
-    q.k = -q.k;
-}
-
-/// The real part.
-#[function]
-#[inline]
-pub fn scalar<T: Real>(q: &Native<T>) -> T {
-    q.w
-}
-
-/// The factors of 𝐢, 𝐣 and 𝐤.
-#[function]
-pub fn imag<T: Real>(q: &Native<T>) -> Vector3<T> {
-    Vector3::new(q.i, q.j, q.k)
-}
-
-/// The sum of the products of the parts.
-#[function]
-pub fn dot<T: Real>(a: &Native<T>, b: &Native<T>) -> T {
-    (a.i * b.i + a.k * b.k) + (a.j * b.j + a.w * b.w)
-}
-
-/// The square of the length.
-#[function]
-pub fn norm_squared<T: Real>(q: &Native<T>) -> T {
-    (q.i * q.i + q.k * q.k) + (q.j * q.j + q.w * q.w)
-}
-
-/// The length.
-#[function]
-pub fn norm<T: Real>(q: &Native<T>) -> T {
-    norm_squared(q).sqrt()
-}
-
-/// The quaternion at length 1.
-#[function]
-pub fn normalize<T: Real>(q: &Native<T>) -> Native<T> {
-    unscaled(q, norm(q))
-}
-
-/// The same in its place; the length that it had.
-#[function]
-pub fn normalize_mut<T: Real>(q: &mut Native<T>) -> T {
-    let length = norm(q);
-    *q = unscaled(q, length);
-    length
-}
-
-/// The inverse; none if the square of the length is below ε.
-#[function]
-pub fn try_inverse<T: Real>(q: &Native<T>) -> Option<Native<T>> {
-    let squared = norm_squared(q);
-    if squared >= T::EPSILON { Some(unscaled(&conjugate(q), squared)) } else { None }
-}
-
-/// `share` of the way from `a` to `b`.
-#[function]
-pub fn lerp<T: Real>(a: &Native<T>, b: &Native<T>, share: T) -> Native<T> {
-    sum(&scaled(a, T::ONE - share), &scaled(b, share))
-}
-
-/// Half of it.
-#[function]
-pub fn half<T: Real>(q: &Native<T>) -> Native<T> {
-    unscaled(q, real(2.0))
 }

@@ -6,7 +6,7 @@ use nalgebra::{
 
 use super::quaternion;
 use crate::math::{Real, real};
-use crate::{data, function};
+use crate::{data, function, library};
 
 /// A rotation: the quaternion w + i·𝐢 + j·𝐣 + k·𝐤 of length 1.
 #[data]
@@ -22,11 +22,176 @@ pub struct UnitQuaternion<T> {
     pub w: T,
 }
 
-/// The quaternion at length 1.
-#[function]
-pub fn new_normalize<T: Real>(q: &Quaternion<T>) -> Native<T> {
-    let length = quaternion::norm(q);
-    Native::new_unchecked(Quaternion::new(q.w / length, q.i / length, q.j / length, q.k / length))
+#[library(UnitQuaternionCompanions)]
+impl<T: Real> Native<T> {
+    /// The quaternion at length 1.
+    #[method(from_quaternion)]
+    #[by_value(q)]
+    pub fn new_normalize(q: &Quaternion<T>) -> Self {
+        let length = quaternion::norm(q);
+        Native::new_unchecked(Quaternion::new(
+            q.w / length,
+            q.i / length,
+            q.j / length,
+            q.k / length,
+        ))
+    }
+
+    /// The rotation back.
+    #[method(inverse, conjugate)]
+    pub fn inverse(q: &Self) -> Self {
+        Native::new_unchecked(Quaternion::new(q.w, -q.i, -q.j, -q.k))
+    }
+
+    /// The same in its place.
+    #[method(inverse_mut, conjugate_mut)]
+    pub fn inverse_mut(q: &mut Self) {
+        *q = inverse(q);
+    }
+
+    /// What turns `from` into `to`: the first after the second back.
+    pub fn rotation_to(from: &Self, to: &Self) -> Self {
+        quotient(to, from)
+    }
+
+    /// The vector turned.
+    pub fn transform_vector(q: &Self, vector: &Vector3<T>) -> Vector3<T> {
+        let axis = Vector3::new(q.i, q.j, q.k);
+        let across = axis.cross(vector) * real::<T>(2.0);
+        let twice = axis.cross(&across);
+        across * q.w + twice + vector
+    }
+
+    /// The vector turned back.
+    pub fn inverse_transform_vector(q: &Self, vector: &Vector3<T>) -> Vector3<T> {
+        transform_vector(&inverse(q), vector)
+    }
+
+    /// The matrix that turns vectors so.
+    #[by_value(q)]
+    pub fn to_rotation_matrix(q: &Self) -> Rotation3<T> {
+        let two: T = real(2.0);
+        let ww = q.w * q.w;
+        let ii = q.i * q.i;
+        let jj = q.j * q.j;
+        let kk = q.k * q.k;
+        let ij = q.i * q.j * two;
+        let wk = q.w * q.k * two;
+        let wj = q.w * q.j * two;
+        let ik = q.i * q.k * two;
+        let jk = q.j * q.k * two;
+        let wi = q.w * q.i * two;
+        Rotation3::from_matrix_unchecked(Matrix3::new(
+            ww + ii - jj - kk,
+            ij - wk,
+            wj + ik,
+            wk + ij,
+            ww - ii + jj - kk,
+            jk - wi,
+            ik - wj,
+            wi + jk,
+            ww - ii - jj + kk,
+        ))
+    }
+
+    /// The same for homogeneous coordinates.
+    #[by_value(q)]
+    pub fn to_homogeneous(q: &Self) -> Matrix4<T> {
+        let m = to_rotation_matrix(q);
+        let mut homogeneous = Matrix4::<T>::identity();
+        for column in 0..3 {
+            for row in 0..3 {
+                homogeneous[(row, column)] = m[(row, column)];
+            }
+        }
+        homogeneous
+    }
+
+    /// The quaternion of the rotation of a matrix; the divisor is the largest of the four.
+    pub fn from_rotation_matrix(m: &Rotation3<T>) -> Self {
+        let trace = m[(0, 0)] + m[(1, 1)] + m[(2, 2)];
+        let two: T = real(2.0);
+        let quarter: T = real(0.25);
+        if trace > T::ZERO {
+            let divisor = (trace + T::ONE).sqrt() * two;
+            Native::new_unchecked(Quaternion::new(
+                quarter * divisor,
+                (m[(2, 1)] - m[(1, 2)]) / divisor,
+                (m[(0, 2)] - m[(2, 0)]) / divisor,
+                (m[(1, 0)] - m[(0, 1)]) / divisor,
+            ))
+        } else if m[(0, 0)] > m[(1, 1)] && m[(0, 0)] > m[(2, 2)] {
+            let divisor = (T::ONE + m[(0, 0)] - m[(1, 1)] - m[(2, 2)]).sqrt() * two;
+            Native::new_unchecked(Quaternion::new(
+                (m[(2, 1)] - m[(1, 2)]) / divisor,
+                quarter * divisor,
+                (m[(0, 1)] + m[(1, 0)]) / divisor,
+                (m[(0, 2)] + m[(2, 0)]) / divisor,
+            ))
+        } else if m[(1, 1)] > m[(2, 2)] {
+            let divisor = (T::ONE + m[(1, 1)] - m[(0, 0)] - m[(2, 2)]).sqrt() * two;
+            Native::new_unchecked(Quaternion::new(
+                (m[(0, 2)] - m[(2, 0)]) / divisor,
+                (m[(0, 1)] + m[(1, 0)]) / divisor,
+                quarter * divisor,
+                (m[(1, 2)] + m[(2, 1)]) / divisor,
+            ))
+        } else {
+            let divisor = (T::ONE + m[(2, 2)] - m[(0, 0)] - m[(1, 1)]).sqrt() * two;
+            Native::new_unchecked(Quaternion::new(
+                (m[(1, 0)] - m[(0, 1)]) / divisor,
+                (m[(0, 2)] + m[(2, 0)]) / divisor,
+                (m[(1, 2)] + m[(2, 1)]) / divisor,
+                quarter * divisor,
+            ))
+        }
+    }
+
+    /// `share` of the way from `a` to `b`, straight, and brought to length 1.
+    pub fn nlerp(a: &Self, b: &Self, share: T) -> Self {
+        new_normalize(&quaternion::lerp(a, b, share))
+    }
+
+    /// The axis, pointing so that the angle is at most π; none of no rotation.
+    pub fn axis(q: &Self) -> Option<UnitVector3<T>> {
+        let vector = if q.w >= T::ZERO {
+            Vector3::new(q.i, q.j, q.k)
+        } else {
+            Vector3::new(-q.i, -q.j, -q.k)
+        };
+        let squared = vector.norm_squared();
+        if squared > T::ZERO { Some(Unit::new_unchecked(vector / squared.sqrt())) } else { None }
+    }
+
+    /// The rotation turned on by a small one: its axis times its angle, rad, to first order.
+    pub fn append_axisangle_linearized(q: &Self, axis: &Vector3<T>) -> Self {
+        let half = axis * real::<T>(0.5);
+        let change = quaternion::product(&quaternion::from_imag(&half), q);
+        new_normalize(&quaternion::sum(q, &change))
+    }
+
+    /// Brings it to length 1 again; the length that it had.
+    pub fn renormalize(q: &mut Self) -> T {
+        let length = norm_squared(q).sqrt();
+        *q = Native::new_unchecked(Quaternion::new(
+            q.w / length,
+            q.i / length,
+            q.j / length,
+            q.k / length,
+        ));
+        length
+    }
+
+    /// The same without a root or a division, for a length near 1.
+    pub fn renormalize_fast(q: &mut Self) {
+        let factor = real::<T>(0.5) * (real::<T>(3.0) - norm_squared(q));
+        *q = Native::new_unchecked(Quaternion::new(
+            q.w * factor,
+            q.i * factor,
+            q.j * factor,
+            q.k * factor,
+        ));
+    }
 }
 
 /// `second`, and then `first`.
@@ -69,168 +234,6 @@ pub fn product_of_matrix<T: Real>(matrix: &Rotation3<T>, q: &Native<T>) -> Nativ
 #[function]
 pub fn quotient_of_matrix<T: Real>(matrix: &Rotation3<T>, q: &Native<T>) -> Native<T> {
     quotient(&from_rotation_matrix(matrix), q)
-}
-
-/// The rotation back.
-#[function]
-pub fn inverse<T: Real>(q: &Native<T>) -> Native<T> {
-    Native::new_unchecked(Quaternion::new(q.w, -q.i, -q.j, -q.k))
-}
-
-/// The same in its place.
-#[function]
-pub fn inverse_mut<T: Real>(q: &mut Native<T>) {
-    *q = inverse(q);
-}
-
-/// What turns `from` into `to`: the first after the second back.
-#[function]
-pub fn rotation_to<T: Real>(from: &Native<T>, to: &Native<T>) -> Native<T> {
-    quotient(to, from)
-}
-
-/// The vector turned.
-#[function]
-pub fn transform_vector<T: Real>(q: &Native<T>, vector: &Vector3<T>) -> Vector3<T> {
-    let axis = Vector3::new(q.i, q.j, q.k);
-    let across = axis.cross(vector) * real::<T>(2.0);
-    let twice = axis.cross(&across);
-    across * q.w + twice + vector
-}
-
-/// The vector turned back.
-#[function]
-pub fn inverse_transform_vector<T: Real>(q: &Native<T>, vector: &Vector3<T>) -> Vector3<T> {
-    transform_vector(&inverse(q), vector)
-}
-
-/// The matrix that turns vectors so.
-#[function]
-pub fn to_rotation_matrix<T: Real>(q: &Native<T>) -> Rotation3<T> {
-    let two: T = real(2.0);
-    let ww = q.w * q.w;
-    let ii = q.i * q.i;
-    let jj = q.j * q.j;
-    let kk = q.k * q.k;
-    let ij = q.i * q.j * two;
-    let wk = q.w * q.k * two;
-    let wj = q.w * q.j * two;
-    let ik = q.i * q.k * two;
-    let jk = q.j * q.k * two;
-    let wi = q.w * q.i * two;
-    Rotation3::from_matrix_unchecked(Matrix3::new(
-        ww + ii - jj - kk,
-        ij - wk,
-        wj + ik,
-        wk + ij,
-        ww - ii + jj - kk,
-        jk - wi,
-        ik - wj,
-        wi + jk,
-        ww - ii - jj + kk,
-    ))
-}
-
-/// The same for homogeneous coordinates.
-#[function]
-pub fn to_homogeneous<T: Real>(q: &Native<T>) -> Matrix4<T> {
-    let m = to_rotation_matrix(q);
-    let mut homogeneous = Matrix4::<T>::identity();
-    for column in 0..3 {
-        for row in 0..3 {
-            homogeneous[(row, column)] = m[(row, column)];
-        }
-    }
-    homogeneous
-}
-
-/// The quaternion of the rotation of a matrix; the divisor is the largest of the four.
-#[function]
-pub fn from_rotation_matrix<T: Real>(m: &Rotation3<T>) -> Native<T> {
-    let trace = m[(0, 0)] + m[(1, 1)] + m[(2, 2)];
-    let two: T = real(2.0);
-    let quarter: T = real(0.25);
-    if trace > T::ZERO {
-        let divisor = (trace + T::ONE).sqrt() * two;
-        Native::new_unchecked(Quaternion::new(
-            quarter * divisor,
-            (m[(2, 1)] - m[(1, 2)]) / divisor,
-            (m[(0, 2)] - m[(2, 0)]) / divisor,
-            (m[(1, 0)] - m[(0, 1)]) / divisor,
-        ))
-    } else if m[(0, 0)] > m[(1, 1)] && m[(0, 0)] > m[(2, 2)] {
-        let divisor = (T::ONE + m[(0, 0)] - m[(1, 1)] - m[(2, 2)]).sqrt() * two;
-        Native::new_unchecked(Quaternion::new(
-            (m[(2, 1)] - m[(1, 2)]) / divisor,
-            quarter * divisor,
-            (m[(0, 1)] + m[(1, 0)]) / divisor,
-            (m[(0, 2)] + m[(2, 0)]) / divisor,
-        ))
-    } else if m[(1, 1)] > m[(2, 2)] {
-        let divisor = (T::ONE + m[(1, 1)] - m[(0, 0)] - m[(2, 2)]).sqrt() * two;
-        Native::new_unchecked(Quaternion::new(
-            (m[(0, 2)] - m[(2, 0)]) / divisor,
-            (m[(0, 1)] + m[(1, 0)]) / divisor,
-            quarter * divisor,
-            (m[(1, 2)] + m[(2, 1)]) / divisor,
-        ))
-    } else {
-        let divisor = (T::ONE + m[(2, 2)] - m[(0, 0)] - m[(1, 1)]).sqrt() * two;
-        Native::new_unchecked(Quaternion::new(
-            (m[(1, 0)] - m[(0, 1)]) / divisor,
-            (m[(0, 2)] + m[(2, 0)]) / divisor,
-            (m[(1, 2)] + m[(2, 1)]) / divisor,
-            quarter * divisor,
-        ))
-    }
-}
-
-/// `share` of the way from `a` to `b`, straight, and brought to length 1.
-#[function]
-pub fn nlerp<T: Real>(a: &Native<T>, b: &Native<T>, share: T) -> Native<T> {
-    new_normalize(&quaternion::lerp(a, b, share))
-}
-
-/// The axis, pointing so that the angle is at most π; none of no rotation.
-#[function]
-pub fn axis<T: Real>(q: &Native<T>) -> Option<UnitVector3<T>> {
-    let vector =
-        if q.w >= T::ZERO { Vector3::new(q.i, q.j, q.k) } else { Vector3::new(-q.i, -q.j, -q.k) };
-    let squared = vector.norm_squared();
-    if squared > T::ZERO { Some(Unit::new_unchecked(vector / squared.sqrt())) } else { None }
-}
-
-/// The rotation turned on by a small one: its axis times its angle, rad, to first order.
-#[function]
-pub fn append_axisangle_linearized<T: Real>(q: &Native<T>, axis: &Vector3<T>) -> Native<T> {
-    let half = axis * real::<T>(0.5);
-    let change = quaternion::product(&quaternion::from_imag(&half), q);
-    new_normalize(&quaternion::sum(q, &change))
-}
-
-/// Brings it to length 1 again; the length that it had.
-#[function]
-pub fn renormalize<T: Real>(q: &mut Native<T>) -> T {
-    let length = norm_squared(q).sqrt();
-    *q = Native::new_unchecked(Quaternion::new(
-        q.w / length,
-        q.i / length,
-        q.j / length,
-        q.k / length,
-    ));
-    length
-}
-
-/// The same without a root or a division, for a length near 1.
-#[function]
-pub fn renormalize_fast<T: Real>(q: &mut Native<T>) {
-    let factor = real::<T>(0.5) * (real::<T>(3.0) - norm_squared(q));
-    *q = Native::new_unchecked(Quaternion::new(
-        q.w * factor,
-        q.i * factor,
-        q.j * factor,
-        q.k * factor,
-    ));
 }
 
 /// The square of the length.
