@@ -1,11 +1,10 @@
 //! The elements of a `BoundedMatrix`: one, whose row and column are checked against the size that it has, and all of
 //! them, column by column, in two loops that its author wrote as one.
 
-use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{
-    Block, CompareOp, Expr, Fault, LocalId, LogicOp, Place, Span, Step, StmtKind, Type,
-};
+use bessemer_ir::tree;
+use bessemer_ir::{CompareOp, Expr, Fault, LogicOp, Place, Span, Step, StmtKind, Type};
 
+use super::each::Each;
 use super::expr::{Operand, two};
 use super::lengths::least;
 use super::lowering::Lowering;
@@ -92,10 +91,8 @@ impl Lowering<'_, '_> {
     /// `for` over all its elements.
     pub(super) fn each_of_bounded(
         &mut self,
-        site: Site,
-        label: Option<&str>,
         (part, matrix): (&tree::Part, Place),
-        body: &tree::Block,
+        Each { site, label, body, .. }: Each,
     ) -> Result<()> {
         let span = self.span(site);
         let Some((element, rows, columns)) = self.bounded_type(&matrix.ty) else { return Ok(()) };
@@ -107,7 +104,7 @@ impl Lowering<'_, '_> {
             self.steady(name, least(size, Expr::usize(u64::from(most), span)))
         };
         let (end_rows, end_columns) = (size("rows", 0, rows), size("columns", 1, columns));
-        let at = |root| Place::local(root, Type::USIZE, span).load();
+        let at = |root| Expr::local(root, &Type::USIZE, span);
         let outermost = self.frames.len();
         self.repeated(None, None, span, |walk| {
             let column = walk.counter("column", span);
@@ -119,33 +116,16 @@ impl Lowering<'_, '_> {
                 let place = place.inside(Step::Index(at(column)), of_column);
                 let place = Place { span, ..place.inside(Step::Index(at(row)), element) };
                 let block = walk.scoped(|walk| {
-                    let mut names = Vec::new();
-                    walk.test(&part.pattern, &Value::Place(place), site, &mut names)?;
-                    walk.bind_names(&names)?;
+                    walk.bind_pattern(&part.pattern, &Value::Place(place), site)?;
                     walk.pass_of(label, outermost, |walk| walk.statements(body))
                 })?;
                 walk.counters.pop();
-                Ok(up_to(row, end_rows, block))
+                Ok(StmtKind::for_below(row, end_rows, block))
             };
             let block = walk.scoped(|walk| walk.repeated(None, None, span, through))?;
             walk.counters.pop();
-            Ok(up_to(column, end_columns, block))
+            Ok(StmtKind::for_below(column, end_columns, block))
         })
-    }
-}
-
-/// `for variable in 0..to`.
-pub(super) fn up_to(variable: LocalId, to: Expr, body: Block) -> StmtKind {
-    let from = Expr::usize(0, to.span);
-    StmtKind::For {
-        variable,
-        from,
-        to,
-        inclusive: false,
-        reversed: false,
-        unroll: None,
-        ended: false,
-        body,
     }
 }
 

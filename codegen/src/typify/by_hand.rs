@@ -12,12 +12,11 @@ use std::rc::Rc;
 use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Order, Pattern, Site, Stmt};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Int, Local, LocalId, Mode, Scalar, Span, Stmt as Made,
-    StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Int, Scalar, Span, Stmt as Made, StmtKind, Type,
 };
 
 use super::items::handing;
-use super::loops::{alone, breaks_in};
+use super::loops::breaks_in;
 use super::lowering::{Closure, Hand, Lowering};
 use super::syntax::generates;
 use super::value::Value;
@@ -76,10 +75,7 @@ impl<'a> Lowering<'a, '_> {
         (taken, name): (&str, String),
         so_far: Expr,
     ) -> (usize, usize) {
-        let span = so_far.span;
-        let local = LocalId(self.locals.len() as u32);
-        self.locals.push(Local { name, ty: Type::USIZE, mode: Mode::Value, span });
-        self.emit(StmtKind::Let { local, value: Some(so_far) }, span);
+        let local = self.let_local(name, so_far).root;
         let counted = self.closures.len();
         for mut closure in both {
             closure.scope.names.push(vec![(taken.to_owned(), Value::Local(local))]);
@@ -108,7 +104,8 @@ impl<'a> Lowering<'a, '_> {
         if !self.is_taken(from) || pass.iter().any(leaves) {
             return None;
         }
-        let mut then = alone(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
+        let mut then =
+            Block::of(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
         then.0.extend_from_slice(pass);
         Some((Expr::compare(CompareOp::Lt, from.clone(), to.clone()), then))
     }
@@ -143,8 +140,8 @@ impl<'a> Lowering<'a, '_> {
         if !parts.iter().all(elements) || cuts.iter().any(|cut| cut.skip || cut.back) {
             return false;
         }
-        let plain = |kind| tree::Expr { kind, site, slot: None };
-        let local = |name: &str| plain(Tree::Local(name.to_owned()));
+        let plain = |kind| tree::Expr::plain(kind, site);
+        let local = |name: &str| tree::Expr::local(name, site);
         cuts.push(tree::Cut { skip: true, back: false, count: local(taken) });
         if counts {
             let index = index.get_or_insert_with(|| "index%".to_owned());
@@ -170,8 +167,7 @@ impl<'a> Lowering<'a, '_> {
         if !takes || Mentions::of(name, body) > 0 {
             return None;
         }
-        let (pattern, array) = (pattern.clone(), array.clone());
-        Some(tree::Part { pattern, array, owned: false, group: None, reversed: false })
+        Some(tree::Part::of(pattern.clone(), array.clone(), false))
     }
 }
 

@@ -42,39 +42,27 @@ fn parts(closure: &Expr) -> Option<(Pattern, &Expr)> {
 fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
     let (pattern, value) = parts(closure)?;
     let site = expr.site;
-    let plain = |kind| Expr { kind, site, slot: None };
-    let local = |name: &str| Box::new(plain(ExprKind::Local(name.into())));
+    let plain = |kind| Expr::plain(kind, site);
+    let local = |name: &str| Box::new(Expr::local(name, site));
     let (name, index) = ("%mapped", "%i");
     let element = Box::new(plain(ExprKind::Index(local(name), local(index))));
     let assign = plain(ExprKind::Assign(None, element, Box::new(value.clone())));
-    let each = plain(ExprKind::Each {
-        label: None,
-        index: Some(index.into()),
-        parts: vec![tree::Part {
-            pattern,
-            array: array.clone(),
-            owned: true,
-            group: None,
-            reversed: false,
-        }],
-        order: tree::Order::Up,
-        cuts: Vec::new(),
-        body: Block { stmts: vec![Stmt::Expr(assign)], tail: None },
-    });
+    let part = tree::Part::of(pattern, array.clone(), true);
+    let each = plain(ExprKind::each(Some(index), part, assign));
     let kind = ExprKind::Fold { name: name.into(), start: Start::Elements, each: Box::new(each) };
     Some(Expr { kind, site, slot: expr.slot })
 }
 
 /// `items.sum()`, `items.product()`: a loop that adds each item to what it has so far, or multiplies by it.
 fn together(how: Together, items: &Expr, expr: &Expr) -> Expr {
-    let plain = |kind| Expr { kind, site: expr.site, slot: None };
+    let plain = |kind| Expr::plain(kind, expr.site);
     let (name, start, op) = match how {
         Together::Product => ("%product", Start::Product, tree::BinaryOp::Mul),
         _ => ("%sum", Start::Sum, tree::BinaryOp::Add),
     };
     let mut each = handing(items).body;
     Taken(&|item| {
-        let so_far = Box::new(plain(ExprKind::Local(name.into())));
+        let so_far = Box::new(Expr::local(name, expr.site));
         ExprKind::Assign(Some(op), so_far, Box::new(item))
     })
     .expr(&mut each);
@@ -88,9 +76,9 @@ fn tried(arguments: &[Expr], expr: &Expr) -> Option<Expr> {
     };
     let [so_far, taken] = closure.parameters.as_slice() else { return None };
     let site = expr.site;
-    let plain = |kind| Expr { kind, site, slot: None };
+    let plain = |kind| Expr::plain(kind, site);
     let name = "%tried";
-    let gathered = || plain(ExprKind::Local(name.into()));
+    let gathered = || Expr::local(name, site);
     let goes_on = |part| Box::new(Pattern::Constructor(tree::GOES_ON.into(), vec![part]));
     let stop = Stmt::Expr(plain(ExprKind::Break(None, None)));
     let stop = Block { stmts: vec![stop], tail: None };

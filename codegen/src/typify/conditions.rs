@@ -81,10 +81,9 @@ impl Lowering<'_, '_> {
         let held = self.temporary("holds", left);
         if let (ExprKind::Load(place), true) = (&held.kind, right.kind != ExprKind::Literal(1)) {
             let kind = StmtKind::Assign { place: place.clone(), value: right };
-            inner.push(Stmt { kind, span, comments: Vec::new() });
+            inner.push(Stmt::new(kind, span));
         }
-        let (condition, then) = (held.clone(), Block(inner));
-        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        self.emit_if(held.clone(), Block(inner), span);
         Ok(held)
     }
 }

@@ -1,12 +1,14 @@
-//! `let` with a pattern: what is taken apart, and what of a tuple that is never made.
+//! `let` with a pattern: what is taken apart; and tuples that are never made: the items of `zip` and `enumerate` under one
+//! name, in functions that stand where they are called. The name means the parts, side by side; only where it is used as a
+//! value, one is made of them.
 
-use bessemer_ir::tree::{self, NO_SLOT};
-use bessemer_ir::{Block, Local, LocalId, Mode, StmtKind};
+use bessemer_ir::tree::{self, NO_SLOT, Site};
+use bessemer_ir::{Block, Expr, ExprKind, StmtKind, Type};
 
-use super::Result;
 use super::lowering::Lowering;
 use super::pattern::aligned;
 use super::value::Value;
+use super::{Result, problem};
 
 impl Lowering<'_, '_> {
     /// `let pattern = value;`
@@ -91,11 +93,8 @@ impl Lowering<'_, '_> {
                 let ty = self.slot(*slot, value.site)?;
                 let lowered = self.naming_as(&**name, |inner| inner.value(value, Some(&ty)))?;
                 self.agree(&lowered.ty, &ty, value.site)?;
-                let local = LocalId(self.locals.len() as u32);
-                let span = lowered.span;
-                self.locals.push(Local { name: name.clone(), ty, mode: Mode::Value, span });
-                self.emit(StmtKind::Let { local, value: Some(lowered) }, span);
-                bound.push((name.clone(), Value::Local(local)));
+                let place = self.let_local(&**name, lowered);
+                bound.push((name.clone(), Value::Local(place.root)));
                 Ok(())
             }
             _ => {
@@ -111,6 +110,48 @@ impl Lowering<'_, '_> {
                     Ok(())
                 })
             }
+        }
+    }
+
+    /// The value of a tuple that is never made, under its name.
+    pub(super) fn made(&mut self, tuple: &Value, site: Site) -> Result<Expr> {
+        let made = match tuple {
+            Value::Tuple(_, Some(ty)) => self.whole(tuple, ty, site),
+            _ => None,
+        };
+        let Some(made) = made else {
+            return problem(
+                site,
+                "a tuple with a slice in it, or with what may be changed, is not made in the DSL",
+                "take it apart where it is named: `|(a, b)| …`",
+            );
+        };
+        Ok(made)
+    }
+
+    /// The value of a tuple, if its parts are values.
+    fn whole(&mut self, tuple: &Value, ty: &Type, site: Site) -> Option<Expr> {
+        match (tuple, ty) {
+            (Value::Place(_), _) => self.lent_value(tuple.clone(), ty, site).ok(),
+            (Value::Tuple(parts, _), Type::Struct(id)) => {
+                let fields = self.cx.fields(*id).to_vec();
+                let parts = parts.iter().zip(&fields);
+                let parts = parts.map(|(part, field)| self.whole(part, &field.ty, site));
+                let kind = ExprKind::Struct(parts.collect::<Option<_>>()?);
+                Some(Expr { kind, ty: ty.clone(), span: self.span(site) })
+            }
+            _ => None,
+        }
+    }
+
+    /// The parts of such a tuple, if an expression names it.
+    pub(super) fn parts_named(&self, expr: &tree::Expr) -> Option<Value> {
+        match &expr.kind {
+            tree::ExprKind::Local(name) => {
+                self.lookup(name, expr.site).ok().filter(|it| matches!(it, Value::Tuple(..)))
+            }
+            tree::ExprKind::Ref(_, inner) => self.parts_named(inner),
+            _ => None,
         }
     }
 }

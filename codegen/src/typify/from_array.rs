@@ -2,9 +2,8 @@
 //! it, and arrays from matrices.
 
 use bessemer_ir::tree;
-use bessemer_ir::{Block, Expr, ExprKind, Place, Span, Step, Stmt, StmtKind, Type};
+use bessemer_ir::{Block, Expr, ExprKind, Place, Span, Step, StmtKind, Type};
 
-use super::counted::{counted, local};
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
@@ -39,13 +38,15 @@ impl Lowering<'_, '_> {
         let result = self.temporary_place("elements", whole);
         let i = self.counter(if inner.is_some() { "col" } else { "i" }, span);
         let row = inner.map(|_| self.counter("row", span));
-        let at = (local(i, span), row.map(|row| local(row, span)));
+        let counter = |local| Expr::local(local, &Type::USIZE, span);
+        let at = (counter(i), row.map(counter));
+        let size = |count: u32| Expr::usize(u64::from(count), span);
         let (place, value) = (cell(&result, &at, span), cell(&source, &at, span).load());
-        let mut body = Block(vec![Stmt::new(StmtKind::Assign { place, value }, span)]);
+        let mut body = Block::of(StmtKind::Assign { place, value }, span);
         if let (Some(row), Some(rows)) = (row, inner) {
-            body = Block(vec![Stmt::new(counted(row, rows, body, span), span)]);
+            body = Block::of(StmtKind::for_below(row, size(rows), body), span);
         }
-        self.emit(counted(i, outer, body, span), span);
+        self.emit(StmtKind::for_below(i, size(outer), body), span);
         Ok(result.load())
     }
 

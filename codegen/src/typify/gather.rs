@@ -1,7 +1,7 @@
 //! Loops that gather: sums, products and folds, and arrays that are filled element by element.
 
 use bessemer_ir::tree::{self, Start};
-use bessemer_ir::{Expr, ExprKind, Float, Local, LocalId, Mode, Scalar, Stmt, StmtKind, Type};
+use bessemer_ir::{Expr, ExprKind, Float, LocalId, Scalar, Stmt, StmtKind, Type};
 
 use super::lowering::Lowering;
 use super::order::{is_free, is_settled};
@@ -29,9 +29,7 @@ impl Lowering<'_, '_> {
             // Every element is assigned; that is shown to the validator by a value before.
             Start::Elements => Some(self.zero(&ty, span)),
         };
-        let local = LocalId(self.locals.len() as u32);
-        let shown = called.unwrap_or(name).to_owned();
-        self.locals.push(Local { name: shown, ty, mode: Mode::Value, span });
+        let local = self.local(called.unwrap_or(name), ty, span);
         self.emit(StmtKind::Let { local, value }, span);
         let begun = self.later(mark);
         self.naming_scope(|inner| {

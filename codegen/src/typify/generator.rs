@@ -17,9 +17,10 @@ use bessemer_ir::{Expr, Int, Place, Scalar, StmtKind, Type};
 
 use super::call::Called;
 use super::closure_args::is_hidden;
-use super::each::elements_through;
+use super::each::Each;
 use super::items::handing;
 use super::lowering::{Closure, Lowering};
+use super::seq::elements_through;
 use super::syntax::generates;
 use super::value::Value;
 use super::{Result, problem};
@@ -107,11 +108,8 @@ impl<'a> Lowering<'a, '_> {
     /// `for pattern in function(arguments)`.
     pub(super) fn generated_stmt(
         &mut self,
-        site: Site,
-        (label, index): (Option<&str>, Option<&str>),
         generated: Generated<'a, '_>,
-        (order, cuts): (Order, &[tree::Cut]),
-        body: &tree::Block,
+        Each { site, label, index, order, cuts, body }: Each,
     ) -> Result<()> {
         let Generated { by, pattern, straight } = generated;
         let text = match &by {
@@ -150,11 +148,13 @@ impl<'a> Lowering<'a, '_> {
             let mut pattern = pattern.clone();
             if let Some(index) = index {
                 match indexed {
-                    true => pattern = tree::Pattern::Tuple(vec![named(index), pattern]),
+                    true => {
+                        pattern = tree::Pattern::Tuple(vec![tree::Pattern::name(index), pattern])
+                    }
                     false => inner.count_items(index, &mut body, site)?,
                 }
             }
-            let body = tree::Expr { kind: Tree::Block(body), site, slot: None };
+            let body = tree::Expr::plain(Tree::Block(body), site);
             let (name, parameters, body) = (None, vec![pattern], Box::new(body));
             let closure = tree::Closure { name, parameters, body };
             let outermost = Some((label.map(str::to_owned), inner.frames.len()));
@@ -258,16 +258,13 @@ impl<'a> Lowering<'a, '_> {
 
     /// Numbers the items, from zero on.
     fn count_items(&mut self, index: &str, body: &mut tree::Block, site: Site) -> Result<()> {
-        let plain = |kind| tree::Expr { kind, site, slot: None };
-        let size = Some(bessemer_ir::Scalar::Int(bessemer_ir::Int::Usize));
+        let plain = |kind| tree::Expr::plain(kind, site);
+        let size = Some(Scalar::Int(Int::Usize));
         let number = |digits: &str| plain(Tree::Int(digits.into(), size));
-        let next = || plain(Tree::Local(NEXT.into()));
-        let named = |name: &str, value| Stmt::Let {
-            name: name.into(),
-            slot: NO_SLOT,
-            value: Some(value),
-            site,
-            mutable: true,
+        let next = || tree::Expr::local(NEXT, site);
+        let named = |name: &str, value| {
+            let (name, value) = (name.into(), Some(value));
+            Stmt::Let { name, slot: NO_SLOT, value, site, mutable: true }
         };
         let more = Tree::Assign(Some(tree::BinaryOp::Add), Box::new(next()), Box::new(number("1")));
         body.stmts.splice(0..0, [named(index, next()), Stmt::Expr(plain(more))]);
@@ -294,22 +291,7 @@ impl Way {
         if own.is_some() && (self.counted || *order != Order::Up || !cuts.is_empty()) {
             return None;
         }
-        let mut hands = Hands { each: 0, ends: false };
-        hands.block(body);
-        // What ends early, or hands on in loops of its own, has no other way.
-        if hands.each != 1 || (hands.ends && self.order != Order::Up) {
-            return None;
-        }
-        *order = match (*order, self.order, self.counted) {
-            (own, Order::Up, false) => own,
-            (own, Order::Down, false) if own != Order::Mirrored => match own {
-                Order::Up => Order::Down,
-                _ => Order::Up,
-            },
-            (Order::Up, Order::Up | Order::Down, true) if cuts.is_empty() => self.order,
-            (Order::Down, Order::Up, true) if cuts.is_empty() => Order::Mirrored,
-            _ => return None,
-        };
+        *order = self.turned(*order, body).filter(|_| !self.counted || cuts.is_empty())?;
         if self.counted {
             with_number(body, COUNTER)?;
             *own = Some(COUNTER.into());
@@ -317,26 +299,36 @@ impl Way {
         Some(text)
     }
 
+    /// The order in which a loop that goes one way itself goes this way.
+    fn turned(&self, own: Order, body: &tree::Block) -> Option<Order> {
+        let mut hands = Hands { each: 0, ends: false };
+        hands.block(body);
+        // What ends early, or hands on in loops of its own, has no other way.
+        if hands.each != 1 || (hands.ends && self.order != Order::Up) {
+            return None;
+        }
+        match (own, self.order, self.counted) {
+            (own, Order::Up, false) => Some(own),
+            (Order::Up, Order::Down, false) => Some(Order::Down),
+            (Order::Down, Order::Down, false) => Some(Order::Up),
+            (Order::Up, Order::Up | Order::Down, true) => Some(self.order),
+            (Order::Down, Order::Up, true) => Some(Order::Mirrored),
+            _ => None,
+        }
+    }
+
     /// The same of a loop over a range from zero on, whose counter is the index.
     fn of_range(&self, through: &tree::Expr) -> Option<tree::Expr> {
         let mut text = through.clone();
         let Tree::For { name, range, body, .. } = &mut text.kind else { return None };
-        let mut hands = Hands { each: 0, ends: false };
-        hands.block(body);
         let from_zero = matches!(&range.from.kind, Tree::Int(digits, _) if digits == "0");
         // One that begins with `_` is none that could be read.
         let named = !name.starts_with('_');
         let plain =
             from_zero && named && range.step.is_none() && !range.inclusive && range.to.is_some();
-        if !plain || hands.each != 1 || (hands.ends && self.order != Order::Up) {
-            return None;
-        }
-        range.reversed = match (range.reversed, self.order, self.counted) {
-            (own, Order::Up, false) => own,
-            (own, Order::Down, false) => !own,
-            (false, Order::Up | Order::Down, true) => self.order == Order::Down,
-            _ => return None,
-        };
+        let own = if range.reversed { Order::Down } else { Order::Up };
+        let turned = self.turned(own, body).filter(|it| plain && *it != Order::Mirrored)?;
+        range.reversed = turned == Order::Down;
         if self.counted {
             with_number(body, name)?;
         }
@@ -354,10 +346,9 @@ fn with_number(body: &mut tree::Block, number: &str) -> Option<()> {
     if name != EACH {
         return None;
     }
-    let of = |kind| tree::Expr { kind, site: *site, slot: None };
-    let number = of(Tree::Local(number.into()));
+    let number = tree::Expr::local(number, *site);
     let pair = std::iter::once(number).chain(std::mem::take(items)).collect();
-    *items = vec![of(Tree::Tuple(pair))];
+    *items = vec![tree::Expr::plain(Tree::Tuple(pair), *site)];
     Some(())
 }
 
@@ -387,11 +378,6 @@ impl Visit for Hands {
 /// The index of an element that is handed on.
 const COUNTER: &str = "i%";
 
-fn named(name: &str) -> tree::Pattern {
-    let (name, slot) = (name.to_owned(), NO_SLOT);
-    tree::Pattern::Name { name, slot, mutable: false, inner: None }
-}
-
 /// The number of the next item.
 const NEXT: &str = "next%";
 
@@ -401,8 +387,7 @@ fn through(body: &tree::Expr) -> tree::Expr {
         Tree::Block(tree::Block { stmts, tail: Some(tail) }) => {
             let mut stmts = stmts.clone();
             stmts.push(Stmt::Expr(through(tail)));
-            let block = tree::Block { stmts, tail: None };
-            tree::Expr { kind: Tree::Block(block), site: body.site, slot: None }
+            tree::Expr::plain(Tree::Block(tree::Block { stmts, tail: None }), body.site)
         }
         _ => *handing(body).body,
     }

@@ -7,11 +7,9 @@
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
-    BinaryOp, Block, Expr, ExprKind, LocalId, Place, Routine, Span, Step, Stmt, StmtKind, Type,
-    UnaryOp,
+    BinaryOp, Block, Expr, ExprKind, LocalId, Place, Routine, Span, Step, StmtKind, Type, UnaryOp,
 };
 
-use super::counted::{counted, local};
 use super::lowering::Lowering;
 use super::words;
 use super::{OUR_FAULT, Result, problem};
@@ -90,10 +88,11 @@ impl Lowering<'_, '_> {
                 elements.joined(BinaryOp::Add, place.load(), term)
             }
         };
-        let mut body = Block(vec![Stmt::new(StmtKind::Assign { place, value }, span)]);
+        let mut body = Block::of(StmtKind::Assign { place, value }, span);
         for (counter, count) in counters {
             if let Some(counter) = counter {
-                body = Block(vec![Stmt::new(counted(counter, count, body, span), span)]);
+                let count = Expr::usize(u64::from(count), span);
+                body = Block::of(StmtKind::for_below(counter, count, body), span);
             }
         }
         self.out.extend(body.0);
@@ -115,7 +114,8 @@ struct Elements {
 
 impl Elements {
     fn index(&self, counter: Option<LocalId>) -> Expr {
-        counter.map_or_else(|| Expr::usize(0, self.span), |counter| local(counter, self.span))
+        let zero = || Expr::usize(0, self.span);
+        counter.map_or_else(zero, |counter| Expr::local(counter, &Type::USIZE, self.span))
     }
 
     fn cell(&self, matrix: &Place, (row, col): (Expr, Expr)) -> Place {

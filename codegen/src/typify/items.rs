@@ -5,9 +5,7 @@
 //!
 //! Must not know: how an iterator is gone through ([`generator`](super::generator)).
 
-use bessemer_ir::tree::{
-    self, Builtin, Desugared, EACH, ExprKind as Tree, NO_SLOT, Order, Stmt, Ty,
-};
+use bessemer_ir::tree::{self, Builtin, Desugared, EACH, ExprKind as Tree, NO_SLOT, Stmt, Ty};
 use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
@@ -21,24 +19,13 @@ pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     if let Tree::Closure(closure) = &argument.kind {
         return closure.clone();
     }
-    let plain = |kind| tree::Expr { kind, site: argument.site, slot: None };
-    let name = "item%".to_owned();
-    let item = plain(Tree::Local(name.clone()));
+    let plain = |kind| tree::Expr::plain(kind, argument.site);
+    let (name, site) = ("item%", argument.site);
     // What is given by value is its function's own, whatever is written to what it was copied from.
     let owned = !matches!(argument.kind, Tree::Ref(..));
-    let part = tree::Part {
-        pattern: tree::Pattern::Name { name, slot: NO_SLOT, mutable: false, inner: None },
-        array: argument.clone(),
-        owned,
-        group: None,
-        reversed: false,
-    };
-    let body = tree::Block {
-        stmts: vec![Stmt::Expr(plain(Tree::Apply(EACH.into(), vec![item])))],
-        tail: None,
-    };
-    let (order, cuts) = (Order::Up, Vec::new());
-    let each = Tree::Each { label: None, index: None, parts: vec![part], order, cuts, body };
+    let part = tree::Part::of(tree::Pattern::name(name), argument.clone(), owned);
+    let hand_on = Tree::Apply(EACH.into(), vec![tree::Expr::local(name, site)]);
+    let each = tree::ExprKind::each(None, part, plain(hand_on));
     tree::Closure { name: None, parameters: Vec::new(), body: Box::new(plain(each)) }
 }
 
@@ -235,7 +222,7 @@ impl<'a> Lowering<'a, '_> {
         let known: usize = self.scopes.iter().map(|scope| scope.len()).sum();
         let name = format!("{name}{known}");
         self.bind(&name, given);
-        *expr = tree::Expr { kind: Tree::Local(name), site: expr.site, slot: None };
+        *expr = tree::Expr::local(&name, expr.site);
     }
 }
 

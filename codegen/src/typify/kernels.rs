@@ -3,10 +3,9 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
     Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Mode, Place,
-    Routine, Scalar, Span, Step, Stmt, StmtKind, Type,
+    Routine, Scalar, Span, Step, StmtKind, Type,
 };
 
-use super::counted::counted;
 use super::lowering::Lowering;
 use super::{Context, OUR_FAULT, Result, problem};
 
@@ -145,17 +144,18 @@ impl Lowering<'_, '_> {
             return Ok(());
         };
         let element = Type::Scalar(element);
-        let at = |root| Place::local(root, Type::USIZE, span).load();
+        let at = |root| Expr::local(root, &Type::USIZE, span);
+        let [rows, cols] = [rows, cols].map(|it| Expr::usize(u64::from(it), span));
         let column = self.counter("column", span);
         let row = self.counter("row", span);
-        let start = Expr::binary(BinaryOp::Mul, Expr::usize(u64::from(rows), span), at(column));
+        let start = Expr::binary(BinaryOp::Mul, rows.clone(), at(column));
         let index = Expr::binary(BinaryOp::Add, at(row), start);
         let cell = matrix.inside(Step::Element(at(row), at(column)), element.clone());
         let part = columns.inside(Step::Index(index), element);
         let (place, value) = if to_columns { (part, cell.load()) } else { (cell, part.load()) };
-        let assign = Stmt::new(StmtKind::Assign { place, value }, span);
-        let inner = Stmt::new(counted(row, rows, Block(vec![assign]), span), span);
-        self.emit(counted(column, cols, Block(vec![inner]), span), span);
+        let assign = Block::of(StmtKind::Assign { place, value }, span);
+        let inner = Block::of(StmtKind::for_below(row, rows, assign), span);
+        self.emit(StmtKind::for_below(column, cols, inner), span);
         Ok(())
     }
 

@@ -4,7 +4,7 @@
 //! what follows, or a loop is left, a flag says whether the block has been left.
 
 use bessemer_ir::tree;
-use bessemer_ir::{Arm, Block, Expr, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
+use bessemer_ir::{Arm, Block, Expr, LocalId, Place, Span, Stmt, StmtKind, Type};
 
 use super::Result;
 use super::lowering::{Frame, Lowering, Target};
@@ -23,7 +23,7 @@ impl Lowering<'_, '_> {
         target: Option<&Target>,
         expr: &tree::Expr,
     ) -> Result<()> {
-        let (frame, span) = (Frame::block(Some(label), target), self.span(expr.site));
+        let (frame, span) = (Frame::of(Some(label), target), self.span(expr.site));
         self.left(label, frame, span, |inner| match target {
             Some(target) => inner.block_into(body, target),
             None => inner.block_effect(body),
@@ -38,9 +38,8 @@ impl Lowering<'_, '_> {
         span: Span,
         lower: impl FnOnce(&mut Self) -> Result<Block>,
     ) -> Result<()> {
-        let (mark, target) = (LocalId(self.locals.len() as u32), frame.target.clone());
-        let name = format!("{name}_done");
-        self.locals.push(Local { name, ty: Type::BOOL, mode: Mode::Value, span });
+        let target = frame.target.clone();
+        let mark = self.local(format!("{name}_done"), Type::BOOL, span);
         self.frames.push(Frame { mark: Some(mark), ..frame });
         let lowered = lower(self);
         let marks = self.frames.iter().filter_map(|frame| frame.mark).collect();
@@ -67,7 +66,7 @@ impl Lowering<'_, '_> {
         if let StmtKind::Let { local, value: None } = &stmt.kind {
             self.valued.insert(*local);
         }
-        blocks(stmt).into_iter().flat_map(|block| &block.0).for_each(|it| self.needs_values(it));
+        blocks(stmt).flat_map(|block| &block.0).for_each(|it| self.needs_values(it));
     }
 
     /// Gives what was noted a value where it is declared.
@@ -84,7 +83,7 @@ impl Lowering<'_, '_> {
             if let StmtKind::For { body, .. } = &mut stmt.kind {
                 self.give_values(&mut body.0);
             }
-            branches(stmt).into_iter().for_each(|block| self.give_values(&mut block.0));
+            branches_mut(stmt).into_iter().for_each(|block| self.give_values(&mut block.0));
         }
     }
 }
@@ -124,8 +123,8 @@ impl Leaving {
     /// A statement in whose branches the block is left, and what follows it.
     fn branching(&mut self, mut next: Stmt, behind: Vec<Stmt>, followed: bool) -> Vec<Stmt> {
         let marks = &self.marks;
-        let passing: Vec<_> =
-            branches(&mut next).into_iter().filter(|block| falls_through(block, marks)).collect();
+        let mut passing = branches_mut(&mut next);
+        passing.retain(|block| falls_through(block, marks));
         let shared = match (passing.len(), behind.is_empty()) {
             (_, true) | (0, _) => None,
             (1, _) => {
@@ -137,21 +136,20 @@ impl Leaving {
         let span = next.span;
         let told =
             matches!(&next.kind, StmtKind::If { condition, .. } if *condition == self.flag(span));
-        for block in branches(&mut next) {
+        for block in branches_mut(&mut next) {
             let followed = followed && !told;
             *block = self.without_marks(std::mem::take(block), followed || shared.is_some());
         }
         let mut done = vec![turned(next)];
         // Nothing comes behind it that the flag could keep from being done.
         if told {
-            done.retain(|stmt| branches(&mut stmt.clone()).iter().any(|it| !it.0.is_empty()));
+            done.retain(|stmt| branches(stmt).any(|it| !it.0.is_empty()));
         }
         if let Some(behind) = shared {
             self.flagged = true;
             let then = self.without_marks(Block(behind), followed);
             let condition = self.flag(span).negated();
-            let kind = StmtKind::If { condition, then, otherwise: Block::default() };
-            done.push(Stmt::new(kind, span));
+            done.push(Stmt::new(StmtKind::if_then(condition, then), span));
         }
         done
     }
@@ -162,9 +160,8 @@ impl Leaving {
 
     fn raise(&mut self, span: Span) -> StmtKind {
         self.flagged = true;
-        let place = Place { root: self.mark, steps: Vec::new(), ty: Type::BOOL, span };
-        let value = Expr::bool(true, span);
-        StmtKind::Assign { place, value }
+        let place = Place::local(self.mark, Type::BOOL, span);
+        StmtKind::Assign { place, value: Expr::bool(true, span) }
     }
 
     fn is_mark(&self, stmt: &Stmt) -> bool {
@@ -172,20 +169,8 @@ impl Leaving {
     }
 
     fn is_left_in(&self, stmt: &Stmt) -> bool {
-        match &stmt.kind {
-            StmtKind::If { then, otherwise, .. } => {
-                [then, otherwise].iter().any(|block| self.is_left(block))
-            }
-            StmtKind::Match { arms, otherwise, .. } => {
-                arms.iter().any(|arm| self.is_left(&arm.body))
-                    || otherwise.as_ref().is_some_and(|block| self.is_left(block))
-            }
-            _ => false,
-        }
-    }
-
-    fn is_left(&self, block: &Block) -> bool {
-        block.0.iter().any(|stmt| self.is_mark(stmt) || self.is_left_in(stmt))
+        let mut inner = branches(stmt).flat_map(|block| &block.0);
+        inner.any(|stmt| self.is_mark(stmt) || self.is_left_in(stmt))
     }
 }
 
@@ -194,7 +179,17 @@ fn is_mark(stmt: &Stmt, mark: LocalId) -> bool {
 }
 
 /// The branches of a statement, an `else` that is not there among them.
-fn branches(stmt: &mut Stmt) -> Vec<&mut Block> {
+pub(super) fn branches(stmt: &Stmt) -> impl Iterator<Item = &Block> {
+    let (pair, arms, otherwise) = match &stmt.kind {
+        StmtKind::If { then, otherwise, .. } => (Some([then, otherwise]), &[][..], &None),
+        StmtKind::Match { arms, otherwise, .. } => (None, &arms[..], otherwise),
+        _ => (None, &[][..], &None),
+    };
+    pair.into_iter().flatten().chain(arms.iter().map(|arm| &arm.body)).chain(otherwise)
+}
+
+/// The same, to change them.
+fn branches_mut(stmt: &mut Stmt) -> Vec<&mut Block> {
     match &mut stmt.kind {
         StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
         StmtKind::Match { arms, otherwise, .. } => {
@@ -208,12 +203,8 @@ fn branches(stmt: &mut Stmt) -> Vec<&mut Block> {
 fn falls_through(block: &Block, marks: &[LocalId]) -> bool {
     !block.0.iter().any(|stmt| match &stmt.kind {
         StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => true,
-        StmtKind::If { then, otherwise, .. } => {
-            !falls_through(then, marks) && !falls_through(otherwise, marks)
-        }
-        StmtKind::Match { arms, otherwise, .. } => {
-            arms.iter().all(|arm| !falls_through(&arm.body, marks))
-                && otherwise.as_ref().is_none_or(|block| !falls_through(block, marks))
+        StmtKind::If { .. } | StmtKind::Match { .. } => {
+            !branches(stmt).any(|block| falls_through(block, marks))
         }
         _ => marks.iter().any(|mark| is_mark(stmt, *mark)),
     })
@@ -232,19 +223,16 @@ fn turned(mut stmt: Stmt) -> Stmt {
 }
 
 /// The blocks of a statement.
-fn blocks(stmt: &Stmt) -> Vec<&Block> {
-    match &stmt.kind {
-        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
-        StmtKind::Match { arms, otherwise, .. } => {
-            arms.iter().map(|arm| &arm.body).chain(otherwise).collect()
-        }
-        StmtKind::For { body, .. } => vec![body],
-        _ => Vec::new(),
-    }
+fn blocks(stmt: &Stmt) -> impl Iterator<Item = &Block> {
+    let body = match &stmt.kind {
+        StmtKind::For { body, .. } => Some(body),
+        _ => None,
+    };
+    branches(stmt).chain(body)
 }
 
 /// Whether a loop in a statement raises the flag of a block.
 fn raises(stmt: &Stmt, flag: LocalId) -> bool {
     matches!(&stmt.kind, StmtKind::Assign { place, .. } if place.root == flag)
-        || blocks(stmt).into_iter().flat_map(|block| &block.0).any(|it| raises(it, flag))
+        || blocks(stmt).flat_map(|block| &block.0).any(|it| raises(it, flag))
 }

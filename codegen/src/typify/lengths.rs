@@ -2,6 +2,14 @@
 
 use bessemer_ir::{BinaryOp, Expr, ExprKind, Intrinsic};
 
+/// The number that a length is known to be.
+pub(super) fn number(expr: &Expr) -> Option<u64> {
+    match expr.kind {
+        ExprKind::Literal(word) => Some(word),
+        _ => None,
+    }
+}
+
 pub(super) fn is_number(expr: &Expr, wanted: u64) -> bool {
     expr.kind == ExprKind::Literal(wanted)
 }
@@ -39,14 +47,17 @@ pub(super) fn minus(one: Expr, other: Expr) -> Expr {
 
 /// The lesser of two, where one of them may be a number that is known to be.
 pub(super) fn least(one: Expr, other: Expr) -> Expr {
-    match (&one.kind, &other.kind) {
-        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(*a.min(b), one.span),
+    match (number(&one), number(&other)) {
+        (Some(a), Some(b)) => Expr::usize(a.min(b), one.span),
         _ => lesser(one, other),
     }
 }
 
 pub(super) fn greatest(one: Expr, other: Expr) -> Expr {
-    Expr::intrinsic(Intrinsic::Max, vec![one, other])
+    match (number(&one), number(&other)) {
+        (Some(a), Some(b)) => Expr::usize(a.max(b), one.span),
+        _ => Expr::intrinsic(Intrinsic::Max, vec![one, other]),
+    }
 }
 
 pub(super) fn times(one: Expr, other: Expr) -> Expr {
@@ -54,7 +65,10 @@ pub(super) fn times(one: Expr, other: Expr) -> Expr {
 }
 
 pub(super) fn divided(one: Expr, other: Expr) -> Expr {
-    Expr::binary(BinaryOp::Div, one, other)
+    match (number(&one), number(&other)) {
+        (Some(a), Some(b)) if b != 0 => Expr::usize(a / b, one.span),
+        _ => Expr::binary(BinaryOp::Div, one, other),
+    }
 }
 
 /// The length, and no more than there is room for.

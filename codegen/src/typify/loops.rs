@@ -6,13 +6,14 @@
 
 use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Int, Local, LocalId, LogicOp, Mode, Place, Scalar,
-    Span, Step, Stmt, StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Fault, Int, LocalId, LogicOp, Mode, Place, Scalar, Span,
+    Step, Stmt, StmtKind, Type,
 };
 
 use crate::termination::{self, Loop, Proof};
 
 use super::conditions::has_let;
+use super::each::Each;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
 use super::value::Named;
 use super::words;
@@ -26,8 +27,8 @@ impl Lowering<'_, '_> {
                 self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }
             tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
-                let said = (label.as_deref(), index.as_deref());
-                self.each_stmt(expr.site, said, parts, (*order, cuts), body)
+                let (site, label, index) = (expr.site, label.as_deref(), index.as_deref());
+                self.each_stmt(parts, Each { site, label, index, order: *order, cuts, body })
             }
             _ => self.effect(expr),
         }
@@ -59,16 +60,8 @@ impl Lowering<'_, '_> {
                 inner.statements(body)
             })?;
             let (inclusive, reversed) = (range.inclusive || open, range.reversed);
-            Ok(StmtKind::For {
-                variable,
-                from,
-                to,
-                inclusive,
-                reversed,
-                unroll: None,
-                ended: false,
-                body,
-            })
+            let (unroll, ended) = (None, false);
+            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
         })
     }
 
@@ -82,7 +75,8 @@ impl Lowering<'_, '_> {
         body: &tree::Block,
     ) -> Result<()> {
         if let (None, Some(rest)) = (bound, self.rest_of(condition, body)) {
-            return self.each_stmt(site, (label, None), &[rest], (tree::Order::Up, &[]), body);
+            let (index, order, cuts) = (None, tree::Order::Up, &[][..]);
+            return self.each_stmt(&[rest], Each { site, label, index, order, cuts, body });
         }
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
@@ -136,8 +130,7 @@ impl Lowering<'_, '_> {
             };
             endless = !breaks(&body);
             if !endless {
-                let kind = begun(pass, &bound, span);
-                body.0.insert(0, Stmt { kind, span, comments: Vec::new() });
+                body.0.insert(0, Stmt::new(begun(pass, &bound, span), span));
             }
             Ok(passes(pass, bound, !endless, body))
         })?;
@@ -174,9 +167,8 @@ impl Lowering<'_, '_> {
         span: Span,
     ) -> Result<Vec<usize>> {
         let leave = |condition: Expr| {
-            let (then, otherwise) = (alone(StmtKind::Break, span), Block::default());
-            let kind = StmtKind::If { condition: condition.negated(), then, otherwise };
-            Stmt { kind, span, comments: Vec::new() }
+            let then = Block::of(StmtKind::Break, span);
+            Stmt::new(StmtKind::if_then(condition.negated(), then), span)
         };
         let is_true = |condition: &Expr| condition.kind == ExprKind::Literal(1);
         let mut parts = conjuncts(condition).into_iter();
@@ -243,10 +235,13 @@ impl Lowering<'_, '_> {
     fn turned(&mut self, body: Block, span: Span) -> StmtKind {
         let ty = Type::Scalar(Scalar::Int(Int::U64));
         let bound = |word| Expr::literal(word, ty.clone(), span);
-        let (from, to) = (bound(0), bound(u64::MAX));
+        self.ended_within(bound(0), bound(u64::MAX), body, span)
+    }
+
+    fn ended_within(&mut self, from: Expr, to: Expr, body: Block, span: Span) -> StmtKind {
         let variable = self.pass(&from, span);
-        let (inclusive, reversed, unroll) = (true, false, None);
-        StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended: true, body }
+        let (inclusive, reversed, unroll, ended) = (true, false, None, true);
+        StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
     }
 
     /// A loop that its body ends, within a bound that shows.
@@ -273,9 +268,7 @@ impl Lowering<'_, '_> {
         let limit = |value: i128| Expr::literal_like(value as u64, &low);
         let from = if is_calm(&low) { low.clone() } else { limit(int.min()) };
         let to = if is_calm(&high) && !inclusive { high } else { limit(int.max()) };
-        let variable = self.pass(&from, span);
-        let (inclusive, reversed, unroll) = (true, false, None);
-        Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended: true, body })
+        Ok(self.ended_within(from, to, body, span))
     }
 
     /// A place as its author names it.
@@ -294,10 +287,7 @@ impl Lowering<'_, '_> {
 
     /// The counter of the passes of a loop with a bound; the author has no name for it.
     fn pass(&mut self, bound: &Expr, span: Span) -> LocalId {
-        let id = LocalId(self.locals.len() as u32);
-        let (name, ty) = (words::PASS.into(), bound.ty.clone());
-        self.locals.push(Local { name, ty, mode: Mode::Value, span });
-        id
+        self.local(words::PASS, bound.ty.clone(), span)
     }
 
     /// The bound of a loop.
@@ -330,14 +320,7 @@ impl Lowering<'_, '_> {
         lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
     ) -> Result<()> {
         let depth = self.frames.len();
-        self.frames.push(Frame {
-            label: label.map(str::to_owned),
-            target: target.cloned(),
-            mark: None,
-            outermost: None,
-            pass: false,
-            behind: Vec::new(),
-        });
+        self.frames.push(Frame::of(label, target));
         let kind = lower(self);
         let frame = self.frames.pop();
         let kind = kind?;
@@ -360,9 +343,7 @@ impl Lowering<'_, '_> {
                 (_, Some(mark)) if self.is_outermost(left, depth) => labelled::left(mark),
                 _ => StmtKind::Break,
             };
-            let then = alone(kind, span);
-            let condition = Expr::local(flag, &Type::BOOL, span);
-            self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+            self.emit_if(Expr::local(flag, &Type::BOOL, span), Block::of(kind, span), span);
         }
         Ok(())
     }
@@ -374,7 +355,7 @@ impl Lowering<'_, '_> {
         outermost: usize,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
-        self.frames.push(Frame { outermost: Some(outermost), ..Frame::block(label, None) });
+        self.frames.push(Frame { outermost: Some(outermost), ..Frame::of(label, None) });
         let done = lower(self);
         self.frames.pop();
         done
@@ -482,10 +463,7 @@ impl Lowering<'_, '_> {
                 Leaving::Break => words::DONE,
                 Leaving::Continue => words::NEXT,
             };
-            let id = LocalId(self.locals.len() as u32);
-            let name = format!("{label}_{role}");
-            self.locals.push(Local { name, ty: Type::BOOL, mode: Mode::Value, span });
-            id
+            self.local(format!("{label}_{role}"), Type::BOOL, span)
         });
         for frame in &mut self.frames[depth + 1..] {
             if frame.is_loop() && !frame.behind.iter().any(|behind| behind.flag == flag) {
@@ -503,7 +481,7 @@ fn last_breath(body: &mut Block) -> Vec<Stmt> {
         StmtKind::If { then, .. } if !rest.iter().any(breaks_in) => match then.0.last() {
             Some(Stmt { kind: StmtKind::Break, .. }) => then.0.drain(..then.0.len() - 1).collect(),
             Some(Stmt { kind: StmtKind::Return(_), span, .. }) => {
-                let only = alone(StmtKind::Break, *span);
+                let only = Block::of(StmtKind::Break, *span);
                 std::mem::replace(then, only).0
             }
             _ => Vec::new(),
@@ -557,17 +535,9 @@ fn begun(pass: LocalId, bound: &Expr, span: Span) -> StmtKind {
 
 /// The passes of a loop with a bound; `over`: one more begins, for its check to tell.
 fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
-    let from = Expr::literal_like(0, &bound);
-    StmtKind::For {
-        variable,
-        from,
-        to: bound,
-        inclusive: over,
-        reversed: false,
-        unroll: None,
-        ended: false,
-        body,
-    }
+    let (from, to) = (Expr::literal_like(0, &bound), bound);
+    let (inclusive, reversed, unroll, ended) = (over, false, None, false);
+    StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
 }
 
 /// Whether an expression is nothing to evaluate once more.
@@ -578,22 +548,11 @@ fn is_calm(expr: &Expr) -> bool {
     }
 }
 
-pub(super) fn alone(kind: StmtKind, span: Span) -> Block {
-    Block(vec![Stmt { kind, span, comments: Vec::new() }])
-}
-
 /// Whether something in the body of a loop ends it.
 fn breaks(body: &Block) -> bool {
     body.0.iter().any(breaks_in)
 }
 
 pub(super) fn breaks_in(stmt: &Stmt) -> bool {
-    match &stmt.kind {
-        StmtKind::Break => true,
-        StmtKind::If { then, otherwise, .. } => breaks(then) || breaks(otherwise),
-        StmtKind::Match { arms, otherwise, .. } => {
-            arms.iter().any(|arm| breaks(&arm.body)) || otherwise.as_ref().is_some_and(breaks)
-        }
-        _ => false,
-    }
+    matches!(stmt.kind, StmtKind::Break) || labelled::branches(stmt).any(breaks)
 }

@@ -115,8 +115,8 @@ impl Frame {
         self.mark.is_none() && self.outermost.is_none()
     }
 
-    /// That of a block, which is left where its mark is declared.
-    pub(super) fn block(label: Option<&str>, target: Option<&Target>) -> Frame {
+    /// That of a loop, with a mark that of a block, which is left where its mark is declared.
+    pub(super) fn of(label: Option<&str>, target: Option<&Target>) -> Frame {
         let (label, target) = (label.map(str::to_owned), target.cloned());
         Frame { label, target, mark: None, outermost: None, pass: false, behind: Vec::new() }
     }

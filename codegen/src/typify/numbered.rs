@@ -6,12 +6,9 @@
 //!
 //! Must not know: what the elements are.
 
-use std::borrow::Cow;
-
 use bessemer_ir::tree::{self, EACH, ExprKind as Tree, NO_SLOT, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Local, LocalId, Mode, Place, Span,
-    Stmt, StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LocalId, Place, Span, StmtKind, Type,
 };
 
 use super::expr::{Operand, two};
@@ -47,15 +44,6 @@ impl Numbered<'_> {
         let is =
             |it: &Numbers| matches!(it.pattern, tree::Pattern::Name { name, .. } if name == wanted);
         self.all.iter().any(is)
-    }
-}
-
-/// The parts of a loop that have elements.
-pub(super) fn with_elements(parts: &[tree::Part]) -> Cow<'_, [tree::Part]> {
-    let counts = |part: &tree::Part| matches!(part.array.kind, Tree::From(_));
-    match parts.iter().any(counts) {
-        true => Cow::Owned(parts.iter().filter(|part| !counts(part)).cloned().collect()),
-        false => Cow::Borrowed(parts),
     }
 }
 
@@ -127,8 +115,7 @@ impl Lowering<'_, '_> {
         let Some(count) = count.filter(|_| of.over) else { return };
         let span = counter.span;
         let there = Expr::compare(CompareOp::Lt, counter.clone(), count);
-        let leave = Stmt { kind: StmtKind::Break, span, comments: Vec::new() };
-        self.emit_if(there.negated(), Block(vec![leave]), span);
+        self.emit_if(there.negated(), Block::of(StmtKind::Break, span), span);
     }
 
     fn one_number(&mut self, numbers: &Numbers, counter: &Expr, site: Site) -> Result<()> {
@@ -160,22 +147,18 @@ impl Lowering<'_, '_> {
             let span = self.span(numbers.site);
             self.emit(StmtKind::Check { condition, fault: Fault::Overflow }, span);
         }
-        let mut names = Vec::new();
-        self.test(numbers.pattern, &Value::Place(place), site, &mut names)?;
-        self.bind_names(&names)
+        self.bind_pattern(numbers.pattern, &Value::Place(place), site)
     }
 
     /// The number of a pass, in a local of its author's name.
     fn local_number(&mut self, pattern: &tree::Pattern, value: Expr) -> Place {
         let name = match pattern {
-            tree::Pattern::Name { name, .. } => name.clone(),
-            _ => words::NEXT.to_owned(),
+            tree::Pattern::Name { name, .. } => name,
+            _ => words::NEXT,
         };
-        let (local, ty, span) = (LocalId(self.locals.len() as u32), value.ty.clone(), value.span);
-        self.locals.push(Local { name, ty: ty.clone(), mode: Mode::Value, span });
-        self.held.insert(local);
-        self.emit(StmtKind::Let { local, value: Some(value) }, span);
-        Place::local(local, ty, span)
+        let place = self.let_local(name, value);
+        self.held.insert(place.root);
+        place
     }
 
     /// The ends of the range of a `for`; of one that has none, the last number of its type, which it is only asked for.

@@ -85,8 +85,7 @@ fn arms(value: &tree::Expr) -> Option<(&tree::Expr, Vec<Arm<'_>>)> {
         }
         Tree::If(condition, then, Some(otherwise)) => {
             let Tree::Let(pattern, subject) = &condition.kind else { return None };
-            let kind = Tree::Block(then.clone());
-            let then = tree::Expr { kind, site: value.site, slot: None };
+            let then = tree::Expr::plain(Tree::Block(then.clone()), value.site);
             let arms =
                 [(&**pattern, Cow::Owned(then)), (&Pattern::Any, Cow::Borrowed(&**otherwise))];
             Some((subject, arms.into()))

@@ -467,6 +467,18 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
+    /// Binds the names of a pattern that takes any such value.
+    pub(super) fn bind_pattern(
+        &mut self,
+        pattern: &tree::Pattern,
+        value: &Value,
+        site: Site,
+    ) -> Result<()> {
+        let mut names = Vec::new();
+        self.test(pattern, value, site, &mut names)?;
+        self.bind_names(&names)
+    }
+
     /// Gives names their meaning: another name for a place, or a copy.
     pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
         for named in names {

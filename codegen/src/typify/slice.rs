@@ -311,20 +311,7 @@ impl Lowering<'_, '_> {
         let index = Place::local(variable, Type::USIZE, span);
         let body = self.scoped(|inner| body(inner, index.load()))?;
         let (from, to) = (slice.from.clone(), slice.to.clone());
-        let (inclusive, reversed) = (false, false);
-        self.emit(
-            StmtKind::For {
-                variable,
-                from,
-                to,
-                inclusive,
-                reversed,
-                unroll: None,
-                ended: false,
-                body,
-            },
-            span,
-        );
+        self.emit(StmtKind::for_range(variable, from, to, body), span);
         Ok(())
     }
 

@@ -2,8 +2,7 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Local, LocalId, Mode, Scalar,
-    StmtKind, Type,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Mode, Scalar, StmtKind, Type,
 };
 
 use super::lowering::Lowering;
@@ -34,35 +33,21 @@ impl Lowering<'_, '_> {
             return problem(site, "only integers are stepped through", OUR_FAULT);
         };
         // What it takes to get on is named for the number.
-        let naming = std::mem::replace(&mut self.naming, name.into());
-        let steps = self.steps(site, int, range, bounds);
-        self.naming = naming;
-        let steps = steps?;
+        let steps = self.naming_as(name, |inner| inner.steps(site, int, range, bounds))?;
         self.repeated(label, None, span, |inner| {
-            let pass = LocalId(inner.locals.len() as u32);
             let passes = steps.passes.clone();
-            let counted = passes.ty.clone();
-            let local = Local { name: words::PASS.into(), ty: counted, mode: Mode::Value, span };
-            inner.locals.push(local);
+            let variable = inner.local(words::PASS, passes.ty.clone(), span);
             let body = inner.scoped(|inner| {
-                let pass = Expr::local(pass, &passes.ty, span);
-                let variable = inner.declare(name, ty.clone(), Mode::Value, span);
+                let pass = Expr::local(variable, &passes.ty, span);
+                let local = inner.declare(name, ty.clone(), Mode::Value, span);
                 let value = Some(number(&steps, pass, &ty));
-                inner.emit(StmtKind::Let { local: variable, value }, span);
+                inner.emit(StmtKind::Let { local, value }, span);
                 inner.statements(body)
             })?;
             let from = Expr::literal_like(0, &passes);
-            let reversed = range.reversed;
-            Ok(StmtKind::For {
-                variable: pass,
-                from,
-                to: passes,
-                inclusive: false,
-                reversed,
-                unroll: None,
-                ended: false,
-                body,
-            })
+            let (to, inclusive, reversed) = (passes, false, range.reversed);
+            let (unroll, ended) = (None, false);
+            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
         })
     }
 
@@ -93,14 +78,10 @@ impl Lowering<'_, '_> {
             let (first, last) = (int.from_word(first), int.from_word(last));
             let end = last + i128::from(range.inclusive);
             let passes = ((end - first).max(0) + i128::from(by) - 1) / i128::from(by);
-            if int.min() == 0 || passes == 0 || first >= 0 {
-                let [step, passes] =
-                    [by, passes as u64].map(|word| Expr::literal_like(word, &from));
-                return Ok(Steps { from, step, passes, constant: true });
-            }
-            let from = from.cast(&Type::USIZE);
+            let constant = int.min() == 0 || passes == 0 || first >= 0;
+            let from = if constant { from } else { from.cast(&Type::USIZE) };
             let [step, passes] = [by, passes as u64].map(|word| Expr::literal_like(word, &from));
-            return Ok(Steps { from, step, passes, constant: false });
+            return Ok(Steps { from, step, passes, constant });
         }
         if int.min() < 0 || range.inclusive && by == 1 {
             return Ok(self.any_steps(int, range.inclusive, [from, to], step));

@@ -11,7 +11,6 @@
 use bessemer_ir::tree::{self, Builtin, MatrixMethod, MatrixPart, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, Type};
 
-use super::bounded::up_to;
 use super::call::Called;
 use super::elements::Submatrix;
 use super::lengths::plus;
@@ -246,7 +245,7 @@ impl<'a> Lowering<'a, '_> {
         span: Span,
         element: impl Fn(Expr, Expr) -> StmtKind,
     ) -> Result<()> {
-        let at = |root| Place::local(root, Type::USIZE, span).load();
+        let at = |root| Expr::local(root, &Type::USIZE, span);
         let zero = || Expr::usize(0, span);
         let [rows, cols] = [part.rows, part.cols].map(|it| Expr::usize(u64::from(it), span));
         let down = |walk: &mut Self, column: Expr| {
@@ -255,7 +254,7 @@ impl<'a> Lowering<'a, '_> {
                 walk.emit(element(at(row), column), span);
                 Ok(())
             })?;
-            Ok(up_to(row, rows, body))
+            Ok(StmtKind::for_below(row, rows, body))
         };
         if part.cols == 1 {
             return self.repeated(None, None, span, |walk| down(walk, zero()));
@@ -269,7 +268,7 @@ impl<'a> Lowering<'a, '_> {
                 }
                 _ => walk.repeated(None, None, span, |walk| down(walk, at(column))),
             })?;
-            Ok(up_to(column, cols, body))
+            Ok(StmtKind::for_below(column, cols, body))
         })
     }
 

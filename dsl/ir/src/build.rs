@@ -151,6 +151,11 @@ impl StmtKind {
         let (inclusive, reversed, unroll, ended) = (false, false, None, false);
         StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
     }
+
+    /// `for variable in 0..to`.
+    pub fn for_below(variable: LocalId, to: Expr, body: Block) -> StmtKind {
+        StmtKind::for_range(variable, Expr::literal_like(0, &to), to, body)
+    }
 }
 
 impl Block {

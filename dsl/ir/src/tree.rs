@@ -571,6 +571,22 @@ pub enum Pattern {
     Fields(String, Vec<(String, Pattern)>),
 }
 
+impl ExprKind {
+    /// A loop through all elements from the first on, each with its index if that has a name.
+    pub fn each(index: Option<&str>, part: Part, pass: Expr) -> ExprKind {
+        let (index, parts) = (index.map(Into::into), alloc::vec![part]);
+        let body = Block { stmts: alloc::vec![Stmt::Expr(pass)], tail: None };
+        ExprKind::Each { label: None, index, parts, order: Order::Up, cuts: Vec::new(), body }
+    }
+}
+
+impl Pattern {
+    /// A name that no author gave.
+    pub fn name(name: &str) -> Pattern {
+        Pattern::Name { name: name.into(), slot: NO_SLOT, mutable: false, inner: None }
+    }
+}
+
 /// Operators of one operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[allow(missing_docs)]

@@ -69,6 +69,13 @@ pub struct Part {
     pub reversed: bool,
 }
 
+impl Part {
+    /// Each element by itself, from the first on.
+    pub fn of(pattern: Pattern, array: Expr, owned: bool) -> Part {
+        Part { pattern, array, owned, group: None, reversed: false }
+    }
+}
+
 /// The left side of an assignment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Places {
