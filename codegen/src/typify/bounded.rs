@@ -44,12 +44,9 @@ impl Lowering<'_, '_> {
                 "write `m[(row, column)]`",
             );
         };
+        let remedy = "write `m[(row, column)]`";
         let [row, column] = parts.as_slice() else {
-            return problem(
-                index.site,
-                "this takes a row and a column",
-                "write `m[(row, column)]`",
-            );
+            return problem(index.site, "this takes a row and a column", remedy);
         };
         let mark = self.out.len();
         let usize = Some(Type::USIZE);
@@ -74,11 +71,7 @@ impl Lowering<'_, '_> {
         if let Some(condition) = condition {
             self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
         }
-        let of_column = Type::Array { element: Box::new(element.clone()), len: rows };
-        let all = Type::Array { element: Box::new(of_column.clone()), len: columns };
-        let elements = place.inside(Step::Field(2), all);
-        let column = elements.inside(Step::Index(column), of_column);
-        Ok(Place { span, ..column.inside(Step::Index(row), element) })
+        Ok(element_at(&place, (element, rows, columns), [row, column], span))
     }
 
     /// A `BoundedMatrix` that a loop goes through, if it has a name.
@@ -97,8 +90,6 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let Some((element, rows, columns)) = self.bounded_type(&matrix.ty) else { return Ok(()) };
         let matrix = self.held_still(matrix);
-        let of_column = Type::Array { element: Box::new(element.clone()), len: rows };
-        let all = Type::Array { element: Box::new(of_column.clone()), len: columns };
         let mut size = |name, field, most: u32| {
             let size = matrix.inside(Step::Field(field), Type::USIZE).load();
             self.steady(name, least(size, Expr::usize(u64::from(most), span)))
@@ -112,9 +103,8 @@ impl Lowering<'_, '_> {
             let through = |walk: &mut Self| {
                 let row = walk.counter("row", span);
                 walk.counters.push(row);
-                let place = matrix.inside(Step::Field(2), all);
-                let place = place.inside(Step::Index(at(column)), of_column);
-                let place = Place { span, ..place.inside(Step::Index(at(row)), element) };
+                let at = [at(row), at(column)];
+                let place = element_at(&matrix, (element, rows, columns), at, span);
                 let block = walk.scoped(|walk| {
                     walk.bind_pattern(&part.pattern, &Value::Place(place), site)?;
                     walk.pass_of(label, outermost, |walk| walk.statements(body))
@@ -127,6 +117,19 @@ impl Lowering<'_, '_> {
             Ok(StmtKind::for_below(column, end_columns, block))
         })
     }
+}
+
+/// The element at a row and a column, which are known to be there.
+fn element_at(
+    matrix: &Place,
+    (element, rows, columns): (Type, u32, u32),
+    [row, column]: [Expr; 2],
+    span: Span,
+) -> Place {
+    let of_column = Type::Array { element: Box::new(element.clone()), len: rows };
+    let all = Type::Array { element: Box::new(of_column.clone()), len: columns };
+    let column = matrix.inside(Step::Field(2), all).inside(Step::Index(column), of_column);
+    Place { span, ..column.inside(Step::Index(row), element) }
 }
 
 /// Whether lowering an expression as a place computes nothing.

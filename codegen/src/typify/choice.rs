@@ -306,9 +306,7 @@ impl Lowering<'_, '_> {
         let (mut cases, mut otherwise) = (Vec::<Arm>::new(), None);
         for (arm, words) in arms.iter().zip(words) {
             let body = self.scoped(|inner| {
-                let mut names = Vec::new();
-                inner.test(&arm.pattern, &subject, arm.site, &mut names)?;
-                inner.bind_names(&names)?;
+                inner.bind_pattern(&arm.pattern, &subject, arm.site)?;
                 inner.arm_body(&arm.body, target)
             })?;
             let Some(mut values) = words else {

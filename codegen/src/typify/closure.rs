@@ -28,34 +28,29 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The closure's parameter, and its body.
-fn parts(closure: &Expr) -> Option<(Pattern, &Expr)> {
-    match &closure.kind {
-        ExprKind::Closure(it) => {
-            Some((it.parameters.first().cloned().unwrap_or(Pattern::Any), &it.body))
-        }
-        _ => None,
-    }
-}
-
 /// `array.map(|x| …)`: a loop that assigns each element.
 fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
-    let (pattern, value) = parts(closure)?;
+    let ExprKind::Closure(closure) = &closure.kind else { return None };
+    let pattern = closure.parameters.first().cloned().unwrap_or(Pattern::Any);
     let site = expr.site;
     let plain = |kind| Expr::plain(kind, site);
     let local = |name: &str| Box::new(Expr::local(name, site));
     let (name, index) = ("%mapped", "%i");
     let element = Box::new(plain(ExprKind::Index(local(name), local(index))));
-    let assign = plain(ExprKind::Assign(None, element, Box::new(value.clone())));
+    let assign = plain(ExprKind::Assign(None, element, closure.body.clone()));
     let part = tree::Part::of(pattern, array.clone(), true);
     let each = plain(ExprKind::each(Some(index), part, assign));
-    let kind = ExprKind::Fold { name: name.into(), start: Start::Elements, each: Box::new(each) };
-    Some(Expr { kind, site, slot: expr.slot })
+    Some(fold(name, Start::Elements, Box::new(each), expr))
+}
+
+/// A loop that gathers under a name, in the place of `expr`.
+fn fold(name: &str, start: Start, each: Box<Expr>, expr: &Expr) -> Expr {
+    let kind = ExprKind::Fold { name: name.into(), start, each };
+    Expr { kind, site: expr.site, slot: expr.slot }
 }
 
 /// `items.sum()`, `items.product()`: a loop that adds each item to what it has so far, or multiplies by it.
 fn together(how: Together, items: &Expr, expr: &Expr) -> Expr {
-    let plain = |kind| Expr::plain(kind, expr.site);
     let (name, start, op) = match how {
         Together::Product => ("%product", Start::Product, tree::BinaryOp::Mul),
         _ => ("%sum", Start::Sum, tree::BinaryOp::Add),
@@ -66,7 +61,7 @@ fn together(how: Together, items: &Expr, expr: &Expr) -> Expr {
         ExprKind::Assign(Some(op), so_far, Box::new(item))
     })
     .expr(&mut each);
-    Expr { slot: expr.slot, ..plain(ExprKind::Fold { name: name.into(), start, each }) }
+    fold(name, start, each, expr)
 }
 
 /// `items.try_fold(start, |so_far, item| …)`: what comes of what was gathered so far and of the item, until nothing does.
@@ -95,8 +90,7 @@ fn tried(arguments: &[Expr], expr: &Expr) -> Option<Expr> {
         ExprKind::Block(Block { stmts, tail: None })
     })
     .expr(&mut each);
-    let start = Start::Tried(Box::new(start.clone()));
-    Some(Expr { slot: expr.slot, ..plain(ExprKind::Fold { name: name.into(), start, each }) })
+    Some(fold(name, Start::Tried(Box::new(start.clone())), each, expr))
 }
 
 /// Puts what is done with an item in the place of handing it on.

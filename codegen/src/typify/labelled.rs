@@ -103,7 +103,7 @@ impl Leaving {
         let mut done = Vec::new();
         let mut rest = block.0.into_iter();
         while let Some(next) = rest.next() {
-            if self.is_mark(&next) {
+            if is_mark(&next, self.mark) {
                 if followed {
                     done.push(Stmt { kind: self.raise(next.span), ..next });
                 }
@@ -164,13 +164,9 @@ impl Leaving {
         StmtKind::Assign { place, value: Expr::bool(true, span) }
     }
 
-    fn is_mark(&self, stmt: &Stmt) -> bool {
-        is_mark(stmt, self.mark)
-    }
-
     fn is_left_in(&self, stmt: &Stmt) -> bool {
         let mut inner = branches(stmt).flat_map(|block| &block.0);
-        inner.any(|stmt| self.is_mark(stmt) || self.is_left_in(stmt))
+        inner.any(|stmt| is_mark(stmt, self.mark) || self.is_left_in(stmt))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference is
 //! another name for the content.
 
-use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, NO_SLOT, OptionMethod, Ty};
+use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Ty};
 use bessemer_ir::{Block, Fault, Place, StmtKind, StructId};
 
 use super::borrowed::is_element;
@@ -104,9 +104,7 @@ impl Lowering<'_, '_> {
         let Some((lent, otherwise)) = self.tried_lent(tried) else {
             return self.tried_element(tried);
         };
-        let name =
-            tree::Pattern::Name { name: TRIED.into(), slot: NO_SLOT, mutable: false, inner: None };
-        self.take_apart(&there(name), &lent, Some(&otherwise))?;
+        self.take_apart(&there(tree::Pattern::name(TRIED)), &lent, Some(&otherwise))?;
         let (meaning, span) = (self.lookup(TRIED, tried.site)?, self.span(tried.site));
         let mut place = self.place_of(&meaning, span);
         if let Some(place) = &mut place {

@@ -156,8 +156,8 @@ impl<'e> Rewriting<'e> {
             let (name, slot, value) = (hidden(&param.name), NO_SLOT, argument.clone());
             if let ExprKind::Ref(..) = value.kind {
                 // Another name of its place.
-                let pattern = Pattern::Name { name, slot, mutable: false, inner: None };
-                return Stmt::Apart { pattern: Box::new(pattern), value, otherwise: None, site };
+                let pattern = Box::new(Pattern::name(&name));
+                return Stmt::Apart { pattern, value, otherwise: None, site };
             }
             Stmt::Let { name, slot, value: Some(value), site, mutable: param.mutable }
         };

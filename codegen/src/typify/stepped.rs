@@ -128,11 +128,7 @@ impl Lowering<'_, '_> {
             Some(_) if from_zero => Expr::literal_like(1, &held),
             Some(last) => Expr::compare(CompareOp::Le, held.clone(), last).cast(&held.ty),
             // A step of 1 leaves no rest, so this cannot leave the type.
-            None => {
-                let rest = Expr::binary(BinaryOp::Rem, length, step.clone());
-                let none = Expr::literal_like(0, &rest);
-                Expr::compare(CompareOp::Ne, rest, none).cast(&held.ty)
-            }
+            None => leaves_rest(length, step.clone()).cast(&held.ty),
         };
         let passes =
             self.temporary("passes", Expr::intrinsic(Intrinsic::WrappingAdd, vec![whole, more]));
@@ -177,11 +173,7 @@ impl Lowering<'_, '_> {
         let whole = Expr::binary(BinaryOp::Div, length.clone(), step.clone());
         let more = match inclusive {
             true => Expr::compare(CompareOp::Le, from.clone(), to),
-            false => {
-                let rest = Expr::binary(BinaryOp::Rem, length, step.clone());
-                let none = Expr::literal_like(0, &rest);
-                Expr::compare(CompareOp::Ne, rest, none)
-            }
+            false => leaves_rest(length, step.clone()),
         };
         let more = more.cast(&Type::USIZE);
         // All numbers of 64 bits are one more than `usize` counts to, and nobody gets that far.
@@ -189,6 +181,13 @@ impl Lowering<'_, '_> {
         let passes = self.temporary("passes", Expr::intrinsic(add, vec![whole, more]));
         Steps { from: from.cast(&Type::USIZE), step, passes, constant: false }
     }
+}
+
+/// Whether the last step is a shorter one.
+fn leaves_rest(length: Expr, step: Expr) -> Expr {
+    let rest = Expr::binary(BinaryOp::Rem, length, step);
+    let none = Expr::literal_like(0, &rest);
+    Expr::compare(CompareOp::Ne, rest, none)
 }
 
 /// The number of a pass.
