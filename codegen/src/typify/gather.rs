@@ -41,12 +41,13 @@ impl Lowering<'_, '_> {
         // Where a block stands around the loop, what begins it may not be parted from it.
         let mut passes = source.split_off(passes.unwrap_or(0));
         self.out.extend(source);
-        if !is_free_to_begin(&begun) {
+        if !beginning(&begun).is_some_and(is_free) {
             self.settle_bounds(passes.first_mut());
         }
         // Rust looks for what is gathered before it computes what to begin with.
         let source = self.later(mark);
-        match is_first(&begun, &source) {
+        let is_first = |value: &Expr| is_settled(value, &source);
+        match source.is_empty() || beginning(&begun).is_some_and(is_first) {
             true => self.out.extend(begun.into_iter().chain(source)),
             false => self.out.extend(source.into_iter().chain(begun)),
         }
@@ -111,14 +112,4 @@ fn beginning(begun: &[Stmt]) -> Option<&Expr> {
         [Stmt { kind: StmtKind::Let { value: Some(value), .. }, .. }] => Some(value),
         _ => None,
     }
-}
-
-/// Whether what a fold begins with may be computed at any time.
-fn is_free_to_begin(begun: &[Stmt]) -> bool {
-    beginning(begun).is_some_and(is_free)
-}
-
-/// Whether what a fold begins with may be computed before its source.
-fn is_first(begun: &[Stmt], source: &[Stmt]) -> bool {
-    source.is_empty() || beginning(begun).is_some_and(|value| is_settled(value, source))
 }
