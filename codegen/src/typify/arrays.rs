@@ -1,10 +1,10 @@
-//! Slices as arrays: `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`.
+//! What becomes an array, and what an array becomes: slices as arrays, `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`;
+//! matrices from arrays of their elements, `Vector3::from([x, y, z])`, by columns as nalgebra has it, and arrays from matrices.
 
 use bessemer_ir::tree::{self, Builtin, SliceMethod};
-use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Fault, Stmt, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, Type};
 
-use super::elements::Slice;
-use super::lengths::plus;
+use super::elements::{SMALL, Slice};
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
@@ -22,7 +22,7 @@ impl Lowering<'_, '_> {
         let none = self.choice(id, 0, None, expr.site)?;
         let place = self.temporary_place("part", none);
         let (held, value) = (place.load(), self.choice(id, 1, Some(array), expr.site)?);
-        let then = Block(vec![Stmt::new(StmtKind::Assign { place, value }, span)]);
+        let then = Block::of(StmtKind::Assign { place, value }, span);
         self.emit_if(there, then, span);
         Ok(held)
     }
@@ -81,22 +81,125 @@ impl Lowering<'_, '_> {
                 "declare the array, and call `copy_from_slice`",
             );
         }
-        let wanted = u64::from(len);
-        let there = match slice.length.kind {
-            ExprKind::Literal(length) => {
-                let enough = if whole { length == wanted } else { length >= wanted };
-                Expr::bool(enough, span)
-            }
-            _ => {
-                let op = if whole { CompareOp::Eq } else { CompareOp::Ge };
-                Expr::compare(op, slice.length.clone(), Expr::usize(wanted, span)).at(span)
-            }
+        Ok((slice.has(len.into(), whole, span), slice.as_array(ty, span)))
+    }
+
+    /// A matrix from an array, or an array from a matrix.
+    pub(super) fn exchanged_with_array(
+        &mut self,
+        from: &tree::Expr,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
+        if let (Type::Matrix { element, .. }, Some(elements)) = (&ty, leaves(from))
+            && self.are_numbers(&elements)?
+        {
+            let elements = self.uniform(&elements, Some(Type::Scalar(*element)))?;
+            return self.node(ExprKind::Matrix(elements), ty, expr.site);
+        }
+        let mut source = self.base(from)?;
+        self.keep_indices(&mut source, |index| !index.is_literal());
+        let (outer, inner) = match (dimensions(&ty), dimensions(&source.ty)) {
+            (Some(dimensions), None) | (None, Some(dimensions)) => dimensions,
+            _ => return problem(expr.site, "this is no array of a matrix' elements", OUR_FAULT),
         };
-        let element = |index| slice.at(plus(slice.from.clone(), Expr::usize(index, span))).load();
-        let kind = ExprKind::Array((0..wanted).map(element).collect());
-        Ok((there, Expr { kind, ty, span }))
+        let span = self.span(expr.site);
+        if outer * inner.unwrap_or(1) <= SMALL {
+            return self.node(written_out(&source, &ty, (outer, inner), span), ty, expr.site);
+        }
+        let whole = self.zero(&ty, span);
+        let result = self.temporary_place("elements", whole);
+        let i = self.counter(if inner.is_some() { "col" } else { "i" }, span);
+        let row = inner.map(|_| self.counter("row", span));
+        let local = |root| Expr::local(root, &Type::USIZE, span);
+        let at = (local(i), row.map(local));
+        let (place, value) = (cell(&result, &at, span), cell(&source, &at, span).load());
+        let mut body = Block::of(StmtKind::Assign { place, value }, span);
+        let count = |count: u32| Expr::usize(u64::from(count), span);
+        if let (Some(row), Some(rows)) = (row, inner) {
+            body = Block::of(StmtKind::for_below(row, count(rows), body), span);
+        }
+        self.emit(StmtKind::for_below(i, count(outer), body), span);
+        Ok(result.load())
+    }
+
+    /// Whether what is written out are elements, and not columns that have names.
+    fn are_numbers(&mut self, elements: &[tree::Expr]) -> Result<bool> {
+        match elements.first() {
+            Some(first) => Ok(matches!(self.type_alone(first)?, Type::Scalar(_))),
+            None => Ok(false),
+        }
     }
 }
 
 /// How many elements are written out at most.
 const MOST: u32 = 32;
+
+/// The elements of an array that is written out, or of one of such arrays.
+fn leaves(array: &tree::Expr) -> Option<Vec<tree::Expr>> {
+    let tree::ExprKind::Array(items) = &array.kind else { return None };
+    let nested: Vec<_> = items.iter().map(leaves).collect();
+    match nested.iter().all(Option::is_none) {
+        true => Some(items.clone()),
+        false => nested.into_iter().collect::<Option<Vec<_>>>().map(|lists| lists.concat()),
+    }
+}
+
+/// The length of an array, and of the arrays in it.
+fn dimensions(ty: &Type) -> Option<(u32, Option<u32>)> {
+    match ty {
+        Type::Array { element, len } => match &**element {
+            Type::Array { len: inner, .. } => Some((*len, Some(*inner))),
+            _ => Some((*len, None)),
+        },
+        _ => None,
+    }
+}
+
+/// The part of an array or a matrix at a column and a row, or at an index.
+fn cell(whole: &Place, (outer, inner): &(Expr, Option<Expr>), span: Span) -> Place {
+    match (&whole.ty, inner) {
+        (Type::Matrix { element, rows, .. }, inner) => {
+            let (row, col) = match inner {
+                Some(row) => (row.clone(), outer.clone()),
+                None if *rows == 1 => (Expr::usize(0, span), outer.clone()),
+                None => (outer.clone(), Expr::usize(0, span)),
+            };
+            whole.inside(Step::Element(row, col), Type::Scalar(*element))
+        }
+        (Type::Array { element, .. }, inner) => {
+            let part = whole.inside(Step::Index(outer.clone()), (**element).clone());
+            match (&part.ty, inner) {
+                (Type::Array { element, .. }, Some(row)) => {
+                    let element = (**element).clone();
+                    part.inside(Step::Index(row.clone()), element)
+                }
+                _ => part,
+            }
+        }
+        _ => whole.clone(),
+    }
+}
+
+/// The value of few elements.
+fn written_out(
+    source: &Place,
+    ty: &Type,
+    (outer, inner): (u32, Option<u32>),
+    span: Span,
+) -> ExprKind {
+    let index = |index: u32| Expr::usize(u64::from(index), span);
+    let column = |col: u32| -> Vec<Expr> {
+        let rows = inner.map_or(vec![None], |rows| (0..rows).map(|row| Some(index(row))).collect());
+        rows.into_iter().map(|row| cell(source, &(index(col), row), span).load()).collect()
+    };
+    match (ty, inner) {
+        (Type::Array { element, .. }, Some(_)) => {
+            let array =
+                |col| Expr { kind: ExprKind::Array(column(col)), ty: (**element).clone(), span };
+            ExprKind::Array((0..outer).map(array).collect())
+        }
+        (Type::Array { .. }, None) => ExprKind::Array((0..outer).flat_map(column).collect()),
+        _ => ExprKind::Matrix((0..outer).flat_map(column).collect()),
+    }
+}

@@ -45,9 +45,8 @@ impl Lowering<'_, '_> {
     pub(super) fn put_awaited(&mut self) -> Result<()> {
         for Awaited { stands, element, of, site, help } in std::mem::take(&mut self.lenders.awaited)
         {
-            let mut known = self.lenders.known.iter();
-            let lender = known.find(|it| it.0 == of.0 && it.1 == of.1).map(|it| it.2.clone());
-            let Some(lender) = lender.filter(|it| it.root != stands) else {
+            let lender = self.lenders.of(of.0, &of.1).filter(|it| it.root != stands);
+            let Some(lender) = lender else {
                 // Where it was shown, and refused.
                 if let Some(told) = self.lenders.problem.take() {
                     return Err(told);

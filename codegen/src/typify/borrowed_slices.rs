@@ -40,11 +40,7 @@ impl Lowering<'_, '_> {
         let compared =
             |op, one: &Expr, other: &Expr| Expr::compare(op, one.clone(), other.clone()).at(span);
         let length = array.length.clone();
-        let has = |count: u64| match (&length.kind, count) {
-            (ExprKind::Literal(length), _) => Expr::bool(*length >= count, span),
-            (_, 1) => compared(CompareOp::Gt, &length, &zero),
-            _ => compared(CompareOp::Ge, &length, &Expr::usize(count, span)),
-        };
+        let has = |count: u32| array.has(count.into(), false, span);
         Ok(Some(match (method, at) {
             (M::Get | M::GetMut, [index]) => {
                 let index = self.steady_index(words::INDEX, index)?;
@@ -75,13 +71,13 @@ impl Lowering<'_, '_> {
             (M::SplitFirstChunk(count), _) => {
                 let begun = Expr::usize(u64::from(count), span);
                 let chunk = slice(array.part(zero.clone(), begun.clone()));
-                maybe(has(count.into()), pair(chunk, slice(array.behind(begun))))
+                maybe(has(count), pair(chunk, slice(array.behind(begun))))
             }
             (M::SplitLastChunk(count), _) => {
                 let count_of = Expr::usize(u64::from(count), span);
                 let less = minus(length.clone(), count_of.clone());
                 let chunk = Slice { length: count_of, ..array.behind(less.clone()) };
-                maybe(has(count.into()), pair(slice(array.part(zero.clone(), less)), slice(chunk)))
+                maybe(has(count), pair(slice(array.part(zero.clone(), less)), slice(chunk)))
             }
             _ => {
                 let first = Value::Place(array.at(array.from.clone()));
@@ -93,7 +89,11 @@ impl Lowering<'_, '_> {
                     M::SplitFirst => pair(first, slice(array.behind(one))),
                     _ => pair(last, slice(array.part(zero.clone(), less))),
                 };
-                maybe(has(1), lent)
+                let there = match length.kind {
+                    ExprKind::Literal(_) => has(1),
+                    _ => compared(CompareOp::Gt, &length, &zero),
+                };
+                maybe(there, lent)
             }
         }))
     }
@@ -154,19 +154,10 @@ impl Lowering<'_, '_> {
         let behind = rest.map_or(0, |rest| patterns.len() - rest - 1);
         let before = patterns.len() - behind - usize::from(rest.is_some());
         let fixed = (before + behind) as u64;
-        let wanted = Expr::usize(fixed, span);
-        let mut all = match (rest, &slice.length.kind) {
-            // rustc has counted the elements of an array, and not those of `&values[3..]`.
-            (rest, ExprKind::Literal(length)) => {
-                let fits = if rest.is_some() { *length >= fixed } else { *length == fixed };
-                (!fits).then(|| Expr::bool(false, span))
-            }
-            (Some(_), _) if fixed == 0 => None,
-            (Some(_), _) => {
-                Some(Expr::compare(CompareOp::Ge, slice.length.clone(), wanted).at(span))
-            }
-            (None, _) => Some(Expr::compare(CompareOp::Eq, slice.length.clone(), wanted).at(span)),
-        };
+        // rustc has counted the elements of an array, and not those of `&values[3..]`.
+        let there = slice.has(fixed, rest.is_none(), span);
+        let always = there.kind == ExprKind::Literal(1) || (rest.is_some() && fixed == 0);
+        let mut all = (!always).then_some(there);
         for (index, pattern) in patterns.iter().enumerate() {
             let at = if index < before {
                 plus(slice.from.clone(), Expr::usize(index as u64, span))
@@ -203,7 +194,7 @@ impl Lowering<'_, '_> {
         };
         let Ok(len) = u32::try_from(length) else { return problem(site, LENT, TAKE_APART) };
         let ty = Type::Array { element: Box::new(part.element.clone()), len };
-        Ok(elements_of(&part, ty, self.span(site)))
+        Ok(part.as_array(ty, self.span(site)))
     }
 
     /// The name of a part: the part itself, or a copy where the author takes its value.
@@ -223,7 +214,7 @@ impl Lowering<'_, '_> {
             return problem(site, "a slice is no value", "match what `&` refers to");
         };
         let span: Span = self.span(site);
-        let value = Some(elements_of(part, ty.clone(), span));
+        let value = Some(part.as_array(ty.clone(), span));
         let local = self.declare(name, ty, Mode::Value, span);
         self.emit(StmtKind::Let { local, value }, span);
         Ok(())
@@ -249,14 +240,6 @@ fn lends(method: SliceMethod) -> bool {
             | M::SplitLastChunk(_)
             | M::SplitAt
     )
-}
-
-/// A copy of the elements, of which there are as many as the type has.
-fn elements_of(part: &Slice, ty: Type, span: Span) -> Expr {
-    let len = if let Type::Array { len, .. } = ty { len } else { 0 };
-    let element =
-        |index: u32| part.at(plus(part.from.clone(), Expr::usize(u64::from(index), span))).load();
-    Expr { kind: ExprKind::Array((0..len).map(element).collect()), ty, span }
 }
 
 /// The refusal of a reference that is kept.

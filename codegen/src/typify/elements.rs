@@ -1,6 +1,8 @@
 //! Elements of an array in a row: a slice, known by its base and its ends; and a part of a matrix, known by where it begins.
 
-use bessemer_ir::{Argument, BinaryOp, Expr, Mode, Place, Scalar, Step, Type};
+use bessemer_ir::{
+    Argument, BinaryOp, CompareOp, Expr, ExprKind, LocalId, Mode, Place, Scalar, Span, Step, Type,
+};
 
 use super::lengths::{is_number, minus, plus};
 
@@ -29,6 +31,12 @@ impl Slice {
     pub fn whole(base: Place, element: Type, length: Expr) -> Slice {
         let from = Expr::usize(0, base.span);
         Slice { base, element, from, to: length.clone(), length, whole: true, within: None }
+    }
+
+    /// All elements of a parameter that is a slice; the next parameter is its length.
+    pub fn parameter(root: LocalId, element: Type, span: Span) -> Slice {
+        let base = Place::local(root, Type::Slice(Box::new(element.clone())), span);
+        Slice::whole(base, element, Expr::local(LocalId(root.0 + 1), &Type::USIZE, span))
     }
 
     /// The type of what is lent.
@@ -75,6 +83,24 @@ impl Slice {
     pub fn behind(&self, begin: Expr) -> Slice {
         let length = minus(self.length.clone(), begin.clone());
         Slice { from: plus(self.from.clone(), begin), length, whole: false, ..self.clone() }
+    }
+
+    /// Whether there are `count` elements, or no fewer where not `exact`; known of an array.
+    pub fn has(&self, count: u64, exact: bool, span: Span) -> Expr {
+        let op = if exact { CompareOp::Eq } else { CompareOp::Ge };
+        match self.length.kind {
+            ExprKind::Literal(length) if exact => Expr::bool(length == count, span),
+            ExprKind::Literal(length) => Expr::bool(length >= count, span),
+            _ => Expr::compare(op, self.length.clone(), Expr::usize(count, span)).at(span),
+        }
+    }
+
+    /// A copy of the elements, of which there are as many as the array type has.
+    pub fn as_array(&self, ty: Type, span: Span) -> Expr {
+        let len = if let Type::Array { len, .. } = ty { len } else { 0 };
+        let index = |index: u32| plus(self.from.clone(), Expr::usize(u64::from(index), span));
+        let elements = (0..len).map(|at| self.at(index(at)).load()).collect();
+        Expr { kind: ExprKind::Array(elements), ty, span }
     }
 
     /// The argument that a call passes for it.

@@ -549,9 +549,14 @@ impl Lowering<'_, '_> {
 
     /// Its place.
     pub(super) fn temporary_place(&mut self, role: &str, value: Expr) -> Place {
-        let place = self.let_local(self.temporary_name(role), value);
+        let place = self.mutable_place(role, value);
         self.held.insert(place.root);
         place
+    }
+
+    /// The same, which may be written again.
+    pub(super) fn mutable_place(&mut self, role: &str, value: Expr) -> Place {
+        self.let_local(self.temporary_name(role), value)
     }
 
     /// Lowers with a name for what its author left unnamed.

@@ -67,16 +67,14 @@ impl Lowering<'_, '_> {
         }
         let span = self.span(site);
         let elements = Elements { operands, scalar: Type::Scalar(*element), span };
-        let zero = Expr::literal(0, elements.scalar.clone(), span);
-        let zeros = Expr { kind: ExprKind::Splat(Box::new(zero)), ty: ty.clone(), span };
-        let result = self.temporary_place(name, zeros);
+        let result = self.temporary_place(name, self.zero(&ty, span));
         let row = self.counter_of(*rows, "row", span);
         let col = self.counter_of(*cols, "col", span);
         let mut counters = vec![(row, *rows), (col, *cols)];
         let at = (elements.index(row), elements.index(col));
         let place = elements.cell(&result, at.clone());
         let value = match each {
-            Each::Negated => elements.negative(elements.at(0, at)),
+            Each::Negated => Expr::unary(UnaryOp::Neg, elements.at(0, at)).at(span),
             Each::Joined(op) => elements.joined(op, elements.at(0, at.clone()), elements.at(1, at)),
             Each::Terms => {
                 let terms = elements.terms();
@@ -139,10 +137,6 @@ impl Elements {
             Type::Matrix { cols, .. } => cols,
             _ => 0,
         }
-    }
-
-    fn negative(&self, value: Expr) -> Expr {
-        Expr::unary(UnaryOp::Neg, value).at(self.span)
     }
 
     fn joined(&self, op: BinaryOp, one: Expr, other: Expr) -> Expr {

@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
     Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Mode, Place,
-    Routine, Scalar, Span, Step, StmtKind, Type,
+    Routine, Scalar, Step, StmtKind, Type,
 };
 
 use super::lowering::Lowering;
@@ -74,7 +74,7 @@ impl Lowering<'_, '_> {
             self.keep_indices(&mut place, |index| !index.is_literal());
             let place = match place.ty {
                 Type::Matrix { rows, cols, .. } if place.ty != ty => {
-                    let columns = self.columns(&place, &ty);
+                    let columns = self.mutable_place("columns", self.zero(&ty, place.span));
                     self.copy_columns(&place, &columns, (rows, cols), true)?;
                     if mode == Mode::RefMut {
                         back.push((place, columns.clone(), (rows, cols)));
@@ -93,43 +93,20 @@ impl Lowering<'_, '_> {
         if let Some(Type::Matrix { element, rows, cols }) = by_columns
             && !matches!(call.ty, Type::Matrix { .. })
         {
-            let columns = self.temporary_local("columns", call.ty.clone(), span);
-            let columns = Place::local(columns, call.ty.clone(), span);
-            self.emit(StmtKind::Let { local: columns.root, value: Some(call) }, span);
-            let matrix = self.zeros("result", Type::Matrix { element, rows, cols }, element, span);
+            let columns = self.mutable_place("columns", call);
+            let ty = Type::Matrix { element, rows, cols };
+            let matrix = self.mutable_place("result", self.zero(&ty, span));
             self.copy_columns(&matrix, &columns, (rows, cols), false)?;
             return Ok(matrix.load());
         }
         if back.is_empty() {
             return Ok(call);
         }
-        let value = match call.ty {
-            Type::Unit => {
-                self.emit(StmtKind::Expr(call), span);
-                Expr::literal(0, Type::Unit, span)
-            }
-            _ => self.temporary("solved", call),
-        };
+        let value = self.called_here("solved", call);
         for (place, columns, shape) in back {
             self.copy_columns(&place, &columns, shape, false)?;
         }
         Ok(value)
-    }
-
-    /// An array for the elements of a matrix.
-    fn columns(&mut self, matrix: &Place, ty: &Type) -> Place {
-        let Type::Matrix { element, .. } = matrix.ty else { return matrix.clone() };
-        self.zeros("columns", ty.clone(), element, matrix.span)
-    }
-
-    /// A variable of zeros.
-    fn zeros(&mut self, name: &str, ty: Type, element: Scalar, span: Span) -> Place {
-        let local = self.temporary_local(name, ty.clone(), span);
-        let zero = Expr::literal(0, Type::Scalar(element), span);
-        let kind = ExprKind::Splat(Box::new(zero));
-        let value = Some(Expr { kind, ty: ty.clone(), span });
-        self.emit(StmtKind::Let { local, value }, span);
-        Place::local(local, ty, span)
     }
 
     /// Loops that copy a matrix to an array of its elements, by columns, or back.

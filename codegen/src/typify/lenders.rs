@@ -98,9 +98,8 @@ impl Lowering<'_, '_> {
     fn all_lent(&mut self, lender: &Place) -> Option<Slice> {
         match &lender.ty {
             Type::Slice(element) => {
-                let length = LocalId(lender.root.0 + 1);
-                let length = Expr::local(length, &Type::USIZE, lender.span);
-                Some(Slice::whole(lender.clone(), (**element).clone(), length))
+                let all = Slice::parameter(lender.root, (**element).clone(), lender.span);
+                Some(Slice { base: lender.clone(), ..all })
             }
             _ => self.all_of(lender.clone()),
         }
@@ -108,9 +107,7 @@ impl Lowering<'_, '_> {
 
     /// The lender of the slice at a place.
     pub(super) fn lender_of(&self, place: &Place) -> Option<Place> {
-        let path = path_of(place);
-        let mut known = self.lenders.known.iter();
-        known.find(|it| it.0 == place.root && it.1 == path).map(|it| it.2.clone())
+        self.lenders.of(place.root, &path_of(place))
     }
 
     /// Follows the slices in a value to the place where a statement puts it.
@@ -149,7 +146,7 @@ impl Lowering<'_, '_> {
                 let path = path_of(place);
                 for (inside, _) in self.cx.slices_in(&value.ty) {
                     let from = (place.root, [&path[..], &inside].concat());
-                    if !self.lenders.known.iter().any(|it| (it.0, &it.1) == (from.0, &from.1)) {
+                    if self.lenders.of(from.0, &from.1).is_none() {
                         let to = (to, [at, &inside].concat());
                         self.lenders.copied.push(Copied { to, from, span: value.span });
                     }
@@ -173,9 +170,7 @@ impl Lowering<'_, '_> {
             let before = left.len();
             for copied in std::mem::take(&mut left) {
                 let Copied { to: (to, path), from, span } = &copied;
-                let mut known = self.lenders.known.iter();
-                let lender = known.find(|it| it.0 == from.0 && it.1 == from.1);
-                match (lender.map(|it| it.2.clone()), to) {
+                match (self.lenders.of(from.0, &from.1), to) {
                     (None, _) => left.push(copied),
                     (Some(lender), Some(to)) => {
                         self.lend_to(*to, &[], vec![(path.clone(), lender)], *span);
@@ -260,8 +255,7 @@ impl Lowering<'_, '_> {
     fn lend_to(&mut self, root: LocalId, at: &[u32], found: Vec<(Path, Place)>, span: Span) {
         for (path, lender) in found {
             let path = [at, path.as_slice()].concat();
-            let mut known = self.lenders.known.iter();
-            match known.find(|it| it.0 == root && it.1 == path).map(|it| it.2.clone()) {
+            match self.lenders.of(root, &path) {
                 Some(known) if same_place(&known, &lender) || self.join(&known, &lender) => {}
                 Some(_) => self.refuse_lender(span, ONE_OR_OTHER, ONE_ARRAY),
                 None if lender.steps.iter().any(|step| mentions_from(step, root)) => {

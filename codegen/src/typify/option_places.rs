@@ -19,33 +19,24 @@ impl Lowering<'_, '_> {
             return Ok(None);
         };
         match (method, arguments) {
-            (OptionMethod::Insert, [option, value]) => {
-                let value = Some(value);
-                self.filled((option, value, None), false, expr).map(Some)
+            (
+                OptionMethod::Insert | OptionMethod::GetOrInsert | OptionMethod::GetOrInsertWith,
+                [option, value],
+            ) => self.filled(method, option, value, expr).map(Some),
+            (OptionMethod::Unwrap, [lent]) => {
+                let option = self.option_lent(lent)?;
+                let by_itself = option.is_some();
+                let place = match option {
+                    Some(place) => place,
+                    None if self.may_lend_element(lent) => self.base(lent)?,
+                    None => return Ok(None),
+                };
+                let (id, word, field) = self.held_in(&place, expr)?;
+                let (condition, span) = (self.tag_is(&place, id, word), self.span(expr.site));
+                self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
+                let held = self.part(&place, id, field);
+                if by_itself { Ok(Some(held)) } else { self.element_lent(&held, expr.site) }
             }
-            (OptionMethod::GetOrInsert, [option, value]) => {
-                self.filled((option, Some(value), None), true, expr).map(Some)
-            }
-            (OptionMethod::GetOrInsertWith, [option, value]) => {
-                self.filled((option, None, Some(value)), true, expr).map(Some)
-            }
-            (OptionMethod::Unwrap, [lent]) => match self.option_lent(lent)? {
-                Some(place) => {
-                    let (id, word, field) = self.held_in(&place, expr)?;
-                    let (condition, span) = (self.tag_is(&place, id, word), self.span(expr.site));
-                    self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
-                    Ok(Some(self.part(&place, id, field)))
-                }
-                None if self.may_lend_element(lent) => {
-                    let place = self.base(lent)?;
-                    let (id, word, field) = self.held_in(&place, expr)?;
-                    let (condition, span) = (self.tag_is(&place, id, word), self.span(expr.site));
-                    self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
-                    let held = self.part(&place, id, field);
-                    self.element_lent(&held, expr.site)
-                }
-                None => Ok(None),
-            },
             _ => Ok(None),
         }
     }
@@ -147,29 +138,31 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Puts a value into an `Option`, or what a closure computes; `unless` there is one.
+    /// Puts a value into an `Option`, or what a closure computes; only `insert` does where there is one.
     fn filled(
         &mut self,
-        (option, value, closure): (&tree::Expr, Option<&tree::Expr>, Option<&tree::Expr>),
-        unless: bool,
+        method: OptionMethod,
+        option: &tree::Expr,
+        given: &tree::Expr,
         expr: &tree::Expr,
     ) -> Result<Place> {
+        let unless = method != OptionMethod::Insert;
         let place = self.settled(option)?;
         let (id, word, field) = self.held_in(&place, expr)?;
         let (there, span) = (self.part(&place, id, field), self.span(expr.site));
-        let value = match value {
-            Some(value) => {
-                let value = self.value(value, Some(&there.ty))?;
+        let value = match method {
+            OptionMethod::GetOrInsertWith => None,
+            _ => {
+                let value = self.value(given, Some(&there.ty))?;
                 // It is computed whether it is wanted or not.
                 let free = !unless || order::is_free(&value);
                 Some(if free { value } else { self.temporary("value", value) })
             }
-            None => None,
         };
         let Block(put) = self.scoped(|inner| {
-            let value = match (value, closure.map(|it| &it.kind)) {
+            let value = match (value, &given.kind) {
                 (Some(value), _) => value,
-                (None, Some(Tree::Closure(it))) => inner.value(&it.body, Some(&there.ty))?,
+                (None, Tree::Closure(it)) => inner.value(&it.body, Some(&there.ty))?,
                 _ => return problem(expr.site, "this takes a closure", "write `|| …`"),
             };
             inner.agree(&value.ty, &there.ty, expr.site)?;

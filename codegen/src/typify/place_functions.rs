@@ -382,11 +382,10 @@ impl<'a> Lowering<'a, '_> {
 
     /// A local with this value, which is written if `mutable`.
     pub(super) fn own(&mut self, name: &str, value: Expr, mutable: bool) -> Value {
-        let place = self.naming_as("", |inner| inner.temporary_place(name, value));
-        if mutable {
-            self.held.remove(&place.root);
-        }
-        Value::Place(place)
+        Value::Place(self.naming_as("", |inner| match mutable {
+            true => inner.mutable_place(name, value),
+            false => inner.temporary_place(name, value),
+        }))
     }
 }
 

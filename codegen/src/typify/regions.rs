@@ -40,6 +40,14 @@ pub(super) struct Lenders {
     pub problem: Option<Problem>,
 }
 
+impl Lenders {
+    /// The lender of the slice in a local, at the fields that lead to it.
+    pub fn of(&self, root: LocalId, path: &[u32]) -> Option<Place> {
+        let mut known = self.known.iter();
+        known.find(|it| it.0 == root && it.1 == path).map(|it| it.2.clone())
+    }
+}
+
 /// A slice that was copied, at the fields that lead to it in what it was copied to; none is the result.
 pub(super) struct Copied {
     pub to: (Option<LocalId>, Path),

@@ -1,10 +1,10 @@
-//! Slices: a part of an array that is lent.
+//! Slices: a part of an array that is lent, and `==` of two: as long, and the same elements in the same order.
 //!
 //! Within a function a slice is the array itself and which of its elements are meant; only what is passed
 //! to another function becomes an address and a length. So a slice copies nothing, and an index is
 //! checked against the slice once, and against the array unless it follows.
 
-use bessemer_ir::tree::{self, Builtin, Site, SliceMethod, Ty};
+use bessemer_ir::tree::{self, BinaryOp as Op, Builtin, Site, SliceMethod, Ty};
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Fault, Local, LogicOp, Mode, Place, Span, StmtKind, Type,
 };
@@ -118,12 +118,7 @@ impl Lowering<'_, '_> {
                 Value::Slice(slice) => Some(*slice),
                 Value::Local(root) => match self.locals[root.index()].ty.clone() {
                     Type::Slice(element) => {
-                        let span = self.span(expr.site);
-                        let ty = Type::Slice(element.clone());
-                        let base = Place::local(root, ty, span);
-                        let length = bessemer_ir::LocalId(root.0 + 1);
-                        let length = Place::local(length, Type::USIZE, span);
-                        Some(Slice::whole(base, *element, length.load()))
+                        Some(Slice::parameter(root, *element, self.span(expr.site)))
                     }
                     ty => {
                         let span = self.span(expr.site);
@@ -148,11 +143,7 @@ impl Lowering<'_, '_> {
                 let count = least(count, base.length.clone());
                 let count = self.steady("count", count);
                 Ok(Some(match cut.skip {
-                    true => {
-                        let length = minus(base.length.clone(), count.clone());
-                        let from = plus(base.from.clone(), count);
-                        Slice { from, length, whole: false, ..base }
-                    }
+                    true => base.behind(count),
                     false => base.part(Expr::usize(0, base.base.span), count),
                 }))
             }
@@ -217,10 +208,7 @@ impl Lowering<'_, '_> {
             self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
         }
         let whole = slice.whole && open && is_number(&from, 0);
-        let length = minus(to.clone(), from.clone());
-        let (from, to) = (plus(slice.from.clone(), from), plus(slice.from.clone(), to));
-        let Slice { base, element, within, .. } = slice;
-        Ok(Slice { base, element, from, to, length, whole, within })
+        Ok(Slice { whole, ..slice.between(from, to) })
     }
 
     /// A value that is computed once, and written down again as it is where nothing changes it.
@@ -367,6 +355,43 @@ impl Lowering<'_, '_> {
         let before = self.temporary("before", one.load());
         self.emit(StmtKind::Assign { place: one, value: other.load() }, span);
         self.emit(StmtKind::Assign { place: other, value: before }, span);
+    }
+
+    /// `left == right` or `left != right`, if one of the two is a slice.
+    pub(super) fn slices_compared(
+        &mut self,
+        op: Op,
+        (left, right): (&tree::Expr, &tree::Expr),
+        site: Site,
+    ) -> Result<Option<Expr>> {
+        if !matches!(op, Op::Eq | Op::Ne) {
+            return Ok(None);
+        }
+        let (one, other) = match (self.slice(left)?, self.slice(right)?) {
+            (None, None) => return Ok(None),
+            (Some(one), None) => (one, self.sliced(right)?),
+            (None, Some(other)) => (self.sliced(left)?, other),
+            (Some(one), Some(other)) => (one, other),
+        };
+        let span = self.span(site);
+        let equal = if same(&one.length, &other.length) {
+            self.equal_elements_of((&one, &other), site)?
+        } else {
+            let as_long =
+                Expr::compare(CompareOp::Eq, one.length.clone(), other.length.clone()).at(span);
+            self.and_then(as_long, |inner| inner.equal_elements_of((&one, &other), site))?
+        };
+        Ok(Some(if op == Op::Ne { equal.negated() } else { equal }))
+    }
+
+    /// Whether each element is equal to its counterpart.
+    fn equal_elements_of(&mut self, (one, other): (&Slice, &Slice), site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        self.all_equal(one.length.clone(), span, |inner, index| {
+            let left = one.at(plus(one.from.clone(), index.clone()));
+            let right = other.at(plus(other.from.clone(), index));
+            inner.equal(&left, &right, site, span)
+        })
     }
 }
 

@@ -1,4 +1,5 @@
-//! Parts of matrices in their place: `m.column_mut(j)`, `m.fixed_view_mut::<2, 2>(i, j)`.
+//! Parts of matrices in their place: `m.column_mut(j)`, `m.fixed_view_mut::<2, 2>(i, j)`; small views that are read, which are
+//! written out where they stand.
 //!
 //! What C has no type for has none here: a part is its matrix, and where it begins. An element of it is an element of the
 //! matrix. What takes all of it, such as a function, is lent a copy, which is written back behind the call.
@@ -12,12 +13,13 @@ use bessemer_ir::tree::{self, Builtin, MatrixMethod, MatrixPart, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, Type};
 
 use super::call::Called;
-use super::elements::Submatrix;
+use super::elements::{SMALL, Submatrix};
+use super::expr::Call;
 use super::lengths::plus;
 use super::lowering::Lowering;
 use super::value::Value;
 use super::words;
-use super::{Result, problem};
+use super::{OUR_FAULT, Result, problem};
 
 impl<'a> Lowering<'a, '_> {
     /// Whether an expression is a part of a matrix that is written where it is.
@@ -125,7 +127,7 @@ impl<'a> Lowering<'a, '_> {
                 part.at(row, there(column, part.cols))
             }
             Step::Index(index) => part.nth(there(index, part.rows * part.cols)),
-            _ => return problem(expr.site, "this is no element", super::OUR_FAULT),
+            _ => return problem(expr.site, "this is no element", OUR_FAULT),
         };
         Ok(Place { span, ..place })
     }
@@ -150,12 +152,8 @@ impl<'a> Lowering<'a, '_> {
 
     /// A copy of a part, in a local.
     fn part_copied(&mut self, name: &str, part: &Submatrix, span: Span) -> Result<Place> {
-        let ty = part.ty();
-        let local = self.temporary_local(name, ty.clone(), span);
         // No compiler sees that the loop assigns all of it.
-        let value = Some(self.zero(&ty, span));
-        self.emit(StmtKind::Let { local, value }, span);
-        let copy = Place::local(local, ty, span);
+        let copy = self.mutable_place(name, self.zero(&part.ty(), span));
         let element = Type::Scalar(part.element);
         self.each_of_part(part, span, |row, column| {
             let place = copy.inside(Step::Element(row.clone(), column.clone()), element.clone());
@@ -177,33 +175,34 @@ impl<'a> Lowering<'a, '_> {
                 return inner.part_copied(name, part, span);
             }
             let value = inner.submatrix_value(part, site)?;
-            let copy = inner.temporary_place(name, value);
-            inner.held.remove(&copy.root);
-            Ok(copy)
+            Ok(inner.mutable_place(name, value))
         })
     }
 
     /// A call that has changed copies of parts, and these parts written back.
     pub(super) fn written_back(
         &mut self,
-        mut call: Expr,
+        call: Expr,
         copies: Vec<(Submatrix, Place)>,
     ) -> Result<Expr> {
         if copies.is_empty() {
             return Ok(call);
         }
-        match call.ty {
-            Type::Unit => {
-                let span = call.span;
-                let done = Expr::literal(0, Type::Unit, span);
-                self.emit(StmtKind::Expr(std::mem::replace(&mut call, done)), span);
-            }
-            _ => call = self.temporary("given", call),
-        }
+        let given = self.called_here("given", call);
         for (part, copy) in copies {
             self.write_part(&part, copy.load())?;
         }
-        Ok(call)
+        Ok(given)
+    }
+
+    /// What a call gives, which is done before anything that follows.
+    pub(super) fn called_here(&mut self, role: &str, call: Expr) -> Expr {
+        if call.ty != Type::Unit {
+            return self.temporary(role, call);
+        }
+        let span = call.span;
+        self.emit(StmtKind::Expr(call), span);
+        Expr::literal(0, Type::Unit, span)
     }
 
     /// Writes a part.
@@ -339,6 +338,66 @@ impl<'a> Lowering<'a, '_> {
             "a view that is written stays where it is in the DSL",
             "give it a name by `let`, and use that; for a copy of it call `.into_owned()`",
         )
+    }
+
+    /// The inlined form of a call of the library; none if it stays a call.
+    pub(super) fn shorter(
+        &mut self,
+        path: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Option<Expr>> {
+        let view = path.strip_prefix("bessemer::linear::views::");
+        match view.and_then(|view| view.split('<').next()) {
+            Some(name) => self.view(name, arguments, expr),
+            None => self.small_power(path, Call { arguments, expr }),
+        }
+    }
+
+    /// `v.zyx()`: the components of a vector, by their names.
+    pub(super) fn swizzle(
+        &mut self,
+        axes: &[u8],
+        vector: &tree::Expr,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
+        let span = self.span(expr.site);
+        let place = self.base(vector)?;
+        let Type::Matrix { element, .. } = place.ty else {
+            return problem(expr.site, "this takes a vector", OUR_FAULT);
+        };
+        let component = |axis: &u8| {
+            let step = Step::Element(Expr::usize(u64::from(*axis), span), Expr::usize(0, span));
+            place.inside(step, Type::Scalar(element)).load()
+        };
+        self.node(ExprKind::Matrix(axes.iter().map(component).collect()), ty, expr.site)
+    }
+
+    fn view(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Option<Expr>> {
+        let (row, column) = match (name, arguments) {
+            ("row" | "fixed_rows", [_, row]) => (Some(row), None),
+            ("column" | "fixed_columns", [_, column]) => (None, Some(column)),
+            ("fixed_view", [_, row, column]) => (Some(row), Some(column)),
+            _ => return Ok(None),
+        };
+        if expr.slot.is_none() {
+            return Ok(None);
+        }
+        let ty = self.slot_of(expr)?;
+        let Type::Matrix { rows, cols, .. } = ty else { return Ok(None) };
+        if rows.saturating_mul(cols) > SMALL {
+            return Ok(None);
+        }
+        match self.part_from(&arguments[0], (row, column), &ty, expr.site)? {
+            Some(part) => self.submatrix_value(&part, expr.site).map(Some),
+            None => Ok(None),
+        }
     }
 }
 
