@@ -4,8 +4,8 @@
 use bessemer_ir::tree::{self, Builtin, SliceMethod};
 use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, Type};
 
-use super::elements::{SMALL, Slice};
 use super::lowering::Lowering;
+use super::value::{SMALL, Slice};
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {

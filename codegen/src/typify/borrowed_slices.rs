@@ -7,12 +7,11 @@
 use bessemer_ir::tree::{self, Builtin, NO_SLOT, Site, SliceMethod};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
 
-use super::elements::Slice;
 use super::lengths::{minus, plus};
 use super::lowering::Lowering;
 use super::pattern::both;
 use super::syntax::is_rest;
-use super::value::{Named, Value};
+use super::value::{Named, Slice, Value};
 use super::words;
 use super::{Result, problem};
 

@@ -10,12 +10,11 @@ use bessemer_ir::visit::{self, VisitMut};
 use bessemer_ir::{Block, Expr, ExprKind, LocalId, Mode, Place, Step, StmtKind, StructId, Type};
 
 use super::borrowed::Borrowed;
-use super::elements::Slice;
 use super::lenders::{FROM, LENGTH};
 use super::lengths::plus;
 use super::lowering::{Lowering, UNNAMED};
 use super::syntax::{Writes, control_with_value, slots_of};
-use super::value::Value;
+use super::value::{Slice, Value};
 use super::words;
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;

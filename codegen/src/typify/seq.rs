@@ -9,10 +9,9 @@ use bessemer_ir::{
     BinaryOp, Block, CompareOp, Expr, Fault, Intrinsic, LocalId, Place, Span, StmtKind, Type,
 };
 
-use super::elements::Slice;
 use super::lengths::{divided, greatest, least, lesser, minus, number, plus, same, times};
 use super::lowering::Lowering;
-use super::value::Value;
+use super::value::{Slice, Value};
 use super::words;
 use super::{Result, problem};
 use crate::effects;

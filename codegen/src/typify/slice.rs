@@ -9,11 +9,10 @@ use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Fault, Local, LogicOp, Mode, Place, Span, StmtKind, Type,
 };
 
-use super::elements::Slice;
 use super::lengths::{is_number, least, minus, plus, same};
 use super::lowering::Lowering;
 use super::syntax::{Writes, control_with_value};
-use super::value::Value;
+use super::value::{Slice, Value};
 use super::words;
 use super::{Result, problem};
 

@@ -13,11 +13,11 @@ use bessemer_ir::tree::{self, Builtin, MatrixMethod, MatrixPart, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, Type};
 
 use super::call::Called;
-use super::elements::{SMALL, Submatrix};
+
 use super::expr::Call;
 use super::lengths::plus;
 use super::lowering::Lowering;
-use super::value::Value;
+use super::value::{SMALL, Submatrix, Value};
 use super::words;
 use super::{OUR_FAULT, Result, problem};
 

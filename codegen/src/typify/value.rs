@@ -1,9 +1,12 @@
-//! What an expression denotes while it is lowered; so, too, what a name means and what a pattern is matched against.
+//! What an expression denotes while it is lowered; so, too, what a name means and what a pattern is matched against. Among it,
+//! elements in a row: a slice, known by its base and its ends; and a part of a matrix, known by where it begins.
 
 use bessemer_ir::tree::Site;
-use bessemer_ir::{Expr, LocalId, Place, Type};
+use bessemer_ir::{
+    Argument, BinaryOp, CompareOp, Expr, ExprKind, LocalId, Mode, Place, Scalar, Span, Step, Type,
+};
 
-use super::elements::{Slice, Submatrix};
+use super::lengths::{is_number, minus, plus};
 
 /// The meaning of an expression or a name.
 #[derive(Clone)]
@@ -42,5 +45,162 @@ impl Named {
     /// A name of several elements, of a part of a matrix, or of a zero-sized value.
     pub(super) fn of(name: &str, slot: u32, stands: Value, site: Site) -> Named {
         Named { name: name.to_owned(), slot, mutable: false, stands, site }
+    }
+}
+
+/// Parts of up to so many elements are written out where they are read.
+pub(super) const SMALL: u32 = 16;
+
+/// Elements of an array, in their place.
+#[derive(Clone)]
+pub(super) struct Slice {
+    /// The array, or the parameter that is a slice.
+    pub base: Place,
+    /// Of one element.
+    pub element: Type,
+    /// The first element, and the one behind the last: numbers, or locals that nothing writes.
+    pub from: Expr,
+    pub to: Expr,
+    /// How many there are.
+    pub length: Expr,
+    /// Whether these are all elements of the base.
+    pub whole: bool,
+    /// The part of the base, a matrix, whose elements these are, by its columns.
+    pub within: Option<Box<Submatrix>>,
+}
+
+impl Slice {
+    pub fn whole(base: Place, element: Type, length: Expr) -> Slice {
+        let from = Expr::usize(0, base.span);
+        Slice { base, element, from, to: length.clone(), length, whole: true, within: None }
+    }
+
+    /// All elements of a parameter that is a slice; the next parameter is its length.
+    pub fn parameter(root: LocalId, element: Type, span: Span) -> Slice {
+        let base = Place::local(root, Type::Slice(Box::new(element.clone())), span);
+        Slice::whole(base, element, Expr::local(LocalId(root.0 + 1), &Type::USIZE, span))
+    }
+
+    /// The type of what is lent.
+    pub fn ty(&self) -> Type {
+        Type::Slice(Box::new(self.element.clone()))
+    }
+
+    /// Where the first element is.
+    pub fn place(&self) -> Place {
+        match (&self.base.ty, is_number(&self.from, 0)) {
+            (Type::Slice(_), true) => self.base.clone(),
+            _ => self.base.inside(Step::From(self.from.clone()), self.ty()),
+        }
+    }
+
+    /// An element of the base, by its index there.
+    pub fn at(&self, index: Expr) -> Place {
+        if let Some(part) = &self.within {
+            return part.nth(index);
+        }
+        let step = match &self.base.ty {
+            Type::Matrix { cols: 1, .. } => Step::Element(index, Expr::usize(0, self.base.span)),
+            Type::Matrix { rows: 1, .. } => Step::Element(Expr::usize(0, self.base.span), index),
+            _ => Step::Index(index),
+        };
+        self.base.inside(step, self.element.clone())
+    }
+
+    /// `length` elements from `begin` on, which are known to be there.
+    pub fn part(&self, begin: Expr, length: Expr) -> Slice {
+        let from = plus(self.from.clone(), begin);
+        let to = plus(from.clone(), length.clone());
+        Slice { from, to, length, whole: false, ..self.clone() }
+    }
+
+    /// The elements from `from` to `to`, which is no less and no more than there are.
+    pub fn between(&self, from: Expr, to: Expr) -> Slice {
+        let length = minus(to.clone(), from.clone());
+        let (from, to) = (plus(self.from.clone(), from), plus(self.from.clone(), to));
+        Slice { from, to, length, whole: false, ..self.clone() }
+    }
+
+    /// The elements from `begin` on, which is no more than there are.
+    pub fn behind(&self, begin: Expr) -> Slice {
+        let length = minus(self.length.clone(), begin.clone());
+        Slice { from: plus(self.from.clone(), begin), length, whole: false, ..self.clone() }
+    }
+
+    /// Whether there are `count` elements, or no fewer where not `exact`; known of an array.
+    pub fn has(&self, count: u64, exact: bool, span: Span) -> Expr {
+        let op = if exact { CompareOp::Eq } else { CompareOp::Ge };
+        match self.length.kind {
+            ExprKind::Literal(length) if exact => Expr::bool(length == count, span),
+            ExprKind::Literal(length) => Expr::bool(length >= count, span),
+            _ => Expr::compare(op, self.length.clone(), Expr::usize(count, span)).at(span),
+        }
+    }
+
+    /// A copy of the elements, of which there are as many as the array type has.
+    pub fn as_array(&self, ty: Type, span: Span) -> Expr {
+        let len = if let Type::Array { len, .. } = ty { len } else { 0 };
+        let index = |index: u32| plus(self.from.clone(), Expr::usize(u64::from(index), span));
+        let elements = (0..len).map(|at| self.at(index(at)).load()).collect();
+        Expr { kind: ExprKind::Array(elements), ty, span }
+    }
+
+    /// The argument that a call passes for it.
+    pub fn passed(self, mode: Mode) -> [Argument; 2] {
+        let place = self.place();
+        let first = match mode {
+            Mode::RefMut => Argument::RefMut(place),
+            _ => Argument::Ref(place.load()),
+        };
+        [first, Argument::Value(self.length)]
+    }
+}
+
+/// A part of a matrix.
+#[derive(Clone)]
+pub(super) struct Submatrix {
+    pub matrix: Place,
+    /// Where it begins: numbers, or locals that nothing writes, and sums of them.
+    pub row: Expr,
+    pub column: Expr,
+    pub element: Scalar,
+    pub rows: u32,
+    pub cols: u32,
+}
+
+impl Submatrix {
+    pub fn ty(&self) -> Type {
+        Type::Matrix { element: self.element, rows: self.rows, cols: self.cols }
+    }
+
+    pub fn is_large(&self) -> bool {
+        self.rows.saturating_mul(self.cols) > SMALL
+    }
+
+    /// An element, which is known to be there.
+    pub fn at(&self, row: Expr, column: Expr) -> Place {
+        let step = Step::Element(plus(self.row.clone(), row), plus(self.column.clone(), column));
+        self.matrix.inside(step, Type::Scalar(self.element))
+    }
+
+    /// The same by its number, column by column.
+    pub fn nth(&self, index: Expr) -> Place {
+        let zero = Expr::usize(0, index.span);
+        match (self.rows, self.cols) {
+            (_, 1) => self.at(index, zero),
+            (1, _) => self.at(zero, index),
+            (rows, _) => {
+                let rows = Expr::usize(u64::from(rows), index.span);
+                let row = Expr::binary(BinaryOp::Rem, index.clone(), rows.clone());
+                self.at(row, Expr::binary(BinaryOp::Div, index, rows))
+            }
+        }
+    }
+
+    /// All its elements.
+    pub fn elements(&self) -> Slice {
+        let length = Expr::usize(u64::from(self.rows * self.cols), self.matrix.span);
+        let all = Slice::whole(self.matrix.clone(), Type::Scalar(self.element), length);
+        Slice { whole: false, within: Some(Box::new(self.clone())), ..all }
     }
 }
