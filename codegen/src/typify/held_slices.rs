@@ -271,7 +271,7 @@ impl Lowering<'_, '_> {
     /// A parameter that is a slice and is made another one: where it begins is in a local from here on.
     pub(super) fn rebound(&mut self, name: &str, slot: u32, site: Site) -> Result<()> {
         let ty = self.slot(slot, site)?;
-        let local = tree::Expr { kind: tree::ExprKind::Local(name.to_owned()), site, slot: None };
+        let local = tree::Expr::local(name, site);
         let (value, span) = (self.value(&local, Some(&ty))?, self.span(site));
         let local = self.declare(&format!("{name}_left"), ty, Mode::Value, span);
         self.bind(name, Value::Local(local));

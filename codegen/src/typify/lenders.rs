@@ -70,7 +70,7 @@ impl Lowering<'_, '_> {
             let (root, ty) = (LocalId(self.locals.len() as u32), Type::Slice(Box::new(element)));
             let length = format!("{name}_length");
             self.locals.push(Local { name, ty: ty.clone(), mode, span });
-            self.locals.push(Local { name: length, ty: Type::USIZE, mode: Mode::Value, span });
+            self.local(length, Type::USIZE, span);
             self.lenders.lending.push((root, local, paths[0].clone()));
             let lender = Place::local(root, ty, span);
             let known = paths.into_iter().map(|path| (local, path, lender.clone()));
@@ -428,8 +428,7 @@ impl Lowering<'_, '_> {
         let known = self.lenders.awaited.iter().find(|it| it.of == of).map(|it| it.stands);
         let stands = known.unwrap_or(LocalId(self.locals.len() as u32));
         if known.is_none() {
-            let (name, ty) = (UNNAMED.to_owned(), ty.clone());
-            self.locals.push(Local { name, ty, mode: Mode::Value, span: place.span });
+            self.local(UNNAMED, ty.clone(), place.span);
             let element = element.clone();
             self.lenders.awaited.push(Awaited { stands, element, of, site, help });
         }

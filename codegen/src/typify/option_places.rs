@@ -65,7 +65,7 @@ impl Lowering<'_, '_> {
         if !ty(tried).is_some_and(refers) {
             return None;
         }
-        let plain = |kind| tree::Expr { kind, site: tried.site, slot: None };
+        let plain = |kind| tree::Expr::plain(kind, tried.site);
         let Tree::Call(callee, arguments) = &operand.kind else { return None };
         let callee = self.source.callees.get(*callee as usize);
         let (lent, case, error) = match (callee, arguments.as_slice(), ty(operand)?) {

@@ -230,7 +230,7 @@ impl<'a> Lowering<'a, '_> {
             Some(function) => self.placed(function, &operands, site).map(Some),
             None => {
                 let id = self.function_at(path, site)?;
-                let expr = tree::Expr { kind: Tree::Bool(false), site, slot: None };
+                let expr = tree::Expr::plain(Tree::Bool(false), site);
                 let value = self.call_function(id, &operands, &expr)?;
                 Ok(Some(self.hold(value)))
             }

@@ -6,7 +6,7 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Builtin, Site, SliceMethod, Ty};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Local, LogicOp, Mode, Place, Span, StmtKind, Type,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Place, Span, StmtKind, Type,
 };
 
 use super::lengths::{is_number, least, minus, plus, same};
@@ -38,9 +38,7 @@ impl Lowering<'_, '_> {
         let mode = if mutable { Mode::RefMut } else { Mode::Ref };
         let span = self.span(param.site);
         self.declare(&param.name, Type::Slice(Box::new(element)), mode, span);
-        let name = format!("{}_length", param.name);
-        let length = Local { name, ty: Type::USIZE, mode: Mode::Value, span };
-        self.locals.push(length);
+        self.local(format!("{}_length", param.name), Type::USIZE, span);
         Ok(())
     }
 

@@ -294,8 +294,7 @@ impl<'a> Lowering<'a, '_> {
         let value = self.naming_as(naming, |inner| match inner.operator(place.slot).cloned() {
             Some(callee) => inner.naming_scope(|inner| {
                 inner.bind(COPY, Value::Place(copy.clone()));
-                let kind = tree::ExprKind::Local(COPY.into());
-                let held = tree::Expr { kind, site, slot: None };
+                let held = tree::Expr::local(COPY, site);
                 inner.call_of(&callee, &[held, value.clone()], place)
             }),
             None => {
