@@ -84,13 +84,9 @@ impl Lowering<'_, '_> {
         let Some((function, [one, other])) = self.called(compared) else { return Ok(None) };
         let is = |op| {
             let kind = Tree::Binary(op, Box::new(one.clone()), Box::new(other.clone()));
-            tree::Expr { kind, site, slot: None }
+            tree::Expr::plain(kind, site)
         };
-        let not = |expr| tree::Expr {
-            kind: Tree::Unary(tree::UnaryOp::Not, Box::new(expr)),
-            site,
-            slot: None,
-        };
+        let not = |expr| tree::Expr::plain(Tree::Unary(tree::UnaryOp::Not, Box::new(expr)), site);
         let answer = match (bare(&function.path), or_equal, op) {
             (COMPARE, false, op) | (PARTIAL, true, op @ (Op::Lt | Op::Gt)) => is(op),
             (PARTIAL, true, Op::Le) => not(is(Op::Gt)),

@@ -2,7 +2,7 @@
 //! where it returns. So a fault leaves everything as it was.
 
 use bessemer_ir::visit::{self, Access, VisitMut};
-use bessemer_ir::{Block, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
+use bessemer_ir::{Block, Expr, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
 
 use super::lowering::Lowering;
 use super::order::is_free;
@@ -19,8 +19,7 @@ impl Lowering<'_, '_> {
             }
             let (ty, name) = (param.ty.clone(), param.name.clone());
             let name = if name == "self" { "next".to_owned() } else { format!("next_{name}") };
-            let copy = LocalId(self.locals.len() as u32);
-            self.locals.push(Local { name, ty: ty.clone(), mode: Mode::Value, span });
+            let copy = self.local(name, ty.clone(), span);
             let place = |root| Place::local(root, ty.clone(), span);
             copies.push((place(LocalId(index as u32)), place(copy)));
         }
@@ -44,12 +43,8 @@ impl Lowering<'_, '_> {
             match &mut each.kind {
                 StmtKind::Return(value) => {
                     if let Some(value) = value.as_mut().filter(|value| !is_free(value)) {
-                        let ty = value.ty.clone();
-                        let local = LocalId(self.locals.len() as u32);
-                        let name = words::OUTCOME.to_owned();
-                        self.locals.push(Local { name, ty: ty.clone(), mode: Mode::Value, span });
-                        let place = Place::local(local, ty.clone(), span);
-                        let held = place.load();
+                        let local = self.local(words::OUTCOME, value.ty.clone(), span);
+                        let held = Expr::local(local, &value.ty, span);
                         let value = Some(std::mem::replace(value, held));
                         block.0.push(Stmt::new(StmtKind::Let { local, value }, span));
                     }

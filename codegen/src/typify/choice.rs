@@ -2,8 +2,7 @@
 
 use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Int, Local, LocalId, LogicOp, Mode, Place, Scalar, Span, StmtKind,
-    StructId, Type,
+    Arm, Block, Expr, ExprKind, Int, LogicOp, Mode, Place, Scalar, Span, StmtKind, StructId, Type,
 };
 
 use super::conditions::within;
@@ -65,7 +64,7 @@ impl Lowering<'_, '_> {
         };
         let chained = guarded || taken.iter().any(wide);
         if name.is_some() || chained && !is_still(&value) {
-            value = self.held(name.unwrap_or(words::SELECTOR), value);
+            value = self.let_local(name.unwrap_or(words::SELECTOR), value).load();
         }
         if chained {
             let Block(stmts) = self.scoped(|inner| inner.chain(&value, &taken, target, span))?;
@@ -86,16 +85,6 @@ impl Lowering<'_, '_> {
             }
         }
         Ok(false)
-    }
-
-    /// A local that holds what is matched.
-    fn held(&mut self, name: &str, value: Expr) -> Expr {
-        let (ty, span) = (value.ty.clone(), value.span);
-        let local = LocalId(self.locals.len() as u32);
-        self.locals.push(Local { name: name.into(), ty: ty.clone(), mode: Mode::Value, span });
-        self.emit(StmtKind::Let { local, value: Some(value) }, span);
-        let place = Place::local(local, ty.clone(), span);
-        place.load()
     }
 
     /// Arms without guards, of few values each.
@@ -209,20 +198,7 @@ impl Lowering<'_, '_> {
             let local = self.declare(name, value.ty.clone(), Mode::Value, span);
             self.emit(StmtKind::Let { local, value: Some(value) }, span);
         }
-        self.arm_body(&taken.arm.body, target)
-    }
-
-    fn arm_body(&mut self, body: &tree::Expr, target: Option<&Target>) -> Result<()> {
-        match (target, &body.kind) {
-            (Some(target), _) => self.into(body, target),
-            // The arm is a block already.
-            (None, tree::ExprKind::Block(block)) => {
-                let Block(stmts) = self.block_effect(block)?;
-                self.out.extend(stmts);
-                Ok(())
-            }
-            (None, _) => self.effect(body),
-        }
+        self.lowered(&taken.arm.body, target)
     }
 
     /// Arms that take a value apart: a list of cases where they name the variants of one enum, else
@@ -271,7 +247,7 @@ impl Lowering<'_, '_> {
             };
             let then = inner.scoped(|inner| {
                 inner.bind_names(&names)?;
-                inner.arm_body(&arm.body, target)
+                inner.lowered(&arm.body, target)
             })?;
             // A name may be the guard's alone.
             Ok((condition, if arm.guard.is_some() { super::pattern::used(then) } else { then }))
@@ -307,7 +283,7 @@ impl Lowering<'_, '_> {
         for (arm, words) in arms.iter().zip(words) {
             let body = self.scoped(|inner| {
                 inner.bind_pattern(&arm.pattern, &subject, arm.site)?;
-                inner.arm_body(&arm.body, target)
+                inner.lowered(&arm.body, target)
             })?;
             let Some(mut values) = words else {
                 otherwise = Some(body);

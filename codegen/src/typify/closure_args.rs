@@ -10,7 +10,7 @@ use bessemer_ir::tree::visit::{Bound, Locals, Visit};
 use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type};
 
-use super::lowering::{Closure, Lowering, Scope, Target, UNNAMED};
+use super::lowering::{Closure, Lowering, Scope, UNNAMED};
 use super::value::Value;
 use super::words;
 use super::{OUR_FAULT, Result, names, problem};
@@ -211,16 +211,6 @@ impl<'a> Lowering<'a, '_> {
             }
             _ => self.value(condition, Some(&Type::BOOL)),
         }
-    }
-
-    /// The same, its value where it goes.
-    pub(super) fn apply_into(
-        &mut self,
-        (name, arguments): (&str, &[tree::Expr]),
-        target: &Target,
-        site: Site,
-    ) -> Result<()> {
-        self.applied(name, arguments, site, |inner, closure| inner.into(&closure.body, target))
     }
 
     /// True for a call of a closure that is inlined in the scope in which its author wrote it.

@@ -15,61 +15,98 @@ use crate::effects;
 impl Lowering<'_, '_> {
     /// Computes `expr` and sends its value to `target`.
     pub(super) fn into(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+        self.lowered(expr, Some(target))
+    }
+
+    /// Runs `expr` for its effect.
+    pub(super) fn effect(&mut self, expr: &tree::Expr) -> Result<()> {
+        self.lowered(expr, None)
+    }
+
+    /// Runs `expr`, and sends its value to `target` if one is wanted.
+    pub(super) fn lowered(&mut self, expr: &tree::Expr, target: Option<&Target>) -> Result<()> {
         if let Some(other) = self.in_place(expr) {
-            return self.into(&other, target);
+            return self.lowered(&other, target);
         }
         if let Some(expansion) = self.expansion(expr) {
             return self.expanded(expansion, expr.site, |inner, tail| {
-                tail.map_or(Ok(()), |tail| inner.into(tail, target))
+                tail.map_or(Ok(()), |tail| inner.lowered(tail, target))
             });
         }
-        match &expr.kind {
-            tree::ExprKind::Apply(name, arguments) if self.stands_here(expr) => {
-                self.apply_into((name, arguments), target, expr.site)
+        if target.is_none() {
+            // The file of a statement is listed before those of what it calls.
+            self.span(expr.site);
+        }
+        match (&expr.kind, target) {
+            (tree::ExprKind::Apply(name, arguments), Some(_)) if self.stands_here(expr) => self
+                .applied(name, arguments, expr.site, |inner, closure| {
+                    inner.lowered(&closure.body, target)
+                }),
+            (tree::ExprKind::If(condition, then, otherwise), _)
+                if target.is_none() || otherwise.is_some() =>
+            {
+                self.if_stmt(expr.site, condition, then, otherwise.as_deref(), target)
             }
-            tree::ExprKind::If(condition, then, Some(otherwise)) => {
-                let span = self.span(expr.site);
-                if !has_let(condition) {
-                    let condition = self.asked(condition)?;
-                    if let Some(holds) = self.decided(&condition) {
-                        let Block(stmts) = match holds {
-                            true => self.block_into(then, target)?,
-                            false => self.branch_into(otherwise, target)?,
-                        };
-                        self.out.extend(stmts);
-                        return Ok(());
-                    }
-                    let then = self.block_into(then, target)?;
-                    let otherwise = self.branch_into(otherwise, target)?;
-                    self.emit(StmtKind::If { condition, then, otherwise }, span);
-                    return Ok(());
-                }
-                let (condition, then) =
-                    self.guarded(condition, |inner| inner.block_into(then, target))?;
-                let otherwise = self.branch_into(otherwise, target)?;
-                self.branch(condition, then, otherwise, span);
-                Ok(())
+            (tree::ExprKind::Match(scrutinee, arms), _)
+                if target.is_none() || control_with_value(expr) =>
+            {
+                self.match_stmt(expr.site, scrutinee, arms, target)
             }
-            tree::ExprKind::Match(scrutinee, arms) if control_with_value(expr) => {
-                self.match_stmt(expr.site, scrutinee, arms, Some(target))
-            }
-            tree::ExprKind::Block(block) => {
-                let Block(stmts) = self.block_into(block, target)?;
+            (tree::ExprKind::Block(block), _) => {
+                let Block(stmts) = self.block(block, target)?;
                 self.out.extend(stmts);
                 Ok(())
             }
-            tree::ExprKind::Labelled(label, body) => self.labelled(label, body, Some(target), expr),
-            tree::ExprKind::While { label, condition: None, bound, body } => {
-                let bound = bound.as_deref();
-                self.loop_stmt(expr.site, label.as_deref(), bound, body, Some(target))
+            (tree::ExprKind::Labelled(label, body), _) => self.labelled(label, body, target, expr),
+            (tree::ExprKind::While { label, condition: None, bound, body }, _) => {
+                self.loop_stmt(expr.site, label.as_deref(), bound.as_deref(), body, target)
             }
-            tree::ExprKind::Return(_)
-            | tree::ExprKind::Break(..)
-            | tree::ExprKind::Continue(_)
-            | tree::ExprKind::Assert(..)
-            | tree::ExprKind::While { .. } => self.effect(expr),
-            _ => self.store(expr, target),
+            (
+                tree::ExprKind::Return(_)
+                | tree::ExprKind::Break(..)
+                | tree::ExprKind::Continue(_)
+                | tree::ExprKind::Assert(..)
+                | tree::ExprKind::While { .. },
+                _,
+            )
+            | (_, None) => self.statement(expr),
+            (_, Some(target)) => self.store(expr, target),
         }
+    }
+
+    /// `if`, in which what holds in this instance is all that there is.
+    fn if_stmt(
+        &mut self,
+        site: Site,
+        condition: &tree::Expr,
+        then: &tree::Block,
+        otherwise: Option<&tree::Expr>,
+        target: Option<&Target>,
+    ) -> Result<()> {
+        let span = self.span(site);
+        if has_let(condition) {
+            let (condition, then) = self.guarded(condition, |inner| inner.block(then, target))?;
+            let otherwise = self.otherwise(otherwise, target)?;
+            self.branch(condition, then, otherwise, span);
+            return Ok(());
+        }
+        let condition = self.asked(condition)?;
+        if let Some(holds) = self.decided(&condition) {
+            let Block(stmts) = match holds {
+                true => self.block(then, target)?,
+                false => self.otherwise(otherwise, target)?,
+            };
+            self.out.extend(stmts);
+            return Ok(());
+        }
+        let then = self.block(then, target)?;
+        let otherwise = self.otherwise(otherwise, target)?;
+        // What holds nothing leaves nothing behind.
+        let idle = target.is_none() && then.0.is_empty() && otherwise.0.is_empty();
+        if !(idle && order::is_free(&condition)) {
+            self.emit(StmtKind::If { condition, then, otherwise }, span);
+        }
+        Ok(())
     }
 
     fn is_unwrap(&self, callee: u32) -> bool {
@@ -144,7 +181,7 @@ impl Lowering<'_, '_> {
             }
             Ok(())
         })?;
-        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        self.emit(StmtKind::if_then(condition, then), span);
         let value = taken.1.field.map(|field| self.part(&place, id, field as usize));
         Ok(value.map(|value| value.load()))
     }
@@ -173,82 +210,42 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    pub(super) fn block_into(&mut self, block: &tree::Block, target: &Target) -> Result<Block> {
+    /// A block, its value to `target` if one is wanted.
+    pub(super) fn block(&mut self, block: &tree::Block, target: Option<&Target>) -> Result<Block> {
         self.scoped(|inner| {
             inner.stmts(block)?;
             match &block.tail {
-                Some(tail) => inner.into(tail, target),
-                // Every path has left: `return`, `break` or `continue`.
+                Some(tail) => inner.lowered(tail, target),
+                // Nothing is wanted, or every path has left: `return`, `break` or `continue`.
                 None => Ok(()),
             }
         })
     }
 
     /// `else`: an `if`, or a block that is the branch itself.
-    fn branch_into(&mut self, expr: &tree::Expr, target: &Target) -> Result<Block> {
-        match &expr.kind {
-            tree::ExprKind::Block(block) => self.block_into(block, target),
-            _ => self.scoped(|inner| inner.into(expr, target)),
+    fn otherwise(
+        &mut self,
+        otherwise: Option<&tree::Expr>,
+        target: Option<&Target>,
+    ) -> Result<Block> {
+        match otherwise.map(|otherwise| (otherwise, &otherwise.kind)) {
+            Some((_, tree::ExprKind::Block(block))) => self.block(block, target),
+            Some((otherwise, _)) => self.scoped(|inner| inner.lowered(otherwise, target)),
+            None => Ok(Block::default()),
         }
     }
 
-    /// Runs `expr` for its effect.
-    pub(super) fn effect(&mut self, expr: &tree::Expr) -> Result<()> {
-        if let Some(other) = self.in_place(expr) {
-            return self.effect(&other);
-        }
-        if let Some(expansion) = self.expansion(expr) {
-            return self.expanded(expansion, expr.site, |inner, tail| {
-                tail.map_or(Ok(()), |tail| inner.effect(tail))
-            });
-        }
+    /// What is no control flow with a value, for its effect.
+    fn statement(&mut self, expr: &tree::Expr) -> Result<()> {
         let span = self.span(expr.site);
         match &expr.kind {
             tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
             tree::ExprKind::AssignEach(places, value) => self.assign_each(places, value),
-            tree::ExprKind::If(condition, then, otherwise) => {
-                if !has_let(condition) {
-                    let condition = self.asked(condition)?;
-                    if let Some(holds) = self.decided(&condition) {
-                        let Block(stmts) = match holds {
-                            true => self.block_effect(then)?,
-                            false => self.else_effect(otherwise.as_deref())?,
-                        };
-                        self.out.extend(stmts);
-                        return Ok(());
-                    }
-                    let then = self.block_effect(then)?;
-                    let otherwise = self.else_effect(otherwise.as_deref())?;
-                    // What holds nothing leaves nothing behind.
-                    let idle = then.0.is_empty() && otherwise.0.is_empty();
-                    if !(idle && order::is_free(&condition)) {
-                        self.emit(StmtKind::If { condition, then, otherwise }, span);
-                    }
-                    return Ok(());
-                }
-                let (condition, then) =
-                    self.guarded(condition, |inner| inner.block_effect(then))?;
-                let otherwise = self.else_effect(otherwise.as_deref())?;
-                self.branch(condition, then, otherwise, span);
-                Ok(())
-            }
-            tree::ExprKind::Match(scrutinee, arms) => {
-                self.match_stmt(expr.site, scrutinee, arms, None)
-            }
-            tree::ExprKind::Block(block) => {
-                let Block(stmts) = self.block_effect(block)?;
-                self.out.extend(stmts);
-                Ok(())
-            }
-            tree::ExprKind::Labelled(label, body) => self.labelled(label, body, None, expr),
             tree::ExprKind::For { .. } | tree::ExprKind::Each { .. } => self.through(expr),
-            tree::ExprKind::While { label, condition, bound, body } => match condition {
-                Some(condition) => {
-                    let bound = bound.as_deref();
-                    self.while_stmt(expr.site, label.as_deref(), condition, bound, body)
-                }
-                None => self.loop_stmt(expr.site, label.as_deref(), bound.as_deref(), body, None),
-            },
+            tree::ExprKind::While { label, condition: Some(condition), bound, body } => {
+                let bound = bound.as_deref();
+                self.while_stmt(expr.site, label.as_deref(), condition, bound, body)
+            }
             tree::ExprKind::Unroll(count, inner) => {
                 let mark = self.out.len();
                 self.effect(inner)?;
@@ -311,30 +308,12 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn else_effect(&mut self, otherwise: Option<&tree::Expr>) -> Result<Block> {
-        match otherwise.map(|otherwise| (otherwise, &otherwise.kind)) {
-            Some((_, tree::ExprKind::Block(block))) => self.block_effect(block),
-            Some((otherwise, _)) => self.scoped(|inner| inner.effect(otherwise)),
-            None => Ok(Block::default()),
-        }
-    }
-
     /// The value of a condition in this instance: `if N == 0` is none of the C's business.
     fn decided(&self, condition: &Expr) -> Option<bool> {
         if self.source.generics.is_empty() {
             return None;
         }
         decided(condition)
-    }
-
-    pub(super) fn block_effect(&mut self, block: &tree::Block) -> Result<Block> {
-        self.scoped(|inner| {
-            inner.stmts(block)?;
-            match &block.tail {
-                Some(tail) => inner.effect(tail),
-                None => Ok(()),
-            }
-        })
     }
 
     fn return_stmt(&mut self, value: Option<&tree::Expr>, site: Site) -> Result<()> {

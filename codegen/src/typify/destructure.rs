@@ -31,7 +31,7 @@ impl Lowering<'_, '_> {
         let condition = self.test(pattern, &subject, value.site, &mut names)?;
         if let (Some(condition), Some(otherwise)) = (condition, otherwise) {
             let span = condition.span;
-            let then = self.block_effect(otherwise)?;
+            let then = self.block(otherwise, None)?;
             let condition = condition.negated();
             self.branch(condition, then, Block::default(), span);
         }

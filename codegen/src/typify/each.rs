@@ -223,6 +223,6 @@ impl Lowering<'_, '_> {
         let then = tree::Block { stmts: vec![tree::Stmt::Expr(then)], tail: None };
         let frame = Frame { pass: true, ..Frame::of(each.label, None) };
         let span = self.span(each.site);
-        self.left(words::PASS, frame, span, |inner| inner.block_effect(&then))
+        self.left(words::PASS, frame, span, |inner| inner.block(&then, None))
     }
 }

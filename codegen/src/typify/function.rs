@@ -350,7 +350,7 @@ impl Lowering<'_, '_> {
 
     pub(super) fn emit(&mut self, kind: StmtKind, span: Span) {
         self.follow(&kind);
-        self.out.push(Stmt { kind, span, comments: Vec::new() });
+        self.out.push(Stmt::new(kind, span));
     }
 
     /// Gives the author's comments above `site` to the first statement since `mark`.

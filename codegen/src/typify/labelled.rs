@@ -24,10 +24,7 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<()> {
         let (frame, span) = (Frame::of(Some(label), target), self.span(expr.site));
-        self.left(label, frame, span, |inner| match target {
-            Some(target) => inner.block_into(body, target),
-            None => inner.block_effect(body),
-        })
+        self.left(label, frame, span, |inner| inner.block(body, target))
     }
 
     /// A block that is left early; `name`: of what says so.

@@ -99,7 +99,7 @@ impl Lowering<'_, '_> {
                 moving.remove(at);
             } else {
                 let (kind, span) = (StmtKind::Expr((**value).clone()), value.span);
-                later.push(Stmt { kind, span, comments: Vec::new() });
+                later.push(Stmt::new(kind, span));
             }
         }
         for (value, role, _) in moving {
