@@ -76,26 +76,6 @@ pub(super) fn without_marks(local: Local) -> Local {
     Local { name: local.name.replace('%', ""), ..local }
 }
 
-/// The author's name for the result if the body ends in one, else the name of its type.
-fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
-    if let Some(name) = &tree.attributes.result.name {
-        return name.clone();
-    }
-    if let Some(tree::ExprKind::Local(name)) = tree.body.tail.as_ref().map(|tail| &tail.kind)
-        && name != "self"
-        && tree.params.iter().all(|param| param.name != *name)
-    {
-        return name.clone();
-    }
-    match result {
-        Type::Struct(id) if cx.known(result).shown.is_none() => {
-            names::role(&cx.module.structs[id.index()].name)
-        }
-        Type::Enum(id) => names::snake(&cx.module.enums[id.index()].name),
-        _ => "result".into(),
-    }
-}
-
 /// The elements of the slice that a type refers to.
 fn slice_of(ty: &Ty) -> Option<&Ty> {
     match ty {
@@ -186,7 +166,7 @@ impl Lowering<'_, '_> {
             attributes: self.cx.sizes_of(source, &locals[..params], &result),
             docs: source.tree.docs.clone(),
             params: params as u32,
-            result_name: result_name(self.cx, &source.tree, &result),
+            result_name: names::result(self.cx, &source.tree, &result),
             body: Block(std::mem::take(&mut self.out)),
             locals: locals.into_iter().map(without_marks).collect(),
             result,

@@ -43,6 +43,16 @@ enum By<'a, 'e> {
     Closure(&'e str, &'e [tree::Expr]),
 }
 
+/// The authors' own `iter`s, but those beside which an `iter_mut` stands.
+pub(super) fn own_iterators(package: &tree::Package) -> Vec<&tree::Function> {
+    let named = |name| {
+        let all = package.functions.iter().filter(|it| it.owner.is_some() && generates(it));
+        all.filter(move |it| it.tree.name == name)
+    };
+    let changed: Vec<_> = named(ITER_MUT).map(|it| &it.owner).collect();
+    named(ITER).filter(|it| !changed.contains(&&it.owner)).collect()
+}
+
 impl<'a> Lowering<'a, '_> {
     /// What a loop goes through, if a function gives that.
     pub(super) fn generated<'e>(
@@ -84,25 +94,18 @@ impl<'a> Lowering<'a, '_> {
         Ok(found)
     }
 
-    /// An author's own `iter` of what is gone through: the adaptor is the iterator's own, as its name is.
+    /// An author's own `iter` of what is gone through: the adaptor is the iterator's own, as its name is. Not of a type that has
+    /// an `iter_mut` as well, since either may be meant.
     fn own_items<'e>(&mut self, of: &'e tree::Expr) -> Result<Option<Called<'a, 'e>>> {
         let is_place = matches!(of.kind, Tree::Local(_) | Tree::Field(..) | Tree::Index(..));
-        let own = |it: &&&'a tree::Function| generates(it) && it.tree.name == ITER;
-        if !is_place || self.holds_nothing(of) {
-            return Ok(None);
-        }
-        let own: Vec<_> = self.cx.all.values().filter(own).copied().collect();
-        let other = |it: &&&'a tree::Function| generates(it) && it.tree.name == ITER_MUT;
-        let changed: Vec<_> = self.cx.all.values().filter(other).map(|it| &it.owner).collect();
-        if own.is_empty() {
+        if !is_place || self.cx.own_iterators.is_empty() || self.holds_nothing(of) {
             return Ok(None);
         }
         let Type::Struct(id) = self.type_alone(of)? else { return Ok(None) };
         let path = self.cx.types.iter().find(|(_, ty)| **ty == Type::Struct(id));
-        let path = path.map(|(path, _)| path.as_str());
-        let function = own.into_iter().find(|it| it.owner.as_deref() == path);
-        let function = function.filter(|it| !changed.contains(&&it.owner));
-        Ok(function.map(|function| (function, std::slice::from_ref(of))))
+        let Some((path, _)) = path else { return Ok(None) };
+        let own = self.cx.own_iterators.iter().find(|it| it.owner.as_ref() == Some(path));
+        Ok(own.map(|function| (*function, std::slice::from_ref(of))))
     }
 
     /// `for pattern in function(arguments)`.

@@ -144,6 +144,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<regions::Jo
             cx.told.push(diagnostic(&table.file, problem));
         }
     }
+    cx.own_iterators = generator::own_iterators(package);
     cx.all = package.functions.iter().map(|it| (it.path.as_str(), it)).collect();
     let whole = |it: &&tree::Function| {
         it.tree.role != tree::Role::Rewritten && !function::takes_closures(it)
@@ -291,6 +292,8 @@ struct Context<'a> {
     functions: HashMap<String, FunctionId>,
     /// All functions, by their paths.
     all: HashMap<&'a str, &'a tree::Function>,
+    /// The authors' own `iter`s.
+    own_iterators: Vec<&'a tree::Function>,
     /// Those that return references and are inlined: a reference lowers to a place, never to a pointer.
     lending: HashSet<&'a str>,
     /// The authors' own `[…]`.
@@ -337,6 +340,7 @@ impl<'a> Context<'a> {
             given_back: HashMap::new(),
             functions: HashMap::new(),
             all: HashMap::new(),
+            own_iterators: Vec::new(),
             lending: HashSet::new(),
             indexing: Vec::new(),
             waiting: HashMap::new(),

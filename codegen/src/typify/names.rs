@@ -1,6 +1,8 @@
 //! Names for what the author left unnamed, and for constants that a path leads to.
 
-use bessemer_ir::Scalar;
+use bessemer_ir::{Scalar, Type, tree};
+
+use super::Context;
 
 /// `RateMatrix` as `rate_matrix`.
 pub(super) fn snake(name: &str) -> String {
@@ -21,6 +23,26 @@ pub(super) fn role(name: &str) -> String {
     let snake = snake(name);
     let bare = snake.strip_suffix("_f64").or_else(|| snake.strip_suffix("_f32"));
     bare.unwrap_or(&snake).to_owned()
+}
+
+/// The author's name for the result if the body ends in one, else the name of its type.
+pub(super) fn result(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
+    if let Some(name) = &tree.attributes.result.name {
+        return name.clone();
+    }
+    if let Some(tree::ExprKind::Local(name)) = tree.body.tail.as_ref().map(|tail| &tail.kind)
+        && name != "self"
+        && tree.params.iter().all(|param| param.name != *name)
+    {
+        return name.clone();
+    }
+    match result {
+        Type::Struct(id) if cx.known(result).shown.is_none() => {
+            role(&cx.module.structs[id.index()].name)
+        }
+        Type::Enum(id) => snake(&cx.module.enums[id.index()].name),
+        _ => "result".into(),
+    }
 }
 
 /// The module and the name of a constant that a function of `module` (in an `impl` of `owner`) reads by `path`: `left::LIMIT` is `LIMIT` of `left`, `Gains::LIMIT` is `GAINS_LIMIT`, `i8::MAX` is `I8_MAX`.
