@@ -244,17 +244,20 @@ fn shown(circle: &BTreeSet<&Module>) -> String {
 }
 
 /// What takes the name of a temporary, or of a hidden local: the word decides nothing but how the C reads.
-const NAMING: [&str; 18] = [
+const NAMING: [&str; 20] = [
+    "called_here",
     "copy_of_part",
     "counter",
     "counter_of",
     "either",
     "fresh",
     "fresh_beside",
-    "fresh_beside_all",
     "fresh_in",
     "held",
     "hidden",
+    "let_local",
+    "local",
+    "mutable_place",
     "once",
     "part_copied",
     "steady",
@@ -262,7 +265,6 @@ const NAMING: [&str; 18] = [
     "temporary",
     "temporary_local",
     "temporary_place",
-    "zeros",
 ];
 
 /// The file of a folder that has nothing but words for the C. Such a word counts where something is compared with it.
