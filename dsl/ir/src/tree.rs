@@ -6,6 +6,7 @@
 //!
 //! Must not know: what an operation means. That is the typifier's.
 
+mod build;
 mod builtin;
 mod data;
 pub mod visit;
@@ -320,18 +321,6 @@ pub struct Expr {
     pub slot: Option<u32>,
 }
 
-impl Expr {
-    /// An expression whose type follows from its parts.
-    pub fn plain(kind: ExprKind, site: Site) -> Expr {
-        Expr { kind, site, slot: None }
-    }
-
-    /// What a name means.
-    pub fn local(name: &str, site: Site) -> Expr {
-        Expr::plain(ExprKind::Local(name.into()), site)
-    }
-}
-
 /// The kinds of [`Expr`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ExprKind {
@@ -569,22 +558,6 @@ pub enum Pattern {
     Constructor(String, Vec<Pattern>),
     /// `Name { field: a, .. }`.
     Fields(String, Vec<(String, Pattern)>),
-}
-
-impl ExprKind {
-    /// A loop through all elements from the first on, each with its index if that has a name.
-    pub fn each(index: Option<&str>, part: Part, pass: Expr) -> ExprKind {
-        let (index, parts) = (index.map(Into::into), alloc::vec![part]);
-        let body = Block { stmts: alloc::vec![Stmt::Expr(pass)], tail: None };
-        ExprKind::Each { label: None, index, parts, order: Order::Up, cuts: Vec::new(), body }
-    }
-}
-
-impl Pattern {
-    /// A name that no author gave.
-    pub fn name(name: &str) -> Pattern {
-        Pattern::Name { name: name.into(), slot: NO_SLOT, mutable: false, inner: None }
-    }
 }
 
 /// Operators of one operand.
