@@ -50,8 +50,8 @@ pub fn is_mathematics(module: &str) -> bool {
     module == "bessemer::math" || module.starts_with("bessemer::math::")
 }
 
-/// What C's `math.h` calls a function of the mathematics: one that gives a float. The proofs take what a function of the DSL's
-/// is known to return for what its call gives, and of floats they know nothing.
+/// The name in C's `math.h` of a function of the mathematics. Only functions that return floats have one: the proofs use what they
+/// know of a function's result at each call, the library's may return something else, and of floats the proofs know nothing.
 pub fn name(function: &Function) -> Option<String> {
     let gives_float = function.result.as_float().is_some();
     if function.owner.is_some() || !is_mathematics(&function.module) || !gives_float {

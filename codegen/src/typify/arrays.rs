@@ -1,4 +1,4 @@
-//! What becomes an array, and what an array becomes: slices as arrays, `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`;
+//! Conversions to and from arrays: slices as arrays, `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`;
 //! matrices from arrays of their elements, `Vector3::from([x, y, z])`, by columns as nalgebra has it, and arrays from matrices.
 
 use bessemer_ir::tree::{self, Builtin, SliceMethod};
@@ -123,7 +123,7 @@ impl Lowering<'_, '_> {
         Ok(result.load())
     }
 
-    /// Whether what is written out are elements, and not columns that have names.
+    /// True if the items of an array literal are scalars; else they are the names of columns.
     fn are_numbers(&mut self, elements: &[tree::Expr]) -> Result<bool> {
         match elements.first() {
             Some(first) => Ok(matches!(self.type_alone(first)?, Type::Scalar(_))),

@@ -101,7 +101,7 @@ impl Lowering<'_, '_> {
         }
         let then = self.block(then, target)?;
         let otherwise = self.otherwise(otherwise, target)?;
-        // What holds nothing leaves nothing behind.
+        // Assignments of zero-sized values are erased, so both branches may be empty.
         let idle = target.is_none() && then.0.is_empty() && otherwise.0.is_empty();
         if !(idle && order::is_free(&condition)) {
             self.emit(StmtKind::If { condition, then, otherwise }, span);
@@ -235,7 +235,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What is no control flow with a value, for its effect.
+    /// Lowers an expression for its effect, where it is no control flow that has a value.
     fn statement(&mut self, expr: &tree::Expr) -> Result<()> {
         let span = self.span(expr.site);
         match &expr.kind {

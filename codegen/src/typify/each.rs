@@ -198,7 +198,7 @@ impl Lowering<'_, '_> {
         copies
     }
 
-    /// Whether what is gone through is an `Option`.
+    /// True if the loop goes through an `Option`.
     fn may_be_there(&mut self, of: &tree::Expr) -> bool {
         let slot = of.slot.and_then(|slot| self.source.slots.get(slot as usize));
         match (slot, &of.kind) {
