@@ -8,28 +8,13 @@ use bessemer_ir::tree::Ty;
 
 use super::builder::{Builder, Callee};
 use super::builtin::{self, calls, companions};
-use super::slot::{Called, DslType, Seen, Value};
+use super::slot::{Called, DslType, Seen, Value, dsl_types};
 use crate::comparison;
 use crate::math::Real;
 
-impl DslType for Ordering {
-    fn ty(cx: &mut Builder) -> Ty {
-        comparison::Ordering::ty(cx)
-    }
-}
-
-impl Seen for Ordering {
-    type Slot = Ordering;
-}
-
-impl<T: Value> DslType for Reverse<T> {
-    fn ty(cx: &mut Builder) -> Ty {
-        comparison::Reverse::<T>::ty(cx)
-    }
-}
-
-impl<T: Seen> Seen for Reverse<T> {
-    type Slot = Reverse<T::Slot>;
+dsl_types! {
+    [] [] Ordering as Self => |cx| comparison::Ordering::ty(cx);
+    [T: Value] [T: Seen] Reverse<T> as Reverse<T::Slot> => |cx| comparison::Reverse::<T>::ty(cx);
 }
 
 /// What has an order of its own: plain enums that derive that of their numbers, structs that derive that of their

@@ -8,7 +8,7 @@ use nalgebra::{Cholesky, Const, DimMin, LU, QR, SMatrix, SVector, UDU};
 
 use super::builder::{Builder, Callee};
 use super::builtin::companions;
-use super::slot::{Called, DslType, Seen};
+use super::slot::{Called, DslType, Seen, stands};
 use crate::linear::factored::cholesky::CholeskyFactor;
 use crate::linear::factored::lu::Lu;
 use crate::linear::factored::qr::Qr;
@@ -34,25 +34,13 @@ macro_rules! told {
     };
 }
 
-macro_rules! stands {
-    ($([$($n:ident),*] $native:ty => $data:ty $(, where [$($bound:tt)+])?;)*) => {$(
-        impl<T: Real, $(const $n: usize),*> DslType for $native $(where $($bound)+)? {
-            fn ty(cx: &mut Builder) -> Ty {
-                <$data>::ty(cx)
-            }
-        }
-        impl<T: Real, $(const $n: usize),*> Seen for $native $(where $($bound)+)? {
-            type Slot = Self;
-        }
-    )*};
-}
-
 stands! {
-    [N] LU<T, Const<N>, Const<N>> => Lu<T, N>, where [Const<N>: DimMin<Const<N>, Output = Const<N>>];
-    [R, C] QR<T, Const<R>, Const<C>> => Qr<T, R, C>,
-        where [Const<R>: DimMin<Const<C>, Output = Const<C>>];
-    [N] Cholesky<T, Const<N>> => CholeskyFactor<T, N>;
-    [N] UDU<T, Const<N>> => Udu<T, N>;
+    [T: Real, const N: usize] LU<T, Const<N>, Const<N>>
+        where Const<N>: DimMin<Const<N>, Output = Const<N>> => Lu<T, N>;
+    [T: Real, const R: usize, const C: usize] QR<T, Const<R>, Const<C>>
+        where Const<R>: DimMin<Const<C>, Output = Const<C>> => Qr<T, R, C>;
+    [T: Real, const N: usize] Cholesky<T, Const<N>> => CholeskyFactor<T, N>;
+    [T: Real, const N: usize] UDU<T, Const<N>> => Udu<T, N>;
 }
 
 /// Factors of square matrices.

@@ -11,7 +11,7 @@ use bessemer_ir::tree::{self, Desugared, Together, Ty};
 use super::builder::{Builder, Callee};
 use super::builtin::companions;
 use super::option;
-use super::slot::{Called, DslType, Exclusive, Seen, Shared};
+use super::slot::{Called, DslType, Exclusive, Seen, Shared, dsl_types};
 use crate::{List, Plain, adapt, iterate};
 
 /// What the companion of a function gives that gives an iterator of `T`, and what the builder of one that takes it has.
@@ -68,14 +68,8 @@ pub trait ExtendBuiltin<A> {
     }
 }
 
-impl<T> DslType for Items<T> {
-    fn ty(_: &mut Builder) -> Ty {
-        Ty::Unit
-    }
-}
-
-impl<T: Seen> Seen for Items<T> {
-    type Slot = Items<T::Slot>;
+dsl_types! {
+    [T] [T: Seen] Items<T> as Items<T::Slot> => |_| Ty::Unit;
 }
 
 impl<T> Plain for Items<T> {
@@ -111,10 +105,6 @@ impl<T, const N: usize> Held for List<T, N> {
 /// A reference is a value where a function stands in place: it is what it refers to.
 macro_rules! references {
     ($($reference:ident)*) => {$(
-        impl<T: ?Sized> Seen for $reference<T> {
-            type Slot = $reference<T>;
-        }
-
         impl<T: ?Sized> PartialEq for $reference<T> {
             fn eq(&self, _: &Self) -> bool {
                 unreachable!("a witness copy is never run")

@@ -9,7 +9,7 @@ use bessemer_ir::tree::Ty;
 use super::builder::Builder;
 use super::builtin::companions;
 use super::numbers::FromBuiltin;
-use super::slot::{Called, DslType, Seen};
+use super::slot::{Called, DslType, Seen, stands};
 use crate::non_zero;
 
 companions! {
@@ -22,14 +22,7 @@ companions! {
 
 macro_rules! integers {
     ($($int:ident)*) => {$(
-        impl DslType for NonZero<$int> {
-            fn ty(cx: &mut Builder) -> Ty {
-                non_zero::NonZero::<$int>::ty(cx)
-            }
-        }
-        impl Seen for NonZero<$int> {
-            type Slot = Self;
-        }
+        stands! { [] NonZero<$int> => non_zero::NonZero<$int>; }
         impl NonZeroBuiltins<$int> for NonZero<$int> {}
         impl FromBuiltin<NonZero<$int>> for $int {
             type Marker = non_zero::__function_get<$int>;

@@ -7,7 +7,7 @@ use bessemer_ir::tree::{self, ByteOrder, NumberMethod, Ty};
 
 use super::builder::{Builder, Callee};
 use super::builtin::{companions, markers};
-use super::slot::{Called, DslType, Seen};
+use super::slot::{Called, DslType, Seen, dsl_types};
 use crate::math::integer;
 use crate::math::whole::WholeCompanions;
 
@@ -240,13 +240,7 @@ narrowings! {
     usize: i8 i16 i32 i64 isize u32 u64;
 }
 
-/// That a number does not fit says nothing more: in the C it takes no room.
-impl DslType for TryFromIntError {
-    fn ty(_: &mut Builder) -> Ty {
-        Ty::Unit
-    }
-}
-
-impl Seen for TryFromIntError {
-    type Slot = TryFromIntError;
+// That a number does not fit says nothing more: in the C it takes no room.
+dsl_types! {
+    [] [] TryFromIntError as Self => |_| Ty::Unit;
 }

@@ -8,25 +8,12 @@ use bessemer_ir::tree::Ty;
 
 use super::builder::Builder;
 use super::builtin::companions;
-use super::slot::{Called, DslType, Seen, Value};
+use super::slot::{Called, DslType, Seen, Value, dsl_types};
 use crate::range;
 
-macro_rules! stands {
-    ($($native:ident => $data:ident;)*) => {$(
-        impl<T: Value> DslType for $native<T> {
-            fn ty(cx: &mut Builder) -> Ty {
-                range::$data::<T>::ty(cx)
-            }
-        }
-        impl<T: Seen> Seen for $native<T> {
-            type Slot = $native<T::Slot>;
-        }
-    )*};
-}
-
-stands! {
-    RangeInclusive => Closed;
-    Range => HalfOpen;
+dsl_types! {
+    [T: Value] [T: Seen] RangeInclusive<T> as RangeInclusive<T::Slot> => |cx| range::Closed::<T>::ty(cx);
+    [T: Value] [T: Seen] Range<T> as Range<T::Slot> => |cx| range::HalfOpen::<T>::ty(cx);
 }
 
 companions! {

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::builder::{Builder, Callee};
 use super::builtin::{companions, markers};
 use super::numbers::TryFromBuiltin;
-use super::slot::{Called, DslType, Seen, Value};
+use super::slot::{Called, DslType, Seen, Value, dsl_types};
 use crate::math::Real;
 use crate::{Number, Plain, search, slice_edit, sort};
 
@@ -57,14 +57,9 @@ impl<T> Clone for Copied<T> {
 
 impl<T> Copy for Copied<T> {}
 
-impl<T: DslType> DslType for Copied<T> {
-    fn ty(cx: &mut Builder) -> Ty {
-        T::ty(cx)
-    }
-}
-
-impl<T> Seen for Copied<T> {
-    type Slot = Copied<T>;
+dsl_types! {
+    [T: DslType] [T] Copied<T> as Self => |cx| T::ty(cx);
+    [] [] TryFromSliceError as Self => |_| Ty::Unit;
 }
 
 impl<T> Plain for Copied<T> {
@@ -87,16 +82,6 @@ impl<T, const N: usize> TryFromBuiltin<&[T]> for [T; N] {
 impl<T, const N: usize> TryFromBuiltin<&mut [T]> for [T; N] {
     type Marker = ToArray;
     type Error = TryFromSliceError;
-}
-
-impl DslType for TryFromSliceError {
-    fn ty(_: &mut Builder) -> Ty {
-        Ty::Unit
-    }
-}
-
-impl Seen for TryFromSliceError {
-    type Slot = TryFromSliceError;
 }
 
 /// The marker of `split_first_chunk`, which says how many elements are the first.

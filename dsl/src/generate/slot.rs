@@ -192,26 +192,49 @@ pub fn list<T, const N: usize>(items: [T; N]) -> Vec<T> {
     Vec::from(items)
 }
 
-macro_rules! scalars {
-    ($($ty:ty => $scalar:expr;)*) => {$(
-        impl DslType for $ty {
-            fn ty(_: &mut Builder) -> Ty {
-                Ty::Scalar($scalar)
+/// Types of the DSL: of each what it is in the tree, and what is in a slot in its place.
+///
+/// The first parameters are those of the one, the second those of the other.
+macro_rules! dsl_types {
+    ($(
+        [$($of:tt)*] [$($seen:tt)*] $ty:ty as $slot:ty $(where $place:ty: $bound:path)?
+            => |$cx:pat_param| $told:expr;
+    )*) => {$(
+        impl<$($of)*> DslType for $ty $(where $place: $bound)? {
+            fn ty($cx: &mut Builder) -> Ty {
+                $told
             }
         }
-        impl Seen for $ty {
-            type Slot = $ty;
-        }
-        impl ScalarType for $ty {
-            const SCALAR: Scalar = $scalar;
+        impl<$($seen)*> Seen for $ty $(where $place: $bound)? {
+            type Slot = $slot;
         }
     )*};
 }
+pub(super) use dsl_types;
+
+/// Types of std and nalgebra, for each of which a type of the DSL stands.
+macro_rules! stands {
+    ($([$($parameters:tt)*] $native:ty $(where $place:ty: $bound:path)? => $data:ty;)*) => {
+        $crate::generate::slot::dsl_types! {$(
+            [$($parameters)*] [$($parameters)*] $native as Self $(where $place: $bound)? => |cx| <$data>::ty(cx);
+        )*}
+    };
+}
+pub(super) use stands;
 
 /// A scalar of the DSL.
 pub trait ScalarType {
     /// Which one.
     const SCALAR: Scalar;
+}
+
+macro_rules! scalars {
+    ($($ty:ident => $scalar:expr;)*) => {
+        dsl_types! { $([] [] $ty as $ty => |_| Ty::Scalar($scalar);)* }
+        $(impl ScalarType for $ty {
+            const SCALAR: Scalar = $scalar;
+        })*
+    };
 }
 
 scalars! {
@@ -230,56 +253,24 @@ scalars! {
     usize => Scalar::Int(Int::Usize);
 }
 
-/// A character is its code point.
-impl DslType for char {
-    fn ty(_: &mut Builder) -> Ty {
-        Ty::Scalar(Scalar::Int(Int::U32))
-    }
-}
-
-impl Seen for char {
-    type Slot = char;
-}
-
-impl DslType for () {
-    fn ty(_: &mut Builder) -> Ty {
-        Ty::Unit
-    }
-}
-
-impl Seen for () {
-    type Slot = ();
-}
-
-/// Tells types apart, and holds nothing.
-impl<T: ?Sized> DslType for PhantomData<T> {
-    fn ty(_: &mut Builder) -> Ty {
-        Ty::Unit
-    }
-}
-
-impl<T: ?Sized> Seen for PhantomData<T> {
-    type Slot = PhantomData<T>;
-}
-
-impl<T: DslType, const N: usize> DslType for [T; N] {
-    fn ty(cx: &mut Builder) -> Ty {
-        Ty::Array(Box::new(T::ty(cx)), N as u32)
-    }
-}
-
-impl<T, const N: usize> Seen for [T; N] {
-    type Slot = [T; N];
-}
-
-impl<T: ScalarType, const R: usize, const C: usize> DslType for SMatrix<T, R, C> {
-    fn ty(_: &mut Builder) -> Ty {
-        Ty::Matrix(T::SCALAR, R as u32, C as u32)
-    }
-}
-
-impl<T, const R: usize, const C: usize> Seen for SMatrix<T, R, C> {
-    type Slot = SMatrix<T, R, C>;
+// A character is its code point. `PhantomData` tells types apart, and holds nothing.
+dsl_types! {
+    [] [] char as Self => |_| Ty::Scalar(Scalar::Int(Int::U32));
+    [] [] () as Self => |_| Ty::Unit;
+    [T: ?Sized] [T: ?Sized] PhantomData<T> as Self => |_| Ty::Unit;
+    [T: DslType, const N: usize] [T, const N: usize] [T; N] as Self
+        => |cx| Ty::Array(Box::new(T::ty(cx)), N as u32);
+    [T: DslType, const N: usize] [T, const N: usize] List<T, N> as Self
+        => |cx| Ty::List(Box::new(T::ty(cx)), N as u32);
+    [T: ScalarType, const R: usize, const C: usize] [T, const R: usize, const C: usize]
+        SMatrix<T, R, C> as Self => |_| Ty::Matrix(T::SCALAR, R as u32, C as u32);
+    [T: DslType + ?Sized] [T: ?Sized] &T as Shared<T> => |cx| Ty::Ref(Box::new(T::ty(cx)), false);
+    [T: DslType + ?Sized] [T: ?Sized] &mut T as Exclusive<T> => |cx| Ty::Ref(Box::new(T::ty(cx)), true);
+    [T: DslType + ?Sized] [T: ?Sized] Shared<T> as Self => |cx| Ty::Ref(Box::new(T::ty(cx)), false);
+    [T: DslType + ?Sized] [T: ?Sized] Exclusive<T> as Self => |cx| Ty::Ref(Box::new(T::ty(cx)), true);
+    [T: DslType] [T: Seen] Option<T> as Option<T::Slot> => |cx| Ty::Option(Box::new(T::ty(cx)));
+    [T: DslType, E: DslType] [T: Seen, E: Seen] Result<T, E> as Result<T::Slot, E::Slot>
+        => |cx| Ty::Result(Box::new(T::ty(cx)), Box::new(E::ty(cx)));
 }
 
 impl<T: DslType> DslType for [T] {
@@ -288,49 +279,11 @@ impl<T: DslType> DslType for [T] {
     }
 }
 
-impl<T: DslType + ?Sized> DslType for &T {
-    fn ty(cx: &mut Builder) -> Ty {
-        Ty::Ref(Box::new(T::ty(cx)), false)
-    }
-}
-
-impl<T: DslType + ?Sized> DslType for &mut T {
-    fn ty(cx: &mut Builder) -> Ty {
-        Ty::Ref(Box::new(T::ty(cx)), true)
-    }
-}
-
-impl<T: ?Sized> Seen for &T {
-    type Slot = Shared<T>;
-}
-
-impl<T: ?Sized> Seen for &mut T {
-    type Slot = Exclusive<T>;
-}
-
-impl<T: DslType + ?Sized> DslType for Shared<T> {
-    fn ty(cx: &mut Builder) -> Ty {
-        Ty::Ref(Box::new(T::ty(cx)), false)
-    }
-}
-
-impl<T: DslType + ?Sized> DslType for Exclusive<T> {
-    fn ty(cx: &mut Builder) -> Ty {
-        Ty::Ref(Box::new(T::ty(cx)), true)
-    }
-}
-
 macro_rules! tuples {
-    ($($($ty:ident),*;)*) => {$(
-        impl<$($ty: DslType),*> DslType for ($($ty,)*) {
-            fn ty(cx: &mut Builder) -> Ty {
-                Ty::Tuple(list([$($ty::ty(cx)),*]))
-            }
-        }
-        impl<$($ty: Seen),*> Seen for ($($ty,)*) {
-            type Slot = ($($ty::Slot,)*);
-        }
-    )*};
+    ($($($ty:ident),*;)*) => { dsl_types! {$(
+        [$($ty: DslType),*] [$($ty: Seen),*] ($($ty,)*) as ($($ty::Slot,)*)
+            => |cx| Ty::Tuple(list([$($ty::ty(cx)),*]));
+    )*} };
 }
 
 tuples! {
@@ -342,36 +295,6 @@ tuples! {
     A, B, C, D, E, F;
     A, B, C, D, E, F, G;
     A, B, C, D, E, F, G, H;
-}
-
-impl<T: DslType> DslType for Option<T> {
-    fn ty(cx: &mut Builder) -> Ty {
-        Ty::Option(Box::new(T::ty(cx)))
-    }
-}
-
-impl<T: Seen> Seen for Option<T> {
-    type Slot = Option<T::Slot>;
-}
-
-impl<T: DslType, E: DslType> DslType for Result<T, E> {
-    fn ty(cx: &mut Builder) -> Ty {
-        Ty::Result(Box::new(T::ty(cx)), Box::new(E::ty(cx)))
-    }
-}
-
-impl<T: Seen, E: Seen> Seen for Result<T, E> {
-    type Slot = Result<T::Slot, E::Slot>;
-}
-
-impl<T: DslType, const N: usize> DslType for List<T, N> {
-    fn ty(cx: &mut Builder) -> Ty {
-        Ty::List(Box::new(T::ty(cx)), N as u32)
-    }
-}
-
-impl<T, const N: usize> Seen for List<T, N> {
-    type Slot = List<T, N>;
 }
 
 /// The function behind a companion.

@@ -19,43 +19,25 @@ use nalgebra::{
 use super::builder::{Builder, Callee};
 use super::builtin::{AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros, companions};
 use super::numbers::FromBuiltin;
-use super::slot::{Called, DslType, Seen};
+use super::slot::{Called, DslType, Seen, dsl_types, stands};
 use crate::complex;
 use crate::linear::spatial::{isometry, quaternion, unit_quaternion};
 use crate::linear::{elementwise, matrix_edit, norms};
 use crate::math::Real;
 
-macro_rules! stands {
-    ($($native:ty => $data:ty;)*) => {$(
-        impl<T: Real> DslType for $native {
-            fn ty(cx: &mut Builder) -> Ty {
-                <$data>::ty(cx)
-            }
-        }
-        impl<T: Real> Seen for $native {
-            type Slot = Self;
-        }
-    )*};
-}
-
 stands! {
-    Complex<T> => complex::ComplexNumber<T>;
-    Quaternion<T> => quaternion::Quaternion<T>;
-    UnitQuaternion<T> => unit_quaternion::UnitQuaternion<T>;
-    Isometry3<T> => isometry::Isometry3<T>;
+    [T: Real] Complex<T> => complex::ComplexNumber<T>;
+    [T: Real] Quaternion<T> => quaternion::Quaternion<T>;
+    [T: Real] UnitQuaternion<T> => unit_quaternion::UnitQuaternion<T>;
+    [T: Real] Isometry3<T> => isometry::Isometry3<T>;
 }
 
+/// Matrices and vectors that are known by a name.
 macro_rules! known {
-    ($($native:ty => $rows:ident, $cols:tt, $name:literal;)*) => {$(
-        impl<T: Real, const N: usize> DslType for $native {
-            fn ty(cx: &mut Builder) -> Ty {
-                Ty::Known(format!("{}{N}", $name), Box::new(<SMatrix<T, $rows, $cols>>::ty(cx)))
-            }
-        }
-        impl<T: Real, const N: usize> Seen for $native {
-            type Slot = Self;
-        }
-    )*};
+    ($($native:ty => $rows:ident, $cols:tt, $name:literal;)*) => { dsl_types! {$(
+        [T: Real, const N: usize] [T: Real, const N: usize] $native as Self
+            => |cx| Ty::Known(format!("{}{N}", $name), Box::new(<SMatrix<T, $rows, $cols>>::ty(cx)));
+    )*} };
 }
 
 known! {
