@@ -8,7 +8,6 @@ mod builder;
 pub mod builtin;
 pub mod checked;
 pub mod comparison;
-pub mod elementary;
 pub mod factored;
 pub mod generic;
 mod handed;
@@ -61,11 +60,11 @@ pub mod prelude {
         CompareBuiltins as _, PartialCompareBuiltins as _, RankedBuiltins as _,
         RankedOrderBuiltins as _, ReferredOrderBuiltins as _, TotalCompareBuiltins as _,
     };
-    pub use super::elementary::ElementaryBuiltins as _;
     pub use super::factored::{
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
         SquareQrMethods as _, SymmetricBuiltins as _, UduMethods as _,
     };
+    pub use super::generic::ElementaryBuiltins as _;
     pub use super::handed::{__function, __made};
     pub use super::iterator::{
         __items, Adapters as _, ByHand as _, CopiedItems as _, Ends as _, ExtendBuiltin as _,

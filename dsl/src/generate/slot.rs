@@ -296,21 +296,3 @@ tuples! {
     A, B, C, D, E, F, G;
     A, B, C, D, E, F, G, H;
 }
-
-/// The function behind a companion.
-pub(super) trait Companion {
-    /// Builds it, and names it.
-    fn callee(self, cx: &mut Builder) -> tree::Callee;
-}
-
-macro_rules! companions_of {
-    ($($($argument:ident),*;)*) => {$(
-        impl<M: Callee, R, $($argument),*> Companion for fn($($argument),*) -> Called<M, R> {
-            fn callee(self, cx: &mut Builder) -> tree::Callee {
-                M::callee(cx)
-            }
-        }
-    )*};
-}
-
-companions_of! { ; A; A, B; A, B, C; A, B, C, D; }

@@ -134,7 +134,7 @@ mod generated {
     use crate::generate::ScalarType;
     use crate::generate::Value;
     use crate::generate::builtin::{FloatBuiltins, OrderBuiltins, RealBuiltins};
-    use crate::generate::elementary::ElementaryBuiltins;
+    use crate::generate::generic::ElementaryBuiltins;
     use crate::generate::numbers::{DivisionBuiltins, FloatKindBuiltins, SignBuiltins};
 
     pub trait Generated:
