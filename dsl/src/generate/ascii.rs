@@ -39,7 +39,7 @@ letters! {
 
 companions! {
     /// Methods of characters, of which the functions take the code point.
-    pub trait CharBuiltins: Sized {
+    impl[] CharBuiltins for char {
         fn __b_is_ascii(&self) -> bool = [ascii::is_ascii];
         fn __b_is_digit(self, _base: u32) -> bool = [ascii::is_digit_of];
         fn __b_to_digit(self, _base: u32) -> Option<u32> = [ascii::to_digit];
@@ -47,5 +47,3 @@ companions! {
         fn __b_from_u32(_code: u32) -> Option<Self> = [ascii::from_code];
     }
 }
-
-impl CharBuiltins for char {}

@@ -23,29 +23,53 @@ macro_rules! markers {
 }
 pub(super) use markers;
 
-/// A trait of companions, asked for their types alone: none is ever run. It is generic over types and, behind a semicolon,
-/// numbers. A method's own parameters stand in square brackets. Each companion has its marker: what that stands for is said
-/// where it is not another's as well; a marker that is named by a path stands in square brackets.
+/// Traits of companions, asked for their types alone: none is ever run. One is written as the `impl` of the type that has
+/// the methods, or as a trait where that is not one type. What it is generic over stands in square brackets, and so does
+/// what a method is generic over besides. Each companion has its marker: what that stands for is said where it is not
+/// another's as well; a marker that is named by a path stands in square brackets.
 macro_rules! companions {
-    ($(
+    () => {};
+    (
         $(#[$doc:meta])*
-        pub trait $trait:ident $(<$($p:ident $(: $of_p:path)?),* $(; $($n:ident),*)?>)? $(: $($super:path),+)? {
-            $(type $associated:ident $(: $kept:ident)?;)*
+        impl[$($g:tt)*] $trait:ident $(<$($argument:ident),+>)? for [$element:ty] { $($companions:tt)* }
+        $($more:tt)*
+    ) => {
+        $crate::generate::builtin::companions! { $(#[$doc])* pub trait $trait[$($g)*] { $($companions)* } $($more)* }
+        impl<$($g)*> $trait $(<$($argument),+>)? for [$element] {}
+    };
+    (
+        $(#[$doc:meta])*
+        impl[$($g:tt)*] $trait:ident $(<$($argument:ident),+>)? for $of:ty
+            $(where $place:ty: $bound:path)? { $($companions:tt)* }
+        $($more:tt)*
+    ) => {
+        $crate::generate::builtin::companions! {
+            $(#[$doc])*
+            pub trait $trait[$($g)*]: Sized $(where $place: $bound)? { $($companions)* }
+            $($more)*
+        }
+        impl<$($g)*> $trait $(<$($argument),+>)? for $of $(where $place: $bound)? {}
+    };
+    (
+        $(#[$doc:meta])*
+        pub trait $trait:ident $([$($g:tt)*])? $(: $($super:path),+)? $(where $place:ty: $limit:path)? {
+            $($(#[$told:meta])* type $associated:ident $(: $kept:ident)?;)*
             $(
-                fn $name:ident $([$($g:tt)*])? ($($parameters:tt)*) -> $result:ty
+                fn $name:ident $([$($own:tt)*])? ($($parameters:tt)*) -> $result:ty
                     $(where $($of:ty: $bound:path),+)?
                     = $($marker:ident $(: $kind:ident$(($operation:expr))?)?)? $([$other:ty])?;
             )*
         }
-    )*) => {$(
+        $($more:tt)*
+    ) => {
         $($($($crate::generate::builtin::markers! { $marker: $kind$(($operation))?; })?)?)*
 
         $(#[$doc])*
         #[allow(missing_docs, clippy::type_complexity, clippy::too_many_arguments)]
-        pub trait $trait $(<$($p $(: $of_p)?,)* $($(const $n: usize),*)?>)? $(: $($super +)+)? {
-            $(type $associated $(: $kept)?;)*
+        pub trait $trait $(<$($g)*>)? $(: $($super +)+)? $(where $place: $limit)? {
+            $($(#[$told])* type $associated $(: $kept)?;)*
             $(
-                fn $name $(<$($g)*>)? ($($parameters)*)
+                fn $name $(<$($own)*>)? ($($parameters)*)
                     -> Called<$($marker)? $($other)?, $result>
                 $(where $($of: $bound),+)?
                 {
@@ -53,7 +77,9 @@ macro_rules! companions {
                 }
             )*
         }
-    )*};
+
+        $crate::generate::builtin::companions! { $($more)* }
+    };
 }
 pub(super) use companions;
 
@@ -97,7 +123,7 @@ companions! {
         fn __b_clamp(self, _low: Self, _high: Self) -> Self = Clamp: Scalar(Intrinsic::Clamp);
     }
     /// Methods of matrices and vectors.
-    pub trait MatrixBuiltins<T; R, C>: Sized {
+    impl[T: ScalarType + Scalar, const R: usize, const C: usize] MatrixBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_zeros() -> Self = Zeros: Matrix(MatrixMethod::Zeros);
         fn __b_from_element(_element: T) -> Self = FromElement: Matrix(MatrixMethod::FromElement);
         fn __b_repeat(_element: T) -> Self = FromElement;
@@ -120,11 +146,11 @@ companions! {
         fn __b_component_div(&self, _other: &Self) -> Self = ComponentDiv: Linear(Routine::ComponentDiv);
     }
     /// The identity of a matrix.
-    pub trait IdentityBuiltin: Sized {
+    impl[T: ScalarType + Scalar, const R: usize, const C: usize] IdentityBuiltin<T, R, C> for SMatrix<T, R, C> {
         fn __b_identity() -> Self = Identity: Matrix(MatrixMethod::Identity);
     }
     /// The unit vectors.
-    pub trait AxisBuiltins: Sized {
+    impl[T: ScalarType + Scalar, const N: usize] AxisBuiltins<T, N> for SMatrix<T, N, 1> {
         fn __b_x() -> Self = AxisX: Matrix(MatrixMethod::Axis(0));
         fn __b_y() -> Self = AxisY: Matrix(MatrixMethod::Axis(1));
         fn __b_z() -> Self = AxisZ: Matrix(MatrixMethod::Axis(2));
@@ -133,7 +159,7 @@ companions! {
         fn __b_b() -> Self = AxisB: Matrix(MatrixMethod::Axis(5));
     }
     /// The cross product.
-    pub trait CrossBuiltin: Sized {
+    impl[T: ScalarType + Scalar] CrossBuiltin<T> for SMatrix<T, 3, 1> {
         fn __b_cross(&self, _other: &Self) -> Self = Cross: Linear(Routine::Cross);
     }
 }
@@ -154,22 +180,12 @@ macro_rules! ordered {
 }
 ordered!(f32, f64, i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
 
-impl<T: ScalarType + Scalar, const R: usize, const C: usize> MatrixBuiltins<T, R, C>
-    for SMatrix<T, R, C>
-{
-}
-impl<T: ScalarType + Scalar, const R: usize, const C: usize> IdentityBuiltin for SMatrix<T, R, C> {}
-impl<T: ScalarType + Scalar, const N: usize> AxisBuiltins for SMatrix<T, N, 1> {}
-impl<T: ScalarType + Scalar> CrossBuiltin for SMatrix<T, 3, 1> {}
-
 macro_rules! constructors {
     ($($name:ident($($argument:ident),*) for $(($rows:literal, $cols:literal)),*;)*) => {$(
-        /// `new` with this many elements, by rows.
-        #[allow(missing_docs, clippy::too_many_arguments)]
-        pub trait $name<T>: Sized {
-            fn __b_new($($argument: T),*) -> Called<New, Self> {
-                let _ = ($($argument,)*);
-                unreachable!()
+        companions! {
+            /// `new` with this many elements, by rows.
+            pub trait $name[T]: Sized {
+                fn __b_new($($argument: T),*) -> Self = [New];
             }
         }
         $(impl<T: ScalarType + Scalar> $name<T> for SMatrix<T, $rows, $cols> {})*
@@ -177,14 +193,14 @@ macro_rules! constructors {
 }
 
 constructors! {
-    New1(a) for (1, 1);
-    New2(a, b) for (2, 1), (1, 2);
-    New3(a, b, c) for (3, 1), (1, 3);
-    New4(a, b, c, d) for (4, 1), (1, 4), (2, 2);
-    New5(a, b, c, d, e) for (5, 1);
-    New6(a, b, c, d, e, f) for (6, 1), (2, 3), (3, 2);
-    New8(a, b, c, d, e, f, g, h) for (2, 4), (4, 2);
-    New9(a, b, c, d, e, f, g, h, i) for (3, 3);
-    New12(a, b, c, d, e, f, g, h, i, j, k, l) for (3, 4), (4, 3), (2, 6), (6, 2);
-    New16(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p) for (4, 4);
+    New1(_a) for (1, 1);
+    New2(_a, _b) for (2, 1), (1, 2);
+    New3(_a, _b, _c) for (3, 1), (1, 3);
+    New4(_a, _b, _c, _d) for (4, 1), (1, 4), (2, 2);
+    New5(_a, _b, _c, _d, _e) for (5, 1);
+    New6(_a, _b, _c, _d, _e, _f) for (6, 1), (2, 3), (3, 2);
+    New8(_a, _b, _c, _d, _e, _f, _g, _h) for (2, 4), (4, 2);
+    New9(_a, _b, _c, _d, _e, _f, _g, _h, _i) for (3, 3);
+    New12(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l) for (3, 4), (4, 3), (2, 6), (6, 2);
+    New16(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p) for (4, 4);
 }

@@ -37,7 +37,7 @@ companions! {
         fn __b_saturating_abs(self) -> Self = [Self::SaturatingAbs];
     }
     /// The sum of what has no sign and what has one.
-    pub trait CheckedSignedBuiltin<S>: Sized {
+    pub trait CheckedSignedBuiltin[S]: Sized {
         type AddSigned: Callee;
         type SaturatingAddSigned: Callee;
         type WrappingAddSigned: Callee;

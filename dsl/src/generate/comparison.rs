@@ -50,7 +50,7 @@ companions! {
     }
     /// The same of references to what has `Ord`: rustc finds it there before it looks behind the reference. The function is that
     /// of the values: what it gives can only be read.
-    pub trait ReferredOrderBuiltins<T: Extremes>: Sized {
+    impl[T: Extremes] ReferredOrderBuiltins<T> for &T {
         fn __b_min(self, _other: Self) -> Self = [T::Min];
         fn __b_max(self, _other: Self) -> Self = [T::Max];
         fn __b_clamp(self, _low: Self, _high: Self) -> Self = [T::Clamp];
@@ -64,7 +64,6 @@ companions! {
 impl<T: Value + Real> PartialCompareBuiltins for T {}
 impl<T: Ranked + Copy> RankedBuiltins for T {}
 impl<T: Ranked + Copy + Ord> RankedOrderBuiltins for T {}
-impl<T: Extremes> ReferredOrderBuiltins<T> for &T {}
 impl<T: Value + Real> TotalCompareBuiltins for T {}
 
 /// What `core::cmp::max` and `core::cmp::min` take.

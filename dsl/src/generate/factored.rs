@@ -43,45 +43,35 @@ stands! {
     [T: Real, const N: usize] UDU<T, Const<N>> => Udu<T, N>;
 }
 
-/// Factors of square matrices.
-pub trait LuBuiltins<T: Real, const N: usize>: Sized
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
-    fn __b_lu(self) -> Called<lu::__function_factored<T, N>, LU<T, Const<N>, Const<N>>> {
-        unreachable!("a witness copy is never run")
-    }
-}
-
-impl<T: Real, const N: usize> LuBuiltins<T, N> for SMatrix<T, N, N> where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>
-{
-}
-
-/// Factors of matrices with no more columns than rows.
-pub trait QrBuiltins<T: Real, const R: usize, const C: usize>: Sized
-where
-    Const<R>: DimMin<Const<C>, Output = Const<C>>,
-{
-    fn __b_qr(self) -> Called<qr::__function_factored<T, R, C>, QR<T, Const<R>, Const<C>>> {
-        unreachable!("a witness copy is never run")
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> QrBuiltins<T, R, C> for SMatrix<T, R, C> where
-    Const<R>: DimMin<Const<C>, Output = Const<C>>
-{
-}
-
 companions! {
+    /// Factors of square matrices.
+    impl[T: Real, const N: usize] LuBuiltins<T, N> for SMatrix<T, N, N>
+        where Const<N>: DimMin<Const<N>, Output = Const<N>>
+    {
+        fn __b_lu(self) -> LU<T, Const<N>, Const<N>> = [lu::__function_factored<T, N>];
+    }
+    /// Factors of matrices with no more columns than rows.
+    impl[T: Real, const R: usize, const C: usize] QrBuiltins<T, R, C> for SMatrix<T, R, C>
+        where Const<R>: DimMin<Const<C>, Output = Const<C>>
+    {
+        fn __b_qr(self) -> QR<T, Const<R>, Const<C>> = [qr::__function_factored<T, R, C>];
+    }
     /// Factors of symmetric matrices.
-    pub trait SymmetricBuiltins<T: Real; N>: Sized {
+    impl[T: Real, const N: usize] SymmetricBuiltins<T, N> for SMatrix<T, N, N> {
         fn __b_cholesky(self) -> Option<Cholesky<T, Const<N>>> = [cholesky::__function_factored<T, N>];
         fn __b_udu(self) -> Option<UDU<T, Const<N>>> = [udu::__function_factored<T, N>];
     }
+    /// Methods of QR of square matrices.
+    impl[T: Real, const N: usize] SquareQrMethods<T, N> for QR<T, Const<N>, Const<N>>
+        where Const<N>: DimMin<Const<N>, Output = Const<N>>
+    {
+        fn __b_solve[const K: usize](&self, _b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>>
+            = [qr::__function_solve<T, N, K>];
+        fn __b_solve_mut[const K: usize](&self, _b: &mut SMatrix<T, N, K>) -> bool = [qr::__function_solve_mut<T, N, K>];
+        fn __b_try_inverse(&self) -> Option<SMatrix<T, N, N>> = [qr::__function_try_inverse<T, N>];
+        fn __b_is_invertible(&self) -> bool = [qr::__function_is_invertible<T, N>];
+    }
 }
-
-impl<T: Real, const N: usize> SymmetricBuiltins<T, N> for SMatrix<T, N, N> {}
 
 /// A trait with the companions of the methods of one of nalgebra's types.
 macro_rules! methods {
@@ -167,22 +157,6 @@ methods! {
             held::<_, Qr<T, R, C>>(self).__b_q_tr_mul(b)
         }
     }
-}
-
-companions! {
-    /// Methods of QR of square matrices.
-    pub trait SquareQrMethods<T; N>: Sized {
-        fn __b_solve[const K: usize](&self, _b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>>
-            = [qr::__function_solve<T, N, K>];
-        fn __b_solve_mut[const K: usize](&self, _b: &mut SMatrix<T, N, K>) -> bool = [qr::__function_solve_mut<T, N, K>];
-        fn __b_try_inverse(&self) -> Option<SMatrix<T, N, N>> = [qr::__function_try_inverse<T, N>];
-        fn __b_is_invertible(&self) -> bool = [qr::__function_is_invertible<T, N>];
-    }
-}
-
-impl<T: Real, const N: usize> SquareQrMethods<T, N> for QR<T, Const<N>, Const<N>> where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>
-{
 }
 
 methods! {

@@ -45,29 +45,6 @@ impl<T> DoubleEndedIterator for Items<T> {
 
 impl<T> ExactSizeIterator for Items<T> {}
 
-/// `items.collect()`, `Inputs::from_iter(items)`: the function of an author's that gathers items of type `A`.
-#[diagnostic::on_unimplemented(
-    message = "nothing of the DSL gathers items of type `{A}` in a `{Self}`",
-    label = "does not gather these",
-    note = "an `impl FromIterator<{A}> for` a type of the author's own is marked `#[data]`; a `List` takes them by `extend`"
-)]
-pub trait FromIteratorBuiltin<A>: Sized {
-    /// Which function it is.
-    type Marker;
-    fn __b_from_iter<I: IntoIterator<Item = A>>(_items: I) -> Called<Self::Marker, Self> {
-        unreachable!()
-    }
-}
-
-/// `gathered.extend(items)`: the function of an author's that takes items of type `A` into what is there.
-pub trait ExtendBuiltin<A> {
-    /// Which function it is.
-    type Marker;
-    fn __b_extend<I: IntoIterator<Item = A>>(&mut self, _items: I) -> Called<Self::Marker, ()> {
-        unreachable!()
-    }
-}
-
 dsl_types! {
     [T] [T: Seen] Items<T> as Items<T::Slot> => |_| Ty::Unit;
 }
@@ -152,6 +129,23 @@ pub fn __items<I: IntoIterator>(_: I) -> Items<I::Item> {
 }
 
 companions! {
+    /// `items.collect()`, `Inputs::from_iter(items)`: the function of an author's that gathers items of type `A`.
+    #[diagnostic::on_unimplemented(
+        message = "nothing of the DSL gathers items of type `{A}` in a `{Self}`",
+        label = "does not gather these",
+        note = "an `impl FromIterator<{A}> for` a type of the author's own is marked `#[data]`; a `List` takes them by `extend`"
+    )]
+    pub trait FromIteratorBuiltin[A]: Sized {
+        /// Which function it is.
+        type Marker;
+        fn __b_from_iter[I: IntoIterator<Item = A>](_items: I) -> Self = [Self::Marker];
+    }
+    /// `gathered.extend(items)`: the function of an author's that takes items of type `A` into what is there.
+    pub trait ExtendBuiltin[A] {
+        /// Which function it is.
+        type Marker;
+        fn __b_extend[I: IntoIterator<Item = A>](&mut self, _items: I) -> () = [Self::Marker];
+    }
     /// What iterators end in.
     pub trait Ends: Iterator<Item: Seen>, Sized {
         fn __b_sum[S: core::iter::Sum<Self::Item>](self) -> S = Sum: Desugared(Desugared::Together(Together::Sum));
@@ -239,7 +233,7 @@ companions! {
         fn __b_collect[C: FromIteratorBuiltin<Self::Item>](self) -> C = [C::Marker];
     }
     /// What gives the values behind references.
-    pub trait CopiedItems<T>: Sized {
+    pub trait CopiedItems[T]: Sized {
         fn __b_copied(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
         fn __b_cloned(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
     }

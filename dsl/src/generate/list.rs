@@ -11,7 +11,7 @@ use crate::{List, list_edit};
 
 companions! {
     /// Methods of lists.
-    pub trait ListBuiltins<T>: Sized {
+    impl[T, const N: usize] ListBuiltins<T, N> for List<T, N> {
         fn __b_new() -> Self = New: List(ListMethod::New);
         fn __b_push(&mut self, _element: T) -> () = Push: List(ListMethod::Push);
         fn __b_pop(&mut self) -> Option<T> = Pop: List(ListMethod::Pop);
@@ -22,16 +22,11 @@ companions! {
         fn __b_is_empty(&self) -> bool = IsEmpty: List(ListMethod::IsEmpty);
         fn __b_capacity(&self) -> usize = Capacity: List(ListMethod::Capacity);
     }
-}
-
-impl<T, const N: usize> ListBuiltins<T> for List<T, N> {}
-
-/// `list.extend(items)`, of items of type `E`: elements, or references to them.
-pub trait ListExtends<E>: Sized {
-    /// Which function it is.
-    type Marker;
-    fn __b_extend<I: IntoIterator<Item = E>>(&mut self, _items: I) -> Called<Self::Marker, ()> {
-        unreachable!("a witness copy is never run")
+    /// `list.extend(items)`, of items of type `E`: elements, or references to them.
+    pub trait ListExtends[E]: Sized {
+        /// Which function it is.
+        type Marker;
+        fn __b_extend[I: IntoIterator<Item = E>](&mut self, _items: I) -> () = [Self::Marker];
     }
 }
 

@@ -64,16 +64,16 @@ solvers! {
 
 companions! {
     /// Methods of square matrices.
-    pub trait SquareBuiltins<T>: Sized {
+    impl[T: ScalarType + Scalar, const N: usize] SquareBuiltins<T, N> for SMatrix<T, N, N> {
         fn __b_determinant(&self) -> T = [Determinant];
     }
     /// Sums in place with a matrix, or with a reference to one.
-    pub trait SumBuiltins<T; R, C>: Sized {
+    impl[T: Real, const R: usize, const C: usize] SumBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_add_assign[B: Borrow<Self>](&mut self, _other: B) -> () = [elementwise::__function_add_assign<T, R, C>];
         fn __b_sub_assign[B: Borrow<Self>](&mut self, _other: B) -> () = [elementwise::__function_sub_assign<T, R, C>];
     }
     /// Matrices of one element.
-    pub trait ScalarBuiltins<T>: Sized {
+    impl[T: Element] ScalarBuiltins<T> for SMatrix<T, 1, 1> {
         fn __b_to_scalar(&self) -> T = [parts::__function_to_scalar<T>];
         fn __b_into_scalar(self) -> T = [parts::__function_to_scalar<T>];
     }
@@ -82,12 +82,12 @@ companions! {
         fn __b_clone(&self) -> Self = [Owned];
     }
     /// Of a view: what is read is a copy already.
-    pub trait OwnedBuiltins: Sized {
+    impl[T: Element, const R: usize, const C: usize] OwnedBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_into_owned(self) -> Self = [Owned];
         fn __b_clone_owned(&self) -> Self = [Owned];
     }
     /// Parts of matrices that are written: to rustc a value of the part's type, whose place the typifier knows.
-    pub trait WrittenViews<T; R, C>: Sized {
+    impl[T: Element, const R: usize, const C: usize] WrittenViews<T, R, C> for SMatrix<T, R, C> {
         fn __b_row_mut(&mut self, _row: usize) -> SMatrix<T, 1, C> = [RowsMut];
         fn __b_column_mut(&mut self, _column: usize) -> SVector<T, R> = [ColumnsMut];
         fn __b_written_row(&mut self, _row: usize) -> SMatrix<T, 1, C> = [RowsMut];
@@ -98,7 +98,7 @@ companions! {
             = [BlockMut];
     }
     /// The lines of a matrix, one after another.
-    pub trait LineBuiltins<T; R, C>: Sized {
+    impl[T: Element, const R: usize, const C: usize] LineBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_column_iter(&self) -> Items<SVector<T, R>> = [lines::__function_column_iter<T, R, C>];
         fn __b_row_iter(&self) -> Items<SMatrix<T, 1, C>> = [lines::__function_row_iter<T, R, C>];
         fn __b_column_iter_mut(&mut self) -> Items<SVector<T, R>> = [lines::__function_column_iter_mut<T, R, C>];
@@ -106,13 +106,7 @@ companions! {
     }
 }
 
-impl<T: ScalarType + Scalar, const N: usize> SquareBuiltins<T> for SMatrix<T, N, N> {}
-impl<T: Real, const R: usize, const C: usize> SumBuiltins<T, R, C> for SMatrix<T, R, C> {}
-impl<T: Element> ScalarBuiltins<T> for SMatrix<T, 1, 1> {}
 impl<T: Copy + Value> CopyBuiltin for T {}
-impl<T: Element, const R: usize, const C: usize> OwnedBuiltins for SMatrix<T, R, C> {}
-impl<T: Element, const R: usize, const C: usize> WrittenViews<T, R, C> for SMatrix<T, R, C> {}
-impl<T: Element, const R: usize, const C: usize> LineBuiltins<T, R, C> for SMatrix<T, R, C> {}
 
 /// `view.into()`: what is read is a copy already.
 impl<T: Element, const R: usize, const C: usize> FromBuiltin<SMatrix<T, R, C>>
@@ -147,7 +141,7 @@ macro_rules! swizzles {
     ($($count:literal { $($method:ident $marker:ident $axes:expr;)* })*) => {
         companions! {
             /// Vectors of a vector's components: `v.xy()`, `v.zyx()`.
-            pub trait SwizzleBuiltins<T>: Sized {$($(
+            impl[T: Element, const N: usize] SwizzleBuiltins<T, N> for SVector<T, N> {$($(
                 fn $method(&self) -> SVector<T, $count> = $marker: Matrix(MatrixMethod::Swizzle($axes, $count));
             )*)*}
         }
@@ -172,5 +166,3 @@ swizzles! {
         __b_zzx Zzx [2, 2, 0]; __b_zzy Zzy [2, 2, 1]; __b_zzz Zzz [2, 2, 2];
     }
 }
-
-impl<T: Element, const N: usize> SwizzleBuiltins<T> for SVector<T, N> {}

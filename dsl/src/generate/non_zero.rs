@@ -14,7 +14,7 @@ use crate::non_zero;
 
 companions! {
     /// Methods of integers that are not zero.
-    pub trait NonZeroBuiltins<T>: Sized {
+    pub trait NonZeroBuiltins[T]: Sized {
         fn __b_new(_value: T) -> Option<Self> = [non_zero::__function_new<T>];
         fn __b_get(self) -> T = [non_zero::__function_get<T>];
     }

@@ -91,51 +91,37 @@ companions! {
     }
 }
 
-/// Conversions that keep the value, and those of authors' own types.
-#[allow(missing_docs)]
-pub trait FromBuiltin<T>: Sized {
-    /// Which function it is.
-    type Marker;
-    fn __b_from(_value: T) -> Called<Self::Marker, Self> {
-        unreachable!()
+companions! {
+    /// Conversions that keep the value, and those of authors' own types.
+    pub trait FromBuiltin[T]: Sized {
+        /// Which function it is.
+        type Marker;
+        fn __b_from(_value: T) -> Self = [Self::Marker];
     }
-}
-
-/// `x.into()`: the same, from the other end.
-#[allow(missing_docs)]
-pub trait IntoBuiltin<U: FromBuiltin<Self>>: Sized {
-    fn __b_into(self) -> Called<U::Marker, U> {
-        unreachable!()
+    /// `x.into()`: the same, from the other end.
+    pub trait IntoBuiltin[U: FromBuiltin<Self>]: Sized {
+        fn __b_into(self) -> U = [U::Marker];
+    }
+    /// Conversions that may fail: of integers, and those of authors' own types.
+    #[diagnostic::on_unimplemented(
+        message = "no `try_from` of the DSL makes a `{Self}` of a `{T}`",
+        label = "not a conversion of the DSL",
+        note = "what always fits is `{Self}::from(x)`, and what is of that type is itself"
+    )]
+    pub trait TryFromBuiltin[T]: Sized {
+        /// Which function it is.
+        type Marker;
+        /// Why there is no value.
+        type Error;
+        fn __b_try_from(_value: T) -> Result<Self, Self::Error> = [Self::Marker];
+    }
+    /// `x.try_into()`: the same, from the other end.
+    pub trait TryIntoBuiltin[U: TryFromBuiltin<Self>]: Sized {
+        fn __b_try_into(self) -> Result<U, U::Error> = [U::Marker];
     }
 }
 
 impl<T, U: FromBuiltin<T>> IntoBuiltin<U> for T {}
-
-/// Conversions that may fail: of integers, and those of authors' own types.
-#[allow(missing_docs)]
-#[diagnostic::on_unimplemented(
-    message = "no `try_from` of the DSL makes a `{Self}` of a `{T}`",
-    label = "not a conversion of the DSL",
-    note = "what always fits is `{Self}::from(x)`, and what is of that type is itself"
-)]
-pub trait TryFromBuiltin<T>: Sized {
-    /// Which function it is.
-    type Marker;
-    /// Why there is no value.
-    type Error;
-    fn __b_try_from(_value: T) -> Called<Self::Marker, Result<Self, Self::Error>> {
-        unreachable!()
-    }
-}
-
-/// `x.try_into()`: the same, from the other end.
-#[allow(missing_docs)]
-pub trait TryIntoBuiltin<U: TryFromBuiltin<Self>>: Sized {
-    fn __b_try_into(self) -> Called<U::Marker, Result<U, U::Error>> {
-        unreachable!()
-    }
-}
-
 impl<T, U: TryFromBuiltin<T>> TryIntoBuiltin<U> for T {}
 
 macro_rules! integers {

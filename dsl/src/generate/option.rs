@@ -11,7 +11,7 @@ use crate::{exchange, optional};
 
 companions! {
     /// Methods of `Option`.
-    pub trait OptionBuiltins<T>: Sized {
+    impl[T] OptionBuiltins<T> for Option<T> {
         fn __b_is_some(&self) -> bool = IsSome: Option(OptionMethod::IsSome);
         fn __b_is_none(&self) -> bool = IsNone: Option(OptionMethod::IsNone);
         fn __b_unwrap(self) -> T = Unwrap: Option(OptionMethod::Unwrap);
@@ -32,16 +32,16 @@ companions! {
             = GetOrInsertWith: Option(OptionMethod::GetOrInsertWith);
     }
     /// `copied` of an `Option` of a reference.
-    pub trait CopiedBuiltin<T>: Sized {
+    impl[T] CopiedBuiltin<T> for Option<&T> {
         fn __b_copied(self) -> Option<T> = Copied: Option(OptionMethod::Copied);
         fn __b_cloned(self) -> Option<T> = Copied;
     }
     /// `map` of an array.
-    pub trait ArrayBuiltins<T; N>: Sized {
+    impl[T, const N: usize] ArrayBuiltins<T, N> for [T; N] {
         fn __b_map[U](self, _f: impl FnMut(T) -> U) -> [U; N] = ArrayMap: Desugared(Desugared::ArrayMap);
     }
     /// Methods of `Result`.
-    pub trait ResultBuiltins<T, E>: Sized {
+    impl[T, E] ResultBuiltins<T, E> for Result<T, E> {
         fn __b_is_ok(&self) -> bool = IsOk: Option(OptionMethod::IsOk);
         fn __b_is_err(&self) -> bool = IsErr: Option(OptionMethod::IsErr);
         fn __b_unwrap(self) -> T = Unwrap;
@@ -56,33 +56,16 @@ companions! {
         fn __b_and[U](self, _other: Result<U, E>) -> Result<U, E> = And;
         fn __b_as_ref(&self) -> Result<&T, &E> = AsRef;
     }
-}
-
-impl<T> OptionBuiltins<T> for Option<T> {}
-impl<T> CopiedBuiltin<T> for Option<&T> {}
-impl<T, const N: usize> ArrayBuiltins<T, N> for [T; N] {}
-impl<T, E> ResultBuiltins<T, E> for Result<T, E> {}
-
-/// What lends on what an `Option` refers to: the same reference, or one that only reads.
-pub trait LentOnBuiltin<T: ?Sized>: Sized {
-    fn __b_as_deref_mut(&mut self) -> Called<AsRef, Option<&mut T>> {
-        unreachable!("a witness copy is never run")
+    /// What lends on what an `Option` refers to: the same reference, or one that only reads.
+    impl[T: ?Sized] LentOnBuiltin<T> for Option<&mut T> {
+        fn __b_as_deref_mut(&mut self) -> Option<&mut T> = [AsRef];
+        fn __b_as_deref(&self) -> Option<&T> = [optional::as_deref];
     }
-    fn __b_as_deref(&self) -> Called<optional::as_deref, Option<&T>> {
-        unreachable!("a witness copy is never run")
+    /// The same of what is only read.
+    impl[T: ?Sized] ReadOnBuiltin<T> for Option<&T> {
+        fn __b_as_deref(&self) -> Option<&T> = [AsRef];
     }
 }
-
-impl<T: ?Sized> LentOnBuiltin<T> for Option<&mut T> {}
-
-/// The same of what is only read.
-pub trait ReadOnBuiltin<T: ?Sized>: Sized {
-    fn __b_as_deref(&self) -> Called<AsRef, Option<&T>> {
-        unreachable!("a witness copy is never run")
-    }
-}
-
-impl<T: ?Sized> ReadOnBuiltin<T> for Option<&T> {}
 
 /// The carriers of functions of `core::mem`: a value need not be `Copy` there.
 #[allow(non_camel_case_types)]

@@ -18,23 +18,19 @@ dsl_types! {
 
 companions! {
     /// Methods of ranges with a last number.
-    pub trait ClosedBuiltins<T>: Sized {
+    impl[T: Value + Copy] ClosedBuiltins<T> for RangeInclusive<T> {
         fn __b_new(_start: T, _end: T) -> Self = [range::__function_closed<T>];
         fn __b_start(&self) -> &T = [range::__function_start<T>];
         fn __b_end(&self) -> &T = [range::__function_end<T>];
     }
     /// What a range with a last number contains.
-    pub trait ClosedContents<T>: Sized {
+    impl[T: Value + Copy + PartialOrd] ClosedContents<T> for RangeInclusive<T> {
         fn __b_contains(&self, _number: &T) -> bool = [range::__function_closed_contains<T>];
         fn __b_is_empty(&self) -> bool = [range::__function_closed_is_empty<T>];
     }
     /// What one without contains.
-    pub trait Contents<T>: Sized {
+    impl[T: Value + Copy + PartialOrd] Contents<T> for Range<T> {
         fn __b_contains(&self, _number: &T) -> bool = [range::__function_contains<T>];
         fn __b_is_empty(&self) -> bool = [range::__function_is_empty<T>];
     }
 }
-
-impl<T: Value + Copy> ClosedBuiltins<T> for RangeInclusive<T> {}
-impl<T: Value + Copy + PartialOrd> ClosedContents<T> for RangeInclusive<T> {}
-impl<T: Value + Copy + PartialOrd> Contents<T> for Range<T> {}

@@ -70,7 +70,7 @@ type Narrower<T, const R: usize, const C: usize> = OMatrix<T, Const<R>, DimDiff<
 
 companions! {
     /// Methods of matrices whose result is of another size.
-    pub trait ResizedBuiltins<T: Real; R, C>: Sized {
+    impl[T: Real, const R: usize, const C: usize] ResizedBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_kronecker[const R2: usize, const C2: usize](&self, _b: &SMatrix<T, R2, C2>) -> Product<T, R, C, R2, C2>
             where Const<R>: DimMul<Const<R2>>, Const<C>: DimMul<Const<C2>>,
                 DefaultAllocator: Allocator<DimProd<Const<R>, Const<R2>>, DimProd<Const<C>, Const<C2>>>
@@ -89,12 +89,9 @@ companions! {
             = [RemoveColumn<T, Narrower<T, R, C>, R, C>];
     }
     /// The same of vectors.
-    pub trait PushBuiltin<T: Real; N>: Sized {
+    impl[T: Real, const N: usize] PushBuiltin<T, N> for SVector<T, N> {
         fn __b_push(&self, _element: T) -> Larger<T, N, 1>
             where Const<N>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<N>, U1>>
             = [Push<T, Larger<T, N, 1>, N>];
     }
 }
-
-impl<T: Real, const R: usize, const C: usize> ResizedBuiltins<T, R, C> for SMatrix<T, R, C> {}
-impl<T: Real, const N: usize> PushBuiltin<T, N> for SVector<T, N> {}

@@ -15,7 +15,7 @@ use crate::{Number, Plain, search, slice_edit, sort};
 
 companions! {
     /// Methods of slices.
-    pub trait SliceBuiltins<T> {
+    impl[T] SliceBuiltins<T> for [T] {
         fn __b_as_slice(&self) -> &[T] = AsSlice: Slice(SliceMethod::Whole);
         fn __b_as_mut_slice(&mut self) -> &mut [T] = AsSlice;
         fn __b_len(&self) -> usize = Len: Slice(SliceMethod::Len);
@@ -43,8 +43,6 @@ companions! {
         fn __b_split_last_mut(&mut self) -> Option<(&mut T, &mut [T])> = SplitLast;
     }
 }
-
-impl<T> SliceBuiltins<T> for [T] {}
 
 /// Stands for an element that need not be `Copy` in Rust: the C copies it.
 pub struct Copied<T>(PhantomData<T>);
@@ -110,32 +108,32 @@ fn chunk<const N: usize>(method: fn(u32) -> SliceMethod) -> tree::Callee {
 
 companions! {
     /// The beginnings of slices as arrays.
-    pub trait SliceArrays<T> {
+    impl[T] SliceArrays<T> for [T] {
         fn __b_first_chunk[const N: usize](&self) -> Option<&[T; N]> = FirstChunk: Slice(SliceMethod::FirstChunk);
         fn __b_split_first_chunk[const N: usize](&self) -> Option<(&[T; N], &[T])> = [SplitFirstChunk<N>];
         fn __b_split_last_chunk[const N: usize](&self) -> Option<(&[T], &[T; N])> = [SplitLastChunk<N>];
     }
     /// Methods of slices of numbers that compare their ends.
-    pub trait SliceEnds<T> {
+    impl[T: Value + Number + PartialEq] SliceEnds<T> for [T] {
         fn __b_starts_with(&self, _start: &[T]) -> bool = [slice_edit::__function_starts_with<T>];
         fn __b_ends_with(&self, _end: &[T]) -> bool = [slice_edit::__function_ends_with<T>];
     }
     /// Methods of slices of integers.
-    pub trait SliceSorts<T> {
+    impl[T: Value + Number + Ord] SliceSorts<T> for [T] {
         fn __b_sort(&mut self) -> () = [sort::__function_ascending<T>];
         fn __b_sort_unstable(&mut self) -> () = [sort::__function_ascending<T>];
     }
     /// The search of an element in a sorted slice.
-    pub trait SliceSearch<T> {
+    impl[T: Value + Copy + Ord] SliceSearch<T> for [T] {
         fn __b_binary_search(&self, _wanted: &T) -> Result<usize, usize> = [search::__function_binary_search<T>];
     }
     /// The same by a key.
-    pub trait SliceSearches<T> {
+    impl[T: Value + Copy] SliceSearches<T> for [T] {
         fn __b_binary_search_by_key[B: Value + Copy + Ord, F: Fn(&T) -> B](&self, _wanted: &B, _key: F) -> Result<usize, usize>
             = [search::__function_binary_search_by_key<T, B>];
     }
     /// Methods of slices whose elements have `<`.
-    pub trait SliceOrder<T> {
+    impl[T: Value + PartialOrd] SliceOrder<T> for [T] {
         fn __b_is_sorted(&self) -> bool = [sort::__function_is_sorted<T>];
     }
     /// The order of floats in `total_cmp`, which the C has as a function.
@@ -143,17 +141,10 @@ companions! {
         fn __b_total_below(&self, _other: &Self) -> bool = [sort::__function_below<Self>];
     }
     /// Vectors as slices.
-    pub trait VectorSliceBuiltins<T> {
+    impl[T, const N: usize] VectorSliceBuiltins<T, N> for SVector<T, N> {
         fn __b_as_slice(&self) -> &[T] = [AsSlice];
         fn __b_as_mut_slice(&mut self) -> &mut [T] = [AsSlice];
     }
 }
 
-impl<T> SliceArrays<T> for [T] {}
-impl<T: Value + Number + PartialEq> SliceEnds<T> for [T] {}
-impl<T: Value + Number + Ord> SliceSorts<T> for [T] {}
-impl<T: Value + Copy + Ord> SliceSearch<T> for [T] {}
-impl<T: Value + Copy> SliceSearches<T> for [T] {}
-impl<T: Value + PartialOrd> SliceOrder<T> for [T] {}
 impl<T: Value + Real> TotalOrder for T {}
-impl<T, const N: usize> VectorSliceBuiltins<T> for SVector<T, N> {}

@@ -49,25 +49,25 @@ known! {
 
 companions! {
     /// Complex numbers: what needs no function, and what num-complex takes from the platform.
-    pub trait ComplexBuiltins<T>: Sized {
+    impl[T: Real] ComplexBuiltins<T> for Complex<T> {
         fn __b_new(_re: T, _im: T) -> Self = ComplexNew: Parts(Parts::Complex);
         fn __b_norm(self) -> T = PlatformAngles;
     }
     /// Quaternions: what needs no function.
-    pub trait QuaternionBuiltins<T>: Sized {
+    impl[T: Real] QuaternionBuiltins<T> for Quaternion<T> {
         fn __b_new(_w: T, _i: T, _j: T, _k: T) -> Self = QuaternionNew: Parts(Parts::Quaternion);
         fn __b_identity() -> Self = QuaternionIdentity: Spatial(SpatialMethod::QuaternionIdentity);
         fn __b_as_vector(&self) -> &Vector4<T> = QuaternionCoords: Spatial(SpatialMethod::QuaternionCoords);
     }
     /// Methods of `Unit`.
-    pub trait UnitBuiltins<U: Unitary>: Sized {
+    impl[U: Unitary] UnitBuiltins<U> for Unit<U> {
         fn __b_new_unchecked(_value: U) -> Self = [U::Wrap];
         fn __b_into_inner(self) -> U = [U::Wrap];
         fn __b_as_ref(&self) -> &U = [U::Wrap];
         fn __b_new_normalize(_value: U) -> Self = [U::Normalized];
     }
     /// Unit quaternions: what needs no function, and what it takes of other types than its own.
-    pub trait UnitQuaternionBuiltins<T: Real>: Sized {
+    impl[T: Real] UnitQuaternionBuiltins<T> for UnitQuaternion<T> {
         fn __b_identity() -> Self = QuaternionIdentity;
         fn __b_new(_axis: Vector3<T>) -> Self = PlatformAngles: Spatial(SpatialMethod::PlatformAngles);
         fn __b_quaternion(&self) -> &Quaternion<T> = SameParts: Spatial(SpatialMethod::SameParts);
@@ -83,15 +83,15 @@ companions! {
             = [unit_quaternion::__function_inverse_transform_vector<T>];
     }
     /// `new` of rotations that are called by another name than nalgebra's: from an angle, over the platform's sine.
-    pub trait NewPlaneRotation<T>: Sized {
+    impl[T: Real] NewPlaneRotation<T> for Rotation2<T> {
         fn __b_new(_turn: T) -> Self = PlatformAngles;
     }
     /// The same in space.
-    pub trait NewSpaceRotation<T>: Sized {
+    impl[T: Real] NewSpaceRotation<T> for Rotation3<T> {
         fn __b_new(_turn: Vector3<T>) -> Self = PlatformAngles;
     }
     /// Methods of rotation matrices.
-    pub trait RotationBuiltins<T: Real; N>: Sized {
+    impl[T: Real, const N: usize] RotationBuiltins<T, N> for Rotation<T, N> {
         fn __b_identity() -> Self = Identity;
         fn __b_from_matrix_unchecked(_matrix: SMatrix<T, N, N>) -> Self = Same: Owned;
         fn __b_matrix(&self) -> &SMatrix<T, N, N> = Same;
@@ -106,7 +106,7 @@ companions! {
         fn __b_inverse_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = TrMul;
     }
     /// Methods of translations.
-    pub trait TranslationBuiltins<T: Real; N>: Sized {
+    impl[T: Real, const N: usize] TranslationBuiltins<T, N> for Translation<T, N> {
         fn __b_identity() -> Self = Zeros;
         fn __b_inverse(&self) -> Self = Negative: Spatial(SpatialMethod::Negative);
         fn __b_inverse_mut(&mut self) -> () = [elementwise::__function_neg_mut<T, N, 1>];
@@ -114,26 +114,26 @@ companions! {
         fn __b_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = Plus: Spatial(SpatialMethod::Plus);
     }
     /// Methods of points.
-    pub trait PointBuiltins<T; N>: Sized {
+    impl[T: Real, const N: usize] PointBuiltins<T, N> for OPoint<T, Const<N>> {
         fn __b_origin() -> Self = Zeros;
         fn __b_from(_vector: SVector<T, N>) -> Self = Same;
     }
     /// Points and translations in the plane, from their parts.
-    pub trait NewInPlane<T>: Sized {
+    pub trait NewInPlane[T]: Sized {
         fn __b_new(_x: T, _y: T) -> Self = New;
     }
     /// The same in space.
-    pub trait NewInSpace<T>: Sized {
+    pub trait NewInSpace[T]: Sized {
         fn __b_new(_x: T, _y: T, _z: T) -> Self = New;
     }
     /// Unit vectors along the axes.
-    pub trait UnitAxisBuiltins: Sized {
+    impl[T: Real, const N: usize] UnitAxisBuiltins<T, N> for SVector<T, N> {
         fn __b_x_axis() -> Unit<Self> = AxisX;
         fn __b_y_axis() -> Unit<Self> = AxisY;
         fn __b_z_axis() -> Unit<Self> = AxisZ;
     }
     /// Poses: what needs no function, and what it takes of other types than its own.
-    pub trait IsometryBuiltins<T: Real>: Sized {
+    impl[T: Real] IsometryBuiltins<T> for Isometry3<T> {
         fn __b_from_parts(_by: Translation3<T>, _q: UnitQuaternion<T>) -> Self = IsometryNew: Parts(Parts::Isometry);
         fn __b_new(_by: Vector3<T>, _axis: Vector3<T>) -> Self = PlatformAngles;
         fn __b_lerp_slerp(&self, _other: &Self, _share: T) -> Self = PlatformAngles;
@@ -143,21 +143,10 @@ companions! {
     }
 }
 
-impl<T: Real> ComplexBuiltins<T> for Complex<T> {}
-impl<T: Real> QuaternionBuiltins<T> for Quaternion<T> {}
-impl<U: Unitary> UnitBuiltins<U> for Unit<U> {}
-impl<T: Real> UnitQuaternionBuiltins<T> for UnitQuaternion<T> {}
-impl<T: Real> NewPlaneRotation<T> for Rotation2<T> {}
-impl<T: Real> NewSpaceRotation<T> for Rotation3<T> {}
-impl<T: Real, const N: usize> RotationBuiltins<T, N> for Rotation<T, N> {}
-impl<T: Real, const N: usize> TranslationBuiltins<T, N> for Translation<T, N> {}
-impl<T: Real, const N: usize> PointBuiltins<T, N> for OPoint<T, Const<N>> {}
 impl<T: Real> NewInPlane<T> for OPoint<T, Const<2>> {}
 impl<T: Real> NewInSpace<T> for OPoint<T, Const<3>> {}
 impl<T: Real> NewInPlane<T> for Translation<T, 2> {}
 impl<T: Real> NewInSpace<T> for Translation<T, 3> {}
-impl<T: Real, const N: usize> UnitAxisBuiltins for SVector<T, N> {}
-impl<T: Real> IsometryBuiltins<T> for Isometry3<T> {}
 
 /// What a `Unit` is made of.
 pub trait Unitary: Sized {
