@@ -8,6 +8,7 @@ use nalgebra::{Cholesky, Const, DimMin, LU, QR, SMatrix, SVector, UDU};
 
 use super::builder::{Builder, Callee};
 use super::builtin::companions;
+use super::handed::CompanionOf;
 use super::slot::{Called, DslType, Seen, stands};
 use crate::linear::factored::cholesky::CholeskyFactor;
 use crate::linear::factored::lu::Lu;
@@ -15,24 +16,6 @@ use crate::linear::factored::qr::Qr;
 use crate::linear::factored::udu::Udu;
 use crate::linear::factored::{cholesky, lu, qr, udu};
 use crate::math::Real;
-
-/// The DSL's struct in place of nalgebra's value, lent to be read or to be changed. No companion is ever run.
-#[allow(clippy::mut_from_ref)]
-fn held<N, D>(_: &N) -> &mut D {
-    unreachable!("a witness copy is never run")
-}
-
-/// nalgebra's value in place of the DSL's struct.
-fn gives<M, D, N>(_: Called<M, D>) -> Called<M, N> {
-    unreachable!("a witness copy is never run")
-}
-
-/// What a companion returns that names a method of such a struct: its marker has no name here.
-macro_rules! told {
-    ([$($kept:ident),*] $(+ $more:ident)* => $result:ty) => {
-        Called<impl Callee + use<$($kept),* $(, $more)*>, $result>
-    };
-}
 
 stands! {
     [T: Real, const N: usize] LU<T, Const<N>, Const<N>>
@@ -73,96 +56,86 @@ companions! {
     }
 }
 
-/// A trait with the companions of the methods of one of nalgebra's types.
+/// The companion of another function or method, as it is of one of nalgebra's types.
+fn told<A, C: CompanionOf<A>, R>(_: C) -> Called<C::Marker, R> {
+    unreachable!("a witness copy is never run")
+}
+
+/// Companions of the methods of one of nalgebra's types, each as that of a method of the DSL's struct or of a function: the
+/// marker of a method has no name here. It holds nothing of what the companion borrows.
 macro_rules! methods {
     (
         $(#[$doc:meta])*
-        $trait:ident<$($n:ident),*> $in_trait:tt for $native:ty, $in_type:tt
-        $(where [$($bound:tt)+])?
-        {$(
-            fn $name:ident $(<$($k:ident),*>)? ($($parameters:tt)*) -> $result:ty $body:block
+        impl[$($g:tt)*] $trait:ident $kept:tt for $native:ty $(where $place:ty: $bound:path)? {$(
+            fn $name:ident $([$k:ident])? ($($parameters:tt)*) -> $result:ty = $companion:expr;
         )*}
     ) => {
         $(#[$doc])*
-        pub trait $trait<T: Real, $(const $n: usize),*>: Sized {$(
-            fn $name $(<$(const $k: usize),*>)? ($($parameters)*)
-                -> told!($in_trait $($(+ $k)*)? => $result);
+        pub trait $trait<$($g)*>: Sized {$(
+            fn $name $(<const $k: usize>)? ($($parameters)*) -> methods!($kept $($k)? => $result) {
+                told($companion)
+            }
         )*}
-
-        impl<T: Real, $(const $n: usize),*> $trait<T, $($n),*> for $native $(where $($bound)+)? {$(
-            fn $name $(<$(const $k: usize),*>)? ($($parameters)*)
-                -> told!($in_type $($(+ $k)*)? => $result)
-            $body
-        )*}
+        methods!(impl[$($g)*] $trait $kept for $native $(where $place: $bound)?);
+    };
+    ([$($kept:ident),*] $($k:ident)? => $result:ty) => {
+        Called<impl Callee + use<Self, $($kept,)* $($k)?>, $result>
+    };
+    (impl[$($g:tt)*] $trait:ident [$($kept:ident),*] for $native:ty $(where $place:ty: $bound:path)?) => {
+        impl<$($g)*> $trait<$($kept),*> for $native $(where $place: $bound)? {}
     };
 }
+
 methods! {
     /// Methods of LU.
-    LuMethods<N> [Self, T, N] for LU<T, Const<N>, Const<N>>, [T, N]
-    where [Const<N>: DimMin<Const<N>, Output = Const<N>>]
+    impl[T: Real, const N: usize] LuMethods[T, N] for LU<T, Const<N>, Const<N>>
+        where Const<N>: DimMin<Const<N>, Output = Const<N>>
     {
-        fn __b_new(a: SMatrix<T, N, N>) -> Self { gives(lu::factored::__call(&a)) }
-        fn __b_solve<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
-            held::<_, Lu<T, N>>(self).__b_solve(b)
-        }
-        fn __b_solve_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> bool {
-            held::<_, Lu<T, N>>(self).__b_solve_mut(b)
-        }
-        fn __b_try_inverse(&self) -> Option<SMatrix<T, N, N>> {
-            held::<_, Lu<T, N>>(self).__b_try_inverse()
-        }
-        fn __b_is_invertible(&self) -> bool { held::<_, Lu<T, N>>(self).__b_is_invertible() }
-        fn __b_determinant(&self) -> T { held::<_, Lu<T, N>>(self).__b_determinant() }
-        fn __b_l(&self) -> SMatrix<T, N, N> { held::<_, Lu<T, N>>(self).__b_l() }
-        fn __b_l_unpack(self) -> SMatrix<T, N, N> { held::<_, Lu<T, N>>(&self).__b_l() }
-        fn __b_u(&self) -> SMatrix<T, N, N> { held::<_, Lu<T, N>>(self).__b_u() }
+        fn __b_new(_a: SMatrix<T, N, N>) -> Self = lu::factored::__call::<T, N>;
+        fn __b_solve[K](&self, _b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> = Lu::<T, N>::__b_solve::<K>;
+        fn __b_solve_mut[K](&self, _b: &mut SMatrix<T, N, K>) -> bool = Lu::<T, N>::__b_solve_mut::<K>;
+        fn __b_try_inverse(&self) -> Option<SMatrix<T, N, N>> = Lu::<T, N>::__b_try_inverse;
+        fn __b_is_invertible(&self) -> bool = Lu::<T, N>::__b_is_invertible;
+        fn __b_determinant(&self) -> T = Lu::<T, N>::__b_determinant;
+        fn __b_l(&self) -> SMatrix<T, N, N> = Lu::<T, N>::__b_l;
+        fn __b_l_unpack(self) -> SMatrix<T, N, N> = Lu::<T, N>::__b_l;
+        fn __b_u(&self) -> SMatrix<T, N, N> = Lu::<T, N>::__b_u;
     }
 }
 
 methods! {
     /// Methods of Cholesky's factor.
-    CholeskyMethods<N> [Self, T, N] for Cholesky<T, Const<N>>, [T, N] {
-        fn __b_new(a: SMatrix<T, N, N>) -> Option<Self> { gives(cholesky::factored::__call(&a)) }
-        fn __b_solve<K>(&self, b: &SMatrix<T, N, K>) -> SMatrix<T, N, K> {
-            held::<_, CholeskyFactor<T, N>>(self).__b_solve(b)
-        }
-        fn __b_solve_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> () {
-            held::<_, CholeskyFactor<T, N>>(self).__b_solve_mut(b)
-        }
-        fn __b_inverse(&self) -> SMatrix<T, N, N> {
-            held::<_, CholeskyFactor<T, N>>(self).__b_inverse()
-        }
-        fn __b_l(&self) -> SMatrix<T, N, N> { held::<_, CholeskyFactor<T, N>>(self).__b_l() }
-        fn __b_unpack(self) -> SMatrix<T, N, N> { held::<_, CholeskyFactor<T, N>>(&self).__b_l() }
-        fn __b_unpack_dirty(self) -> SMatrix<T, N, N> {
-            held::<_, CholeskyFactor<T, N>>(&self).__b_unpack_dirty()
-        }
-        fn __b_determinant(&self) -> T { held::<_, CholeskyFactor<T, N>>(self).__b_determinant() }
-        fn __b_rank_one_update(&mut self, x: &SVector<T, N>, sigma: T) -> () {
-            held::<_, CholeskyFactor<T, N>>(self).__b_rank_one_update(x, sigma)
-        }
+    impl[T: Real, const N: usize] CholeskyMethods[T, N] for Cholesky<T, Const<N>> {
+        fn __b_new(_a: SMatrix<T, N, N>) -> Option<Self> = cholesky::factored::__call::<T, N>;
+        fn __b_solve[K](&self, _b: &SMatrix<T, N, K>) -> SMatrix<T, N, K> = CholeskyFactor::<T, N>::__b_solve::<K>;
+        fn __b_solve_mut[K](&self, _b: &mut SMatrix<T, N, K>) -> () = CholeskyFactor::<T, N>::__b_solve_mut::<K>;
+        fn __b_inverse(&self) -> SMatrix<T, N, N> = CholeskyFactor::<T, N>::__b_inverse;
+        fn __b_l(&self) -> SMatrix<T, N, N> = CholeskyFactor::<T, N>::__b_l;
+        fn __b_unpack(self) -> SMatrix<T, N, N> = CholeskyFactor::<T, N>::__b_l;
+        fn __b_unpack_dirty(self) -> SMatrix<T, N, N> = CholeskyFactor::<T, N>::__b_unpack_dirty;
+        fn __b_determinant(&self) -> T = CholeskyFactor::<T, N>::__b_determinant;
+        fn __b_rank_one_update(&mut self, _x: &SVector<T, N>, _sigma: T) -> ()
+            = CholeskyFactor::<T, N>::__b_rank_one_update;
     }
 }
 
 methods! {
     /// Methods of QR.
-    QrMethods<R, C> [Self, T, R, C] for QR<T, Const<R>, Const<C>>, [T, R, C]
-    where [Const<R>: DimMin<Const<C>, Output = Const<C>>]
+    impl[T: Real, const R: usize, const C: usize] QrMethods[T, R, C] for QR<T, Const<R>, Const<C>>
+        where Const<R>: DimMin<Const<C>, Output = Const<C>>
     {
-        fn __b_new(a: SMatrix<T, R, C>) -> Self { gives(qr::factored::__call(&a)) }
-        fn __b_q(&self) -> SMatrix<T, R, C> { held::<_, Qr<T, R, C>>(self).__b_q() }
-        fn __b_r(&self) -> SMatrix<T, C, C> { held::<_, Qr<T, R, C>>(self).__b_r() }
-        fn __b_unpack_r(self) -> SMatrix<T, C, C> { held::<_, Qr<T, R, C>>(&self).__b_r() }
-        fn __b_q_tr_mul<K>(&self, b: &mut SMatrix<T, R, K>) -> () {
-            held::<_, Qr<T, R, C>>(self).__b_q_tr_mul(b)
-        }
+        fn __b_new(_a: SMatrix<T, R, C>) -> Self = qr::factored::__call::<T, R, C>;
+        fn __b_q(&self) -> SMatrix<T, R, C> = Qr::<T, R, C>::__b_q;
+        fn __b_r(&self) -> SMatrix<T, C, C> = Qr::<T, R, C>::__b_r;
+        fn __b_unpack_r(self) -> SMatrix<T, C, C> = Qr::<T, R, C>::__b_r;
+        fn __b_q_tr_mul[K](&self, _b: &mut SMatrix<T, R, K>) -> () = Qr::<T, R, C>::__b_q_tr_mul::<K>;
     }
 }
 
 methods! {
     /// Methods of U D Uᵀ.
-    UduMethods<N> [Self, T, N] for UDU<T, Const<N>>, [T, N] {
-        fn __b_new(a: SMatrix<T, N, N>) -> Option<Self> { gives(udu::factored::__call(&a)) }
-        fn __b_d_matrix(&self) -> SMatrix<T, N, N> { held::<_, Udu<T, N>>(self).__b_d_matrix() }
+    impl[T: Real, const N: usize] UduMethods[T, N] for UDU<T, Const<N>> {
+        fn __b_new(_p: SMatrix<T, N, N>) -> Option<Self> = udu::factored::__call::<T, N>;
+        fn __b_d_matrix(&self) -> SMatrix<T, N, N> = Udu::<T, N>::__b_d_matrix;
     }
 }
