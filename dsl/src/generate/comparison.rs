@@ -7,7 +7,8 @@ use core::cmp::{Ordering, Reverse};
 use bessemer_ir::tree::Ty;
 
 use super::builder::{Builder, Callee};
-use super::builtin::{self, calls, companions};
+use super::companions::{calls, companions};
+use super::numbers;
 use super::slot::{Called, DslType, Seen, Value, dsl_types};
 use crate::comparison;
 use crate::math::Real;
@@ -94,9 +95,9 @@ ordered! { bool i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
 macro_rules! extremes {
     ($($ty:ident)*) => {$(
         impl Extremes for $ty {
-            type Min = builtin::Min;
-            type Max = builtin::Max;
-            type Clamp = builtin::Clamp;
+            type Min = numbers::Min;
+            type Max = numbers::Max;
+            type Clamp = numbers::Clamp;
         }
     )*};
 }

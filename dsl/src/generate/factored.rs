@@ -7,7 +7,7 @@ use bessemer_ir::tree::Ty;
 use nalgebra::{Cholesky, Const, DimMin, LU, QR, SMatrix, SVector, UDU};
 
 use super::builder::{Builder, Callee};
-use super::builtin::companions;
+use super::companions::companions;
 use super::handed::CompanionOf;
 use super::slot::{Called, DslType, Seen, stands};
 use crate::linear::factored::cholesky::CholeskyFactor;

@@ -14,7 +14,7 @@ use nalgebra::{Const, OPoint, RealField};
 use num_traits::Float as Number;
 
 use super::builder::{Builder, Callee};
-use super::builtin::{self, calls, companions};
+use super::companions::{calls, companions};
 use super::numbers;
 use super::slot::{Called, DslType};
 use crate::linear::norms;
@@ -46,8 +46,7 @@ macro_rules! floats {
         companions! {
             /// Elementary functions of floats.
             pub trait ElementaryBuiltins: Sized {
-                $(type $kind: Callee;)*
-                $(fn $companion(self $(, $operand: $ty)*) -> $result = [Self::$kind];)*
+                $(fn $companion(self $(, $operand: $ty)*) -> $result = <$kind>;)*
             }
             /// What is known to be a `num_traits::Float` has.
             pub trait AnyFloatBuiltins: Sized {
@@ -100,8 +99,8 @@ floats! {
         SinCos __b_sin_cos() -> (Self, Self): sine::sin_cos, of_f32::sin_cosf;
     }
     operations {
-        __b_sqrt() -> Self: builtin::Sqrt;
-        __b_floor() -> Self: builtin::Floor;
+        __b_sqrt() -> Self: numbers::Sqrt;
+        __b_floor() -> Self: numbers::Floor;
         __b_ceil() -> Self: numbers::Ceil;
         __b_trunc() -> Self: numbers::Trunc;
         __b_round() -> Self: numbers::Round;
@@ -109,15 +108,15 @@ floats! {
         __b_recip() -> Self: numbers::Recip;
         __b_to_degrees() -> Self: numbers::ToDegrees;
         __b_to_radians() -> Self: numbers::ToRadians;
-        __b_abs() -> Self: builtin::Abs;
+        __b_abs() -> Self: numbers::Abs;
         __b_signum() -> Self: numbers::Signum;
         __b_is_nan() -> bool: numbers::IsNan;
         __b_is_finite() -> bool: numbers::IsFinite;
         __b_is_infinite() -> bool: numbers::IsInfinite;
-        __b_copysign(_sign) -> Self: builtin::Copysign;
-        __b_min(_other) -> Self: builtin::Min;
-        __b_max(_other) -> Self: builtin::Max;
-        __b_clamp(_low, _high) -> Self: builtin::Clamp;
+        __b_copysign(_sign) -> Self: numbers::Copysign;
+        __b_min(_other) -> Self: numbers::Min;
+        __b_max(_other) -> Self: numbers::Max;
+        __b_clamp(_low, _high) -> Self: numbers::Clamp;
     }
     constants {
         __b_zero __function_zero;
@@ -153,7 +152,7 @@ pub struct distance;
 pub struct distance_squared;
 
 calls! {
-    convert[T: RealField](_: f64) -> T = builtin::Real;
+    convert[T: RealField](_: f64) -> T = numbers::Real;
     distance[T: Real, const N: usize](_p: &OPoint<T, Const<N>>, _q: &OPoint<T, Const<N>>) -> T
         = norms::__function_distance<T, N>;
     distance_squared[T: Real, const N: usize](_p: &OPoint<T, Const<N>>, _q: &OPoint<T, Const<N>>) -> T

@@ -9,8 +9,8 @@ use core::marker::PhantomData;
 use bessemer_ir::tree::{self, Desugared, Together, Ty};
 
 use super::builder::{Builder, Callee};
-use super::builtin::companions;
-use super::option;
+use super::companions::companions;
+use super::containers;
 use super::slot::{Called, DslType, Exclusive, Seen, Shared, dsl_types};
 use crate::{List, Plain, adapt, iterate};
 
@@ -25,7 +25,7 @@ impl<T> Clone for Items<T> {
 
 #[allow(clippy::unused_self)]
 impl<T> Items<T> {
-    pub fn __b_clone(&self) -> Called<option::AsRef, Self> {
+    pub fn __b_clone(&self) -> Called<containers::AsRef, Self> {
         unreachable!("a witness copy is never run")
     }
 }

@@ -1,26 +1,32 @@
-//! The companions of matrices that the library does not write: kernels, views, swizzles, what converts, and what takes more
-//! than one type where nalgebra does.
+//! The companions of matrices that the library does not write: operations, kernels, views, swizzles, what converts, what takes
+//! more than one type where nalgebra does, and what gives a matrix of another size.
 
 #![allow(missing_docs)]
 
 use core::borrow::Borrow;
+use core::marker::PhantomData;
 
-use bessemer_ir::KernelRoutine;
 use bessemer_ir::tree::{self, MatrixMethod, MatrixPart};
-use nalgebra::{SMatrix, SVector, Scalar};
+use bessemer_ir::{KernelRoutine, Routine};
+use nalgebra::allocator::Allocator;
+use nalgebra::{
+    Const, DefaultAllocator, DimAdd, DimDiff, DimMul, DimProd, DimSub, DimSum, OMatrix, SMatrix,
+    SVector, Scalar, U1,
+};
 
 use super::builder::{Builder, Callee};
-use super::builtin::{calls, companions, markers};
+use super::companions::{calls, companions, markers};
 use super::iterator::Items;
 use super::numbers::FromBuiltin;
 use super::slot::{Called, ScalarType, Value};
 use crate::element::Element;
 use crate::linear::{
-    by_rows, elementwise, inverse_mut, kernels, lines, parts, solve_into, solve_mut,
+    by_rows, elementwise, inverse_mut, kernels, lines, matrix_resize, parts, solve_into, solve_mut,
 };
 use crate::math::Real;
 
 markers! {
+    New: Matrix(MatrixMethod::New);
     CholeskyMut: Kernel(KernelRoutine::Cholesky); CholeskyLower: Kernel(KernelRoutine::CholeskyLower); CholeskySolveMut: Kernel(KernelRoutine::CholeskySolve);
     SolveLowerMut: Kernel(KernelRoutine::SolveLower); SolveUpperMut: Kernel(KernelRoutine::SolveUpper);
     TrSolveLowerMut: Kernel(KernelRoutine::TrSolveLower); TrSolveUpperMut: Kernel(KernelRoutine::TrSolveUpper);
@@ -63,6 +69,46 @@ solvers! {
 }
 
 companions! {
+    /// Methods of matrices and vectors.
+    impl[T: ScalarType + Scalar, const R: usize, const C: usize] MatrixBuiltins<T, R, C> for SMatrix<T, R, C> {
+        fn __b_zeros() -> Self = Zeros: Matrix(MatrixMethod::Zeros);
+        fn __b_from_element(_element: T) -> Self = FromElement: Matrix(MatrixMethod::FromElement);
+        fn __b_repeat(_element: T) -> Self = FromElement;
+        fn __b_nrows(&self) -> usize = Rows: Matrix(MatrixMethod::Rows);
+        fn __b_ncols(&self) -> usize = Cols: Matrix(MatrixMethod::Cols);
+        fn __b_len(&self) -> usize = Elements: Matrix(MatrixMethod::Elements);
+        fn __b_transpose(&self) -> SMatrix<T, C, R> = Transpose: Linear(Routine::Transpose);
+        fn __b_adjoint(&self) -> SMatrix<T, C, R> = Transpose;
+        fn __b_scale(&self, _factor: T) -> Self = Scale: Linear(Routine::Scale);
+        fn __b_unscale(&self, _divisor: T) -> Self = Unscale: Linear(Routine::Unscale);
+        fn __b_tr_mul[const K: usize](&self, _other: &SMatrix<T, R, K>) -> SMatrix<T, C, K> = TrMul: Linear(Routine::TrMul);
+        fn __b_ad_mul[const K: usize](&self, _other: &SMatrix<T, R, K>) -> SMatrix<T, C, K> = TrMul;
+        fn __b_dot(&self, _other: &Self) -> T = Dot: Linear(Routine::Dot);
+        fn __b_dotc(&self, _other: &Self) -> T = Dot;
+        fn __b_norm(&self) -> T = Norm: Linear(Routine::Norm);
+        fn __b_magnitude(&self) -> T = Norm;
+        fn __b_norm_squared(&self) -> T = NormSquared: Linear(Routine::NormSquared);
+        fn __b_magnitude_squared(&self) -> T = NormSquared;
+        fn __b_component_mul(&self, _other: &Self) -> Self = ComponentMul: Linear(Routine::ComponentMul);
+        fn __b_component_div(&self, _other: &Self) -> Self = ComponentDiv: Linear(Routine::ComponentDiv);
+    }
+    /// The identity of a matrix.
+    impl[T: ScalarType + Scalar, const R: usize, const C: usize] IdentityBuiltin<T, R, C> for SMatrix<T, R, C> {
+        fn __b_identity() -> Self = Identity: Matrix(MatrixMethod::Identity);
+    }
+    /// The unit vectors.
+    impl[T: ScalarType + Scalar, const N: usize] AxisBuiltins<T, N> for SMatrix<T, N, 1> {
+        fn __b_x() -> Self = AxisX: Matrix(MatrixMethod::Axis(0));
+        fn __b_y() -> Self = AxisY: Matrix(MatrixMethod::Axis(1));
+        fn __b_z() -> Self = AxisZ: Matrix(MatrixMethod::Axis(2));
+        fn __b_w() -> Self = AxisW: Matrix(MatrixMethod::Axis(3));
+        fn __b_a() -> Self = AxisA: Matrix(MatrixMethod::Axis(4));
+        fn __b_b() -> Self = AxisB: Matrix(MatrixMethod::Axis(5));
+    }
+    /// The cross product.
+    impl[T: ScalarType + Scalar] CrossBuiltin<T> for SMatrix<T, 3, 1> {
+        fn __b_cross(&self, _other: &Self) -> Self = Cross: Linear(Routine::Cross);
+    }
     /// Methods of square matrices.
     impl[T: ScalarType + Scalar, const N: usize] SquareBuiltins<T, N> for SMatrix<T, N, N> {
         fn __b_determinant(&self) -> T = [Determinant];
@@ -107,6 +153,31 @@ companions! {
 }
 
 impl<T: Copy + Value> CopyBuiltin for T {}
+
+macro_rules! constructors {
+    ($($name:ident($($argument:ident),*) for $(($rows:literal, $cols:literal)),*;)*) => {$(
+        companions! {
+            /// `new` with this many elements, by rows.
+            pub trait $name[T]: Sized {
+                fn __b_new($($argument: T),*) -> Self = [New];
+            }
+        }
+        $(impl<T: ScalarType + Scalar> $name<T> for SMatrix<T, $rows, $cols> {})*
+    )*};
+}
+
+constructors! {
+    New1(_a) for (1, 1);
+    New2(_a, _b) for (2, 1), (1, 2);
+    New3(_a, _b, _c) for (3, 1), (1, 3);
+    New4(_a, _b, _c, _d) for (4, 1), (1, 4), (2, 2);
+    New5(_a, _b, _c, _d, _e) for (5, 1);
+    New6(_a, _b, _c, _d, _e, _f) for (6, 1), (2, 3), (3, 2);
+    New8(_a, _b, _c, _d, _e, _f, _g, _h) for (2, 4), (4, 2);
+    New9(_a, _b, _c, _d, _e, _f, _g, _h, _i) for (3, 3);
+    New12(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l) for (3, 4), (4, 3), (2, 6), (6, 2);
+    New16(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p) for (4, 4);
+}
 
 /// `view.into()`: what is read is a copy already.
 impl<T: Element, const R: usize, const C: usize> FromBuiltin<SMatrix<T, R, C>>
@@ -164,5 +235,85 @@ swizzles! {
         __b_zxx Zxx [2, 0, 0]; __b_zxy Zxy [2, 0, 1]; __b_zxz Zxz [2, 0, 2];
         __b_zyx Zyx [2, 1, 0]; __b_zyy Zyy [2, 1, 1]; __b_zyz Zyz [2, 1, 2];
         __b_zzx Zzx [2, 2, 0]; __b_zzy Zzy [2, 2, 1]; __b_zzz Zzz [2, 2, 2];
+    }
+}
+
+/// What chooses the function of a method whose result is of another size by the type of the result: that size is a projection
+/// of nalgebra's.
+macro_rules! resized {
+    ($($(#[$doc:meta])* $marker:ident<$($n:ident),*> $method:ident => $function:ident<$($argument:ident),*>;)*) => {
+        /// A matrix as a result of known size.
+        pub trait Resized<T> {$(
+            fn $method<$(const $n: usize),*>(cx: &mut Builder) -> tree::Callee;
+        )*}
+
+        impl<T: Real, const ROWS: usize, const COLUMNS: usize> Resized<T>
+            for SMatrix<T, ROWS, COLUMNS>
+        {$(
+            fn $method<$(const $n: usize),*>(cx: &mut Builder) -> tree::Callee {
+                matrix_resize::$function::<T, $($argument),*>::callee(cx)
+            }
+        )*}
+
+        $(
+            $(#[$doc])*
+            pub struct $marker<T, M, $(const $n: usize),*>(PhantomData<fn() -> (T, M)>);
+
+            impl<T, M: Resized<T>, $(const $n: usize),*> Callee for $marker<T, M, $($n),*> {
+                fn callee(cx: &mut Builder) -> tree::Callee {
+                    M::$method::<$($n),*>(cx)
+                }
+            }
+        )*
+    };
+}
+
+resized! {
+    /// `kronecker`.
+    Kronecker<R, C, R2, C2> kronecker => __function_kronecker<R, C, R2, C2, ROWS, COLUMNS>;
+    /// `push`.
+    Push<N> push => __function_push<N, ROWS>;
+    /// `insert_row`.
+    InsertRow<R, C> insert_row => __function_insert_row<R, C, ROWS>;
+    /// `insert_column`.
+    InsertColumn<R, C> insert_column => __function_insert_column<R, C, COLUMNS>;
+    /// `remove_row`.
+    RemoveRow<R, C> remove_row => __function_remove_row<R, C, ROWS>;
+    /// `remove_column`.
+    RemoveColumn<R, C> remove_column => __function_remove_column<R, C, COLUMNS>;
+}
+
+type Product<T, const R: usize, const C: usize, const R2: usize, const C2: usize> =
+    OMatrix<T, DimProd<Const<R>, Const<R2>>, DimProd<Const<C>, Const<C2>>>;
+type Larger<T, const R: usize, const C: usize> = OMatrix<T, DimSum<Const<R>, U1>, Const<C>>;
+type Wider<T, const R: usize, const C: usize> = OMatrix<T, Const<R>, DimSum<Const<C>, U1>>;
+type Smaller<T, const R: usize, const C: usize> = OMatrix<T, DimDiff<Const<R>, U1>, Const<C>>;
+type Narrower<T, const R: usize, const C: usize> = OMatrix<T, Const<R>, DimDiff<Const<C>, U1>>;
+
+companions! {
+    /// Methods of matrices whose result is of another size.
+    impl[T: Real, const R: usize, const C: usize] ResizedBuiltins<T, R, C> for SMatrix<T, R, C> {
+        fn __b_kronecker[const R2: usize, const C2: usize](&self, _b: &SMatrix<T, R2, C2>) -> Product<T, R, C, R2, C2>
+            where Const<R>: DimMul<Const<R2>>, Const<C>: DimMul<Const<C2>>,
+                DefaultAllocator: Allocator<DimProd<Const<R>, Const<R2>>, DimProd<Const<C>, Const<C2>>>
+            = [Kronecker<T, Product<T, R, C, R2, C2>, R, C, R2, C2>];
+        fn __b_insert_row(self, _at: usize, _value: T) -> Larger<T, R, C>
+            where Const<R>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<R>, U1>, Const<C>>
+            = [InsertRow<T, Larger<T, R, C>, R, C>];
+        fn __b_insert_column(self, _at: usize, _value: T) -> Wider<T, R, C>
+            where Const<C>: DimAdd<U1>, DefaultAllocator: Allocator<Const<R>, DimSum<Const<C>, U1>>
+            = [InsertColumn<T, Wider<T, R, C>, R, C>];
+        fn __b_remove_row(self, _at: usize) -> Smaller<T, R, C>
+            where Const<R>: DimSub<U1>, DefaultAllocator: Allocator<DimDiff<Const<R>, U1>, Const<C>>
+            = [RemoveRow<T, Smaller<T, R, C>, R, C>];
+        fn __b_remove_column(self, _at: usize) -> Narrower<T, R, C>
+            where Const<C>: DimSub<U1>, DefaultAllocator: Allocator<Const<R>, DimDiff<Const<C>, U1>>
+            = [RemoveColumn<T, Narrower<T, R, C>, R, C>];
+    }
+    /// The same of vectors.
+    impl[T: Real, const N: usize] PushBuiltin<T, N> for SVector<T, N> {
+        fn __b_push(&self, _element: T) -> Larger<T, N, 1>
+            where Const<N>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<N>, U1>>
+            = [Push<T, Larger<T, N, 1>, N>];
     }
 }

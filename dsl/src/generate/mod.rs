@@ -1,26 +1,20 @@
 //! The expansions of the attributes call this module in a generation build; authors never do.
 //!
 //! A builder's slots tell what rustc decided ([`slot`]); companions tell which function a call means,
-//! the DSL's own operations among them ([`builtin`]); [`Builder`] collects the package.
+//! the DSL's own operations among them ([`companions`]); [`Builder`] collects the package.
 
-pub mod ascii;
 mod builder;
-pub mod builtin;
-pub mod checked;
+mod companions;
 pub mod comparison;
+pub mod containers;
 pub mod factored;
 pub mod generic;
 mod handed;
 mod items;
 pub mod iterator;
-pub mod list;
 pub mod matrices;
-pub mod non_zero;
 pub mod numbers;
 mod operators;
-pub mod option;
-pub mod range;
-pub mod resized;
 pub mod slice;
 mod slot;
 pub mod spatial;
@@ -30,6 +24,7 @@ pub use alloc::vec::Vec;
 pub use bessemer_ir::tree;
 pub use builder::{Builder, Callee, Defaults, Named, NoDefault, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
+pub use containers::mem;
 pub use core::ops::RangeInclusive;
 pub use handed::made;
 pub use inventory;
@@ -39,7 +34,6 @@ pub use items::{
 pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, owned, sign};
-pub use option::mem;
 pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees, constant,
     list, types,
@@ -47,18 +41,14 @@ pub use slot::{
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.
 pub mod prelude {
-    pub use super::ascii::{ByteBuiltins as _, CharBuiltins as _};
-    pub use super::builtin::{
-        AxisBuiltins as _, CrossBuiltin as _, FloatBuiltins as _, IdentityBuiltin as _,
-        MatrixBuiltins as _, New1 as _, New2 as _, New3 as _, New4 as _, New5 as _, New6 as _,
-        New8 as _, New9 as _, New12 as _, New16 as _, OrderBuiltins as _, RealBuiltins as _,
-    };
-    pub use super::checked::{
-        CheckedAbsBuiltin as _, CheckedBuiltins as _, CheckedSignedBuiltin as _,
-    };
     pub use super::comparison::{
         CompareBuiltins as _, PartialCompareBuiltins as _, RankedBuiltins as _,
         RankedOrderBuiltins as _, ReferredOrderBuiltins as _, TotalCompareBuiltins as _,
+    };
+    pub use super::containers::{
+        ArrayBuiltins as _, ClosedBuiltins as _, ClosedContents as _, Contents as _,
+        CopiedBuiltin as _, LentOnBuiltin as _, ListBuiltins as _, ListExtends as _,
+        NonZeroBuiltins as _, OptionBuiltins as _, ReadOnBuiltin as _, ResultBuiltins as _,
     };
     pub use super::factored::{
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
@@ -70,27 +60,23 @@ pub mod prelude {
         __items, Adapters as _, ByHand as _, CopiedItems as _, Ends as _, ExtendBuiltin as _,
         FromIteratorBuiltin as _,
     };
-    pub use super::list::{ListBuiltins as _, ListExtends as _};
     pub use super::matrices::{
-        CopyBuiltin as _, LineBuiltins as _, OwnedBuiltins as _, ScalarBuiltins as _,
-        SquareBuiltins as _, SumBuiltins as _, SwizzleBuiltins as _, WrittenViews as _,
+        AxisBuiltins as _, CopyBuiltin as _, CrossBuiltin as _, IdentityBuiltin as _,
+        LineBuiltins as _, MatrixBuiltins as _, New1 as _, New2 as _, New3 as _, New4 as _,
+        New5 as _, New6 as _, New8 as _, New9 as _, New12 as _, New16 as _, OwnedBuiltins as _,
+        PushBuiltin as _, ResizedBuiltins as _, ScalarBuiltins as _, SquareBuiltins as _,
+        SumBuiltins as _, SwizzleBuiltins as _, WrittenViews as _,
     };
-    pub use super::non_zero::NonZeroBuiltins as _;
     pub use super::numbers::{
-        BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
-        IntegerBuiltins as _, IntoBuiltin as _, SignBuiltins as _, SignedBuiltins as _,
-        TryFromBuiltin as _, TryIntoBuiltin as _, UnsignedBuiltins as _,
+        ByteBuiltins as _, BytesBuiltins as _, CharBuiltins as _, DivisionBuiltins as _,
+        FloatBuiltins as _, FromBuiltin as _, IntegerBuiltins as _, IntoBuiltin as _,
+        OrderBuiltins as _, SignBuiltins as _, SignedBuiltins as _, TryFromBuiltin as _,
+        TryIntoBuiltin as _, UnsignedBuiltins as _,
     };
     pub use super::operators::{
         __both, __computed, __named, __named_left, __named_right, __operand, __operands,
         __operated, __placed, __settled, OtherOperands as _, OwnOperands as _,
     };
-    pub use super::option::{
-        ArrayBuiltins as _, CopiedBuiltin as _, LentOnBuiltin as _, OptionBuiltins as _,
-        ReadOnBuiltin as _, ResultBuiltins as _,
-    };
-    pub use super::range::{ClosedBuiltins as _, ClosedContents as _, Contents as _};
-    pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{
         SliceArrays as _, SliceBuiltins as _, SliceEnds as _, SliceOrder as _, SliceSearch as _,
         SliceSearches as _, SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,

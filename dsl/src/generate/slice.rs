@@ -7,7 +7,7 @@ use bessemer_ir::tree::{self, SliceMethod, Ty};
 use nalgebra::SVector;
 
 use super::builder::{Builder, Callee};
-use super::builtin::{companions, markers};
+use super::companions::{companions, markers};
 use super::numbers::TryFromBuiltin;
 use super::slot::{Called, DslType, Seen, Value, dsl_types};
 use crate::math::Real;

@@ -17,7 +17,8 @@ use nalgebra::{
 };
 
 use super::builder::{Builder, Callee};
-use super::builtin::{AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros, companions};
+use super::companions::companions;
+use super::matrices::{AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros};
 use super::numbers::FromBuiltin;
 use super::slot::{Called, DslType, Seen, dsl_types, stands};
 use crate::complex;

@@ -88,7 +88,7 @@ pub struct real {}
 #[cfg(feature = "generate")]
 #[doc(hidden)]
 impl real {
-    pub fn __call<T: Real>(_: f64) -> crate::generate::Called<crate::generate::builtin::Real, T> {
+    pub fn __call<T: Real>(_: f64) -> crate::generate::Called<crate::generate::numbers::Real, T> {
         unreachable!()
     }
 }
@@ -131,20 +131,16 @@ floats! { f32 f64 }
 /// Further properties of a float in a generation build.
 #[cfg(feature = "generate")]
 mod generated {
-    use crate::generate::ScalarType;
-    use crate::generate::Value;
-    use crate::generate::builtin::{FloatBuiltins, OrderBuiltins, RealBuiltins};
     use crate::generate::generic::ElementaryBuiltins;
-    use crate::generate::numbers::{DivisionBuiltins, FloatKindBuiltins, SignBuiltins};
+    use crate::generate::numbers::{DivisionBuiltins, FloatBuiltins, OrderBuiltins, SignBuiltins};
+    use crate::generate::{ScalarType, Value};
 
     pub trait Generated:
         Value
         + ScalarType
         + FloatBuiltins
         + OrderBuiltins
-        + RealBuiltins
         + ElementaryBuiltins
-        + FloatKindBuiltins
         + DivisionBuiltins
         + SignBuiltins
     {

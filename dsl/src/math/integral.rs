@@ -138,23 +138,16 @@ integers! {
 /// What an integer has besides in a generation build.
 #[cfg(feature = "generate")]
 mod generated {
-    use crate::generate::builtin::OrderBuiltins;
-    use crate::generate::checked::CheckedBuiltins;
-    use crate::generate::numbers::{DivisionBuiltins, IntegerBuiltins};
+    use crate::generate::numbers::{DivisionBuiltins, IntegerBuiltins, OrderBuiltins};
     use crate::generate::{ScalarType, Value};
 
     pub trait Generated:
-        Value + ScalarType + OrderBuiltins + IntegerBuiltins + CheckedBuiltins + DivisionBuiltins
+        Value + ScalarType + OrderBuiltins + IntegerBuiltins + DivisionBuiltins
     {
     }
 
     impl<T> Generated for T where
-        T: Value
-            + ScalarType
-            + OrderBuiltins
-            + IntegerBuiltins
-            + CheckedBuiltins
-            + DivisionBuiltins
+        T: Value + ScalarType + OrderBuiltins + IntegerBuiltins + DivisionBuiltins
     {
     }
 }

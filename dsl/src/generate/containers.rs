@@ -1,13 +1,24 @@
-//! The companions of the methods of `Option`, `Result` and `bool` that are none of the library's.
+//! The companions of what holds values: `Option` and `Result`, arrays, lists, ranges, and integers that are not zero. Those
+//! that are none of the library's.
 
 #![allow(missing_docs)]
 
-use bessemer_ir::tree::{self, Desugared, OptionMethod};
+use core::num::NonZero;
+use core::ops::{Range, RangeInclusive};
+
+use bessemer_ir::tree::{self, Desugared, ListMethod, OptionMethod, Ty};
 
 use super::builder::{Builder, Callee};
-use super::builtin::{calls, companions};
-use super::slot::Called;
-use crate::{exchange, optional};
+use super::companions::{calls, companions};
+use super::numbers::FromBuiltin;
+use super::slot::{Called, DslType, Seen, Value, dsl_types, stands};
+use crate::{List, exchange, list_edit, non_zero, optional, range};
+
+// Ranges that are held are structs of the DSL in the C.
+dsl_types! {
+    [T: Value] [T: Seen] RangeInclusive<T> as RangeInclusive<T::Slot> => |cx| range::Closed::<T>::ty(cx);
+    [T: Value] [T: Seen] Range<T> as Range<T::Slot> => |cx| range::HalfOpen::<T>::ty(cx);
+}
 
 companions! {
     /// Methods of `Option`.
@@ -65,7 +76,66 @@ companions! {
     impl[T: ?Sized] ReadOnBuiltin<T> for Option<&T> {
         fn __b_as_deref(&self) -> Option<&T> = [AsRef];
     }
+    /// Methods of lists.
+    impl[T, const N: usize] ListBuiltins<T, N> for List<T, N> {
+        fn __b_new() -> Self = New: List(ListMethod::New);
+        fn __b_push(&mut self, _element: T) -> () = Push: List(ListMethod::Push);
+        fn __b_pop(&mut self) -> Option<T> = Pop: List(ListMethod::Pop);
+        fn __b_clear(&mut self) -> () = Clear: List(ListMethod::Clear);
+        fn __b_truncate(&mut self, _length: usize) -> () = Truncate: List(ListMethod::Truncate);
+        fn __b_resize(&mut self, _length: usize, _element: T) -> () = Resize: List(ListMethod::Resize);
+        fn __b_len(&self) -> usize = Len: List(ListMethod::Len);
+        fn __b_is_empty(&self) -> bool = IsEmpty: List(ListMethod::IsEmpty);
+        fn __b_capacity(&self) -> usize = Capacity: List(ListMethod::Capacity);
+    }
+    /// `list.extend(items)`, of items of type `E`: elements, or references to them.
+    pub trait ListExtends[E]: Sized {
+        /// Which function it is.
+        type Marker;
+        fn __b_extend[I: IntoIterator<Item = E>](&mut self, _items: I) -> () = [Self::Marker];
+    }
+    /// Methods of ranges with a last number.
+    impl[T: Value + Copy] ClosedBuiltins<T> for RangeInclusive<T> {
+        fn __b_new(_start: T, _end: T) -> Self = [range::__function_closed<T>];
+        fn __b_start(&self) -> &T = [range::__function_start<T>];
+        fn __b_end(&self) -> &T = [range::__function_end<T>];
+    }
+    /// What a range with a last number contains.
+    impl[T: Value + Copy + PartialOrd] ClosedContents<T> for RangeInclusive<T> {
+        fn __b_contains(&self, _number: &T) -> bool = [range::__function_closed_contains<T>];
+        fn __b_is_empty(&self) -> bool = [range::__function_closed_is_empty<T>];
+    }
+    /// What one without contains.
+    impl[T: Value + Copy + PartialOrd] Contents<T> for Range<T> {
+        fn __b_contains(&self, _number: &T) -> bool = [range::__function_contains<T>];
+        fn __b_is_empty(&self) -> bool = [range::__function_is_empty<T>];
+    }
+    /// Methods of integers that are not zero.
+    pub trait NonZeroBuiltins[T]: Sized {
+        fn __b_new(_value: T) -> Option<Self> = [non_zero::__function_new<T>];
+        fn __b_get(self) -> T = [non_zero::__function_get<T>];
+    }
 }
+
+impl<T: Value + Copy + Default, const N: usize> ListExtends<T> for List<T, N> {
+    type Marker = list_edit::__function_extend<T, N>;
+}
+
+impl<T: Value + Copy + Default, const N: usize> ListExtends<&T> for List<T, N> {
+    type Marker = list_edit::__function_extend_by<T, N>;
+}
+
+macro_rules! integers {
+    ($($int:ident)*) => {$(
+        stands! { [] NonZero<$int> => non_zero::NonZero<$int>; }
+        impl NonZeroBuiltins<$int> for NonZero<$int> {}
+        impl FromBuiltin<NonZero<$int>> for $int {
+            type Marker = non_zero::__function_get<$int>;
+        }
+    )*};
+}
+
+integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
 
 /// The carriers of functions of `core::mem`: a value need not be `Copy` there.
 #[allow(non_camel_case_types)]

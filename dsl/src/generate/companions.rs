@@ -1,0 +1,93 @@
+//! How companions are written: of each method and function of std and nalgebra that the DSL has, one that is asked for its
+//! types.
+//!
+//! One trait per kind of receiver, resolved by rustc as it resolves the method itself. The marker
+//! names the operation; what it means is the typifier's business.
+
+/// The markers of operations.
+macro_rules! markers {
+    ($($marker:ident: $kind:ident$(($operation:expr))?;)*) => {$(
+        #[doc = concat!("The marker of `", stringify!($kind$(($operation))?), "`.")]
+        pub struct $marker;
+        impl Callee for $marker {
+            fn callee(_: &mut Builder) -> tree::Callee {
+                tree::Callee::Builtin(tree::Builtin::$kind$(($operation))?)
+            }
+        }
+    )*};
+}
+pub(super) use markers;
+
+/// Traits of companions, asked for their types alone: none is ever run. One is written as the `impl` of the type that has
+/// the methods, or as a trait where that is not one type. What it is generic over stands in square brackets, and so does
+/// what a method is generic over besides. Each companion has its marker: what that stands for is said where it is not
+/// another's as well; a marker that is named by a path stands in square brackets, and in angle brackets one that each
+/// type with the methods has of its own.
+macro_rules! companions {
+    () => {};
+    (
+        $(#[$doc:meta])*
+        impl[$($g:tt)*] $trait:ident $(<$($argument:ident),+>)? for [$element:ty] { $($companions:tt)* }
+        $($more:tt)*
+    ) => {
+        $crate::generate::companions::companions! { $(#[$doc])* pub trait $trait[$($g)*] { $($companions)* } $($more)* }
+        impl<$($g)*> $trait $(<$($argument),+>)? for [$element] {}
+    };
+    (
+        $(#[$doc:meta])*
+        impl[$($g:tt)*] $trait:ident $(<$($argument:ident),+>)? for $of:ty
+            $(where $place:ty: $bound:path)? { $($companions:tt)* }
+        $($more:tt)*
+    ) => {
+        $crate::generate::companions::companions! {
+            $(#[$doc])*
+            pub trait $trait[$($g)*]: Sized $(where $place: $bound)? { $($companions)* }
+            $($more)*
+        }
+        impl<$($g)*> $trait $(<$($argument),+>)? for $of $(where $place: $bound)? {}
+    };
+    (
+        $(#[$doc:meta])*
+        pub trait $trait:ident $([$($g:tt)*])? $(: $($super:path),+)? $(where $place:ty: $limit:path)? {
+            $($(#[$told:meta])* type $associated:ident $(: $kept:ident)?;)*
+            $(
+                fn $name:ident $([$($own:tt)*])? ($($parameters:tt)*) -> $result:ty
+                    $(where $($of:ty: $bound:path),+)?
+                    = $($marker:ident $(: $kind:ident$(($operation:expr))?)?)? $([$other:ty])? $(<$each:ident>)?;
+            )*
+        }
+        $($more:tt)*
+    ) => {
+        $($($($crate::generate::companions::markers! { $marker: $kind$(($operation))?; })?)?)*
+
+        $(#[$doc])*
+        #[allow(missing_docs, clippy::type_complexity, clippy::too_many_arguments)]
+        pub trait $trait $(<$($g)*>)? $(: $($super +)+)? $(where $place: $limit)? {
+            $($(#[$told])* type $associated $(: $kept)?;)*
+            $($(type $each: $crate::generate::Callee;)?)*
+            $(
+                fn $name $(<$($own)*>)? ($($parameters)*)
+                    -> Called<$($marker)? $($other)? $(Self::$each)?, $result>
+                $(where $($of: $bound),+)?
+                {
+                    unreachable!("a witness copy is never run")
+                }
+            )*
+        }
+
+        $crate::generate::companions::companions! { $($more)* }
+    };
+}
+pub(super) use companions;
+
+/// The companions of functions, asked for their types alone as well: what a function is generic over stands in square brackets.
+macro_rules! calls {
+    ($($($function:ident)::+ [$($g:tt)*] ($($parameters:tt)*) -> $result:ty = $marker:ty;)*) => {$(
+        impl $($function)::+ {
+            pub fn __call<$($g)*>($($parameters)*) -> Called<$marker, $result> {
+                unreachable!("a witness copy is never run")
+            }
+        }
+    )*};
+}
+pub(super) use calls;
