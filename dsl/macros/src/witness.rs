@@ -156,9 +156,7 @@ fn told(walk: &Lowering<'_>, (begin, end): (Begin, Begin), copy: &TokenStream) -
             #(let #callees = [];)*
             #(let #owned = [];)*
             #copy
-            __told.slots.extend(::bessemer::generate::types(cx, &[#(&#slots),*]));
-            __told.callees.extend(::bessemer::generate::callees(cx, &[#(&#callees),*]));
-            __told.operators.extend(::bessemer::generate::owned(cx, &[#(&#owned),*]));
+            __told.learn(cx, &[#(&#slots),*], &[#(&#callees),*], &[#(&#owned),*]);
             __told.constants.extend(::bessemer::generate::list([#(#constants),*]));
         })();
     }

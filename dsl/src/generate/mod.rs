@@ -33,10 +33,9 @@ pub use items::{
 };
 pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
-pub use operators::{Implements, Operates, Operation, OwnOperator, owned, sign};
+pub use operators::{Implements, Operates, Operation, OwnOperator, sign};
 pub use slot::{
-    Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees, constant,
-    list, types,
+    Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
 };
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.

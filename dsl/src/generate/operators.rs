@@ -14,46 +14,38 @@ use core::marker::PhantomData;
 use bessemer_ir::tree::{self, Callee, Implied, Ty};
 use nalgebra::SMatrix;
 
-use super::builder::Builder;
-use super::slot::{ScalarType, Seen, Slot};
+use super::builder::{self, Builder};
+use super::slot::{Of, ScalarType, Seen, Slot, Tells};
 use super::spatial;
 
 /// The traits that are called by no name and no operator of one's own.
 const IMPLIED: [&str; 4] = ["PartialEq", "From", "Index", "IndexMut"];
 
-macro_rules! signs {
-    ($($name:ident)*) => {
-        /// The operators and conversions, each a type.
-        #[allow(missing_docs)]
-        pub mod sign {
-            $(pub struct $name;)*
-        }
-
-        /// Whether an interface is one of them.
-        pub(super) fn is_sign(interface: &str) -> bool {
-            [$(stringify!($name)),*].contains(&interface)
-        }
-    };
-}
-
 /// Operators whose operands are of one type, where both are numbers. A shift is by any number.
 pub trait OfOneType {}
 
-macro_rules! of_one_type {
-    ($($name:ident)*) => {
-        $(impl OfOneType for sign::$name {})*
+macro_rules! signs {
+    (of one type: $($of_one_type:ident)*; others: $($other:ident)*) => {
+        /// The operators and conversions, each a type.
+        #[allow(missing_docs)]
+        pub mod sign {
+            $(pub struct $of_one_type;)*
+            $(pub struct $other;)*
+        }
+
+        $(impl OfOneType for sign::$of_one_type {})*
+
+        /// Whether an interface is one of them.
+        pub(super) fn is_sign(interface: &str) -> bool {
+            [$(stringify!($of_one_type),)* $(stringify!($other)),*].contains(&interface)
+        }
     };
 }
 
-of_one_type! {
-    Add Sub Mul Div Rem BitAnd BitOr BitXor Neg Not
-    AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign
-}
-
 signs! {
-    Add Sub Mul Div Rem BitAnd BitOr BitXor Shl Shr Neg Not
-    AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign ShlAssign ShrAssign
-    PartialEq From TryFrom Index IndexMut FromIterator Extend
+    of one type: Add Sub Mul Div Rem BitAnd BitOr BitXor Neg Not
+        AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign;
+    others: Shl Shr ShlAssign ShrAssign PartialEq From TryFrom Index IndexMut FromIterator Extend
 }
 
 /// A type of an author's with an operator or a conversion `O`, for an operand of type `B`.
@@ -63,9 +55,9 @@ pub trait Implements<O, B> {
 }
 
 /// The marker of that function.
-pub struct Operation<O, A, B>(PhantomData<fn() -> (O, A, B)>);
+pub struct Operation<O, A, B>(Of<(O, A, B)>);
 
-impl<O, A: Implements<O, B>, B> super::builder::Callee for Operation<O, A, B> {
+impl<O, A: Implements<O, B>, B> builder::Callee for Operation<O, A, B> {
     fn callee(cx: &mut Builder) -> tree::Callee {
         A::build(cx)
     }
@@ -111,31 +103,20 @@ impl PerhapsOwn for NotOwn {
     }
 }
 
-impl<O, A: Implements<O, B>, B> PerhapsOwn for Operation<O, A, B> {
+impl<M: builder::Callee> PerhapsOwn for M {
     fn own(cx: &mut Builder) -> Option<tree::Callee> {
-        Some(A::build(cx))
+        Some(M::callee(cx))
     }
 }
 
-/// A slot that holds a function of an author's, or none.
-pub trait OwnSlot {
-    /// The function of an author's that rustc put here, if there is one.
-    fn own(&self, cx: &mut Builder) -> Option<tree::Callee>;
-}
-
-impl<T: PerhapsOwn> OwnSlot for Slot<T> {
-    fn own(&self, cx: &mut Builder) -> Option<tree::Callee> {
+impl<T: PerhapsOwn> Tells<Option<tree::Callee>> for Slot<T> {
+    fn told(&self, cx: &mut Builder) -> Option<tree::Callee> {
         T::own(cx)
     }
 }
 
-/// The functions of authors in slots.
-pub fn owned(cx: &mut Builder, slots: &[&dyn OwnSlot]) -> Vec<Option<tree::Callee>> {
-    slots.iter().map(|slot| slot.own(cx)).collect()
-}
-
 /// The operands of an operator; of the sign, twice the same.
-pub struct Operands<O, A, B>(PhantomData<fn() -> (O, A, B)>);
+pub struct Operands<O, A, B>(Of<(O, A, B)>);
 
 /// The operands that are in two slots.
 pub fn __operands<O, A, B>(_: &Slot<A>, _: &Slot<B>) -> Operands<O, A, B> {

@@ -8,7 +8,7 @@ use bessemer_ir::tree::{self, Ty};
 use bessemer_ir::{Float, Int, Scalar};
 use nalgebra::SMatrix;
 
-use super::builder::{Builder, Callee, words};
+use super::builder::{Builder, Callee, Witness, words};
 use crate::{EntriesInOneBlock, EntriesOfSomeInstances, List, Plain};
 
 /// A place for a type, `[]` where it is made.
@@ -17,8 +17,11 @@ use crate::{EntriesInOneBlock, EntriesOfSomeInstances, List, Plain};
 /// has asked and not yet answered each time that it looks for a method, and there are as many slots as a function has values.
 pub type Slot<T> = [T; 0];
 
+/// Is of the types `T`, and holds none of them.
+pub(super) type Of<T> = PhantomData<fn() -> T>;
+
 /// What a companion returns: the type of the result, and the marker of the function.
-pub struct Called<M, R>(PhantomData<fn() -> (M, R)>);
+pub struct Called<M, R>(Of<(M, R)>);
 
 /// A type of the DSL.
 #[diagnostic::on_unimplemented(
@@ -48,7 +51,7 @@ pub trait Value: DslType + Seen<Slot = Self> + Plain + Sized + 'static {}
 impl<T: DslType + Seen<Slot = T> + Plain + 'static> Value for T {}
 
 /// An instance with a name of its own, asked for its entry points.
-pub struct Instance<T>(PhantomData<fn() -> T>);
+pub struct Instance<T>(Of<T>);
 
 impl<T> Instance<T> {
     /// The instance `T`.
@@ -147,39 +150,38 @@ pub fn __take<M, R>(_: &Slot<M>, _: Called<M, R>) -> R {
     unreachable!("a witness copy is never run")
 }
 
-/// A slot that holds a type of the DSL. Builders ask their slots by reference: rustc compiles a table of addresses faster than
-/// a call for each.
-pub trait TypeSlot {
-    /// The type that rustc put here.
-    fn ty(&self, cx: &mut Builder) -> Ty;
+/// A slot that tells an `R`. Builders ask their slots by reference: rustc compiles a table of addresses faster than a call for
+/// each.
+pub trait Tells<R> {
+    /// What rustc put here.
+    fn told(&self, cx: &mut Builder) -> R;
 }
 
-impl<T: DslType> TypeSlot for Slot<T> {
-    fn ty(&self, cx: &mut Builder) -> Ty {
+impl<T: DslType> Tells<Ty> for Slot<T> {
+    fn told(&self, cx: &mut Builder) -> Ty {
         T::ty(cx)
     }
 }
 
-/// A slot that holds a function.
-pub trait CalleeSlot {
-    /// The function that rustc put here.
-    fn callee(&self, cx: &mut Builder) -> tree::Callee;
-}
-
-impl<T: Callee> CalleeSlot for Slot<T> {
-    fn callee(&self, cx: &mut Builder) -> tree::Callee {
+impl<T: Callee> Tells<tree::Callee> for Slot<T> {
+    fn told(&self, cx: &mut Builder) -> tree::Callee {
         T::callee(cx)
     }
 }
 
-/// The types in slots.
-pub fn types(cx: &mut Builder, slots: &[&dyn TypeSlot]) -> Vec<Ty> {
-    slots.iter().map(|slot| slot.ty(cx)).collect()
-}
-
-/// The functions in slots.
-pub fn callees(cx: &mut Builder, slots: &[&dyn CalleeSlot]) -> Vec<tree::Callee> {
-    slots.iter().map(|slot| slot.callee(cx)).collect()
+impl Witness {
+    /// Learns what slots tell: types, functions, and for operators those of authors.
+    pub fn learn(
+        &mut self,
+        cx: &mut Builder,
+        types: &[&dyn Tells<Ty>],
+        callees: &[&dyn Tells<tree::Callee>],
+        operators: &[&dyn Tells<Option<tree::Callee>>],
+    ) {
+        self.slots.extend(types.iter().map(|slot| slot.told(cx)));
+        self.callees.extend(callees.iter().map(|slot| slot.told(cx)));
+        self.operators.extend(operators.iter().map(|slot| slot.told(cx)));
+    }
 }
 
 /// The value of a path that rustc evaluated: a constant, or a variant without payload.
