@@ -80,11 +80,16 @@ macro_rules! companions {
 }
 pub(super) use companions;
 
-/// The companions of functions, asked for their types alone as well: what a function is generic over stands in square brackets.
+/// The companions of functions, in the same form.
 macro_rules! calls {
-    ($($($function:ident)::+ [$($g:tt)*] ($($parameters:tt)*) -> $result:ty = $marker:ty;)*) => {$(
+    ($(
+        $($function:ident)::+ [$($g:tt)*] ($($parameters:tt)*) -> $result:ty
+            = $($marker:ident $(: $kind:ident$(($operation:expr))?)?)? $([$other:ty])?;
+    )*) => {$(
+        $($($crate::generate::companions::markers! { $marker: $kind$(($operation))?; })?)?
+
         impl $($function)::+ {
-            pub fn __call<$($g)*>($($parameters)*) -> Called<$marker, $result> {
+            pub fn __call<$($g)*>($($parameters)*) -> Called<$($marker)? $($other)?, $result> {
                 unreachable!("a witness copy is never run")
             }
         }

@@ -112,6 +112,6 @@ pub mod cmp {
 }
 
 calls! {
-    cmp::max[T: Extremes](_one: T, _other: T) -> T = T::Max;
-    cmp::min[T: Extremes](_one: T, _other: T) -> T = T::Min;
+    cmp::max[T: Extremes](_one: T, _other: T) -> T = [T::Max];
+    cmp::min[T: Extremes](_one: T, _other: T) -> T = [T::Min];
 }

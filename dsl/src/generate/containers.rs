@@ -148,7 +148,7 @@ pub mod mem {
 }
 
 calls! {
-    mem::drop[T](_value: T) -> () = exchange::drop;
-    mem::swap[T](_one: &mut T, _other: &mut T) -> () = exchange::swap;
-    mem::replace[T](_place: &mut T, _value: T) -> T = exchange::replace;
+    mem::drop[T](_value: T) -> () = [exchange::drop];
+    mem::swap[T](_one: &mut T, _other: &mut T) -> () = [exchange::swap];
+    mem::replace[T](_place: &mut T, _value: T) -> T = [exchange::replace];
 }

@@ -152,9 +152,9 @@ pub struct distance;
 pub struct distance_squared;
 
 calls! {
-    convert[T: RealField](_: f64) -> T = numbers::Real;
+    convert[T: RealField](_: f64) -> T = [numbers::Real];
     distance[T: Real, const N: usize](_p: &OPoint<T, Const<N>>, _q: &OPoint<T, Const<N>>) -> T
-        = norms::__function_distance<T, N>;
+        = [norms::__function_distance<T, N>];
     distance_squared[T: Real, const N: usize](_p: &OPoint<T, Const<N>>, _q: &OPoint<T, Const<N>>) -> T
-        = norms::__function_distance_squared<T, N>;
+        = [norms::__function_distance_squared<T, N>];
 }

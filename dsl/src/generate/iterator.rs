@@ -11,8 +11,8 @@ use bessemer_ir::tree::{self, Desugared, Together, Ty};
 use super::builder::{Builder, Callee};
 use super::companions::companions;
 use super::containers;
-use super::slot::{Called, DslType, Exclusive, Seen, Shared, dsl_types};
-use crate::{List, Plain, adapt, iterate};
+use super::slot::{Called, DslType, Exclusive, Seen, Shared, dsl_types, never_held};
+use crate::{List, adapt, iterate};
 
 /// What the companion of a function gives that gives an iterator of `T`, and what the builder of one that takes it has.
 pub struct Items<T>(PhantomData<T>);
@@ -20,13 +20,6 @@ pub struct Items<T>(PhantomData<T>);
 impl<T> Clone for Items<T> {
     fn clone(&self) -> Self {
         Items(PhantomData)
-    }
-}
-
-#[allow(clippy::unused_self)]
-impl<T> Items<T> {
-    pub fn __b_clone(&self) -> Called<containers::AsRef, Self> {
-        unreachable!("a witness copy is never run")
     }
 }
 
@@ -49,13 +42,7 @@ dsl_types! {
     [T] [T: Seen] Items<T> as Items<T::Slot> => |_| Ty::Unit;
 }
 
-impl<T> Plain for Items<T> {
-    const WORDS: usize = 0;
-    fn store(&self, _: &mut dyn FnMut(u64)) {}
-    fn load(_: &mut dyn FnMut() -> u64) -> Self {
-        unreachable!("a witness copy is never run")
-    }
-}
+never_held! { [T] Items<T>; }
 
 /// What a reference to it is gone through for.
 pub trait Held {
@@ -63,20 +50,19 @@ pub trait Held {
     type Of;
 }
 
-impl<T, const N: usize> Held for [T; N] {
-    type Of = T;
+macro_rules! held {
+    ($([$($parameters:tt)*] $ty:ty: $of:ty;)*) => {$(
+        impl<$($parameters)*> Held for $ty {
+            type Of = $of;
+        }
+    )*};
 }
 
-impl<T> Held for [T] {
-    type Of = T;
-}
-
-impl<T> Held for Option<T> {
-    type Of = T;
-}
-
-impl<T, const N: usize> Held for List<T, N> {
-    type Of = T;
+held! {
+    [T, const N: usize] [T; N]: T;
+    [T] [T]: T;
+    [T] Option<T>: T;
+    [T, const N: usize] List<T, N>: T;
 }
 
 /// A reference is a value where a function stands in place: it is what it refers to.
@@ -98,14 +84,6 @@ macro_rules! references {
             type Item = $reference<T::Of>;
             type IntoIter = Items<$reference<T::Of>>;
             fn into_iter(self) -> Self::IntoIter {
-                unreachable!("a witness copy is never run")
-            }
-        }
-
-        impl<T: ?Sized> Plain for $reference<T> {
-            const WORDS: usize = 0;
-            fn store(&self, _: &mut dyn FnMut(u64)) {}
-            fn load(_: &mut dyn FnMut() -> u64) -> Self {
                 unreachable!("a witness copy is never run")
             }
         }
@@ -236,6 +214,10 @@ companions! {
     pub trait CopiedItems[T]: Sized {
         fn __b_copied(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
         fn __b_cloned(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
+    }
+    /// An iterator twice.
+    impl[T] ClonedItems<T> for Items<T> {
+        fn __b_clone(&self) -> Self = [containers::AsRef];
     }
     /// What lends an iterator that is gone through by hand.
     pub trait ByHand: Iterator<Item: Seen>, Sized {

@@ -27,45 +27,41 @@ use crate::math::Real;
 
 markers! {
     New: Matrix(MatrixMethod::New);
-    CholeskyMut: Kernel(KernelRoutine::Cholesky); CholeskyLower: Kernel(KernelRoutine::CholeskyLower); CholeskySolveMut: Kernel(KernelRoutine::CholeskySolve);
-    SolveLowerMut: Kernel(KernelRoutine::SolveLower); SolveUpperMut: Kernel(KernelRoutine::SolveUpper);
-    TrSolveLowerMut: Kernel(KernelRoutine::TrSolveLower); TrSolveUpperMut: Kernel(KernelRoutine::TrSolveUpper);
-    ByRows: Matrix(MatrixMethod::ByRows); FromArray: Matrix(MatrixMethod::FromArray);
-    SolveMut: Kernel(KernelRoutine::LuSolve); SolveInto: Kernel(KernelRoutine::Solve); InverseMut: Kernel(KernelRoutine::Inverse); Determinant: Kernel(KernelRoutine::Determinant);
-    Owned: Owned;
-    RowsMut: Matrix(MatrixMethod::Part(MatrixPart::Rows));
-    ColumnsMut: Matrix(MatrixMethod::Part(MatrixPart::Columns));
-    BlockMut: Matrix(MatrixMethod::Part(MatrixPart::Block));
+    FromArray: Matrix(MatrixMethod::FromArray);
 }
 
 calls! {
-    by_rows[T: ScalarType + Scalar, const R: usize, const C: usize](_rows: [[T; C]; R]) -> SMatrix<T, R, C> = ByRows;
+    by_rows[T: ScalarType + Scalar, const R: usize, const C: usize](_rows: [[T; C]; R]) -> SMatrix<T, R, C>
+        = ByRows: Matrix(MatrixMethod::ByRows);
     solve_mut[T: ScalarType, const N: usize, const K: usize](_a: &mut SMatrix<T, N, N>, _b: &mut SMatrix<T, N, K>) -> bool
-        = SolveMut;
+        = SolveMut: Kernel(KernelRoutine::LuSolve);
     solve_into[T: ScalarType, const N: usize, const K: usize](_a: &SMatrix<T, N, N>, _b: &mut SMatrix<T, N, K>) -> bool
-        = SolveInto;
-    inverse_mut[T: ScalarType, const N: usize](_a: &mut SMatrix<T, N, N>) -> bool = InverseMut;
-    kernels::cholesky_mut[T: ScalarType, const N: usize](_a: &mut SMatrix<T, N, N>) -> bool = CholeskyMut;
+        = SolveInto: Kernel(KernelRoutine::Solve);
+    inverse_mut[T: ScalarType, const N: usize](_a: &mut SMatrix<T, N, N>) -> bool
+        = InverseMut: Kernel(KernelRoutine::Inverse);
+    kernels::cholesky_mut[T: ScalarType, const N: usize](_a: &mut SMatrix<T, N, N>) -> bool
+        = CholeskyMut: Kernel(KernelRoutine::Cholesky);
     kernels::cholesky_lower[T: ScalarType + Scalar, const N: usize](_a: &SMatrix<T, N, N>) -> SMatrix<T, N, N>
-        = CholeskyLower;
-    kernels::determinant[T: ScalarType, const N: usize](_a: &SMatrix<T, N, N>) -> T = Determinant;
+        = CholeskyLower: Kernel(KernelRoutine::CholeskyLower);
+    kernels::determinant[T: ScalarType, const N: usize](_a: &SMatrix<T, N, N>) -> T
+        = Determinant: Kernel(KernelRoutine::Determinant);
 }
 
 /// Systems of equations with a factor.
 macro_rules! solvers {
-    ($($name:ident: $marker:ident -> $result:ty;)*) => { calls! {$(
+    ($($name:ident: $marker:ident -> $result:ty: $routine:expr;)*) => { calls! {$(
         kernels::$name[T: ScalarType, const N: usize, const K: usize](
             _a: &SMatrix<T, N, N>, _b: &mut SMatrix<T, N, K>
-        ) -> $result = $marker;
+        ) -> $result = $marker: Kernel($routine);
     )*} };
 }
 
 solvers! {
-    cholesky_solve_mut: CholeskySolveMut -> ();
-    solve_lower_mut: SolveLowerMut -> bool;
-    solve_upper_mut: SolveUpperMut -> bool;
-    tr_solve_lower_mut: TrSolveLowerMut -> bool;
-    tr_solve_upper_mut: TrSolveUpperMut -> bool;
+    cholesky_solve_mut: CholeskySolveMut -> (): KernelRoutine::CholeskySolve;
+    solve_lower_mut: SolveLowerMut -> bool: KernelRoutine::SolveLower;
+    solve_upper_mut: SolveUpperMut -> bool: KernelRoutine::SolveUpper;
+    tr_solve_lower_mut: TrSolveLowerMut -> bool: KernelRoutine::TrSolveLower;
+    tr_solve_upper_mut: TrSolveUpperMut -> bool: KernelRoutine::TrSolveUpper;
 }
 
 companions! {
@@ -111,7 +107,7 @@ companions! {
     }
     /// Methods of square matrices.
     impl[T: ScalarType + Scalar, const N: usize] SquareBuiltins<T, N> for SMatrix<T, N, N> {
-        fn __b_determinant(&self) -> T = [Determinant];
+        fn __b_determinant(&self) -> T = Determinant;
     }
     /// Sums in place with a matrix, or with a reference to one.
     impl[T: Real, const R: usize, const C: usize] SumBuiltins<T, R, C> for SMatrix<T, R, C> {
@@ -125,23 +121,24 @@ companions! {
     }
     /// `x.clone()` of what copies itself; of a reference it would be one.
     pub trait CopyBuiltin: Copy, Value {
-        fn __b_clone(&self) -> Self = [Owned];
+        fn __b_clone(&self) -> Self = Owned: Owned;
     }
     /// Of a view: what is read is a copy already.
     impl[T: Element, const R: usize, const C: usize] OwnedBuiltins<T, R, C> for SMatrix<T, R, C> {
-        fn __b_into_owned(self) -> Self = [Owned];
-        fn __b_clone_owned(&self) -> Self = [Owned];
+        fn __b_into_owned(self) -> Self = Owned;
+        fn __b_clone_owned(&self) -> Self = Owned;
     }
     /// Parts of matrices that are written: to rustc a value of the part's type, whose place the typifier knows.
     impl[T: Element, const R: usize, const C: usize] WrittenViews<T, R, C> for SMatrix<T, R, C> {
-        fn __b_row_mut(&mut self, _row: usize) -> SMatrix<T, 1, C> = [RowsMut];
-        fn __b_column_mut(&mut self, _column: usize) -> SVector<T, R> = [ColumnsMut];
-        fn __b_written_row(&mut self, _row: usize) -> SMatrix<T, 1, C> = [RowsMut];
-        fn __b_written_column(&mut self, _column: usize) -> SVector<T, R> = [ColumnsMut];
-        fn __b_fixed_rows_mut[const M: usize](&mut self, _row: usize) -> SMatrix<T, M, C> = [RowsMut];
-        fn __b_fixed_columns_mut[const N: usize](&mut self, _column: usize) -> SMatrix<T, R, N> = [ColumnsMut];
+        fn __b_row_mut(&mut self, _row: usize) -> SMatrix<T, 1, C> = RowsMut: Matrix(MatrixMethod::Part(MatrixPart::Rows));
+        fn __b_column_mut(&mut self, _column: usize) -> SVector<T, R>
+            = ColumnsMut: Matrix(MatrixMethod::Part(MatrixPart::Columns));
+        fn __b_written_row(&mut self, _row: usize) -> SMatrix<T, 1, C> = RowsMut;
+        fn __b_written_column(&mut self, _column: usize) -> SVector<T, R> = ColumnsMut;
+        fn __b_fixed_rows_mut[const M: usize](&mut self, _row: usize) -> SMatrix<T, M, C> = RowsMut;
+        fn __b_fixed_columns_mut[const N: usize](&mut self, _column: usize) -> SMatrix<T, R, N> = ColumnsMut;
         fn __b_fixed_view_mut[const M: usize, const N: usize](&mut self, _row: usize, _column: usize) -> SMatrix<T, M, N>
-            = [BlockMut];
+            = BlockMut: Matrix(MatrixMethod::Part(MatrixPart::Block));
     }
     /// The lines of a matrix, one after another.
     impl[T: Element, const R: usize, const C: usize] LineBuiltins<T, R, C> for SMatrix<T, R, C> {

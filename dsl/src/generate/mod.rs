@@ -56,8 +56,8 @@ pub mod prelude {
     pub use super::generic::ElementaryBuiltins as _;
     pub use super::handed::{__function, __made};
     pub use super::iterator::{
-        __items, Adapters as _, ByHand as _, CopiedItems as _, Ends as _, ExtendBuiltin as _,
-        FromIteratorBuiltin as _,
+        __items, Adapters as _, ByHand as _, ClonedItems as _, CopiedItems as _, Ends as _,
+        ExtendBuiltin as _, FromIteratorBuiltin as _,
     };
     pub use super::matrices::{
         AxisBuiltins as _, CopyBuiltin as _, CrossBuiltin as _, IdentityBuiltin as _,

@@ -9,9 +9,9 @@ use nalgebra::SVector;
 use super::builder::{Builder, Callee};
 use super::companions::{companions, markers};
 use super::numbers::TryFromBuiltin;
-use super::slot::{Called, DslType, Seen, Value, dsl_types};
+use super::slot::{Called, DslType, Seen, Value, dsl_types, never_held};
 use crate::math::Real;
-use crate::{Number, Plain, search, slice_edit, sort};
+use crate::{Number, search, slice_edit, sort};
 
 companions! {
     /// Methods of slices.
@@ -60,13 +60,7 @@ dsl_types! {
     [] [] TryFromSliceError as Self => |_| Ty::Unit;
 }
 
-impl<T> Plain for Copied<T> {
-    const WORDS: usize = 0;
-    fn store(&self, _: &mut dyn FnMut(u64)) {}
-    fn load(_: &mut dyn FnMut() -> u64) -> Self {
-        unreachable!("a witness copy is never run")
-    }
-}
+never_held! { [T] Copied<T>; }
 
 markers! {
     ToArray: Slice(SliceMethod::ToArray);
@@ -82,29 +76,22 @@ impl<T, const N: usize> TryFromBuiltin<&mut [T]> for [T; N] {
     type Error = TryFromSliceError;
 }
 
-/// The marker of `split_first_chunk`, which says how many elements are the first.
-pub struct SplitFirstChunk<const N: usize>;
-
-/// The marker of `split_last_chunk`, which says how many elements are the last.
-pub struct SplitLastChunk<const N: usize>;
-
-impl<const N: usize> Callee for SplitFirstChunk<N> {
-    fn callee(_: &mut Builder) -> tree::Callee {
-        chunk::<N>(SliceMethod::SplitFirstChunk)
-    }
+/// The markers of what says how many elements its part has.
+macro_rules! chunks {
+    ($($method:ident)*) => {$(
+        #[doc = concat!("The marker of `", stringify!($method), "`.")]
+        pub struct $method<const N: usize>;
+        impl<const N: usize> Callee for $method<N> {
+            fn callee(_: &mut Builder) -> tree::Callee {
+                // A size beyond 32 bits is never one of a slice that is there.
+                let count = u32::try_from(N).unwrap_or(u32::MAX);
+                tree::Callee::Builtin(tree::Builtin::Slice(SliceMethod::$method(count)))
+            }
+        }
+    )*};
 }
 
-impl<const N: usize> Callee for SplitLastChunk<N> {
-    fn callee(_: &mut Builder) -> tree::Callee {
-        chunk::<N>(SliceMethod::SplitLastChunk)
-    }
-}
-
-fn chunk<const N: usize>(method: fn(u32) -> SliceMethod) -> tree::Callee {
-    // A size beyond 32 bits is never one of a slice that is there.
-    let count = u32::try_from(N).unwrap_or(u32::MAX);
-    tree::Callee::Builtin(tree::Builtin::Slice(method(count)))
-}
+chunks! { SplitFirstChunk SplitLastChunk }
 
 companions! {
     /// The beginnings of slices as arrays.

@@ -224,6 +224,20 @@ macro_rules! stands {
 }
 pub(super) use stands;
 
+/// Types of which no value is ever made.
+macro_rules! never_held {
+    ($([$($parameters:tt)*] $ty:ty;)*) => {$(
+        impl<$($parameters)*> $crate::Plain for $ty {
+            const WORDS: usize = 0;
+            fn store(&self, _: &mut dyn FnMut(u64)) {}
+            fn load(_: &mut dyn FnMut() -> u64) -> Self {
+                unreachable!("a witness copy is never run")
+            }
+        }
+    )*};
+}
+pub(super) use never_held;
+
 /// A scalar of the DSL.
 pub trait ScalarType {
     /// Which one.
@@ -273,6 +287,11 @@ dsl_types! {
     [T: DslType] [T: Seen] Option<T> as Option<T::Slot> => |cx| Ty::Option(Box::new(T::ty(cx)));
     [T: DslType, E: DslType] [T: Seen, E: Seen] Result<T, E> as Result<T::Slot, E::Slot>
         => |cx| Ty::Result(Box::new(T::ty(cx)), Box::new(E::ty(cx)));
+}
+
+never_held! {
+    [T: ?Sized] Shared<T>;
+    [T: ?Sized] Exclusive<T>;
 }
 
 impl<T: DslType> DslType for [T] {
