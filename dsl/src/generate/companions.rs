@@ -61,7 +61,7 @@ macro_rules! companions {
         $($($($crate::generate::companions::markers! { $marker: $kind$(($operation))?; })?)?)*
 
         $(#[$doc])*
-        #[allow(missing_docs, clippy::type_complexity, clippy::too_many_arguments)]
+        #[allow(missing_docs, unused_variables, clippy::type_complexity, clippy::too_many_arguments)]
         pub trait $trait $(<$($g)*>)? $(: $($super +)+)? $(where $place: $limit)? {
             $($(#[$told])* type $associated $(: $kept)?;)*
             $($(type $each: $crate::generate::Callee;)?)*

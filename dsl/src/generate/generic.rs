@@ -19,8 +19,8 @@ use super::numbers;
 use super::slot::{Called, DslType};
 use crate::linear::norms;
 use crate::math::{
-    Real, arctangent, constants, exponential, fused, hyperbolic, logarithm, of_f32, power, roots,
-    sine, tangent,
+    Real, arctangent, constants, elementary, exponential, fused, hyperbolic, logarithm, of_f32,
+    power, roots, sine, tangent,
 };
 
 /// The marker of what each float has a function of its own for: in double and in single precision.
@@ -35,109 +35,99 @@ impl<T: DslType, D: Callee, S: Callee> Callee for Either<T, D, S> {
     }
 }
 
-/// Elementary functions, and which one each is in double and in single precision; what is an operation of either float;
-/// and constants.
+/// The companions of each float, and of the one that a function is built for: elementary functions.
 macro_rules! floats {
-    (
-        elementary { $($kind:ident $companion:ident($($operand:ident: $ty:ty),*) -> $result:ty: $double:ty, $single:ty;)* }
-        operations { $($operation:ident($($other:ident),*) -> $gives:ty: $marker:ty;)* }
-        constants { $($constant:ident $function:ident;)* }
-    ) => {
+    ($(
+        $(#[$doc:meta])*
+        $kind:ident: $method:ident $companion:ident($($operand:ident),*) [$($other:ident: $ty:ty),*]
+            = $double:path, $single:path;
+    )*) => {
         companions! {
             /// Elementary functions of floats.
             pub trait ElementaryBuiltins: Sized {
-                $(fn $companion(self $(, $operand: $ty)*) -> $result = <$kind>;)*
-            }
-            /// What is known to be a `num_traits::Float` has.
-            pub trait AnyFloatBuiltins: Sized {
-                $(fn $companion(&self $(, $operand: $ty)*) -> $result = [Either<Self, $double, $single>];)*
-                $(fn $operation(&self $(, $other: Self)*) -> $gives = [$marker];)*
-                $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
-            }
-            /// What is known to be nalgebra's `RealField` has.
-            pub trait AnyRealBuiltins: Sized {
-                $(fn $companion(&self $(, $operand: $ty)*) -> $result = [Either<Self, $double, $single>];)*
-                $(fn $operation(&self $(, $other: Self)*) -> $gives = [$marker];)*
-                $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
+                $(fn $companion(self $(, $operand: Self)* $(, $other: $ty)*) -> Self = <$kind>;)*
+                fn __b_sin_cos(self) -> (Self, Self) = <SinCos>;
             }
         }
 
         impl ElementaryBuiltins for f64 {
             $(type $kind = $double;)*
+            type SinCos = sine::sin_cos;
         }
 
         impl ElementaryBuiltins for f32 {
             $(type $kind = $single;)*
+            type SinCos = of_f32::sin_cosf;
+        }
+
+        either! {
+            methods {
+                $($companion($($operand: Self,)* $($other: $ty),*) -> Self = Either<Self, $double, $single>;)*
+                __b_sin_cos() -> (Self, Self) = Either<Self, sine::sin_cos, of_f32::sin_cosf>;
+                __b_sqrt() -> Self = numbers::Sqrt;
+                __b_floor() -> Self = numbers::Floor;
+                __b_ceil() -> Self = numbers::Ceil;
+                __b_trunc() -> Self = numbers::Trunc;
+                __b_round() -> Self = numbers::Round;
+                __b_fract() -> Self = numbers::Fract;
+                __b_recip() -> Self = numbers::Recip;
+                __b_to_degrees() -> Self = numbers::ToDegrees;
+                __b_to_radians() -> Self = numbers::ToRadians;
+                __b_abs() -> Self = numbers::Abs;
+                __b_signum() -> Self = numbers::Signum;
+                __b_is_nan() -> bool = numbers::IsNan;
+                __b_is_finite() -> bool = numbers::IsFinite;
+                __b_is_infinite() -> bool = numbers::IsInfinite;
+                __b_copysign(_sign: Self) -> Self = numbers::Copysign;
+                __b_min(_other: Self) -> Self = numbers::Min;
+                __b_max(_other: Self) -> Self = numbers::Max;
+                __b_clamp(_low: Self, _high: Self) -> Self = numbers::Clamp;
+            }
+            constants {
+                __b_zero __function_zero;
+                __b_one __function_one;
+                __b_epsilon __function_epsilon;
+                __b_infinity __function_infinity;
+                __b_neg_infinity __function_neg_infinity;
+                __b_nan __function_nan;
+                __b_max_value __function_max_value;
+                __b_min_value __function_min_value;
+                __b_min_positive_value __function_min_positive_value;
+                __b_pi __function_pi;
+                __b_two_pi __function_two_pi;
+                __b_frac_pi_2 __function_frac_pi_2;
+                __b_frac_pi_3 __function_frac_pi_3;
+                __b_frac_pi_4 __function_frac_pi_4;
+                __b_frac_pi_6 __function_frac_pi_6;
+                __b_frac_pi_8 __function_frac_pi_8;
+                __b_default_epsilon __function_default_epsilon;
+            }
         }
     };
 }
 
-floats! {
-    elementary {
-        Sin __b_sin() -> Self: sine::sin, of_f32::sinf;
-        Cos __b_cos() -> Self: sine::cos, of_f32::cosf;
-        Tan __b_tan() -> Self: tangent::tan, of_f32::tanf;
-        Asin __b_asin() -> Self: arctangent::asin, of_f32::asinf;
-        Acos __b_acos() -> Self: arctangent::acos, of_f32::acosf;
-        Atan __b_atan() -> Self: arctangent::atan, of_f32::atanf;
-        Exp __b_exp() -> Self: exponential::exp, of_f32::expf;
-        Exp2 __b_exp2() -> Self: exponential::exp2, of_f32::exp2f;
-        ExpM1 __b_exp_m1() -> Self: exponential::exp_m1, of_f32::exp_m1f;
-        Ln __b_ln() -> Self: logarithm::ln, of_f32::lnf;
-        Log2 __b_log2() -> Self: logarithm::log2, of_f32::log2f;
-        Log10 __b_log10() -> Self: logarithm::log10, of_f32::log10f;
-        Ln1p __b_ln_1p() -> Self: logarithm::ln_1p, of_f32::ln_1pf;
-        Sinh __b_sinh() -> Self: hyperbolic::sinh, of_f32::sinhf;
-        Cosh __b_cosh() -> Self: hyperbolic::cosh, of_f32::coshf;
-        Tanh __b_tanh() -> Self: hyperbolic::tanh, of_f32::tanhf;
-        Cbrt __b_cbrt() -> Self: roots::cbrt, of_f32::cbrtf;
-        Atan2 __b_atan2(_x: Self) -> Self: arctangent::atan2, of_f32::atan2f;
-        Powf __b_powf(_y: Self) -> Self: power::powf, of_f32::powff;
-        Hypot __b_hypot(_y: Self) -> Self: roots::hypot, of_f32::hypotf;
-        Powi __b_powi(_n: i32) -> Self: power::powi, of_f32::powif;
-        MulAdd __b_mul_add(_a: Self, _b: Self) -> Self: fused::mul_add, fused::mul_addf;
-        SinCos __b_sin_cos() -> (Self, Self): sine::sin_cos, of_f32::sin_cosf;
-    }
-    operations {
-        __b_sqrt() -> Self: numbers::Sqrt;
-        __b_floor() -> Self: numbers::Floor;
-        __b_ceil() -> Self: numbers::Ceil;
-        __b_trunc() -> Self: numbers::Trunc;
-        __b_round() -> Self: numbers::Round;
-        __b_fract() -> Self: numbers::Fract;
-        __b_recip() -> Self: numbers::Recip;
-        __b_to_degrees() -> Self: numbers::ToDegrees;
-        __b_to_radians() -> Self: numbers::ToRadians;
-        __b_abs() -> Self: numbers::Abs;
-        __b_signum() -> Self: numbers::Signum;
-        __b_is_nan() -> bool: numbers::IsNan;
-        __b_is_finite() -> bool: numbers::IsFinite;
-        __b_is_infinite() -> bool: numbers::IsInfinite;
-        __b_copysign(_sign) -> Self: numbers::Copysign;
-        __b_min(_other) -> Self: numbers::Min;
-        __b_max(_other) -> Self: numbers::Max;
-        __b_clamp(_low, _high) -> Self: numbers::Clamp;
-    }
-    constants {
-        __b_zero __function_zero;
-        __b_one __function_one;
-        __b_epsilon __function_epsilon;
-        __b_infinity __function_infinity;
-        __b_neg_infinity __function_neg_infinity;
-        __b_nan __function_nan;
-        __b_max_value __function_max_value;
-        __b_min_value __function_min_value;
-        __b_min_positive_value __function_min_positive_value;
-        __b_pi __function_pi;
-        __b_two_pi __function_two_pi;
-        __b_frac_pi_2 __function_frac_pi_2;
-        __b_frac_pi_3 __function_frac_pi_3;
-        __b_frac_pi_4 __function_frac_pi_4;
-        __b_frac_pi_6 __function_frac_pi_6;
-        __b_frac_pi_8 __function_frac_pi_8;
-        __b_default_epsilon __function_default_epsilon;
-    }
+/// The companions of what is known to be a float.
+macro_rules! either {
+    (
+        methods { $($companion:ident($($operand:ident: $ty:ty),* $(,)?) -> $result:ty = $marker:ty;)* }
+        constants { $($constant:ident $function:ident;)* }
+    ) => {
+        companions! {
+            /// Of a `num_traits::Float`.
+            pub trait AnyFloatBuiltins: Sized {
+                $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
+                $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
+            }
+            /// Of nalgebra's `RealField`.
+            pub trait AnyRealBuiltins: Sized {
+                $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
+                $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
+            }
+        }
+    };
 }
+
+elementary! { floats }
 
 impl<T: Number> AnyFloatBuiltins for T {}
 impl<T: RealField> AnyRealBuiltins for T {}

@@ -8,6 +8,7 @@
 use nalgebra::RealField;
 use num_traits::Float;
 
+use super::methods::elementary;
 use super::{ElementaryMethods, FloatMethods, OrderMethods, RoundMethods, SignMethods};
 
 /// Calls a function of `f32` of what is as wide as one, and of `f64` of what is wider; `$to` and `$from` convert.
@@ -51,9 +52,29 @@ macro_rules! generic {
 }
 
 macro_rules! generics {
-    ($($(#[$doc:meta])* $trait:ident: $bound:ident, $to:path, $from:path;)*) => {$(
+    ($($name:ident($($argument:ident),*) [$($other:ident: $ty:ty),*];)*) => {
         generic! {
-            $(#[$doc])* $trait: $bound, $to, $from;
+            /// Methods of what is known to be a `num_traits::Float`.
+            AnyFloatMethods: Float, float_as_f64, float_of;
+            $($name($($argument),*) [$($other: $ty),*];)*
+        }
+        generic! {
+            /// Methods of what is known to be nalgebra's `RealField`.
+            AnyRealMethods: RealField, real_as_f64, real_of;
+            $($name($($argument),*) [$($other: $ty),*];)*
+        }
+    };
+}
+
+/// The elementary functions, and those that are exact.
+macro_rules! all {
+    ($(
+        $(#[$doc:meta])*
+        $kind:ident: $name:ident $companion:ident($($argument:ident),*) [$($other:ident: $ty:ty),*]
+            = $double:path, $single:path;
+    )*) => {
+        generics! {
+            $($name($($argument),*) [$($other: $ty),*];)*
             dsl_sqrt() [];
             dsl_floor() [];
             dsl_copysign(sign) [];
@@ -68,38 +89,11 @@ macro_rules! generics {
             dsl_min(other) [];
             dsl_max(other) [];
             dsl_clamp(low, high) [];
-            dsl_sin() [];
-            dsl_cos() [];
-            dsl_tan() [];
-            dsl_asin() [];
-            dsl_acos() [];
-            dsl_atan() [];
-            dsl_exp() [];
-            dsl_exp2() [];
-            dsl_exp_m1() [];
-            dsl_ln() [];
-            dsl_log2() [];
-            dsl_log10() [];
-            dsl_ln_1p() [];
-            dsl_sinh() [];
-            dsl_cosh() [];
-            dsl_tanh() [];
-            dsl_cbrt() [];
-            dsl_atan2(x) [];
-            dsl_powf(y) [];
-            dsl_hypot(y) [];
-            dsl_powi() [n: i32];
-            dsl_mul_add(a, b) [];
         }
-    )*};
+    };
 }
 
-generics! {
-    /// Methods of what is known to be a `num_traits::Float`.
-    AnyFloatMethods: Float, float_as_f64, float_of;
-    /// Methods of what is known to be nalgebra's `RealField`.
-    AnyRealMethods: RealField, real_as_f64, real_of;
-}
+elementary! { all }
 
 fn float_as_f64<T: Float>(x: &T) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)

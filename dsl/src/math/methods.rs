@@ -4,124 +4,97 @@ use super::{
     arctangent, exponential, fused, hyperbolic, logarithm, of_f32, power, roots, sine, tangent,
 };
 
-/// Elementary functions that the attributes redirect to the DSL.
-pub trait ElementaryMethods: Copy {
-    /// Sine of an angle in rad.
-    fn dsl_sin(self) -> Self;
-    /// Cosine of an angle in rad.
-    fn dsl_cos(self) -> Self;
-    /// Tangent of an angle in rad.
-    fn dsl_tan(self) -> Self;
-    /// Arcsine, rad; NaN outside −1 to 1.
-    fn dsl_asin(self) -> Self;
-    /// Arccosine, rad; NaN outside −1 to 1.
-    fn dsl_acos(self) -> Self;
-    /// Arctangent, rad.
-    fn dsl_atan(self) -> Self;
-    /// e^self.
-    fn dsl_exp(self) -> Self;
-    /// 2^self.
-    fn dsl_exp2(self) -> Self;
-    /// e^self − 1, without cancellation.
-    fn dsl_exp_m1(self) -> Self;
-    /// The natural logarithm.
-    fn dsl_ln(self) -> Self;
-    /// The logarithm to base 2.
-    fn dsl_log2(self) -> Self;
-    /// The logarithm to base 10.
-    fn dsl_log10(self) -> Self;
-    /// ln(1 + self), without cancellation.
-    fn dsl_ln_1p(self) -> Self;
-    /// The hyperbolic sine.
-    fn dsl_sinh(self) -> Self;
-    /// The hyperbolic cosine.
-    fn dsl_cosh(self) -> Self;
-    /// The hyperbolic tangent.
-    fn dsl_tanh(self) -> Self;
-    /// The cube root.
-    fn dsl_cbrt(self) -> Self;
-    /// The angle of the point (`x`, `self`) in rad, −π to π.
-    fn dsl_atan2(self, x: Self) -> Self;
-    /// self^y.
-    fn dsl_powf(self, y: Self) -> Self;
-    /// √(self² + y²), without overflow on the way.
-    fn dsl_hypot(self, y: Self) -> Self;
-    /// self^n, by squaring in the order of [`power::powi`].
-    fn dsl_powi(self, n: i32) -> Self;
-    /// self · a + b, rounded once.
-    fn dsl_mul_add(self, a: Self, b: Self) -> Self;
-    /// Sine and cosine of an angle in rad: the bits of either function.
-    fn dsl_sin_cos(self) -> (Self, Self);
-}
-
+/// Hands the elementary functions to a macro: of each the companion's type and the names of method and companion, the operands
+/// that are of the same type and those of another, and which function it is in double and in single precision.
 macro_rules! elementary {
-    ($($float:ident: $($unary:ident $function:path),*; $($binary:ident $of_two:path),*; $powi:path, $mul_add:path, $sin_cos:path;)*) => {$(
-        impl ElementaryMethods for $float {
-            $(fn $unary(self) -> $float {
-                $function(self)
+    ($then:ident) => {
+        $then! {
+            /// Sine of an angle in rad.
+            Sin: dsl_sin __b_sin() [] = sine::sin, of_f32::sinf;
+            /// Cosine of an angle in rad.
+            Cos: dsl_cos __b_cos() [] = sine::cos, of_f32::cosf;
+            /// Tangent of an angle in rad.
+            Tan: dsl_tan __b_tan() [] = tangent::tan, of_f32::tanf;
+            /// Arcsine, rad; NaN outside −1 to 1.
+            Asin: dsl_asin __b_asin() [] = arctangent::asin, of_f32::asinf;
+            /// Arccosine, rad; NaN outside −1 to 1.
+            Acos: dsl_acos __b_acos() [] = arctangent::acos, of_f32::acosf;
+            /// Arctangent, rad.
+            Atan: dsl_atan __b_atan() [] = arctangent::atan, of_f32::atanf;
+            /// e^self.
+            Exp: dsl_exp __b_exp() [] = exponential::exp, of_f32::expf;
+            /// 2^self.
+            Exp2: dsl_exp2 __b_exp2() [] = exponential::exp2, of_f32::exp2f;
+            /// e^self − 1, without cancellation.
+            ExpM1: dsl_exp_m1 __b_exp_m1() [] = exponential::exp_m1, of_f32::exp_m1f;
+            /// The natural logarithm.
+            Ln: dsl_ln __b_ln() [] = logarithm::ln, of_f32::lnf;
+            /// The logarithm to base 2.
+            Log2: dsl_log2 __b_log2() [] = logarithm::log2, of_f32::log2f;
+            /// The logarithm to base 10.
+            Log10: dsl_log10 __b_log10() [] = logarithm::log10, of_f32::log10f;
+            /// ln(1 + self), without cancellation.
+            Ln1p: dsl_ln_1p __b_ln_1p() [] = logarithm::ln_1p, of_f32::ln_1pf;
+            /// The hyperbolic sine.
+            Sinh: dsl_sinh __b_sinh() [] = hyperbolic::sinh, of_f32::sinhf;
+            /// The hyperbolic cosine.
+            Cosh: dsl_cosh __b_cosh() [] = hyperbolic::cosh, of_f32::coshf;
+            /// The hyperbolic tangent.
+            Tanh: dsl_tanh __b_tanh() [] = hyperbolic::tanh, of_f32::tanhf;
+            /// The cube root.
+            Cbrt: dsl_cbrt __b_cbrt() [] = roots::cbrt, of_f32::cbrtf;
+            /// The angle of the point (`x`, `self`) in rad, −π to π.
+            Atan2: dsl_atan2 __b_atan2(x) [] = arctangent::atan2, of_f32::atan2f;
+            /// self^y.
+            Powf: dsl_powf __b_powf(y) [] = power::powf, of_f32::powff;
+            /// √(self² + y²), without overflow on the way.
+            Hypot: dsl_hypot __b_hypot(y) [] = roots::hypot, of_f32::hypotf;
+            /// self^n, by squaring in the order of [`power::powi`].
+            Powi: dsl_powi __b_powi() [n: i32] = power::powi, of_f32::powif;
+            /// self · a + b, rounded once.
+            MulAdd: dsl_mul_add __b_mul_add(a, b) [] = fused::mul_add, fused::mul_addf;
+        }
+    };
+}
+pub(crate) use elementary;
+
+macro_rules! methods {
+    ($(
+        $(#[$doc:meta])*
+        $kind:ident: $method:ident $companion:ident($($operand:ident),*) [$($other:ident: $ty:ty),*]
+            = $double:path, $single:path;
+    )*) => {
+        /// Elementary functions that the attributes redirect to the DSL.
+        pub trait ElementaryMethods: Copy {
+            $(
+                $(#[$doc])*
+                fn $method(self $(, $operand: Self)* $(, $other: $ty)*) -> Self;
+            )*
+            /// Sine and cosine of an angle in rad: the bits of either function.
+            fn dsl_sin_cos(self) -> (Self, Self);
+        }
+
+        impl ElementaryMethods for f64 {
+            $(fn $method(self $(, $operand: f64)* $(, $other: $ty)*) -> f64 {
+                $double(self $(, $operand)* $(, $other)*)
             })*
-            $(fn $binary(self, other: $float) -> $float {
-                $of_two(self, other)
-            })*
-            fn dsl_powi(self, n: i32) -> $float {
-                $powi(self, n)
-            }
-            fn dsl_mul_add(self, a: $float, b: $float) -> $float {
-                $mul_add(self, a, b)
-            }
-            fn dsl_sin_cos(self) -> ($float, $float) {
-                $sin_cos(self)
+            fn dsl_sin_cos(self) -> (f64, f64) {
+                sine::sin_cos(self)
             }
         }
-    )*};
+
+        impl ElementaryMethods for f32 {
+            $(fn $method(self $(, $operand: f32)* $(, $other: $ty)*) -> f32 {
+                $single(self $(, $operand)* $(, $other)*)
+            })*
+            fn dsl_sin_cos(self) -> (f32, f32) {
+                of_f32::sin_cosf(self)
+            }
+        }
+    };
 }
 
-elementary! {
-    f64:
-        dsl_sin sine::sin,
-        dsl_cos sine::cos,
-        dsl_tan tangent::tan,
-        dsl_asin arctangent::asin,
-        dsl_acos arctangent::acos,
-        dsl_atan arctangent::atan,
-        dsl_exp exponential::exp,
-        dsl_exp2 exponential::exp2,
-        dsl_exp_m1 exponential::exp_m1,
-        dsl_ln logarithm::ln,
-        dsl_log2 logarithm::log2,
-        dsl_log10 logarithm::log10,
-        dsl_ln_1p logarithm::ln_1p,
-        dsl_sinh hyperbolic::sinh,
-        dsl_cosh hyperbolic::cosh,
-        dsl_tanh hyperbolic::tanh,
-        dsl_cbrt roots::cbrt;
-        dsl_atan2 arctangent::atan2,
-        dsl_powf power::powf,
-        dsl_hypot roots::hypot;
-        power::powi, fused::mul_add, sine::sin_cos;
-    f32:
-        dsl_sin of_f32::sinf,
-        dsl_cos of_f32::cosf,
-        dsl_tan of_f32::tanf,
-        dsl_asin of_f32::asinf,
-        dsl_acos of_f32::acosf,
-        dsl_atan of_f32::atanf,
-        dsl_exp of_f32::expf,
-        dsl_exp2 of_f32::exp2f,
-        dsl_exp_m1 of_f32::exp_m1f,
-        dsl_ln of_f32::lnf,
-        dsl_log2 of_f32::log2f,
-        dsl_log10 of_f32::log10f,
-        dsl_ln_1p of_f32::ln_1pf,
-        dsl_sinh of_f32::sinhf,
-        dsl_cosh of_f32::coshf,
-        dsl_tanh of_f32::tanhf,
-        dsl_cbrt of_f32::cbrtf;
-        dsl_atan2 of_f32::atan2f,
-        dsl_powf of_f32::powff,
-        dsl_hypot of_f32::hypotf;
-        of_f32::powif, fused::mul_addf, of_f32::sin_cosf;
-}
+elementary! { methods }
 
 /// Elementary functions that the attributes redirect to the DSL, and that it does not have: rustc says where one is called
 /// what to write in its place.

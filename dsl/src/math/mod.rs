@@ -64,6 +64,8 @@ pub use matrix::{MatrixMethods, SquareMethods};
 #[doc(hidden)]
 pub use methods::AbsentMethods;
 pub use methods::ElementaryMethods;
+#[cfg(feature = "generate")]
+pub(crate) use methods::elementary;
 pub use number::{DivisionMethods, RoundMethods, SignMethods};
 
 /// Methods of floats that the attributes redirect to the DSL.
