@@ -10,7 +10,7 @@ use bessemer_ir::tree::{self, Desugared, ListMethod, OptionMethod, Ty};
 
 use super::builder::{Builder, Callee};
 use super::companions::{calls, companions};
-use super::numbers::FromBuiltin;
+use super::numbers::{FromBuiltin, converts};
 use super::slot::{Called, DslType, Seen, Value, dsl_types, stands};
 use crate::{List, exchange, list_edit, non_zero, optional, range};
 
@@ -129,9 +129,7 @@ macro_rules! integers {
     ($($int:ident)*) => {$(
         stands! { [] NonZero<$int> => non_zero::NonZero<$int>; }
         impl NonZeroBuiltins<$int> for NonZero<$int> {}
-        impl FromBuiltin<NonZero<$int>> for $int {
-            type Marker = non_zero::__function_get<$int>;
-        }
+        converts! { [] NonZero<$int> => $int: non_zero::__function_get<$int>; }
     )*};
 }
 

@@ -17,7 +17,7 @@ use nalgebra::{
 use super::builder::{Builder, Callee};
 use super::companions::{calls, companions, markers};
 use super::iterator::Items;
-use super::numbers::FromBuiltin;
+use super::numbers::{FromBuiltin, converts};
 use super::slot::{Called, ScalarType, Value};
 use crate::element::Element;
 use crate::linear::{
@@ -176,23 +176,17 @@ constructors! {
     New16(_a, _b, _c, _d, _e, _f, _g, _h, _i, _j, _k, _l, _m, _n, _o, _p) for (4, 4);
 }
 
-/// `view.into()`: what is read is a copy already.
-impl<T: Element, const R: usize, const C: usize> FromBuiltin<SMatrix<T, R, C>>
-    for SMatrix<T, R, C>
-{
-    type Marker = Owned;
+// `view.into()`: what is read is a copy already.
+converts! {
+    [T: Element, const R: usize, const C: usize] SMatrix<T, R, C> => SMatrix<T, R, C>: Owned;
 }
 
 /// `Vector3::from([x, y, z])`, `Matrix2::from([[a, c], [b, d]])` by columns, and arrays of what they hold.
 macro_rules! from_arrays {
-    ($([$($n:ident),*] $matrix:ty: $array:ty;)*) => {$(
-        impl<T: ScalarType + Scalar, $(const $n: usize),*> FromBuiltin<$array> for $matrix {
-            type Marker = FromArray;
-        }
-        impl<T: ScalarType + Scalar, $(const $n: usize),*> FromBuiltin<$matrix> for $array {
-            type Marker = FromArray;
-        }
-    )*};
+    ($([$($n:ident),*] $matrix:ty: $array:ty;)*) => { converts! {$(
+        [T: ScalarType + Scalar, $(const $n: usize),*] $array => $matrix: FromArray;
+        [T: ScalarType + Scalar, $(const $n: usize),*] $matrix => $array: FromArray;
+    )*} };
 }
 
 from_arrays! {

@@ -265,10 +265,18 @@ bytes! {
     8: i64 u64 isize usize f64;
 }
 
+/// What is made of what by `from`, and by which function.
+macro_rules! converts {
+    ($([$($g:tt)*] $from:ty => $to:ty: $marker:ty;)*) => {$(
+        impl<$($g)*> FromBuiltin<$from> for $to {
+            type Marker = $marker;
+        }
+    )*};
+}
+pub(super) use converts;
+
 macro_rules! conversions {
-    ($($to:ident: $($from:ident)*;)*) => { $($(impl FromBuiltin<$from> for $to {
-        type Marker = From;
-    })*)* };
+    ($($to:ident: $($from:ident)*;)*) => { $(converts! { $([] $from => $to: From;)* })* };
 }
 
 conversions! {
@@ -279,20 +287,13 @@ conversions! {
     isize: bool i8 i16 isize u8;
     u8: bool u8;
     u16: bool u8 u16;
-    u32: bool u8 u16 u32;
+    u32: bool u8 u16 u32 char;
     u64: bool u8 u16 u32 u64;
     usize: bool u8 u16 usize;
     f32: i8 i16 u8 u16 f32;
     f64: i8 i16 i32 u8 u16 u32 f32 f64;
-}
-
-/// Bytes as characters, and characters as their code points.
-impl FromBuiltin<u8> for char {
-    type Marker = From;
-}
-
-impl FromBuiltin<char> for u32 {
-    type Marker = From;
+    // Bytes as characters, and characters as their code points.
+    char: u8;
 }
 
 macro_rules! narrowings {

@@ -19,7 +19,7 @@ use nalgebra::{
 use super::builder::{Builder, Callee};
 use super::companions::companions;
 use super::matrices::{AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros};
-use super::numbers::FromBuiltin;
+use super::numbers::{FromBuiltin, converts};
 use super::slot::{Called, DslType, Seen, dsl_types, stands};
 use crate::complex;
 use crate::linear::spatial::{isometry, quaternion, unit_quaternion};
@@ -165,22 +165,14 @@ impl<T: Real, const N: usize> Unitary for SVector<T, N> {
     type Normalized = norms::__function_normalize<T, N, 1>;
 }
 
-/// Conversions that are functions of the DSL.
-macro_rules! converts {
-    ($([$($t:ident)?] $from:ty => $to:ty: $function:ty;)*) => {$(
-        impl$(<$t: Real>)? FromBuiltin<$from> for $to {
-            type Marker = $function;
-        }
-    )*};
-}
-
+// Conversions that are functions of the DSL.
 converts! {
     [] f32 => Complex<f32>: complex::__function_from_real<f32>;
     [] f64 => Complex<f64>: complex::__function_from_real<f64>;
-    [T] Vector4<T> => Quaternion<T>: quaternion::__function_from_vector<T>;
-    [T] [T; 4] => Quaternion<T>: quaternion::__function_from_array<T>;
-    [T] Rotation3<T> => UnitQuaternion<T>: unit_quaternion::__function_from_rotation_matrix<T>;
-    [T] UnitQuaternion<T> => Rotation3<T>: unit_quaternion::__function_to_rotation_matrix<T>;
+    [T: Real] Vector4<T> => Quaternion<T>: quaternion::__function_from_vector<T>;
+    [T: Real] [T; 4] => Quaternion<T>: quaternion::__function_from_array<T>;
+    [T: Real] Rotation3<T> => UnitQuaternion<T>: unit_quaternion::__function_from_rotation_matrix<T>;
+    [T: Real] UnitQuaternion<T> => Rotation3<T>: unit_quaternion::__function_to_rotation_matrix<T>;
 }
 
 /// What the operators of a function mean, as far as the types of their operands say.
