@@ -229,7 +229,8 @@ pub(super) fn called(
     authors: Vec<Option<tree::Callee>>,
     slots: &[Ty],
 ) -> Vec<(u32, tree::Callee)> {
-    let mut found = spatial::operators(cx, operators, slots);
+    let spatial = |it: &tree::Operator| Some((it.at, spatial::operator(cx, it, slots)?));
+    let mut found: Vec<_> = operators.iter().filter_map(spatial).collect();
     for (operator, authors) in operators.iter().zip(authors) {
         if found.iter().any(|(at, _)| *at == operator.at) {
             continue;

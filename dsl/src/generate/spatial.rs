@@ -7,7 +7,6 @@
 
 use alloc::boxed::Box;
 use alloc::format;
-use alloc::vec::Vec;
 
 use bessemer_ir::tree::{self, Parts, SpatialMethod, Ty};
 use bessemer_ir::{Float, Scalar};
@@ -175,33 +174,24 @@ converts! {
     [T: Real] UnitQuaternion<T> => Rotation3<T>: unit_quaternion::__function_to_rotation_matrix<T>;
 }
 
-/// What the operators of a function mean, as far as the types of their operands say.
-pub(super) fn operators(
+/// What an operator means, as far as the types of its operands say.
+pub(super) fn operator(
     cx: &mut Builder,
-    operators: &[tree::Operator],
+    operator: &tree::Operator,
     slots: &[Ty],
-) -> Vec<(u32, tree::Callee)> {
-    let found = operators.iter().filter_map(|operator| {
-        let kinds: Vec<_> = operator
-            .operands
-            .iter()
-            .map(|slot| {
-                slot.map_or(Some((Kind::Number, None)), |slot| kind(slots.get(slot as usize)?))
-            })
-            .collect();
-        let (left, right) = match kinds.as_slice() {
-            [Some(left)] => (*left, (Kind::None, None)),
-            [Some(left), Some(right)] => (*left, *right),
-            _ => return None,
-        };
-        let sign = operator.of.trim_end_matches("Assign");
-        let callee = match left.1.or(right.1)? {
-            Float::F32 => meaning::<f32>(cx, sign, left.0, right.0),
-            Float::F64 => meaning::<f64>(cx, sign, left.0, right.0),
-        };
-        Some((operator.at, callee?))
+) -> Option<tree::Callee> {
+    // What has no slot is a literal.
+    let mut kinds = operator.operands.iter().map(|slot| match slot {
+        Some(slot) => slots.get(*slot as usize).and_then(kind),
+        None => Some((Kind::Number, None)),
     });
-    found.collect()
+    let (left, float) = kinds.next()??;
+    let (right, of_right) = kinds.next().unwrap_or(Some((Kind::None, None)))?;
+    let sign = operator.of.trim_end_matches("Assign");
+    match float.or(of_right)? {
+        Float::F32 => meaning::<f32>(cx, sign, left, right),
+        Float::F64 => meaning::<f64>(cx, sign, left, right),
+    }
 }
 
 /// What a type is to an operator.
