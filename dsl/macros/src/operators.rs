@@ -231,12 +231,12 @@ impl Beside<'_> {
                 })
             }
             ::bessemer::generate::register! {
-                ::bessemer::generate::OwnOperator::new(
-                    #name,
-                    <#owner as ::bessemer::generate::DslType>::ty,
-                    <#other as ::bessemer::generate::DslType>::ty,
-                    <#owner as #implements>::build,
-                )
+                ::bessemer::generate::OwnOperator {
+                    name: #name,
+                    left: <#owner as ::bessemer::generate::DslType>::ty,
+                    right: <#other as ::bessemer::generate::DslType>::ty,
+                    build: <#owner as #implements>::build,
+                }
             }
         }
     }

@@ -28,17 +28,14 @@ impl<A: Value, B: Value, C: Value, D: Value> Ranked for (A, B, C, D) {}
 impl<T: Value, const N: usize> Ranked for [T; N] {}
 impl<T: Value> Ranked for Reverse<T> {}
 
+/// What is compared by a function of the DSL: these, integers and `bool`.
+pub trait Compared: Value {}
+
+impl<T: Ranked> Compared for T {}
+
 companions! {
-    /// What integers and `bool` have.
+    /// What [`Compared`] types have.
     pub trait CompareBuiltins: Sized {
-        fn __b_cmp(&self, _other: &Self) -> Ordering = [comparison::__function_compare<Self>];
-    }
-    /// What all numbers have.
-    pub trait PartialCompareBuiltins: Sized {
-        fn __b_partial_cmp(&self, _other: &Self) -> Option<Ordering> = [comparison::__function_partial<Self>];
-    }
-    /// What [`Ranked`] types have.
-    pub trait RankedBuiltins: Sized {
         fn __b_cmp(&self, _other: &Self) -> Ordering where Self: Ord = [comparison::__function_compare<Self>];
         fn __b_partial_cmp(&self, _other: &Self) -> Option<Ordering> where Self: PartialOrd
             = [comparison::__function_partial<Self>];
@@ -57,15 +54,15 @@ companions! {
         fn __b_clamp(self, _low: Self, _high: Self) -> Self = [T::Clamp];
     }
     /// What floats have.
-    pub trait TotalCompareBuiltins: Sized {
+    pub trait FloatCompareBuiltins: Sized {
+        fn __b_partial_cmp(&self, _other: &Self) -> Option<Ordering> = [comparison::__function_partial<Self>];
         fn __b_total_cmp(&self, _other: &Self) -> Ordering = [comparison::__function_total<Self>];
     }
 }
 
-impl<T: Value + Real> PartialCompareBuiltins for T {}
-impl<T: Ranked + Copy> RankedBuiltins for T {}
+impl<T: Compared + Copy> CompareBuiltins for T {}
 impl<T: Ranked + Copy + Ord> RankedOrderBuiltins for T {}
-impl<T: Value + Real> TotalCompareBuiltins for T {}
+impl<T: Value + Real> FloatCompareBuiltins for T {}
 
 /// What `core::cmp::max` and `core::cmp::min` take.
 #[diagnostic::on_unimplemented(
@@ -83,17 +80,9 @@ impl<T: Ranked + Copy + Ord> Extremes for T {
     type Clamp = comparison::__function_limited<T>;
 }
 
-macro_rules! ordered {
+macro_rules! integers {
     ($($ty:ident)*) => {$(
-        impl CompareBuiltins for $ty {}
-        impl PartialCompareBuiltins for $ty {}
-    )*};
-}
-
-ordered! { bool i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
-
-macro_rules! extremes {
-    ($($ty:ident)*) => {$(
+        impl Compared for $ty {}
         impl Extremes for $ty {
             type Min = numbers::Min;
             type Max = numbers::Max;
@@ -102,7 +91,9 @@ macro_rules! extremes {
     )*};
 }
 
-extremes! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
+integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
+
+impl Compared for bool {}
 
 /// The carriers of functions of that module.
 #[allow(non_camel_case_types)]

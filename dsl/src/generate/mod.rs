@@ -41,8 +41,8 @@ pub use slot::{
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.
 pub mod prelude {
     pub use super::comparison::{
-        CompareBuiltins as _, PartialCompareBuiltins as _, RankedBuiltins as _,
-        RankedOrderBuiltins as _, ReferredOrderBuiltins as _, TotalCompareBuiltins as _,
+        CompareBuiltins as _, FloatCompareBuiltins as _, RankedOrderBuiltins as _,
+        ReferredOrderBuiltins as _,
     };
     pub use super::containers::{
         ArrayBuiltins as _, ClosedBuiltins as _, ClosedContents as _, Contents as _,

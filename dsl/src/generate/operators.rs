@@ -202,25 +202,17 @@ pub fn __operated<M, R>(_: &Slot<M>, value: R, _: Slot<M>) -> R {
 
 /// An implementation of an operator that its author marked, or of one of [`IMPLIED`].
 pub struct OwnOperator {
-    name: &'static str,
-    left: fn(&mut Builder) -> Ty,
-    right: fn(&mut Builder) -> Ty,
-    build: fn(&mut Builder) -> tree::Callee,
+    /// The trait.
+    pub name: &'static str,
+    /// The type of the first operand.
+    pub left: fn(&mut Builder) -> Ty,
+    /// That of the second; of the sign, the same.
+    pub right: fn(&mut Builder) -> Ty,
+    /// Builds the function.
+    pub build: fn(&mut Builder) -> tree::Callee,
 }
 
 inventory::collect!(OwnOperator);
-
-impl OwnOperator {
-    /// An implementation of the trait `name`, for operands of two types; of the sign, twice the same.
-    pub const fn new(
-        name: &'static str,
-        left: fn(&mut Builder) -> Ty,
-        right: fn(&mut Builder) -> Ty,
-        build: fn(&mut Builder) -> tree::Callee,
-    ) -> OwnOperator {
-        OwnOperator { name, left, right, build }
-    }
-}
 
 /// What the operators of a function call.
 pub(super) fn called(
