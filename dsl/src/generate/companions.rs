@@ -22,24 +22,38 @@ pub(super) use markers;
 /// the methods, or as a trait where that is not one type. What it is generic over stands in square brackets, and so does
 /// what a method is generic over besides. Each companion has its marker: what that stands for is said where it is not
 /// another's as well; a marker that is named by a path stands in square brackets, and in angle brackets one that each
-/// type with the methods has of its own.
+/// type with the methods has of its own. The prelude takes the traits from `traits`, which gathers them as they come.
 macro_rules! companions {
     () => {};
+    (pub mod traits[$($known:ident)*];) => {
+        /// The traits, for the prelude.
+        pub mod traits {
+            $(pub use super::$known as _;)*
+        }
+    };
     (
+        $(pub mod traits $known:tt;)?
         $(#[$doc:meta])*
         impl[$($g:tt)*] $trait:ident $(<$($argument:ident),+>)? for [$element:ty] { $($companions:tt)* }
         $($more:tt)*
     ) => {
-        $crate::generate::companions::companions! { $(#[$doc])* pub trait $trait[$($g)*] { $($companions)* } $($more)* }
+        $crate::generate::companions::companions! {
+            $(pub mod traits $known;)?
+            $(#[$doc])*
+            pub trait $trait[$($g)*] { $($companions)* }
+            $($more)*
+        }
         impl<$($g)*> $trait $(<$($argument),+>)? for [$element] {}
     };
     (
+        $(pub mod traits $known:tt;)?
         $(#[$doc:meta])*
         impl[$($g:tt)*] $trait:ident $(<$($argument:ident),+>)? for $of:ty
             $(where $place:ty: $bound:path)? { $($companions:tt)* }
         $($more:tt)*
     ) => {
         $crate::generate::companions::companions! {
+            $(pub mod traits $known;)?
             $(#[$doc])*
             pub trait $trait[$($g)*]: Sized $(where $place: $bound)? { $($companions)* }
             $($more)*
@@ -47,6 +61,7 @@ macro_rules! companions {
         impl<$($g)*> $trait $(<$($argument),+>)? for $of $(where $place: $bound)? {}
     };
     (
+        $(pub mod traits[$($known:ident)*];)?
         $(#[$doc:meta])*
         pub trait $trait:ident $([$($g:tt)*])? $(: $($super:path),+)? $(where $place:ty: $limit:path)? {
             $($(#[$told:meta])* type $associated:ident $(: $kept:ident)?;)*
@@ -75,7 +90,7 @@ macro_rules! companions {
             )*
         }
 
-        $crate::generate::companions::companions! { $($more)* }
+        $crate::generate::companions::companions! { $(pub mod traits[$($known)* $trait];)? $($more)* }
     };
 }
 pub(super) use companions;

@@ -34,6 +34,7 @@ pub trait Compared: Value {}
 impl<T: Ranked> Compared for T {}
 
 companions! {
+    pub mod traits[];
     /// What [`Compared`] types have.
     pub trait CompareBuiltins: Sized {
         fn __b_cmp(&self, _other: &Self) -> Ordering where Self: Ord = [comparison::__function_compare<Self>];

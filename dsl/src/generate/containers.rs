@@ -21,6 +21,7 @@ dsl_types! {
 }
 
 companions! {
+    pub mod traits[];
     /// Methods of `Option`.
     impl[T] OptionBuiltins<T> for Option<T> {
         fn __b_is_some(&self) -> bool = IsSome: Option(OptionMethod::IsSome);

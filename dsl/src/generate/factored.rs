@@ -27,6 +27,7 @@ stands! {
 }
 
 companions! {
+    pub mod traits[];
     /// Factors of square matrices.
     impl[T: Real, const N: usize] LuBuiltins<T, N> for SMatrix<T, N, N>
         where Const<N>: DimMin<Const<N>, Output = Const<N>>

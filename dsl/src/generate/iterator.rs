@@ -107,6 +107,7 @@ pub fn __items<I: IntoIterator>(_: I) -> Items<I::Item> {
 }
 
 companions! {
+    pub mod traits[];
     /// `items.collect()`, `Inputs::from_iter(items)`: the function of an author's that gathers items of type `A`.
     #[diagnostic::on_unimplemented(
         message = "nothing of the DSL gathers items of type `{A}` in a `{Self}`",

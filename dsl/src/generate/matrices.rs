@@ -65,6 +65,7 @@ solvers! {
 }
 
 companions! {
+    pub mod traits[];
     /// Methods of matrices and vectors.
     impl[T: ScalarType + Scalar, const R: usize, const C: usize] MatrixBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_zeros() -> Self = Zeros: Matrix(MatrixMethod::Zeros);
@@ -146,6 +147,31 @@ companions! {
         fn __b_row_iter(&self) -> Items<SMatrix<T, 1, C>> = [lines::__function_row_iter<T, R, C>];
         fn __b_column_iter_mut(&mut self) -> Items<SVector<T, R>> = [lines::__function_column_iter_mut<T, R, C>];
         fn __b_row_iter_mut(&mut self) -> Items<SMatrix<T, 1, C>> = [lines::__function_row_iter_mut<T, R, C>];
+    }
+    /// Methods of matrices whose result is of another size.
+    impl[T: Real, const R: usize, const C: usize] ResizedBuiltins<T, R, C> for SMatrix<T, R, C> {
+        fn __b_kronecker[const R2: usize, const C2: usize](&self, _b: &SMatrix<T, R2, C2>) -> Product<T, R, C, R2, C2>
+            where Const<R>: DimMul<Const<R2>>, Const<C>: DimMul<Const<C2>>,
+                DefaultAllocator: Allocator<DimProd<Const<R>, Const<R2>>, DimProd<Const<C>, Const<C2>>>
+            = [Kronecker<T, Product<T, R, C, R2, C2>, R, C, R2, C2>];
+        fn __b_insert_row(self, _at: usize, _value: T) -> Larger<T, R, C>
+            where Const<R>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<R>, U1>, Const<C>>
+            = [InsertRow<T, Larger<T, R, C>, R, C>];
+        fn __b_insert_column(self, _at: usize, _value: T) -> Wider<T, R, C>
+            where Const<C>: DimAdd<U1>, DefaultAllocator: Allocator<Const<R>, DimSum<Const<C>, U1>>
+            = [InsertColumn<T, Wider<T, R, C>, R, C>];
+        fn __b_remove_row(self, _at: usize) -> Smaller<T, R, C>
+            where Const<R>: DimSub<U1>, DefaultAllocator: Allocator<DimDiff<Const<R>, U1>, Const<C>>
+            = [RemoveRow<T, Smaller<T, R, C>, R, C>];
+        fn __b_remove_column(self, _at: usize) -> Narrower<T, R, C>
+            where Const<C>: DimSub<U1>, DefaultAllocator: Allocator<Const<R>, DimDiff<Const<C>, U1>>
+            = [RemoveColumn<T, Narrower<T, R, C>, R, C>];
+    }
+    /// The same of vectors.
+    impl[T: Real, const N: usize] PushBuiltin<T, N> for SVector<T, N> {
+        fn __b_push(&self, _element: T) -> Larger<T, N, 1>
+            where Const<N>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<N>, U1>>
+            = [Push<T, Larger<T, N, 1>, N>];
     }
 }
 
@@ -280,31 +306,3 @@ type Larger<T, const R: usize, const C: usize> = OMatrix<T, DimSum<Const<R>, U1>
 type Wider<T, const R: usize, const C: usize> = OMatrix<T, Const<R>, DimSum<Const<C>, U1>>;
 type Smaller<T, const R: usize, const C: usize> = OMatrix<T, DimDiff<Const<R>, U1>, Const<C>>;
 type Narrower<T, const R: usize, const C: usize> = OMatrix<T, Const<R>, DimDiff<Const<C>, U1>>;
-
-companions! {
-    /// Methods of matrices whose result is of another size.
-    impl[T: Real, const R: usize, const C: usize] ResizedBuiltins<T, R, C> for SMatrix<T, R, C> {
-        fn __b_kronecker[const R2: usize, const C2: usize](&self, _b: &SMatrix<T, R2, C2>) -> Product<T, R, C, R2, C2>
-            where Const<R>: DimMul<Const<R2>>, Const<C>: DimMul<Const<C2>>,
-                DefaultAllocator: Allocator<DimProd<Const<R>, Const<R2>>, DimProd<Const<C>, Const<C2>>>
-            = [Kronecker<T, Product<T, R, C, R2, C2>, R, C, R2, C2>];
-        fn __b_insert_row(self, _at: usize, _value: T) -> Larger<T, R, C>
-            where Const<R>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<R>, U1>, Const<C>>
-            = [InsertRow<T, Larger<T, R, C>, R, C>];
-        fn __b_insert_column(self, _at: usize, _value: T) -> Wider<T, R, C>
-            where Const<C>: DimAdd<U1>, DefaultAllocator: Allocator<Const<R>, DimSum<Const<C>, U1>>
-            = [InsertColumn<T, Wider<T, R, C>, R, C>];
-        fn __b_remove_row(self, _at: usize) -> Smaller<T, R, C>
-            where Const<R>: DimSub<U1>, DefaultAllocator: Allocator<DimDiff<Const<R>, U1>, Const<C>>
-            = [RemoveRow<T, Smaller<T, R, C>, R, C>];
-        fn __b_remove_column(self, _at: usize) -> Narrower<T, R, C>
-            where Const<C>: DimSub<U1>, DefaultAllocator: Allocator<Const<R>, DimDiff<Const<C>, U1>>
-            = [RemoveColumn<T, Narrower<T, R, C>, R, C>];
-    }
-    /// The same of vectors.
-    impl[T: Real, const N: usize] PushBuiltin<T, N> for SVector<T, N> {
-        fn __b_push(&self, _element: T) -> Larger<T, N, 1>
-            where Const<N>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<N>, U1>>
-            = [Push<T, Larger<T, N, 1>, N>];
-    }
-}

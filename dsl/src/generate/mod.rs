@@ -40,55 +40,32 @@ pub use slot::{
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.
 pub mod prelude {
-    pub use super::comparison::{
-        CompareBuiltins as _, FloatCompareBuiltins as _, RankedOrderBuiltins as _,
-        ReferredOrderBuiltins as _,
-    };
-    pub use super::containers::{
-        ArrayBuiltins as _, ClosedBuiltins as _, ClosedContents as _, Contents as _,
-        CopiedBuiltin as _, LentOnBuiltin as _, ListBuiltins as _, ListExtends as _,
-        NonZeroBuiltins as _, OptionBuiltins as _, ReadOnBuiltin as _, ResultBuiltins as _,
-    };
+    pub use super::comparison::traits::*;
+    pub use super::containers::traits::*;
+    pub use super::factored::traits::*;
     pub use super::factored::{
-        CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
-        SquareQrMethods as _, SymmetricBuiltins as _, UduMethods as _,
+        CholeskyMethods as _, LuMethods as _, QrMethods as _, UduMethods as _,
     };
     pub use super::generic::ElementaryBuiltins as _;
     pub use super::handed::{__function, __made};
-    pub use super::iterator::{
-        __items, Adapters as _, ByHand as _, ClonedItems as _, CopiedItems as _, Ends as _,
-        ExtendBuiltin as _, FromIteratorBuiltin as _,
-    };
+    pub use super::iterator::__items;
+    pub use super::iterator::traits::*;
+    pub use super::matrices::traits::*;
     pub use super::matrices::{
-        AxisBuiltins as _, CopyBuiltin as _, CrossBuiltin as _, IdentityBuiltin as _,
-        LineBuiltins as _, MatrixBuiltins as _, New1 as _, New2 as _, New3 as _, New4 as _,
-        New5 as _, New6 as _, New8 as _, New9 as _, New12 as _, New16 as _, OwnedBuiltins as _,
-        PushBuiltin as _, ResizedBuiltins as _, ScalarBuiltins as _, SquareBuiltins as _,
-        SumBuiltins as _, SwizzleBuiltins as _, WrittenViews as _,
+        New1 as _, New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New8 as _, New9 as _,
+        New12 as _, New16 as _, SwizzleBuiltins as _,
     };
-    pub use super::numbers::{
-        ByteBuiltins as _, BytesBuiltins as _, CharBuiltins as _, DivisionBuiltins as _,
-        FloatBuiltins as _, FromBuiltin as _, IntegerBuiltins as _, IntoBuiltin as _,
-        OrderBuiltins as _, SignBuiltins as _, SignedBuiltins as _, TryFromBuiltin as _,
-        TryIntoBuiltin as _, UnsignedBuiltins as _,
-    };
+    pub use super::numbers::ByteBuiltins as _;
+    pub use super::numbers::traits::*;
     pub use super::operators::{
         __both, __computed, __named, __named_left, __named_right, __operand, __operands,
         __operated, __placed, __settled, OtherOperands as _, OwnOperands as _,
     };
-    pub use super::slice::{
-        SliceArrays as _, SliceBuiltins as _, SliceEnds as _, SliceOrder as _, SliceSearch as _,
-        SliceSearches as _, SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,
-    };
+    pub use super::slice::traits::*;
     pub use super::slot::{
         __any, __glance, __look, __next, __pass, __result, __see, __take, __unreached, Through as _,
     };
-    pub use super::spatial::{
-        ComplexBuiltins as _, IsometryBuiltins as _, NewInPlane as _, NewInSpace as _,
-        NewPlaneRotation as _, NewSpaceRotation as _, PointBuiltins as _, QuaternionBuiltins as _,
-        RotationBuiltins as _, TranslationBuiltins as _, UnitAxisBuiltins as _, UnitBuiltins as _,
-        UnitQuaternionBuiltins as _,
-    };
+    pub use super::spatial::traits::*;
     pub use crate::comparison::OrderingCompanions as _;
     pub use crate::complex::ComplexCompanions as _;
     pub use crate::linear::InverseCompanion as _;

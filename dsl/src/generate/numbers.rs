@@ -20,6 +20,7 @@ markers! {
 }
 
 companions! {
+    pub mod traits[];
     /// Methods of integers.
     pub trait IntegerBuiltins: Sized {
         type Unsigned;
@@ -121,9 +122,14 @@ companions! {
         fn __b_from_le_bytes(_bytes: Self::Bytes) -> Self = FromLeBytes: Bytes(ByteOrder::Little);
         fn __b_from_be_bytes(_bytes: Self::Bytes) -> Self = FromBeBytes: Bytes(ByteOrder::Big);
     }
-}
-
-companions! {
+    /// Methods of characters, of which the functions take the code point.
+    impl[] CharBuiltins for char {
+        fn __b_is_ascii(&self) -> bool = [ascii::is_ascii];
+        fn __b_is_digit(self, _base: u32) -> bool = [ascii::is_digit_of];
+        fn __b_to_digit(self, _base: u32) -> Option<u32> = [ascii::to_digit];
+        fn __b_from_digit(_value: u32, _base: u32) -> Option<Self> = [ascii::from_digit];
+        fn __b_from_u32(_code: u32) -> Option<Self> = [ascii::from_code];
+    }
     /// Conversions that keep the value, and those of authors' own types.
     pub trait FromBuiltin[T]: Sized {
         /// Which function it is.
@@ -349,15 +355,4 @@ letters! {
     Whitespace __b_is_ascii_whitespace: is_whitespace char_is_whitespace -> bool;
     ToUppercase __b_to_ascii_uppercase: to_uppercase char_to_uppercase -> Self;
     ToLowercase __b_to_ascii_lowercase: to_lowercase char_to_lowercase -> Self;
-}
-
-companions! {
-    /// Methods of characters, of which the functions take the code point.
-    impl[] CharBuiltins for char {
-        fn __b_is_ascii(&self) -> bool = [ascii::is_ascii];
-        fn __b_is_digit(self, _base: u32) -> bool = [ascii::is_digit_of];
-        fn __b_to_digit(self, _base: u32) -> Option<u32> = [ascii::to_digit];
-        fn __b_from_digit(_value: u32, _base: u32) -> Option<Self> = [ascii::from_digit];
-        fn __b_from_u32(_code: u32) -> Option<Self> = [ascii::from_code];
-    }
 }

@@ -14,6 +14,7 @@ use crate::math::Real;
 use crate::{Number, search, slice_edit, sort};
 
 companions! {
+    pub mod traits[];
     /// Methods of slices.
     impl[T] SliceBuiltins<T> for [T] {
         fn __b_as_slice(&self) -> &[T] = AsSlice: Slice(SliceMethod::Whole);
@@ -41,6 +42,44 @@ companions! {
         fn __b_split_first_mut(&mut self) -> Option<(&mut T, &mut [T])> = SplitFirst;
         fn __b_split_last(&self) -> Option<(&T, &[T])> = SplitLast: Slice(SliceMethod::SplitLast);
         fn __b_split_last_mut(&mut self) -> Option<(&mut T, &mut [T])> = SplitLast;
+    }
+    /// The beginnings of slices as arrays.
+    impl[T] SliceArrays<T> for [T] {
+        fn __b_first_chunk[const N: usize](&self) -> Option<&[T; N]> = FirstChunk: Slice(SliceMethod::FirstChunk);
+        fn __b_split_first_chunk[const N: usize](&self) -> Option<(&[T; N], &[T])> = [SplitFirstChunk<N>];
+        fn __b_split_last_chunk[const N: usize](&self) -> Option<(&[T], &[T; N])> = [SplitLastChunk<N>];
+    }
+    /// Methods of slices of numbers that compare their ends.
+    impl[T: Value + Number + PartialEq] SliceEnds<T> for [T] {
+        fn __b_starts_with(&self, _start: &[T]) -> bool = [slice_edit::__function_starts_with<T>];
+        fn __b_ends_with(&self, _end: &[T]) -> bool = [slice_edit::__function_ends_with<T>];
+    }
+    /// Methods of slices of integers.
+    impl[T: Value + Number + Ord] SliceSorts<T> for [T] {
+        fn __b_sort(&mut self) -> () = [sort::__function_ascending<T>];
+        fn __b_sort_unstable(&mut self) -> () = [sort::__function_ascending<T>];
+    }
+    /// The search of an element in a sorted slice.
+    impl[T: Value + Copy + Ord] SliceSearch<T> for [T] {
+        fn __b_binary_search(&self, _wanted: &T) -> Result<usize, usize> = [search::__function_binary_search<T>];
+    }
+    /// The same by a key.
+    impl[T: Value + Copy] SliceSearches<T> for [T] {
+        fn __b_binary_search_by_key[B: Value + Copy + Ord, F: Fn(&T) -> B](&self, _wanted: &B, _key: F) -> Result<usize, usize>
+            = [search::__function_binary_search_by_key<T, B>];
+    }
+    /// Methods of slices whose elements have `<`.
+    impl[T: Value + PartialOrd] SliceOrder<T> for [T] {
+        fn __b_is_sorted(&self) -> bool = [sort::__function_is_sorted<T>];
+    }
+    /// The order of floats in `total_cmp`, which the C has as a function.
+    pub trait TotalOrder: Sized {
+        fn __b_total_below(&self, _other: &Self) -> bool = [sort::__function_below<Self>];
+    }
+    /// Vectors as slices.
+    impl[T, const N: usize] VectorSliceBuiltins<T, N> for SVector<T, N> {
+        fn __b_as_slice(&self) -> &[T] = [AsSlice];
+        fn __b_as_mut_slice(&mut self) -> &mut [T] = [AsSlice];
     }
 }
 
@@ -92,46 +131,5 @@ macro_rules! chunks {
 }
 
 chunks! { SplitFirstChunk SplitLastChunk }
-
-companions! {
-    /// The beginnings of slices as arrays.
-    impl[T] SliceArrays<T> for [T] {
-        fn __b_first_chunk[const N: usize](&self) -> Option<&[T; N]> = FirstChunk: Slice(SliceMethod::FirstChunk);
-        fn __b_split_first_chunk[const N: usize](&self) -> Option<(&[T; N], &[T])> = [SplitFirstChunk<N>];
-        fn __b_split_last_chunk[const N: usize](&self) -> Option<(&[T], &[T; N])> = [SplitLastChunk<N>];
-    }
-    /// Methods of slices of numbers that compare their ends.
-    impl[T: Value + Number + PartialEq] SliceEnds<T> for [T] {
-        fn __b_starts_with(&self, _start: &[T]) -> bool = [slice_edit::__function_starts_with<T>];
-        fn __b_ends_with(&self, _end: &[T]) -> bool = [slice_edit::__function_ends_with<T>];
-    }
-    /// Methods of slices of integers.
-    impl[T: Value + Number + Ord] SliceSorts<T> for [T] {
-        fn __b_sort(&mut self) -> () = [sort::__function_ascending<T>];
-        fn __b_sort_unstable(&mut self) -> () = [sort::__function_ascending<T>];
-    }
-    /// The search of an element in a sorted slice.
-    impl[T: Value + Copy + Ord] SliceSearch<T> for [T] {
-        fn __b_binary_search(&self, _wanted: &T) -> Result<usize, usize> = [search::__function_binary_search<T>];
-    }
-    /// The same by a key.
-    impl[T: Value + Copy] SliceSearches<T> for [T] {
-        fn __b_binary_search_by_key[B: Value + Copy + Ord, F: Fn(&T) -> B](&self, _wanted: &B, _key: F) -> Result<usize, usize>
-            = [search::__function_binary_search_by_key<T, B>];
-    }
-    /// Methods of slices whose elements have `<`.
-    impl[T: Value + PartialOrd] SliceOrder<T> for [T] {
-        fn __b_is_sorted(&self) -> bool = [sort::__function_is_sorted<T>];
-    }
-    /// The order of floats in `total_cmp`, which the C has as a function.
-    pub trait TotalOrder: Sized {
-        fn __b_total_below(&self, _other: &Self) -> bool = [sort::__function_below<Self>];
-    }
-    /// Vectors as slices.
-    impl[T, const N: usize] VectorSliceBuiltins<T, N> for SVector<T, N> {
-        fn __b_as_slice(&self) -> &[T] = [AsSlice];
-        fn __b_as_mut_slice(&mut self) -> &mut [T] = [AsSlice];
-    }
-}
 
 impl<T: Value + Real> TotalOrder for T {}

@@ -48,6 +48,7 @@ known! {
 }
 
 companions! {
+    pub mod traits[];
     /// Complex numbers: what needs no function, and what num-complex takes from the platform.
     impl[T: Real] ComplexBuiltins<T> for Complex<T> {
         fn __b_new(_re: T, _im: T) -> Self = ComplexNew: Parts(Parts::Complex);
