@@ -158,11 +158,7 @@ impl<'a> Scope<'a> {
     /// The arguments for the parameters, as a builder tells them: a list of names and arguments.
     pub fn told(self) -> TokenStream {
         let told = self.params().map(|param| {
-            let text = lower::text(match param {
-                GenericParam::Type(it) => &it.ident,
-                GenericParam::Const(it) => &it.ident,
-                GenericParam::Lifetime(it) => &it.lifetime.ident,
-            });
+            let text = lower::text(ident(param));
             let name = name(param);
             match param {
                 GenericParam::Const(_) => quote! { ::bessemer::generate::number(#text, #name) },
@@ -283,11 +279,19 @@ impl Floats {
     }
 }
 
+/// What a parameter is called; a lifetime without its tick.
+pub fn ident(param: &GenericParam) -> &syn::Ident {
+    match param {
+        GenericParam::Type(it) => &it.ident,
+        GenericParam::Const(it) => &it.ident,
+        GenericParam::Lifetime(it) => &it.lifetime.ident,
+    }
+}
+
 fn name(param: &GenericParam) -> TokenStream {
     match param {
-        GenericParam::Type(it) => it.ident.to_token_stream(),
-        GenericParam::Const(it) => it.ident.to_token_stream(),
         GenericParam::Lifetime(it) => it.lifetime.to_token_stream(),
+        param => ident(param).to_token_stream(),
     }
 }
 

@@ -9,7 +9,7 @@ use syn::GenericParam;
 use syn::punctuated::Punctuated;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::generics::Scope;
+use crate::generics::{Scope, ident};
 use crate::witness::result_type;
 use crate::{builder, closures, function, lower};
 
@@ -148,14 +148,9 @@ impl Asked {
 /// What a function is generic over besides its block, whose parameters join its own: types before numbers, as functions
 /// have them. One that names the block's itself says the order of all.
 fn own_generics(generics: &mut syn::Generics, block: &syn::Generics) -> syn::Generics {
-    let name = |it: &GenericParam| match it {
-        GenericParam::Type(it) => it.ident.clone(),
-        GenericParam::Const(it) => it.ident.clone(),
-        GenericParam::Lifetime(it) => it.lifetime.ident.clone(),
-    };
-    let outer: Vec<_> = block.params.iter().map(name).collect();
+    let outer: Vec<_> = block.params.iter().map(ident).collect();
     let mut own = generics.clone();
-    own.params = own.params.into_iter().filter(|it| !outer.contains(&name(it))).collect();
+    own.params = own.params.into_iter().filter(|it| !outer.contains(&ident(it))).collect();
     if own.params.len() == generics.params.len() {
         let mut all: Vec<_> = block.params.iter().chain(&own.params).cloned().collect();
         all.sort_by_key(|it| matches!(it, GenericParam::Const(_)));
