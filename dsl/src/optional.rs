@@ -7,10 +7,9 @@
 
 use crate::{function, library};
 
-#[library(OptionCompanions)]
+#[library(OptionCompanions, rewrite)]
 impl<T> Option<T> {
     /// The value of `f` for what is there.
-    #[function(rewrite)]
     pub fn map<U, F: FnOnce(T) -> U>(option: Self, f: F) -> Option<U> {
         match option {
             Some(value) => Some(f(value)),
@@ -19,7 +18,6 @@ impl<T> Option<T> {
     }
 
     /// What `f` gives for what is there.
-    #[function(rewrite)]
     pub fn and_then<U, F: FnOnce(T) -> Option<U>>(option: Self, f: F) -> Option<U> {
         match option {
             Some(value) => f(value),
@@ -28,7 +26,6 @@ impl<T> Option<T> {
     }
 
     /// What is there, if `f` says so.
-    #[function(rewrite)]
     pub fn filter<F: FnOnce(&T) -> bool>(option: Self, f: F) -> Self {
         match option {
             Some(value) if f(&value) => Some(value),
@@ -37,7 +34,6 @@ impl<T> Option<T> {
     }
 
     /// Shows what is there to `f`.
-    #[function(rewrite)]
     pub fn inspect<F: FnOnce(&T)>(option: Self, f: F) -> Self {
         match option {
             Some(value) => {
@@ -49,7 +45,6 @@ impl<T> Option<T> {
     }
 
     /// What is there, else what `f` gives.
-    #[function(rewrite)]
     pub fn or_else<F: FnOnce() -> Option<T>>(option: Self, f: F) -> Self {
         match option {
             Some(value) => Some(value),
@@ -58,7 +53,6 @@ impl<T> Option<T> {
     }
 
     /// What is there, else the value of `f`.
-    #[function(rewrite)]
     pub fn unwrap_or_else<F: FnOnce() -> T>(option: Self, f: F) -> T {
         match option {
             Some(value) => value,
@@ -67,7 +61,6 @@ impl<T> Option<T> {
     }
 
     /// The value of `f` for what is there, else another.
-    #[function(rewrite)]
     pub fn map_or<U, F: FnOnce(T) -> U>(option: Self, other: U, f: F) -> U {
         match option {
             Some(value) => f(value),
@@ -76,7 +69,6 @@ impl<T> Option<T> {
     }
 
     /// The value of `f` for what is there, else that of `other`.
-    #[function(rewrite)]
     pub fn map_or_else<U, O: FnOnce() -> U, F: FnOnce(T) -> U>(option: Self, other: O, f: F) -> U {
         match option {
             Some(value) => f(value),
@@ -85,7 +77,6 @@ impl<T> Option<T> {
     }
 
     /// Whether there is something of which `f` says yes.
-    #[function(rewrite)]
     pub fn is_some_and<F: FnOnce(T) -> bool>(option: Self, f: F) -> bool
     where
         T: Copy,
@@ -94,7 +85,6 @@ impl<T> Option<T> {
     }
 
     /// Whether there is nothing, or something of which `f` says yes.
-    #[function(rewrite)]
     pub fn is_none_or<F: FnOnce(T) -> bool>(option: Self, f: F) -> bool {
         match option {
             Some(value) => f(value),
@@ -103,7 +93,6 @@ impl<T> Option<T> {
     }
 
     /// What is there, else the error that `f` gives.
-    #[function(rewrite)]
     pub fn ok_or_else<E, F: FnOnce() -> E>(option: Self, f: F) -> Result<T, E> {
         match option {
             Some(value) => Ok(value),
@@ -112,7 +101,6 @@ impl<T> Option<T> {
     }
 
     /// The one that is there, if the other is not.
-    #[function(rewrite)]
     pub fn xor(one: Self, other: Self) -> Self {
         match (one, other) {
             (Some(value), None) => Some(value),
@@ -122,7 +110,6 @@ impl<T> Option<T> {
     }
 
     /// Both as a pair, if both are there.
-    #[function(rewrite)]
     pub fn zip<U>(one: Self, other: Option<U>) -> Option<(T, U)> {
         match (one, other) {
             (Some(first), Some(second)) => Some((first, second)),
@@ -131,10 +118,9 @@ impl<T> Option<T> {
     }
 }
 
-#[library(CopiedMutCompanions)]
+#[library(CopiedMutCompanions, rewrite)]
 impl<T> Option<&mut T> {
     /// A copy of what is referred to.
-    #[function(rewrite)]
     #[method(copied, cloned)]
     pub fn copied(option: Self) -> Option<T>
     where
@@ -156,10 +142,9 @@ pub fn as_deref<'a, T: ?Sized>(option: &'a Option<&mut T>) -> Option<&'a T> {
     }
 }
 
-#[library(FlattenCompanion)]
+#[library(FlattenCompanion, rewrite)]
 impl<T> Option<Option<T>> {
     /// The option in an option.
-    #[function(rewrite)]
     pub fn flatten(option: Self) -> Option<T> {
         match option {
             Some(value) => value,
@@ -168,25 +153,22 @@ impl<T> Option<Option<T>> {
     }
 }
 
-#[library(BoolCompanions)]
+#[library(BoolCompanions, rewrite)]
 impl bool {
     /// The value of `f` if the condition holds.
-    #[function(rewrite)]
     pub fn then<T, F: FnOnce() -> T>(condition: Self, f: F) -> Option<T> {
         if condition { Some(f()) } else { None }
     }
 
     /// A value if the condition holds; it is computed whether it does or not.
-    #[function(rewrite)]
     pub fn then_some<T>(condition: Self, value: T) -> Option<T> {
         if condition { Some(value) } else { None }
     }
 }
 
-#[library(TransposeCompanion)]
+#[library(TransposeCompanion, rewrite)]
 impl<T, E> Option<Result<T, E>> {
     /// The option in a result, outside.
-    #[function(rewrite)]
     pub fn transpose(option: Self) -> Result<Option<T>, E> {
         match option {
             Some(Ok(value)) => Ok(Some(value)),
@@ -196,10 +178,9 @@ impl<T, E> Option<Result<T, E>> {
     }
 }
 
-#[library(UnzipCompanion)]
+#[library(UnzipCompanion, rewrite)]
 impl<A, B> Option<(A, B)> {
     /// The parts, each by itself.
-    #[function(rewrite)]
     pub fn unzip(option: Self) -> (Option<A>, Option<B>) {
         match option {
             Some((one, other)) => (Some(one), Some(other)),

@@ -4,10 +4,9 @@
 
 use crate::library;
 
-#[library(ResultCompanions)]
+#[library(ResultCompanions, rewrite)]
 impl<T, E> Result<T, E> {
     /// The value of `f` for the value.
-    #[function(rewrite)]
     pub fn map<U, F: FnOnce(T) -> U>(result: Self, f: F) -> Result<U, E> {
         match result {
             Ok(value) => Ok(f(value)),
@@ -16,7 +15,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// The value of `f` for the error.
-    #[function(rewrite)]
     pub fn map_err<G, F: FnOnce(E) -> G>(result: Self, f: F) -> Result<T, G> {
         match result {
             Ok(value) => Ok(value),
@@ -25,7 +23,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// Shows the value to `f`.
-    #[function(rewrite)]
     pub fn inspect<F: FnOnce(&T)>(result: Self, f: F) -> Self {
         match result {
             Ok(value) => {
@@ -37,7 +34,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// Shows the error to `f`.
-    #[function(rewrite)]
     pub fn inspect_err<F: FnOnce(&E)>(result: Self, f: F) -> Self {
         match result {
             Ok(value) => Ok(value),
@@ -49,7 +45,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// What `f` gives for the value.
-    #[function(rewrite)]
     pub fn and_then<U, F: FnOnce(T) -> Result<U, E>>(result: Self, f: F) -> Result<U, E> {
         match result {
             Ok(value) => f(value),
@@ -58,7 +53,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// The value, else what `f` gives for the error.
-    #[function(rewrite)]
     pub fn or_else<G, F: FnOnce(E) -> Result<T, G>>(result: Self, f: F) -> Result<T, G> {
         match result {
             Ok(value) => Ok(value),
@@ -67,7 +61,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// The value, else that of `f` for the error.
-    #[function(rewrite)]
     pub fn unwrap_or_else<F: FnOnce(E) -> T>(result: Self, f: F) -> T {
         match result {
             Ok(value) => value,
@@ -76,7 +69,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// The value of `f` for the value, else another.
-    #[function(rewrite)]
     pub fn map_or<U, F: FnOnce(T) -> U>(result: Self, other: U, f: F) -> U {
         match result {
             Ok(value) => f(value),
@@ -85,7 +77,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// The value of `f` for the value, else that of `other` for the error.
-    #[function(rewrite)]
     pub fn map_or_else<U, O: FnOnce(E) -> U, F: FnOnce(T) -> U>(result: Self, other: O, f: F) -> U {
         match result {
             Ok(value) => f(value),
@@ -94,7 +85,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// Whether there is a value of which `f` says yes.
-    #[function(rewrite)]
     pub fn is_ok_and<F: FnOnce(T) -> bool>(result: Self, f: F) -> bool
     where
         T: Copy,
@@ -103,7 +93,6 @@ impl<T, E> Result<T, E> {
     }
 
     /// Whether there is an error of which `f` says yes.
-    #[function(rewrite)]
     pub fn is_err_and<F: FnOnce(E) -> bool>(result: Self, f: F) -> bool
     where
         E: Copy,
@@ -112,10 +101,9 @@ impl<T, E> Result<T, E> {
     }
 }
 
-#[library(TransposeBackCompanion)]
+#[library(TransposeBackCompanion, rewrite)]
 impl<T, E> Result<Option<T>, E> {
     /// The result in an option, outside.
-    #[function(rewrite)]
     pub fn transpose(result: Self) -> Option<Result<T, E>> {
         match result {
             Ok(Some(value)) => Some(Ok(value)),

@@ -23,10 +23,9 @@ pub fn fill<T: Copy>(values: &mut [T], element: T) {
     }
 }
 
-#[library(ContainsCompanion)]
+#[library(ContainsCompanion, expand)]
 impl<T: PartialEq> [T] {
     /// Whether an element is among them.
-    #[function(expand)]
     pub fn contains(values: &Self, element: &T) -> bool {
         let mut found = false;
         for value in values {

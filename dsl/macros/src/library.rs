@@ -6,6 +6,7 @@
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::GenericParam;
+use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 use syn::visit_mut::{self, VisitMut};
 
@@ -13,13 +14,16 @@ use crate::generics::{Scope, ident};
 use crate::witness::result_type;
 use crate::{builder, closures, function, lower};
 
-/// `#[library(Norms)] impl<T: Real, const N: usize> SVector<T, N> { … }`: `Norms` is the trait.
+/// `#[library(Norms)] impl<T: Real, const N: usize> SVector<T, N> { … }`: `Norms` is the trait. `#[library(Norms, expand)]`: its
+/// functions are `#[function(expand)]`, unless they say otherwise.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     block(arguments, item).unwrap_or_else(syn::Error::into_compile_error)
 }
 
 fn block(arguments: TokenStream, item: TokenStream) -> syn::Result<TokenStream> {
-    let name: syn::Ident = syn::parse2(arguments)?;
+    let asked =
+        Punctuated::<syn::Ident, syn::Token![,]>::parse_separated_nonempty.parse2(arguments)?;
+    let (name, role) = (&asked[0], asked.get(1).to_token_stream());
     let syn::ItemImpl { generics, self_ty, items, .. } = syn::parse2(item)?;
     let (mut functions, mut companions) = (TokenStream::new(), TokenStream::new());
     let mut rewritten = true;
@@ -27,7 +31,7 @@ fn block(arguments: TokenStream, item: TokenStream) -> syn::Result<TokenStream> 
         let syn::ImplItem::Fn(mut method) = item else {
             return Err(syn::Error::new_spanned(item, "the library has functions alone"));
         };
-        let asked = Asked::take(&mut method)?;
+        let asked = Asked::take(&mut method, role.clone())?;
         let own = own_generics(&mut method.sig.generics, &generics);
         companions.extend(asked.companions(&method.sig, &own));
         rewritten &= asked.is_rewritten();
@@ -62,7 +66,7 @@ fn block(arguments: TokenStream, item: TokenStream) -> syn::Result<TokenStream> 
 
 /// What stands above a function of a block, beside its documentation.
 struct Asked {
-    /// `#[function(expand)]`: the arguments, none where it is left out.
+    /// `#[function(expand)]`: the arguments, those of the block where it is left out.
     function: TokenStream,
     /// `#[method(norm, magnitude)]`: the methods that the function is, where its own name is not the only one.
     methods: Vec<syn::Ident>,
@@ -71,10 +75,9 @@ struct Asked {
 }
 
 impl Asked {
-    /// Takes it off the function.
-    fn take(method: &mut syn::ImplItemFn) -> syn::Result<Asked> {
-        let mut asked =
-            Asked { function: TokenStream::new(), methods: Vec::new(), by_value: Vec::new() };
+    /// Takes it off the function; `function` is what its block says.
+    fn take(method: &mut syn::ImplItemFn, function: TokenStream) -> syn::Result<Asked> {
+        let mut asked = Asked { function, methods: Vec::new(), by_value: Vec::new() };
         for attribute in std::mem::take(&mut method.attrs) {
             let names = || {
                 let names =

@@ -5,10 +5,9 @@ use nalgebra::SMatrix;
 use crate::element::Element;
 use crate::library;
 
-#[library(EachElementCompanions)]
+#[library(EachElementCompanions, expand)]
 impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
     /// The values of `f` for the elements.
-    #[function(expand)]
     pub fn map<U: Element, F: FnMut(T) -> U>(elements: &Self, mut f: F) -> SMatrix<U, R, C> {
         let mut mapped = SMatrix::<U, R, C>::from_element(U::ZERO);
         for (mapped, x) in mapped.iter_mut().zip(elements.iter()) {
@@ -18,7 +17,6 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
     }
 
     /// The values of `f` for the elements of two matrices.
-    #[function(expand)]
     pub fn zip_map<U: Element, V: Element, F: FnMut(T, U) -> V>(
         elements: &Self,
         others: &SMatrix<U, R, C>,
@@ -32,7 +30,6 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
     }
 
     /// The values of `f` for each row, column and element.
-    #[function(expand)]
     pub fn map_with_location<U: Element, F: FnMut(usize, usize, T) -> U>(
         elements: &Self,
         mut f: F,
@@ -47,7 +44,6 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
     }
 
     /// The values of `f` for each row and column.
-    #[function(expand)]
     pub fn from_fn<F: FnMut(usize, usize) -> T>(mut f: F) -> Self {
         let mut made = SMatrix::<T, R, C>::from_element(T::ZERO);
         for column in 0..C {
@@ -59,7 +55,6 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
     }
 
     /// Does `f` to each element.
-    #[function(expand)]
     pub fn apply<F: FnMut(&mut T)>(elements: &mut Self, mut f: F) {
         for x in elements.iter_mut() {
             f(x);
@@ -67,7 +62,6 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
     }
 
     /// Does `f` to each element, with another's beside it.
-    #[function(expand)]
     pub fn zip_apply<U: Element, F: FnMut(&mut T, U)>(
         elements: &mut Self,
         others: &SMatrix<U, R, C>,
@@ -79,7 +73,6 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
     }
 
     /// What `f` gathers of the elements.
-    #[function(expand)]
     pub fn fold<A, F: FnMut(A, T) -> A>(elements: &Self, start: A, mut f: F) -> A {
         let mut gathered = start;
         for x in elements.iter() {
@@ -89,7 +82,6 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
     }
 
     /// What `f` gathers of the elements of two matrices.
-    #[function(expand)]
     pub fn zip_fold<U: Element, A, F: FnMut(A, T, U) -> A>(
         elements: &Self,
         others: &SMatrix<U, R, C>,
