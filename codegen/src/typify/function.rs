@@ -8,10 +8,10 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
+use super::borrowed::{Lenders, Path};
 use super::lowering::{Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
 use super::option_places::there;
-use super::regions::{Lenders, Path};
 use super::syntax::{Writes, control_with_value, ends_in_loop};
 use super::value::Value;
 use super::{Context, Result, names, problem};

@@ -9,7 +9,7 @@ use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
 use bessemer_ir::{Block, Expr, ExprKind, LocalId, Mode, Place, Step, StmtKind, StructId, Type};
 
-use super::borrowed::Borrowed;
+use super::borrowed::{Borrowed, spot_of};
 use super::lenders::{FROM, LENGTH};
 use super::lengths::plus;
 use super::lowering::{Lowering, UNNAMED};
@@ -22,21 +22,10 @@ use crate::effects;
 impl Lowering<'_, '_> {
     /// The slice at a place that is one.
     pub(super) fn slice_at(&mut self, place: Place, site: Site) -> Result<Option<Slice>> {
-        let Some((_, Borrowed { element, one, .. })) = self.cx.as_borrowed(&place.ty) else {
-            return Ok(None);
-        };
-        let (element, one) = (element.clone(), *one);
-        let base = self.lender_of(&place).unwrap_or_else(|| {
-            let help = match one {
-                true => {
-                    "keep the index in place of the reference, `Option<usize>`, or let `iter_mut().min_by_key(…)` and its like choose"
-                }
-                false => {
-                    "give the slice its first value, `&values[..0]` if need be, above this line"
-                }
-            };
-            self.awaited(&place, &element, (site, help))
-        });
+        let Some((_, borrowed)) = self.cx.as_borrowed(&place.ty) else { return Ok(None) };
+        let borrowed = borrowed.clone();
+        let base = self.lender_of(&place).unwrap_or_else(|| self.awaited(&place, &borrowed, site));
+        let Borrowed { element, one, .. } = borrowed;
         let lasting = self.is_lasting(&place);
         let part = |at: u32| place.inside(Step::Field(at), Type::USIZE).load();
         let length = if one { Expr::usize(1, place.span) } else { part(LENGTH) };
@@ -217,8 +206,8 @@ impl Lowering<'_, '_> {
 
     fn named_slice(&mut self, value: Expr, base: Place) -> Expr {
         let place = self.temporary_place(UNNAMED, value);
-        self.lenders.known.retain(|it| it.0 != place.root);
-        self.lenders.known.push((place.root, Vec::new(), base));
+        self.lenders.known.retain(|it| it.0.0 != Some(place.root));
+        self.lenders.known.push((spot_of(&place), base));
         place.load()
     }
 
@@ -292,7 +281,7 @@ impl Lowering<'_, '_> {
         // What stands where it is called knows the value by another name.
         let changed =
             !self.expanding.is_empty() || Writes::to(&local.name, &self.source.tree.body).part;
-        changed && self.is_loaned(&local.ty, &place.steps)
+        changed && self.is_loaned(place)
     }
 
     /// A slice that gets a name, of elements that stay what they are.
@@ -308,27 +297,19 @@ impl Lowering<'_, '_> {
         Slice { base, ..slice }
     }
 
-    /// Whether a reference is on the way to a part of a value.
-    fn is_loaned(&self, ty: &Type, steps: &[Step]) -> bool {
-        let (mut ty, mut found) = (ty.clone(), false);
-        for step in steps {
-            ty = match (step, ty) {
-                (Step::Field(at), Type::Struct(id)) => {
-                    found |= self.cx.known_of(id).loans.contains(at);
-                    self.cx.field_type(id, *at)
-                }
-                (Step::Index(_), Type::Array { element, .. }) => *element,
-                (_, other) => other,
-            };
-        }
-        found
+    /// Whether a reference is on the way to what is at a place.
+    fn is_loaned(&self, place: &Place) -> bool {
+        let steps = &place.steps;
+        (0..steps.len()).any(|at| match (&steps[at], self.type_of(place.root, &steps[..at])) {
+            (Step::Field(field), Type::Struct(id)) => self.cx.known_of(id).loans.contains(field),
+            _ => false,
+        })
     }
 
     /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
     pub(super) fn is_loan(&self, place: &Place) -> bool {
-        let ty = &self.locals[place.root.index()].ty;
         let rebound = !place.steps.is_empty() && self.is_rebound_within(place.root);
-        rebound || self.is_loaned(ty, &place.steps)
+        rebound || self.is_loaned(place)
     }
 
     /// The type of an expression, if there are slices in it.

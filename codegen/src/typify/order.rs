@@ -265,7 +265,8 @@ pub(super) fn may_change_places(first: &Expr, second: &Expr) -> bool {
     stays(first, second) || stays(second, first)
 }
 
-fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
+/// The indices that lead to a place.
+pub(super) fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
     place.steps.iter().flat_map(|step| match step {
         Step::Field(_) => [None, None].into_iter().flatten(),
         Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),

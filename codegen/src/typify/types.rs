@@ -240,7 +240,7 @@ impl<'a> Context<'a> {
                     );
                 }
                 element if !self.slices_in(&element).is_empty() => {
-                    return problem(site, super::regions::MANY, super::regions::ONE);
+                    return problem(site, super::borrowed::MANY, super::borrowed::ONE);
                 }
                 element => Type::Array { element: Box::new(element), len: *len },
             },
