@@ -138,13 +138,6 @@ impl Context<'_> {
         Ok(Type::Struct(id))
     }
 
-    /// Whether a function gives a slice.
-    pub(super) fn gives_slice(&self, path: &str) -> bool {
-        let function = self.all.get(path);
-        let result = function.and_then(|it| it.slots.get(it.tree.result as usize));
-        matches!(result, Some(Ty::Ref(inner, _)) if matches!(**inner, Ty::Slice(_)))
-    }
-
     /// The slice that a type is.
     pub(super) fn as_borrowed(&self, ty: &Type) -> Option<(StructId, &Borrowed)> {
         match ty {

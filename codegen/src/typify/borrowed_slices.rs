@@ -5,9 +5,9 @@
 //! a copy, slices become values ([`held_slices`](super::held_slices)), and what would be written is refused.
 
 use bessemer_ir::tree::{self, Builtin, NO_SLOT, Site, SliceMethod};
-use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
+use bessemer_ir::{CompareOp, Expr, ExprKind, LogicOp, Type};
 
-use super::lengths::{minus, plus};
+use super::lengths::{compared, minus, plus, size};
 use super::lowering::Lowering;
 use super::pattern::both;
 use super::syntax::is_rest;
@@ -26,7 +26,7 @@ impl Lowering<'_, '_> {
             None | Some((Builtin::Slice(M::Whole), _)) => {
                 return Ok(self.slice(expr)?.map(|slice| Value::Slice(Box::new(slice))));
             }
-            Some((Builtin::Slice(method), [array, at @ ..])) if lends(method) => {
+            Some((Builtin::Slice(method), [array, at @ ..])) if !NOT_LENT.contains(&method) => {
                 (method, self.sliced(array)?, at)
             }
             Some(_) => return Ok(None),
@@ -36,15 +36,14 @@ impl Lowering<'_, '_> {
         let slice = |slice: Slice| Value::Slice(Box::new(slice));
         let pair = |one, other| Value::Tuple(vec![one, other], None);
         let maybe = |there, lent| Value::Maybe(there, Box::new(lent));
-        let compared =
-            |op, one: &Expr, other: &Expr| Expr::compare(op, one.clone(), other.clone()).at(span);
+        let compared = |op, one: &Expr, other: &Expr| compared(op, one, other, span);
         let length = array.length.clone();
         let has = |count: u32| array.has(count.into(), false, span);
         Ok(Some(match (method, at) {
             (M::Get | M::GetMut, [index]) => {
                 let index = self.steady_index(words::INDEX, index)?;
                 let there = compared(CompareOp::Lt, &index, &length);
-                maybe(there, Value::Place(array.at(plus(array.from.clone(), index))))
+                maybe(there, Value::Place(array.nth(index)))
             }
             (M::GetPart, [from, to]) => {
                 let from = self.steady_index(words::ENDS[0], from)?;
@@ -62,18 +61,17 @@ impl Lowering<'_, '_> {
             }
             (M::SplitAt, [at]) => {
                 let at = self.steady_index("middle", at)?;
-                let condition = compared(CompareOp::Le, &at, &length);
-                self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+                self.check_index(&at, CompareOp::Le, &length, span);
                 let behind = slice(array.behind(at.clone()));
                 pair(slice(array.part(zero, at)), behind)
             }
             (M::SplitFirstChunk(count), _) => {
-                let begun = Expr::usize(u64::from(count), span);
+                let begun = size(count, span);
                 let chunk = slice(array.part(zero.clone(), begun.clone()));
                 maybe(has(count), pair(chunk, slice(array.behind(begun))))
             }
             (M::SplitLastChunk(count), _) => {
-                let count_of = Expr::usize(u64::from(count), span);
+                let count_of = size(count, span);
                 let less = minus(length.clone(), count_of.clone());
                 let chunk = Slice { length: count_of, ..array.behind(less.clone()) };
                 maybe(has(count), pair(slice(array.part(zero.clone(), less)), slice(chunk)))
@@ -212,34 +210,17 @@ impl Lowering<'_, '_> {
         let (Type::Array { .. }, true) = (&ty, part.length.is_literal()) else {
             return problem(site, "a slice is no value", "match what `&` refers to");
         };
-        let span: Span = self.span(site);
-        let value = Some(part.as_array(ty.clone(), span));
-        let local = self.declare(name, ty, Mode::Value, span);
-        self.emit(StmtKind::Let { local, value }, span);
+        let span = self.span(site);
+        self.let_named(name, part.as_array(ty, span), span);
         Ok(())
     }
 }
 
-/// Whether a method lends a part of its slice.
-fn lends(method: SliceMethod) -> bool {
+/// The methods that lend no part of their slice.
+const NOT_LENT: [SliceMethod; 6] = {
     use SliceMethod as M;
-    matches!(
-        method,
-        M::Get
-            | M::GetMut
-            | M::GetPart
-            | M::GetFrom
-            | M::First
-            | M::FirstMut
-            | M::Last
-            | M::LastMut
-            | M::SplitFirst
-            | M::SplitLast
-            | M::SplitFirstChunk(_)
-            | M::SplitLastChunk(_)
-            | M::SplitAt
-    )
-}
+    [M::Len, M::IsEmpty, M::CopyFrom, M::Reverse, M::ToArray, M::FirstChunk]
+};
 
 /// The refusal of a reference that is kept.
 pub(super) const LENT: &str = "what this lends is no value in the DSL";

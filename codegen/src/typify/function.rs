@@ -4,11 +4,12 @@ use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
-    Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
-    StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Fault, Function, Local, LocalId, Mode, Owner, Place, Role,
+    Span, Stmt, StmtKind, Type,
 };
 
 use super::borrowed::{Lenders, Path};
+use super::lengths::compared;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
 use super::option_places::there;
@@ -77,7 +78,7 @@ pub(super) fn without_marks(local: Local) -> Local {
 }
 
 /// The elements of the slice that a type refers to.
-fn slice_of(ty: &Ty) -> Option<&Ty> {
+pub(super) fn slice_of(ty: &Ty) -> Option<&Ty> {
     match ty {
         Ty::Ref(inner, _) => match &**inner {
             Ty::Slice(element) => Some(element),
@@ -294,6 +295,12 @@ impl Lowering<'_, '_> {
         id
     }
 
+    /// The same, with its value.
+    pub(super) fn let_named(&mut self, name: &str, value: Expr, span: Span) {
+        let local = self.declare(name, value.ty.clone(), Mode::Value, span);
+        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+    }
+
     /// The meaning of a name, as a value.
     pub(super) fn named(&mut self, name: &str, site: Site) -> Result<Expr> {
         let span = self.span(site);
@@ -475,8 +482,7 @@ impl Lowering<'_, '_> {
                         self.bind(name, Value::Local(local));
                     }
                     None => {
-                        let local = self.declare(name, ty, Mode::Value, span);
-                        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+                        self.let_named(name, value, span);
                     }
                 }
             }
@@ -549,6 +555,16 @@ impl Lowering<'_, '_> {
         let done = lower(self);
         self.naming = outer;
         done
+    }
+
+    /// Emits a check of a condition.
+    pub(super) fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
+        self.emit(StmtKind::Check { condition, fault }, span);
+    }
+
+    /// The same of an index or a number of elements: how it has to compare with how many there are.
+    pub(super) fn check_index(&mut self, index: &Expr, op: CompareOp, most: &Expr, span: Span) {
+        self.check(compared(op, index, most, span), Fault::Index, span);
     }
 
     /// Emits an `if` without an `else`.

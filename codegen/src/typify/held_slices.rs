@@ -11,7 +11,6 @@ use bessemer_ir::{Block, Expr, ExprKind, LocalId, Mode, Place, Step, StmtKind, S
 
 use super::borrowed::{Borrowed, spot_of};
 use super::lenders::{FROM, LENGTH};
-use super::lengths::plus;
 use super::lowering::{Lowering, UNNAMED};
 use super::syntax::{Writes, control_with_value, slots_of};
 use super::value::{Slice, Value};
@@ -45,8 +44,7 @@ impl Lowering<'_, '_> {
                 *part = held.load();
             }
         }
-        let to = plus(from.clone(), length.clone());
-        Ok(Some(Slice { base, element, from, to, length, whole: false, within: None }))
+        Ok(Some(Slice::whole(base, element, length.clone()).part(from, length)))
     }
 
     /// The name of the field that is the last step of a place.
@@ -55,43 +53,6 @@ impl Lowering<'_, '_> {
         match self.type_of(place.root, outer) {
             Type::Struct(id) => self.cx.fields(id)[at as usize].name.clone(),
             _ => UNNAMED.into(),
-        }
-    }
-
-    /// The slice that an expression is whose value is one, other than by its syntax.
-    pub(super) fn computed_slice(&mut self, expr: &tree::Expr) -> Result<Option<Slice>> {
-        match &expr.kind {
-            tree::ExprKind::Field(..) | tree::ExprKind::Index(..) => {
-                if self.cx.borrowed.is_empty()
-                    || !self.place_type(expr).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some())
-                {
-                    return Ok(None);
-                }
-                let place = self.base(expr)?;
-                self.slice_at(place, expr.site)
-            }
-            _ if self.gives_slice(expr) => {
-                let value = self.value(expr, None)?;
-                let place = self.hold(value);
-                self.slice_at(place, expr.site)
-            }
-            _ => Ok(None),
-        }
-    }
-
-    /// Whether an expression that names no place has a slice as its value.
-    fn gives_slice(&mut self, expr: &tree::Expr) -> bool {
-        let of_slot = |inner: &Self| {
-            expr.slot.is_some_and(|slot| inner.slot_is_slice(slot, expr.site).unwrap_or_default())
-        };
-        match &expr.kind {
-            tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
-                Some(tree::Callee::Function(path)) => self.cx.gives_slice(path) || of_slot(self),
-                Some(tree::Callee::Builtin(_)) => of_slot(self),
-                None => false,
-            },
-            tree::ExprKind::Try(..) | tree::ExprKind::Apply(..) => of_slot(self),
-            _ => control_with_value(expr) && of_slot(self),
         }
     }
 
@@ -169,9 +130,7 @@ impl Lowering<'_, '_> {
             (Some(Step::Index(from)), Type::Array { .. } | Type::Slice(_)) => (base, from),
             _ => (place.clone(), Expr::usize(0, place.span)),
         };
-        let to = plus(from.clone(), one.clone());
-        let element = place.ty;
-        let slice = Slice { base, element, from, to, length: one, whole: false, within: None };
+        let slice = Slice::whole(base, place.ty, one.clone()).part(from, one);
         Ok(self.borrowed_value(slice, id, site))
     }
 

@@ -10,54 +10,68 @@
 //! Must not know: what the methods of matrices compute.
 
 use bessemer_ir::tree::{self, Builtin, MatrixMethod, MatrixPart, Site};
-use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, Type};
+use bessemer_ir::{CompareOp, Expr, ExprKind, Place, Span, Step, StmtKind, Type};
 
 use super::call::Called;
 
 use super::expr::Call;
-use super::lengths::plus;
+use super::lengths::{plus, size};
 use super::lowering::Lowering;
 use super::value::{SMALL, Submatrix, Value};
 use super::words;
 use super::{OUR_FAULT, Result, problem};
 
+/// Where a part begins: at a row and a column, the first where none is said.
+type From<'e> = (Option<&'e tree::Expr>, Option<&'e tree::Expr>);
+
+/// A part of a matrix, as it is written.
+enum Written<'e> {
+    Named(Box<Submatrix>),
+    /// The call, its matrix, and where it begins.
+    Call(&'e tree::Expr, &'e tree::Expr, From<'e>),
+}
+
 impl<'a> Lowering<'a, '_> {
     /// Whether an expression is a part of a matrix that is written where it is.
     pub(super) fn is_submatrix(&self, expr: &tree::Expr) -> bool {
-        match &expr.kind {
-            tree::ExprKind::Local(name) => {
-                matches!(self.lookup(name, expr.site), Ok(Value::Submatrix(_)))
-            }
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
-                self.is_submatrix(inner)
-            }
-            _ => {
-                matches!(self.builtin_call(expr), Some((Builtin::Matrix(MatrixMethod::Part(_)), _)))
-            }
-        }
+        self.part_written(expr).is_some()
     }
 
     /// The part of a matrix that an expression is; none if it is something else.
     pub(super) fn submatrix(&mut self, expr: &tree::Expr) -> Result<Option<Submatrix>> {
+        let (expr, matrix, from) = match self.part_written(expr) {
+            None => return Ok(None),
+            Some(Written::Named(part)) => return Ok(Some(*part)),
+            Some(Written::Call(expr, matrix, from)) => (expr, matrix, from),
+        };
+        let ty = self.slot_of(expr)?;
+        self.part_from(matrix, from, &ty, expr.site)
+    }
+
+    /// How a part of a matrix is written; none if an expression is something else.
+    fn part_written<'e>(&self, expr: &'e tree::Expr) -> Option<Written<'e>> {
         match &expr.kind {
             tree::ExprKind::Local(name) => match self.lookup(name, expr.site) {
-                Ok(Value::Submatrix(part)) => Ok(Some(*part)),
-                _ => Ok(None),
+                Ok(Value::Submatrix(part)) => Some(Written::Named(part)),
+                _ => None,
             },
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.submatrix(inner),
-            _ => match self.builtin_call(expr) {
-                Some((Builtin::Matrix(MatrixMethod::Part(part)), [matrix, from @ ..])) => {
-                    let from = match (part, from) {
-                        (MatrixPart::Rows, [row]) => (Some(row), None),
-                        (MatrixPart::Columns, [column]) => (None, Some(column)),
-                        (MatrixPart::Block, [row, column]) => (Some(row), Some(column)),
-                        _ => return Ok(None),
-                    };
-                    let ty = self.slot_of(expr)?;
-                    self.part_from(matrix, from, &ty, expr.site)
-                }
-                _ => Ok(None),
-            },
+            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
+                self.part_written(inner)
+            }
+            _ => {
+                let (Builtin::Matrix(MatrixMethod::Part(part)), arguments) =
+                    self.builtin_call(expr)?
+                else {
+                    return None;
+                };
+                let from = match (part, arguments) {
+                    (MatrixPart::Rows, [_, row]) => (Some(row), None),
+                    (MatrixPart::Columns, [_, column]) => (None, Some(column)),
+                    (MatrixPart::Block, [_, row, column]) => (Some(row), Some(column)),
+                    _ => return None,
+                };
+                Some(Written::Call(expr, &arguments[0], from))
+            }
         }
     }
 
@@ -65,7 +79,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn part_from(
         &mut self,
         matrix: &tree::Expr,
-        (row, column): (Option<&tree::Expr>, Option<&tree::Expr>),
+        (row, column): From,
         ty: &Type,
         site: Site,
     ) -> Result<Option<Submatrix>> {
@@ -81,23 +95,18 @@ impl<'a> Lowering<'a, '_> {
                 Submatrix { matrix: place, row, column, element, rows, cols }
             }
         };
-        let row = self.index_from(row, span)?;
-        let row = self.steady("row", row);
-        let column = self.index_from(column, span)?;
-        let column = self.steady("column", column);
+        let mut begins = |role, index: Option<&tree::Expr>| match index {
+            Some(index) => self.steady_index(role, index),
+            None => Ok(Expr::usize(0, span)),
+        };
+        let (row, column) = (begins("row", row)?, begins("column", column)?);
         // As nalgebra has it: the end of the view is that of the matrix at most.
         for (first, count, most) in [(&row, rows, outer.rows), (&column, cols, outer.cols)] {
-            let end = plus(first.clone(), Expr::usize(u64::from(count), span));
-            let most = Expr::usize(u64::from(most), span);
-            let condition = Expr::compare(CompareOp::Le, end, most).at(span);
-            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+            let end = plus(first.clone(), size(count, span));
+            self.check_index(&end, CompareOp::Le, &size(most, span), span);
         }
         let (row, column) = (plus(outer.row, row), plus(outer.column, column));
         Ok(Some(Submatrix { matrix: outer.matrix, row, column, element, rows, cols }))
-    }
-
-    fn index_from(&mut self, index: Option<&tree::Expr>, span: Span) -> Result<Expr> {
-        index.map_or(Ok(Expr::usize(0, span)), |index| self.value(index, Some(&Type::USIZE)))
     }
 
     /// An element of a part, its index checked.
@@ -116,9 +125,7 @@ impl<'a> Lowering<'a, '_> {
             other => other,
         };
         let mut there = |index: Expr, most: u32| {
-            let most = Expr::usize(u64::from(most), span);
-            let condition = Expr::compare(CompareOp::Lt, index.clone(), most).at(span);
-            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+            self.check_index(&index, CompareOp::Lt, &size(most, span), span);
             index
         };
         let place = match step {
@@ -143,8 +150,7 @@ impl<'a> Lowering<'a, '_> {
         let mut elements = Vec::new();
         for column in 0..part.cols {
             for row in 0..part.rows {
-                let index = |at: u32| Expr::usize(u64::from(at), span);
-                elements.push(part.at(index(row), index(column)).load());
+                elements.push(part.at(size(row, span), size(column, span)).load());
             }
         }
         self.node(ExprKind::Matrix(elements), part.ty(), site)
@@ -246,7 +252,7 @@ impl<'a> Lowering<'a, '_> {
     ) -> Result<()> {
         let at = |root| Expr::local(root, &Type::USIZE, span);
         let zero = || Expr::usize(0, span);
-        let [rows, cols] = [part.rows, part.cols].map(|it| Expr::usize(u64::from(it), span));
+        let [rows, cols] = [part.rows, part.cols].map(|it| size(it, span));
         let down = |walk: &mut Self, column: Expr| {
             let row = walk.counter("row", span);
             let body = walk.scoped(|walk| {
