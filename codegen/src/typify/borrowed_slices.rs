@@ -177,10 +177,8 @@ impl Lowering<'_, '_> {
     }
 
     /// True for the name of a slice whose length is a literal.
-    pub(super) fn is_part(&mut self, expr: &tree::Expr) -> bool {
-        let tree::ExprKind::Local(name) = &expr.kind else { return false };
-        let found = self.lookup(name, expr.site);
-        matches!(found, Ok(Value::Slice(part)) if part.length.is_literal())
+    pub(super) fn is_part(&self, expr: &tree::Expr) -> bool {
+        matches!(self.meaning(expr), Some(Value::Slice(part)) if part.length.is_literal())
     }
 
     /// `*part`: its elements as an array.

@@ -56,9 +56,7 @@ impl Lowering<'_, '_> {
         ])?;
         let [row, column] = two(indices, index.site)?;
         let (row, column) = (self.steady("row", row), self.steady("column", column));
-        let later = self.later(mark);
-        self.settle_place(&mut place, &later);
-        self.out.extend(later);
+        self.settle_since(mark, &mut place);
         let size = |field| place.inside(Step::Field(field), Type::USIZE).load();
         let conditions = [
             // The first two hold of every matrix, and keep a damaged one from being read beyond its end.

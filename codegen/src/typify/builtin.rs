@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, Builtin, MatrixMethod};
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
 use super::expr::{Call, Operand};
+use super::lengths::size;
 use super::lowering::Lowering;
 use super::numbers::number;
 use super::words;
@@ -83,7 +84,7 @@ impl Lowering<'_, '_> {
             MatrixMethod::Cols => cols,
             _ => rows * cols,
         };
-        Ok(self.index_literal(u64::from(count), expr))
+        Ok(size(count, self.span(expr.site)))
     }
 
     /// `vector![a, b]`, `matrix![a, b; c, d]`.

@@ -43,9 +43,6 @@ impl Lowering<'_, '_> {
         if let Some(slice) = self.wanted_slice(expr, expected)? {
             return Ok(slice);
         }
-        if let Some(place) = self.in_option(expr)? {
-            return Ok(place.load());
-        }
         if let Some(place) = self.lent_place(expr)? {
             return Ok(place.load());
         }

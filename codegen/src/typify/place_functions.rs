@@ -43,6 +43,16 @@ fn leaves(body: &tree::Block) -> bool {
     found.0
 }
 
+/// Whether a statement names what the place is made of: the place is the same whatever the values are, and nothing is done
+/// before that needs a function.
+fn is_named_first(stmt: &tree::Stmt) -> bool {
+    match stmt {
+        tree::Stmt::Let { .. } => true,
+        tree::Stmt::Apart { otherwise, .. } => otherwise.is_none(),
+        tree::Stmt::Expr(expr) => matches!(expr.kind, Tree::Assert(..)),
+    }
+}
+
 /// Lends to be read what is lent to be written.
 struct Read;
 
@@ -116,19 +126,16 @@ impl<'a> Context<'a> {
 
     /// Notes the functions of which the place stands where they are called.
     pub(super) fn note_lending(&mut self, functions: &[&'a tree::Function]) {
-        let lends_more = |it: &&&tree::Function| {
-            it.slots.get(it.tree.result as usize).is_some_and(|ty| !self.is_nothing(ty))
-        };
-        let functions: Vec<_> = functions.iter().filter(lends_more).copied().collect();
         for function in functions {
+            let body = &function.tree.body;
+            let result = function.slots.get(function.tree.result as usize);
             let stands = match lends(function) {
-                None => continue,
-                Some(true) => {
-                    let body = &function.tree.body;
-                    let tail = body.tail.as_deref();
-                    !leaves(body) && tail.is_some_and(|it| self.is_place(function, it))
+                Some(written) if !result.is_some_and(|ty| self.is_nothing(ty)) => {
+                    (written || body.stmts.iter().all(is_named_first))
+                        && !leaves(body)
+                        && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
                 }
-                Some(false) => self.stands_for_itself(function),
+                _ => false,
             };
             let asked = &function.tree.attributes;
             if stands && (asked.name.is_some() || asked.section.is_some()) {
@@ -147,19 +154,6 @@ impl<'a> Context<'a> {
     /// Whether a function is none in the C.
     pub(super) fn lends_place(&self, function: &tree::Function) -> bool {
         self.lending.contains(function.path.as_str())
-    }
-
-    /// Whether the place is the same whatever the values are, and nothing is done before that needs a function.
-    fn stands_for_itself(&self, function: &tree::Function) -> bool {
-        let body = &function.tree.body;
-        let plain = body.stmts.iter().all(|stmt| match stmt {
-            tree::Stmt::Let { .. } | tree::Stmt::Apart { otherwise: None, .. } => true,
-            tree::Stmt::Expr(expr) => matches!(expr.kind, Tree::Assert(..)),
-            tree::Stmt::Apart { .. } => false,
-        });
-        plain
-            && !leaves(body)
-            && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
     }
 
     fn is_place(&self, function: &tree::Function, expr: &tree::Expr) -> bool {
@@ -191,7 +185,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.called(expr) {
             Some((function, arguments)) => self.lent_by(&function.path, arguments, expr),
-            None => Ok(None),
+            None => self.in_option(expr),
         }
     }
 

@@ -11,7 +11,7 @@ use super::function::slice_of;
 use super::lengths::{compared, divided, is_number, least, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
 use super::pattern::both;
-use super::syntax::{Writes, control_with_value};
+use super::syntax::{Writes, bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;
 use super::{Result, problem};
@@ -104,11 +104,9 @@ impl Lowering<'_, '_> {
 
     /// The slice that an expression is; none if its value is something else.
     pub(super) fn slice(&mut self, expr: &tree::Expr) -> Result<Option<Slice>> {
+        let expr = bare(expr);
         let span = self.span(expr.site);
         let place = match &expr.kind {
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
-                return self.slice(inner);
-            }
             tree::ExprKind::Slice(base, from, to, inclusive) => {
                 let base = self.sliced(base)?;
                 let ends = (from.as_deref(), to.as_deref());
@@ -144,10 +142,7 @@ impl Lowering<'_, '_> {
                     && self.place_type(expr).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some());
                 if is_slice { Some(self.base(expr)?) } else { None }
             }
-            _ if self.gives_slice(expr) => {
-                let value = self.value(expr, None)?;
-                Some(self.hold(value))
-            }
+            _ if self.gives_slice(expr) => Some(self.held(expr)?),
             _ => None,
         };
         place.map_or(Ok(None), |place| self.slice_at(place, expr.site))

@@ -13,10 +13,10 @@ use bessemer_ir::tree::{self, Builtin, MatrixMethod, MatrixPart, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Place, Span, Step, StmtKind, Type};
 
 use super::call::Called;
-
 use super::expr::Call;
 use super::lengths::{plus, size};
 use super::lowering::Lowering;
+use super::syntax::bare;
 use super::value::{SMALL, Submatrix, Value};
 use super::words;
 use super::{OUR_FAULT, Result, problem};
@@ -24,55 +24,32 @@ use super::{OUR_FAULT, Result, problem};
 /// Where a part begins: at a row and a column, the first where none is said.
 type From<'e> = (Option<&'e tree::Expr>, Option<&'e tree::Expr>);
 
-/// A part of a matrix, as it is written.
-enum Written<'e> {
-    Named(Box<Submatrix>),
-    /// The call, its matrix, and where it begins.
-    Call(&'e tree::Expr, &'e tree::Expr, From<'e>),
-}
-
 impl<'a> Lowering<'a, '_> {
     /// Whether an expression is a part of a matrix that is written where it is.
     pub(super) fn is_submatrix(&self, expr: &tree::Expr) -> bool {
-        self.part_written(expr).is_some()
+        let called = || self.builtin_call(bare(expr)).map(|(builtin, _)| builtin);
+        matches!(self.meaning(expr), Some(Value::Submatrix(_)))
+            || matches!(called(), Some(Builtin::Matrix(MatrixMethod::Part(_))))
     }
 
     /// The part of a matrix that an expression is; none if it is something else.
     pub(super) fn submatrix(&mut self, expr: &tree::Expr) -> Result<Option<Submatrix>> {
-        let (expr, matrix, from) = match self.part_written(expr) {
-            None => return Ok(None),
-            Some(Written::Named(part)) => return Ok(Some(*part)),
-            Some(Written::Call(expr, matrix, from)) => (expr, matrix, from),
+        if let Some(Value::Submatrix(part)) = self.meaning(expr) {
+            return Ok(Some(*part));
+        }
+        let expr = bare(expr);
+        let Some((Builtin::Matrix(MatrixMethod::Part(part)), arguments)) = self.builtin_call(expr)
+        else {
+            return Ok(None);
+        };
+        let from = match (part, arguments) {
+            (MatrixPart::Rows, [_, row]) => (Some(row), None),
+            (MatrixPart::Columns, [_, column]) => (None, Some(column)),
+            (MatrixPart::Block, [_, row, column]) => (Some(row), Some(column)),
+            _ => return Ok(None),
         };
         let ty = self.slot_of(expr)?;
-        self.part_from(matrix, from, &ty, expr.site)
-    }
-
-    /// How a part of a matrix is written; none if an expression is something else.
-    fn part_written<'e>(&self, expr: &'e tree::Expr) -> Option<Written<'e>> {
-        match &expr.kind {
-            tree::ExprKind::Local(name) => match self.lookup(name, expr.site) {
-                Ok(Value::Submatrix(part)) => Some(Written::Named(part)),
-                _ => None,
-            },
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
-                self.part_written(inner)
-            }
-            _ => {
-                let (Builtin::Matrix(MatrixMethod::Part(part)), arguments) =
-                    self.builtin_call(expr)?
-                else {
-                    return None;
-                };
-                let from = match (part, arguments) {
-                    (MatrixPart::Rows, [_, row]) => (Some(row), None),
-                    (MatrixPart::Columns, [_, column]) => (None, Some(column)),
-                    (MatrixPart::Block, [_, row, column]) => (Some(row), Some(column)),
-                    _ => return None,
-                };
-                Some(Written::Call(expr, &arguments[0], from))
-            }
-        }
+        self.part_from(&arguments[0], from, &ty, expr.site)
     }
 
     /// The part of a matrix that begins at a row and a column, which are checked to be there.
@@ -117,23 +94,19 @@ impl<'a> Lowering<'a, '_> {
         expr: &tree::Expr,
     ) -> Result<Place> {
         let span = self.span(expr.site);
-        let step = match self.matrix_step(index, part.rows, part.cols, expr)? {
+        let place = match self.matrix_step(index, part.rows, part.cols, span)? {
             Step::Element(row, column) => {
-                Step::Element(self.steady("row", row), self.steady("column", column))
+                let (row, column) = (self.steady("row", row), self.steady("column", column));
+                self.check_index(&row, CompareOp::Lt, &size(part.rows, span), span);
+                self.check_index(&column, CompareOp::Lt, &size(part.cols, span), span);
+                part.at(row, column)
             }
-            Step::Index(index) => Step::Index(self.steady(words::INDEX, index)),
-            other => other,
-        };
-        let mut there = |index: Expr, most: u32| {
-            self.check_index(&index, CompareOp::Lt, &size(most, span), span);
-            index
-        };
-        let place = match step {
-            Step::Element(row, column) => {
-                let row = there(row, part.rows);
-                part.at(row, there(column, part.cols))
+            Step::Index(index) => {
+                let index = self.steady(words::INDEX, index);
+                let most = size(part.rows * part.cols, span);
+                self.check_index(&index, CompareOp::Lt, &most, span);
+                part.nth(index)
             }
-            Step::Index(index) => part.nth(there(index, part.rows * part.cols)),
             _ => return problem(expr.site, "this is no element", OUR_FAULT),
         };
         Ok(Place { span, ..place })
@@ -217,10 +190,7 @@ impl<'a> Lowering<'a, '_> {
         let element = Type::Scalar(part.element);
         match value.kind {
             ExprKind::Splat(value) => {
-                let value = match self.is_steady(&value) {
-                    true => *value,
-                    false => self.temporary("element", *value),
-                };
+                let value = self.steady(words::ELEMENT, *value);
                 self.each_of_part(part, span, |row, column| StmtKind::Assign {
                     place: part.at(row, column),
                     value: value.clone(),
@@ -250,30 +220,35 @@ impl<'a> Lowering<'a, '_> {
         span: Span,
         element: impl Fn(Expr, Expr) -> StmtKind,
     ) -> Result<()> {
-        let at = |root| Expr::local(root, &Type::USIZE, span);
         let zero = || Expr::usize(0, span);
-        let [rows, cols] = [part.rows, part.cols].map(|it| size(it, span));
-        let down = |walk: &mut Self, column: Expr| {
-            let row = walk.counter("row", span);
-            let body = walk.scoped(|walk| {
-                walk.emit(element(at(row), column), span);
-                Ok(())
-            })?;
-            Ok(StmtKind::for_below(row, rows, body))
+        let emit = |walk: &mut Self, row, column| {
+            walk.emit(element(row, column), span);
+            Ok(())
         };
-        if part.cols == 1 {
-            return self.repeated(None, None, span, |walk| down(walk, zero()));
+        let down = |walk: &mut Self, column: Expr| {
+            walk.each_number("row", part.rows, span, |walk, row| emit(walk, row, column))
+        };
+        match (part.rows, part.cols) {
+            (_, 1) => down(self, zero()),
+            (1, cols) => {
+                self.each_number("column", cols, span, |walk, column| emit(walk, zero(), column))
+            }
+            (_, cols) => self.each_number("column", cols, span, down),
         }
+    }
+
+    /// A loop over the numbers below `count`.
+    fn each_number(
+        &mut self,
+        name: &str,
+        count: u32,
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
+    ) -> Result<()> {
         self.repeated(None, None, span, |walk| {
-            let column = walk.counter("column", span);
-            let body = walk.scoped(|walk| match part.rows {
-                1 => {
-                    walk.emit(element(zero(), at(column)), span);
-                    Ok(())
-                }
-                _ => walk.repeated(None, None, span, |walk| down(walk, at(column))),
-            })?;
-            Ok(StmtKind::for_below(column, cols, body))
+            let counter = walk.counter(name, span);
+            let body = walk.scoped(|walk| body(walk, Expr::local(counter, &Type::USIZE, span)))?;
+            Ok(StmtKind::for_below(counter, size(count, span), body))
         })
     }
 
