@@ -127,15 +127,24 @@ impl Context<'_> {
         if let Some(known) = self.generics.get(&ty) {
             return Ok(known.clone());
         }
-        let element = self.value_type(element, site)?;
-        if element == Type::Unit {
-            return problem(site, super::zero_sized::EMPTY_SLICE, super::zero_sized::COUNT);
-        }
+        let element = self.element_type(element, site)?;
         let id = self.borrowed_struct(&element, (mutable, one), site)?;
         self.borrowed.insert(id, Borrowed { element, mutable, one });
         self.note(&Type::Struct(id)).unequal = true;
         self.generics.insert(ty, Type::Struct(id));
         Ok(Type::Struct(id))
+    }
+
+    /// The type of the elements of a slice.
+    pub(super) fn element_type(&mut self, element: &Ty, site: Site) -> Result<Type> {
+        match self.value_type(element, site)? {
+            Type::Unit => problem(
+                site,
+                "a slice of what holds nothing is not in the DSL",
+                super::zero_sized::COUNT,
+            ),
+            element => Ok(element),
+        }
     }
 
     /// The slice that a type is.

@@ -32,13 +32,12 @@ impl Lowering<'_, '_> {
             Some(_) => return Ok(None),
         };
         let span = self.span(expr.site);
-        let (zero, one) = (Expr::usize(0, span), Expr::usize(1, span));
+        let zero = Expr::usize(0, span);
         let slice = |slice: Slice| Value::Slice(Box::new(slice));
         let pair = |one, other| Value::Tuple(vec![one, other], None);
         let maybe = |there, lent| Value::Maybe(there, Box::new(lent));
         let compared = |op, one: &Expr, other: &Expr| compared(op, one, other, span);
         let length = array.length.clone();
-        let has = |count: u32| array.has(count.into(), false, span);
         Ok(Some(match (method, at) {
             (M::Get | M::GetMut, [index]) => {
                 let index = self.steady_index(words::INDEX, index)?;
@@ -65,29 +64,28 @@ impl Lowering<'_, '_> {
                 let behind = slice(array.behind(at.clone()));
                 pair(slice(array.part(zero, at)), behind)
             }
-            (M::SplitFirstChunk(count), _) => {
-                let begun = size(count, span);
-                let chunk = slice(array.part(zero.clone(), begun.clone()));
-                maybe(has(count), pair(chunk, slice(array.behind(begun))))
-            }
-            (M::SplitLastChunk(count), _) => {
-                let count_of = size(count, span);
-                let less = minus(length.clone(), count_of.clone());
-                let chunk = Slice { length: count_of, ..array.behind(less.clone()) };
-                maybe(has(count), pair(slice(array.part(zero.clone(), less)), slice(chunk)))
-            }
             _ => {
+                let (count, chunk) = match method {
+                    M::SplitFirstChunk(count) | M::SplitLastChunk(count) => (count, true),
+                    _ => (1, false),
+                };
+                let begun = size(count, span);
+                let less = minus(length.clone(), begun.clone());
                 let first = Value::Place(array.at(array.from.clone()));
-                let last = Value::Place(array.at(minus(array.to.clone(), one.clone())));
-                let less = minus(length.clone(), one.clone());
+                let last = Value::Place(array.at(minus(array.to.clone(), begun.clone())));
+                let behind = slice(array.behind(begun.clone()));
+                let before = slice(array.part(zero.clone(), less.clone()));
                 let lent = match method {
                     M::First | M::FirstMut => first,
                     M::Last | M::LastMut => last,
-                    M::SplitFirst => pair(first, slice(array.behind(one))),
-                    _ => pair(last, slice(array.part(zero.clone(), less))),
+                    M::SplitFirst => pair(first, behind),
+                    M::SplitLast => pair(last, before),
+                    M::SplitFirstChunk(_) => pair(slice(array.part(zero.clone(), begun)), behind),
+                    _ => pair(before, slice(Slice { length: begun, ..array.behind(less) })),
                 };
                 let there = match length.kind {
-                    ExprKind::Literal(_) => has(1),
+                    ExprKind::Literal(_) => array.has(count.into(), false, span),
+                    _ if chunk => array.has(count.into(), false, span),
                     _ => compared(CompareOp::Gt, &length, &zero),
                 };
                 maybe(there, lent)

@@ -518,10 +518,10 @@ impl Lowering<'_, '_> {
                 if let Some(template) = function.filter(|it| takes_closures(it)) {
                     return self.call_handing(template, arguments, expr);
                 }
-                if let Some(place) = self.lent_by(path, arguments, expr)? {
+                if let Some(place) = self.lent_by(path, Call { arguments, expr })? {
                     return Ok(place.load());
                 }
-                if let Some(value) = self.shorter(path, arguments, expr)? {
+                if let Some(value) = self.shorter(path, Call { arguments, expr })? {
                     return Ok(value);
                 }
                 if let Some(answer) = self.order_asked(path, arguments, expr.site)? {

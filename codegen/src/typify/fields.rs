@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Place, Span, Step, StmtKind, StructId, Type};
 
 use super::expr::Operand;
+use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
 use super::syntax::numbered;
@@ -29,7 +30,18 @@ impl Lowering<'_, '_> {
         if self.cx.known_of(id).cases.is_empty() {
             return self.parts(id, fields, rest, expr);
         }
-        let (word, case) = self.named_case(id, name, expr.site)?;
+        let case = self.named_case(id, name, expr.site)?;
+        self.variant(id, case, fields, expr)
+    }
+
+    /// A variant, by its word and what it holds.
+    fn variant(
+        &mut self,
+        id: StructId,
+        (word, case): (u64, Case),
+        fields: &[(String, tree::Expr)],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
         let held = case.field.map(|field| self.cx.field_type(id, field));
         let payload = match (held, fields) {
             (Some(held), [(_, value)]) if case.single => {
@@ -58,14 +70,9 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         // Where no author wrote it, what it is for tells its type.
         if let (None, Some(Type::Struct(id))) = (expr.slot, expected)
-            && let Some((word, case)) = self.case(*id, name)
+            && let Some(case) = self.case(*id, name)
         {
-            let held = case.field.map(|field| self.cx.field_type(*id, field));
-            let payload = match (parts, held) {
-                ([part], Some(held)) => Some(self.value(part, Some(&held))?),
-                _ => None,
-            };
-            return self.choice(*id, word, payload, expr.site);
+            return self.variant(*id, case, &numbered(parts), expr);
         }
         self.struct_value(name, &numbered(parts), None, expr)
     }
@@ -215,14 +222,11 @@ impl Lowering<'_, '_> {
     ) -> Result<Place> {
         let mark = self.out.len();
         let place = self.base(rest)?;
-        if self.out.len() > mark {
-            let later = self.out.split_off(mark);
-            let named = values.iter_mut().zip(fields);
-            let there =
-                named.filter_map(|(value, (name, _))| Some((value.as_mut()?, name.as_str())));
-            self.settle_all(there, &later);
-            self.out.extend(later);
-        }
+        let later = self.later(mark);
+        let named = values.iter_mut().zip(fields);
+        let there = named.filter_map(|(value, (name, _))| Some((value.as_mut()?, name.as_str())));
+        self.settle_all(there, &later);
+        self.out.extend(later);
         Ok(place)
     }
 }

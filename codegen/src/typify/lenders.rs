@@ -71,12 +71,9 @@ impl Lowering<'_, '_> {
         }
         for (paths, Borrowed { element, mutable, .. }) in groups {
             let name = self.cx.lender_name(&param.name, &ty, &paths[0]);
-            let ty = Type::Slice(Box::new(element));
-            let root = self.local(&*name, ty.clone(), span);
-            self.locals[root.index()].mode = if mutable { Mode::RefMut } else { Mode::Ref };
-            self.local(format!("{name}_length"), Type::USIZE, span);
+            let root = self.slice_local(&name, element, mutable, span);
             self.lenders.lending.push((root, local, paths[0].clone()));
-            let lender = Place::local(root, ty, span);
+            let lender = Place::local(root, self.locals[root.index()].ty.clone(), span);
             let known = paths.into_iter().map(|path| ((Some(local), path), lender.clone()));
             self.lenders.known.extend(known);
         }

@@ -8,6 +8,7 @@ use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
+use super::expr::Call;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
 use super::value::Value;
@@ -18,7 +19,7 @@ pub(super) struct Indexing<'a> {
     owner: Type,
     index: &'a Ty,
     mutable: bool,
-    path: &'a str,
+    function: &'a tree::Function,
 }
 
 /// Whether a function lends a place, and whether to be written.
@@ -118,9 +119,10 @@ impl<'a> Context<'a> {
     pub(super) fn note_indexing(&mut self, it: &'a tree::Implied) {
         if let Ty::Named(path) = &it.owner
             && let Some(owner) = self.types.get(path).cloned()
+            && let Some(function) = self.all.get(it.function.as_str()).copied()
         {
-            let (index, mutable, path) = (&it.other, it.of == "IndexMut", it.function.as_str());
-            self.indexing.push(Indexing { owner, index, mutable, path });
+            let (index, mutable) = (&it.other, it.of == "IndexMut");
+            self.indexing.push(Indexing { owner, index, mutable, function });
         }
     }
 
@@ -184,7 +186,7 @@ impl<'a> Lowering<'a, '_> {
     /// The place that a call lends; none if it gives a value.
     pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.called(expr) {
-            Some((function, arguments)) => self.lent_by(&function.path, arguments, expr),
+            Some((function, arguments)) => self.lent_by(&function.path, Call { arguments, expr }),
             None => self.in_option(expr),
         }
     }
@@ -196,12 +198,8 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The same, of a function by its path.
-    pub(super) fn lent_by(
-        &mut self,
-        path: &str,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Option<Place>> {
+    pub(super) fn lent_by(&mut self, path: &str, call: Call<'_>) -> Result<Option<Place>> {
+        let Call { arguments, expr } = call;
         let Some(function) = self.cx.lending(path) else { return Ok(None) };
         let place = self.placed(function, arguments, expr.site)?;
         if let Some(slot) = expr.slot {
@@ -218,17 +216,15 @@ impl<'a> Lowering<'a, '_> {
         operands: [&tree::Expr; 2],
         site: Site,
     ) -> Result<Option<Place>> {
-        let Some(path) = self.indexed_by(owner, operands[1], site)? else { return Ok(None) };
+        let Some(function) = self.indexed_by(owner, operands[1], site)? else { return Ok(None) };
         let operands = operands.map(tree::Expr::clone);
-        match self.cx.lending(path) {
-            Some(function) => self.placed(function, &operands, site).map(Some),
-            None => {
-                let id = self.function_at(path, site)?;
-                let expr = tree::Expr::plain(Tree::Bool(false), site);
-                let value = self.call_function(id, &operands, &expr)?;
-                Ok(Some(self.hold(value)))
-            }
+        if self.cx.lends_place(function) {
+            return self.placed(function, &operands, site).map(Some);
         }
+        let id = self.function_at(&function.path, site)?;
+        let expr = tree::Expr::plain(Tree::Bool(false), site);
+        let value = self.call_function(id, &operands, &expr)?;
+        Ok(Some(self.hold(value)))
     }
 
     /// The type at an author's own `[…]`.
@@ -238,9 +234,8 @@ impl<'a> Lowering<'a, '_> {
         index: &tree::Expr,
         site: Site,
     ) -> Result<Option<Type>> {
-        let Some(path) = self.indexed_by(owner, index, site)? else { return Ok(None) };
-        let function = self.cx.all.get(path).copied();
-        let result = function.and_then(|it| it.slots.get(it.tree.result as usize));
+        let Some(function) = self.indexed_by(owner, index, site)? else { return Ok(None) };
+        let result = function.slots.get(function.tree.result as usize);
         result.map(|ty| self.cx.pointee(ty, site)).transpose()
     }
 
@@ -250,31 +245,25 @@ impl<'a> Lowering<'a, '_> {
         owner: &Type,
         index: &tree::Expr,
         site: Site,
-    ) -> Result<Option<&'a str>> {
+    ) -> Result<Option<&'a tree::Function>> {
         let all = self.cx.indexing.iter().filter(|it| it.owner == *owner);
-        let mut found: Vec<(&Ty, bool, &'a str)> =
-            all.map(|it| (it.index, it.mutable, it.path)).collect();
-        if found.iter().any(|(index, ..)| *index != found[0].0) {
-            let mut kept = Vec::new();
-            for it in found {
-                if self.is_of(index, it.0)? {
-                    kept.push(it);
-                }
+        let all: Vec<_> = all.map(|it| (it.index, it.mutable, it.function)).collect();
+        let several = all.iter().any(|it| it.0 != all[0].0);
+        let mut found = [None, None];
+        for (of, mutable, function) in all {
+            if !several || self.is_of(index, of)? {
+                found[usize::from(mutable)].get_or_insert(function);
             }
-            found = kept;
         }
-        let Some((_, _, path)) = found.iter().find(|it| !it.1).copied() else { return Ok(None) };
-        let Some((_, _, other)) = found.iter().find(|it| it.1) else { return Ok(Some(path)) };
-        let (read, written) = (self.cx.all.get(path), self.cx.all.get(other));
-        let alike = read.zip(written).is_some_and(|(one, other)| same_meaning(one, other));
-        if !alike {
-            return problem(
+        match found {
+            [Some(read), Some(written)] if !same_meaning(read, written) => problem(
                 site,
                 "`Index` and `IndexMut` of this type lend in two ways, and here either may be meant",
                 "write one and the same body in both, or methods with names",
-            );
+            ),
+            [Some(read), Some(written)] if !self.cx.lends_place(read) => Ok(Some(written)),
+            [read, _] => Ok(read),
         }
-        Ok(Some(if self.cx.lending.contains(path) { path } else { other }))
     }
 
     /// Whether an index is of a type, of which rustc was not asked where it is written out.
@@ -298,40 +287,33 @@ impl<'a> Lowering<'a, '_> {
         let mut bound = Vec::new();
         let mut body = function.tree.body.clone();
         for (param, argument) in function.tree.params.iter().zip(arguments) {
-            let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
-            if let (Tree::Tuple(values), Ty::Tuple(types)) = (&argument.kind, &ty)
-                && let Some(names) = taken_apart(&mut body, &param.name, values.len())
-            {
-                for ((name, ty), value) in names.iter().zip(types).zip(values) {
-                    bound.push((name.clone(), self.given((name, false), ty, value)?));
+            match (&argument.kind, function.slots.get(param.slot as usize)) {
+                (Tree::Tuple(values), Some(Ty::Tuple(types)))
+                    if let Some(names) = taken_apart(&mut body, &param.name, values.len()) =>
+                {
+                    for ((name, ty), value) in names.iter().zip(types).zip(values) {
+                        bound.push((name.clone(), self.given((name, false), ty, value)?));
+                    }
                 }
-                continue;
+                _ => bound.push(self.given_as(function, param, argument)?),
             }
-            bound.push((
-                param.name.clone(),
-                self.given((&param.name, param.mutable), &ty, argument)?,
-            ));
         }
-        self.inside(function, bound, site, |inner| inner.ends_in(function, &body))
-    }
-
-    fn ends_in(&mut self, function: &'a tree::Function, body: &tree::Block) -> Result<Place> {
-        let site = function.tree.site;
-        self.stmts(body)?;
-        let Some(tail) = body.tail.as_deref() else {
-            return problem(site, "this lends no place", "end in `&self.field`");
-        };
-        match self.place(tail)? {
-            Some(mut place) => {
-                self.fix(&mut place);
-                Ok(place)
-            }
-            None => problem(
-                tail.site,
-                "this is no place that could be lent",
-                "end in a field or an element: `&self.axes[i]`",
-            ),
-        }
+        self.inside(function, bound, site, |inner| {
+            inner.stmts(&body)?;
+            let Some(tail) = body.tail.as_deref() else {
+                let site = function.tree.site;
+                return problem(site, "this lends no place", "end in `&self.field`");
+            };
+            let Some(mut place) = inner.place(tail)? else {
+                return problem(
+                    tail.site,
+                    "this is no place that could be lent",
+                    "end in a field or an element: `&self.axes[i]`",
+                );
+            };
+            inner.fix(&mut place);
+            Ok(place)
+        })
     }
 
     /// The meaning of a parameter: the place that is lent to it, or a value that stays as it is.

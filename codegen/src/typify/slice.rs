@@ -5,8 +5,11 @@
 //! checked against the slice once, and against the array unless it follows.
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Builtin, Site, SliceMethod, Ty};
-use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Fault, Mode, Place, Span, StmtKind, Type};
+use bessemer_ir::{
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, LocalId, Mode, Place, Span, StmtKind, Type,
+};
 
+use super::expr::Call;
 use super::function::slice_of;
 use super::lengths::{compared, divided, is_number, least, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
@@ -17,7 +20,7 @@ use super::words;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
-    /// A parameter that is a slice, and the one of its length.
+    /// A parameter that is a slice.
     pub(super) fn slice_parameter(
         &mut self,
         param: &tree::Param,
@@ -31,15 +34,24 @@ impl Lowering<'_, '_> {
                 "take an array, `&[T; N]`, or a `List<T, N>`",
             );
         }
-        let element = self.cx.value_type(element, param.site)?;
-        if element == Type::Unit {
-            return problem(param.site, super::zero_sized::EMPTY_SLICE, super::zero_sized::COUNT);
-        }
-        let mode = if mutable { Mode::RefMut } else { Mode::Ref };
-        let span = self.span(param.site);
-        self.declare(&param.name, Type::Slice(Box::new(element)), mode, span);
-        self.local(format!("{}_length", param.name), Type::USIZE, span);
+        let (element, span) = (self.cx.element_type(element, param.site)?, self.span(param.site));
+        let local = self.slice_local(&param.name, element, mutable, span);
+        self.bind(&param.name, Value::Local(local));
         Ok(())
+    }
+
+    /// A parameter that is a slice, and the one of its length.
+    pub(super) fn slice_local(
+        &mut self,
+        name: &str,
+        element: Type,
+        mutable: bool,
+        span: Span,
+    ) -> LocalId {
+        let local = self.local(name, Type::Slice(Box::new(element)), span);
+        self.locals[local.index()].mode = if mutable { Mode::RefMut } else { Mode::Ref };
+        self.local(format!("{name}_length"), Type::USIZE, span);
+        local
     }
 
     /// `let part = &values[1..];`: another name for the elements. Where they begin is in a local if that is written again,
@@ -62,10 +74,15 @@ impl Lowering<'_, '_> {
                 Ok(())
             });
         }
-        let slice = self.naming_as(name, |inner| inner.sliced(value))?;
-        let slice = self.kept_elements(slice);
-        self.bind(name, Value::Slice(Box::new(slice)));
+        let slice = self.slice_for(name, value)?;
+        self.bind(name, slice);
         Ok(())
+    }
+
+    /// What a name of elements means.
+    pub(super) fn slice_for(&mut self, name: &str, value: &tree::Expr) -> Result<Value> {
+        let slice = self.naming_as(name, |inner| inner.sliced(value))?;
+        Ok(Value::Slice(Box::new(self.kept_elements(slice))))
     }
 
     /// The slice that is lent, or all elements of an array or a list.
@@ -246,13 +263,9 @@ impl Lowering<'_, '_> {
     }
 
     /// The value of a method of slices that has one; none if `name` is no such method.
-    pub(super) fn slice_method(
-        &mut self,
-        method: SliceMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn slice_method(&mut self, method: SliceMethod, call: Call<'_>) -> Result<Expr> {
         use SliceMethod as M;
+        let Call { arguments, expr } = call;
         let span = self.span(expr.site);
         let copied = matches!(method, M::First | M::Last | M::Get);
         let ty = if copied { Some(self.slot_of(expr)?) } else { self.borrowing_type(expr) };

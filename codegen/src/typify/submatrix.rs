@@ -133,10 +133,9 @@ impl<'a> Lowering<'a, '_> {
     fn part_copied(&mut self, name: &str, part: &Submatrix, span: Span) -> Result<Place> {
         // No compiler sees that the loop assigns all of it.
         let copy = self.mutable_place(name, self.zero(&part.ty(), span));
-        let element = Type::Scalar(part.element);
-        self.each_of_part(part, span, |row, column| {
-            let place = copy.inside(Step::Element(row.clone(), column.clone()), element.clone());
-            StmtKind::Assign { place, value: part.at(row, column).load() }
+        self.each_of_part(part, span, |at, step| {
+            let place = copy.inside(step, at.ty.clone());
+            StmtKind::Assign { place, value: at.load() }
         })?;
         Ok(copy)
     }
@@ -187,12 +186,11 @@ impl<'a> Lowering<'a, '_> {
     /// Writes a part.
     pub(super) fn write_part(&mut self, part: &Submatrix, value: Expr) -> Result<()> {
         let span = value.span;
-        let element = Type::Scalar(part.element);
         match value.kind {
             ExprKind::Splat(value) => {
                 let value = self.steady(words::ELEMENT, *value);
-                self.each_of_part(part, span, |row, column| StmtKind::Assign {
-                    place: part.at(row, column),
+                self.each_of_part(part, span, |place, _| StmtKind::Assign {
+                    place,
                     value: value.clone(),
                 })
             }
@@ -204,25 +202,25 @@ impl<'a> Lowering<'a, '_> {
                     }
                     _ => self.temporary_place("part", value),
                 };
-                self.each_of_part(part, span, |row, column| {
-                    let from = Step::Element(row.clone(), column.clone());
-                    let value = place.inside(from, element.clone()).load();
-                    StmtKind::Assign { place: part.at(row, column), value }
+                self.each_of_part(part, span, |at, step| {
+                    let value = place.inside(step, at.ty.clone()).load();
+                    StmtKind::Assign { place: at, value }
                 })
             }
         }
     }
 
-    /// Does the same for each element of a part, by columns.
+    /// Does the same for each element of a part, by columns: its place, and the step to it in a matrix of its own.
     fn each_of_part(
         &mut self,
         part: &Submatrix,
         span: Span,
-        element: impl Fn(Expr, Expr) -> StmtKind,
+        element: impl Fn(Place, Step) -> StmtKind,
     ) -> Result<()> {
         let zero = || Expr::usize(0, span);
-        let emit = |walk: &mut Self, row, column| {
-            walk.emit(element(row, column), span);
+        let emit = |walk: &mut Self, row: Expr, column: Expr| {
+            let at = part.at(row.clone(), column.clone());
+            walk.emit(element(at, Step::Element(row, column)), span);
             Ok(())
         };
         let down = |walk: &mut Self, column: Expr| {
@@ -321,63 +319,46 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The inlined form of a call of the library; none if it stays a call.
-    pub(super) fn shorter(
-        &mut self,
-        path: &str,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
+    pub(super) fn shorter(&mut self, path: &str, call: Call<'_>) -> Result<Option<Expr>> {
         let view = path.strip_prefix("bessemer::linear::views::");
         match view.and_then(|view| view.split('<').next()) {
-            Some(name) => self.view(name, arguments, expr),
-            None => self.small_power(path, Call { arguments, expr }),
+            Some(name) => self.view(name, call),
+            None => self.small_power(path, call),
         }
     }
 
     /// `v.zyx()`: the components of a vector, by their names.
-    pub(super) fn swizzle(
-        &mut self,
-        axes: &[u8],
-        vector: &tree::Expr,
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn swizzle(&mut self, axes: &[u8], call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
         let span = self.span(expr.site);
-        let place = self.base(vector)?;
+        let place = self.base(&arguments[0])?;
         let Type::Matrix { element, .. } = place.ty else {
             return problem(expr.site, "this takes a vector", OUR_FAULT);
         };
         let component = |axis: &u8| {
-            let step = Step::Element(Expr::usize(u64::from(*axis), span), Expr::usize(0, span));
+            let step = Step::Element(size((*axis).into(), span), Expr::usize(0, span));
             place.inside(step, Type::Scalar(element)).load()
         };
         self.node(ExprKind::Matrix(axes.iter().map(component).collect()), ty, expr.site)
     }
 
-    fn view(
-        &mut self,
-        name: &str,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
-        let (row, column) = match (name, arguments) {
+    fn view(&mut self, name: &str, call: Call<'_>) -> Result<Option<Expr>> {
+        let Call { arguments, expr } = call;
+        let from = match (name, arguments) {
+            _ if expr.slot.is_none() => return Ok(None),
             ("row" | "fixed_rows", [_, row]) => (Some(row), None),
             ("column" | "fixed_columns", [_, column]) => (None, Some(column)),
             ("fixed_view", [_, row, column]) => (Some(row), Some(column)),
             _ => return Ok(None),
         };
-        if expr.slot.is_none() {
-            return Ok(None);
-        }
         let ty = self.slot_of(expr)?;
-        let Type::Matrix { rows, cols, .. } = ty else { return Ok(None) };
-        if rows.saturating_mul(cols) > SMALL {
+        let small = |rows: u32, cols| rows.saturating_mul(cols) <= SMALL;
+        if !matches!(ty, Type::Matrix { rows, cols, .. } if small(rows, cols)) {
             return Ok(None);
         }
-        match self.part_from(&arguments[0], (row, column), &ty, expr.site)? {
-            Some(part) => self.submatrix_value(&part, expr.site).map(Some),
-            None => Ok(None),
-        }
+        let part = self.part_from(&arguments[0], from, &ty, expr.site)?;
+        part.map(|part| self.submatrix_value(&part, expr.site)).transpose()
     }
 }
 

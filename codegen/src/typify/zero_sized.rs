@@ -9,8 +9,7 @@ use super::lowering::Lowering;
 use super::value::{Named, Value};
 use super::{Context, Result, problem};
 
-/// The refusal of slices of zero-sized elements.
-pub(super) const EMPTY_SLICE: &str = "a slice of what holds nothing is not in the DSL";
+/// The remedy where elements are zero-sized.
 pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
 
 /// An author's zero-sized type.
