@@ -86,6 +86,11 @@ pub(super) fn spot_of(place: &Place) -> Spot {
     (Some(place.root), place.steps.iter().filter_map(field).collect())
 }
 
+/// What is known of the slices in a field, as those in its struct.
+pub(super) fn in_field<T>(at: u32, found: Vec<(Path, T)>) -> impl Iterator<Item = (Path, T)> {
+    found.into_iter().map(move |(path, known)| ([vec![at], path].concat(), known))
+}
+
 /// The struct that a type is, or an array of.
 fn struct_in(ty: &Type) -> Option<StructId> {
     match ty {
@@ -163,10 +168,7 @@ impl Context<'_> {
         if let Some(borrowed) = self.borrowed.get(&id) {
             return vec![(Path::new(), borrowed.clone())];
         }
-        let inside = |(at, field): (u32, &Field)| {
-            let found = self.slices_in(&field.ty).into_iter();
-            found.map(move |(path, it)| ([vec![at], path].concat(), it))
-        };
+        let inside = |(at, field): (u32, &Field)| in_field(at, self.slices_in(&field.ty));
         (0..).zip(self.fields(id)).flat_map(inside).collect()
     }
 

@@ -296,9 +296,10 @@ impl Lowering<'_, '_> {
     }
 
     /// The same, with its value.
-    pub(super) fn let_named(&mut self, name: &str, value: Expr, span: Span) {
+    pub(super) fn let_named(&mut self, name: &str, value: Expr, span: Span) -> LocalId {
         let local = self.declare(name, value.ty.clone(), Mode::Value, span);
         self.emit(StmtKind::Let { local, value: Some(value) }, span);
+        local
     }
 
     /// The meaning of a name, as a value.

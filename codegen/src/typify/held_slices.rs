@@ -7,7 +7,7 @@
 
 use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
-use bessemer_ir::{Block, Expr, ExprKind, LocalId, Mode, Place, Step, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, StmtKind, StructId, Type};
 
 use super::borrowed::{Borrowed, spot_of};
 use super::lenders::{FROM, LENGTH};
@@ -31,10 +31,8 @@ impl Lowering<'_, '_> {
         let (mut from, mut length) = (part(FROM), length);
         if !lasting {
             // The slice stays what it is, whatever is written to the place.
-            let name = match place.steps.last() {
-                Some(Step::Field(at)) if !one => self.field_name(&place, *at),
-                _ => self.locals[place.root.index()].name.clone(),
-            };
+            let field = if one { None } else { self.field_name(&place) };
+            let name = field.unwrap_or_else(|| self.locals[place.root.index()].name.clone());
             let roles = if one { words::ENDS_OF_ONE } else { words::ENDS };
             let parts = [&mut from, &mut length].into_iter().zip(roles);
             for (part, role) in parts.filter(|(part, _)| !part.is_literal()) {
@@ -48,11 +46,11 @@ impl Lowering<'_, '_> {
     }
 
     /// The name of the field that is the last step of a place.
-    fn field_name(&self, place: &Place, at: u32) -> String {
-        let (_, outer) = place.steps.split_last().unwrap_or((&Step::Field(at), &[]));
+    fn field_name(&self, place: &Place) -> Option<String> {
+        let (Step::Field(at), outer) = place.steps.split_last()? else { return None };
         match self.type_of(place.root, outer) {
-            Type::Struct(id) => self.cx.fields(id)[at as usize].name.clone(),
-            _ => UNNAMED.into(),
+            Type::Struct(id) => Some(self.cx.fields(id)[*at as usize].name.clone()),
+            _ => None,
         }
     }
 
@@ -62,11 +60,8 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
         expected: Option<&Type>,
     ) -> Result<Option<Expr>> {
-        let Some((id, one)) =
-            expected.and_then(|ty| self.cx.as_borrowed(ty)).map(|(id, it)| (id, it.one))
-        else {
-            return Ok(None);
-        };
+        let slice = expected.and_then(|ty| self.cx.as_borrowed(ty));
+        let Some((id, one)) = slice.map(|(id, it)| (id, it.one)) else { return Ok(None) };
         if control_with_value(expr) {
             return Ok(None);
         }
@@ -116,8 +111,7 @@ impl Lowering<'_, '_> {
         if place.ty == Type::Struct(id) {
             return Ok(place.load());
         }
-        if !matches!(self.cx.borrowed.get(&id), Some(Borrowed { element, .. }) if *element == place.ty)
-        {
+        if self.type_behind(Type::Struct(id)) != place.ty {
             return problem(site, "this is not what is lent here", OUR_FAULT);
         }
         // Rust looks at its indices here.
@@ -153,21 +147,20 @@ impl Lowering<'_, '_> {
         let parts = if one { vec![slice.from] } else { vec![slice.from, slice.length] };
         let kind = ExprKind::Struct(parts);
         let value = Expr { kind, ty: Type::Struct(id), span };
-        let known = self.lenders.made.iter().position(|(made, _)| *made == value);
-        match known.map(|at| self.lenders.made[at].1.clone()) {
+        let known = self.lenders.made.iter().find(|(made, _)| *made == value);
+        match known.map(|(_, base)| effects::same_place(base, &slice.base)) {
             None => self.lenders.made.push((value.clone(), slice.base)),
-            Some(base) if effects::same_place(&base, &slice.base) => {}
+            Some(true) => {}
             // Two that look alike are told apart by their names.
-            Some(_) => return self.named_slice(value, slice.base),
+            Some(false) => {
+                let place = self.temporary_place(UNNAMED, value);
+                let spot = spot_of(&place);
+                self.lenders.known.retain(|it| it.0 != spot);
+                self.lenders.known.push((spot, slice.base));
+                return place.load();
+            }
         }
         value
-    }
-
-    fn named_slice(&mut self, value: Expr, base: Place) -> Expr {
-        let place = self.temporary_place(UNNAMED, value);
-        self.lenders.known.retain(|it| it.0.0 != Some(place.root));
-        self.lenders.known.push((spot_of(&place), base));
-        place.load()
     }
 
     /// What a method lends, as a value of a type.
@@ -191,11 +184,9 @@ impl Lowering<'_, '_> {
                 let none = self.choice(*id, 0, None, site)?;
                 let place = self.temporary_place(words::FOUND, none);
                 let held = place.load();
-                let payload = self.cx.known_of(*id).cases.iter().find_map(|it| it.field);
-                let Some(payload) = payload else {
+                let Some(inner) = self.payload_type(*id, "Some") else {
                     return problem(site, "this is not an `Option`", OUR_FAULT);
                 };
-                let inner = self.cx.field_type(*id, payload);
                 let then = self.scoped(|it| {
                     let value = it.lent_value(*lent, &inner, site)?;
                     let value = it.choice(*id, 1, Some(value), site)?;
@@ -221,9 +212,8 @@ impl Lowering<'_, '_> {
         let ty = self.slot(slot, site)?;
         let local = tree::Expr::local(name, site);
         let (value, span) = (self.value(&local, Some(&ty))?, self.span(site));
-        let local = self.declare(&format!("{name}_left"), ty, Mode::Value, span);
+        let local = self.let_named(&format!("{name}_left"), value, span);
         self.bind(name, Value::Local(local));
-        self.emit(StmtKind::Let { local, value: Some(value) }, span);
         Ok(())
     }
 
@@ -248,10 +238,7 @@ impl Lowering<'_, '_> {
         if !self.may_come_to_refer(&slice.base) || self.is_lasting(&slice.base) {
             return slice;
         }
-        let name = match slice.base.steps.last() {
-            Some(Step::Field(at)) => self.field_name(&slice.base, *at),
-            _ => UNNAMED.into(),
-        };
+        let name = self.field_name(&slice.base).unwrap_or_else(|| UNNAMED.into());
         let base = self.hold_copy(&name, slice.base.clone());
         Slice { base, ..slice }
     }

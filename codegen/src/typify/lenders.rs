@@ -16,7 +16,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::borrowed::{Awaited, Borrowed, Copied, Path, Spot, spot_of};
+use super::borrowed::{Awaited, Borrowed, Copied, Path, Spot, in_field, spot_of};
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
 use super::order::indices;
@@ -53,6 +53,9 @@ const KEEP_INDEX: &str = "keep the index in place of the reference, `Option<usiz
 const PASS_GIVEN: &str =
     "pass one that an array gave: `values.get_mut(i)`, `values.iter_mut().find(…)`";
 
+/// The lender of a slice or, where it is not known yet, what the slice is a copy of.
+type Lent = Result<Place, Copied>;
+
 /// The fields of the struct that a slice is in a value.
 pub(super) const FROM: u32 = 0;
 pub(super) const LENGTH: u32 = 1;
@@ -86,17 +89,12 @@ impl Lowering<'_, '_> {
         let (Some((_, param, one)), Some((_, also, other))) = (slice(one), slice(other)) else {
             return false;
         };
-        if param != also {
-            return false;
-        }
         let ty = self.locals[param.index()].ty.clone();
-        match self.cx.within_one(&ty, &one, &other) {
-            Some(both) if !self.cx.joined.contains(&both) => {
-                self.cx.joined.push(both);
-                true
-            }
-            _ => false,
-        }
+        let both = self.cx.within_one(&ty, &one, &other);
+        let both = both.filter(|both| param == also && !self.cx.joined.contains(both));
+        let joins = both.is_some();
+        self.cx.joined.extend(both);
+        joins
     }
 
     /// All elements of the array that lends a slice.
@@ -154,7 +152,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The slices in a value: their lenders, or what they are copies of where it is not known yet.
-    fn slices_of(&self, value: &Expr) -> Vec<(Path, Result<Place, Copied>)> {
+    fn slices_of(&self, value: &Expr) -> Vec<(Path, Lent)> {
         let slices = self.cx.slices_in(&value.ty);
         if slices.is_empty() {
             return Vec::new();
@@ -173,37 +171,28 @@ impl Lowering<'_, '_> {
                 made.map(|(_, lender)| (Path::new(), Ok(lender.clone()))).into_iter().collect()
             }
             ExprKind::Struct(parts) => {
-                let inside = |(at, part): (u32, &Expr)| {
-                    let found = self.slices_of(part).into_iter();
-                    found.map(move |(path, it)| ([vec![at], path].concat(), it))
-                };
+                let inside = |(at, part): (u32, &Expr)| in_field(at, self.slices_of(part));
                 (0..).zip(parts).flat_map(inside).collect()
             }
             ExprKind::Array(items) => items.iter().flat_map(|it| self.slices_of(it)).collect(),
             ExprKind::Splat(item) => self.slices_of(item),
-            ExprKind::Call(id, arguments) => {
-                let lent = self.lent_by_call(*id, arguments).into_iter();
-                lent.map(|(path, lender)| (path, Ok(lender))).collect()
-            }
+            ExprKind::Call(id, arguments) => self.lent_by_call(*id, arguments),
             _ => Vec::new(),
         }
     }
 
     /// What a call gives slices of: what it was lent.
-    fn lent_by_call(&self, id: FunctionId, arguments: &[Argument]) -> Vec<(Path, Place)> {
+    fn lent_by_call(&self, id: FunctionId, arguments: &[Argument]) -> Vec<(Path, Lent)> {
         let Some(given) = self.cx.given_back.get(&id) else { return Vec::new() };
         let mapped = |(path, lender): &(Path, Place)| {
             let of = passed_for(lender, arguments)?;
-            let mut steps = of.steps.clone();
-            if let Some(Step::From(_)) = steps.last() {
-                steps.pop();
-            }
-            steps.extend(lender.steps.iter().cloned());
-            let ty = match (&lender.ty, lender.steps.is_empty()) {
-                (Type::Slice(_), true) => self.type_of(of.root, &steps),
-                (ty, _) => ty.clone(),
+            let outer = match of.steps.split_last() {
+                Some((Step::From(_), outer)) => outer,
+                _ => &of.steps,
             };
-            Some((path.clone(), Place { root: of.root, steps, ty, span: of.span }))
+            let steps = [outer, &lender.steps].concat();
+            let ty = self.type_of(of.root, &steps);
+            Some((path.clone(), Ok(Place { root: of.root, steps, ty, span: of.span })))
         };
         given.iter().filter_map(mapped).collect()
     }
@@ -310,8 +299,7 @@ impl Lowering<'_, '_> {
         }
         let place = self.hold(call);
         for (path, from) in begun {
-            let Block(stmts) = self.scoped(|inner| inner.shift(&place, &path, &from))?;
-            self.out.extend(stmts);
+            self.shift(&place, &path, &from)?;
         }
         Ok(place.load())
     }
@@ -328,15 +316,12 @@ impl Lowering<'_, '_> {
         let Type::Struct(id) = place.ty else { return Ok(()) };
         let inner = self.part(place, id, *first as usize);
         let mut cases = self.cx.known_of(id).cases.iter();
-        let case = cases.position(|case| case.field == Some(*first));
+        let Some(word) = cases.position(|case| case.field == Some(*first)) else {
+            return self.shift(&inner, rest, by);
+        };
         let then = self.scoped(|it| it.shift(&inner, rest, by))?;
-        match case {
-            Some(word) => {
-                let condition = self.tag_is(place, id, word as u64);
-                self.emit_if(condition, then, span);
-            }
-            None => self.out.extend(then.0),
-        }
+        let condition = self.tag_is(place, id, word as u64);
+        self.emit_if(condition, then, span);
         Ok(())
     }
 
