@@ -204,9 +204,7 @@ impl Lowering<'_, '_> {
         }
         self.naming_as("", |inner| {
             for (value, (name, _)) in values.iter_mut().zip(fields) {
-                if let Some(value) = value
-                    && !value.is_literal()
-                {
+                if let Some(value) = value.as_mut().filter(|value| !value.is_literal()) {
                     *value = inner.temporary(name, value.clone());
                 }
             }

@@ -12,7 +12,6 @@ use super::borrowed::{Lenders, Path};
 use super::lengths::compared;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
-use super::option_places::there;
 use super::syntax::{Writes, control_with_value, ends_in_loop};
 use super::value::Value;
 use super::{Context, Result, names, problem};
@@ -75,6 +74,11 @@ pub(super) fn takes_closures(function: &tree::Function) -> bool {
 /// The local without the marks that kept its name apart from others.
 pub(super) fn without_marks(local: Local) -> Local {
     Local { name: local.name.replace('%', ""), ..local }
+}
+
+/// The type of what a function gives, as rustc saw it.
+pub(super) fn result_of(function: &tree::Function) -> Option<&Ty> {
+    function.slots.get(function.tree.result as usize)
 }
 
 /// The elements of the slice that a type refers to.
@@ -256,6 +260,11 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// The type of an expression, as rustc saw it; none where it was not asked.
+    pub(super) fn seen_as(&self, expr: &tree::Expr) -> Option<&Ty> {
+        self.source.slots.get(expr.slot? as usize)
+    }
+
     /// The referent of the reference in a slot.
     pub(super) fn refers_to(&mut self, slot: u32, site: Site) -> Result<Type> {
         self.cx.pointee(slot_type(self.source, slot, site)?, site)
@@ -375,14 +384,11 @@ impl Lowering<'_, '_> {
             let mark = self.out.len();
             let site = match stmt {
                 tree::Stmt::Let { name, slot, value, site, mutable } => {
-                    let tried = value.as_ref().and_then(|value| self.tried_lent(value));
-                    match tried {
-                        Some((lent, otherwise)) => {
-                            let (name, slot) = (name.clone(), *slot);
-                            let name = Pattern::Name { name, slot, mutable: false, inner: None };
-                            self.take_apart(&there(name), &lent, Some(&otherwise))?;
-                        }
-                        None => self.let_stmt((name, *mutable), *slot, value.as_ref(), *site)?,
+                    let (slot, inner) = (*slot, None);
+                    let whole = Pattern::Name { name: name.clone(), slot, mutable: false, inner };
+                    let value = value.as_ref();
+                    if !value.map_or(Ok(false), |value| self.take_tried(whole, value))? {
+                        self.let_stmt((name, *mutable), slot, value, *site)?;
                     }
                     *site
                 }
@@ -392,12 +398,8 @@ impl Lowering<'_, '_> {
                     if let tree::Pattern::Name { name, slot: NO_SLOT, .. } = &**pattern {
                         self.naming.clone_from(name);
                     }
-                    match self.tried_lent(value).filter(|_| otherwise.is_none()) {
-                        Some((lent, otherwise)) => {
-                            let pattern = there((**pattern).clone());
-                            self.take_apart(&pattern, &lent, Some(&otherwise))?;
-                        }
-                        None => self.take_apart(pattern, value, otherwise.as_ref())?,
+                    if otherwise.is_some() || !self.take_tried((**pattern).clone(), value)? {
+                        self.take_apart(pattern, value, otherwise.as_ref())?;
                     }
                     self.naming = naming;
                     *site

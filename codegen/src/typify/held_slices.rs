@@ -260,11 +260,10 @@ impl Lowering<'_, '_> {
 
     /// The type of an expression, if there are slices in it.
     pub(super) fn borrowing_type(&mut self, expr: &tree::Expr) -> Option<Type> {
-        let slot = expr.slot?;
-        if !borrows(self.source.slots.get(slot as usize)?) {
+        if !borrows(self.seen_as(expr)?) {
             return None;
         }
-        self.seen(slot, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
+        self.seen(expr.slot?, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
     }
 }
 

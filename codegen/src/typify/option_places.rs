@@ -1,7 +1,7 @@
 //! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference is
 //! another name for the content.
 
-use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Ty};
+use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Pattern, Ty};
 use bessemer_ir::{Block, Fault, Place, StmtKind, StructId};
 
 use super::borrowed::is_element;
@@ -43,8 +43,7 @@ impl Lowering<'_, '_> {
 
     /// Whether an expression gives an `Option<&mut T>`.
     fn may_lend_element(&self, expr: &tree::Expr) -> bool {
-        let ty = expr.slot.and_then(|slot| self.source.slots.get(slot as usize));
-        matches!(ty, Some(Ty::Option(value)) if is_element(value))
+        matches!(self.seen_as(expr), Some(Ty::Option(value)) if is_element(value))
     }
 
     /// The `Option` that `as_mut` is called of; none if `expr` is something else.
@@ -59,18 +58,19 @@ impl Lowering<'_, '_> {
 
     /// `lent?` of an `Option` that refers to something, also behind `.ok_or(error)`: the `Option`, and how the function is
     /// left without. What is lent is taken apart where it is called.
-    pub(super) fn tried_lent(&self, tried: &tree::Expr) -> Option<(tree::Expr, tree::Block)> {
+    fn tried_lent(&self, tried: &tree::Expr) -> Option<(tree::Expr, tree::Block)> {
         let Tree::Try(label, operand) = &tried.kind else { return None };
-        let ty = |expr: &tree::Expr| self.source.slots.get(expr.slot? as usize);
-        if !ty(tried).is_some_and(refers) {
+        if !self.seen_as(tried).is_some_and(refers) {
             return None;
         }
         let plain = |kind| tree::Expr::plain(kind, tried.site);
         let Tree::Call(callee, arguments) = &operand.kind else { return None };
         let callee = self.source.callees.get(*callee as usize);
-        let (lent, case, error) = match (callee, arguments.as_slice(), ty(operand)?) {
+        let (lent, case, error) = match (callee, arguments.as_slice(), self.seen_as(operand)?) {
             // Of an `Option` and something else, core makes a `Result` in these two alone.
-            (Some(_), [lent, error], Ty::Result(..)) if matches!(ty(lent), Some(Ty::Option(_))) => {
+            (Some(_), [lent, error], Ty::Result(..))
+                if matches!(self.seen_as(lent), Some(Ty::Option(_))) =>
+            {
                 let error = match &error.kind {
                     Tree::Closure(closure) => &*closure.body,
                     _ if is_of_names(error) => error,
@@ -90,12 +90,19 @@ impl Lowering<'_, '_> {
         Some((lent.clone(), tree::Block { stmts, tail: None }))
     }
 
+    /// `let pattern = lent?;`; false if `tried` is something else.
+    pub(super) fn take_tried(&mut self, pattern: Pattern, tried: &tree::Expr) -> Result<bool> {
+        let Some((lent, otherwise)) = self.tried_lent(tried) else { return Ok(false) };
+        let there = Pattern::Constructor("Some".into(), vec![pattern]);
+        self.take_apart(&there, &lent, Some(&otherwise))?;
+        Ok(true)
+    }
+
     /// The place that `lent?` leads to; none if `tried` is something else.
     pub(super) fn tried_place(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
-        let Some((lent, otherwise)) = self.tried_lent(tried) else {
+        if !self.take_tried(Pattern::name(TRIED), tried)? {
             return self.tried_element(tried);
-        };
-        self.take_apart(&there(tree::Pattern::name(TRIED)), &lent, Some(&otherwise))?;
+        }
         let (meaning, span) = (self.lookup(TRIED, tried.site)?, self.span(tried.site));
         let mut place = self.place_of(&meaning, span);
         if let Some(place) = &mut place {
@@ -107,8 +114,7 @@ impl Lowering<'_, '_> {
     /// The element that `result?` refers to, of a `Result<&mut T, E>`; none if `tried` is something else.
     fn tried_element(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
         let Tree::Try(label, operand) = &tried.kind else { return Ok(None) };
-        let ty = operand.slot.and_then(|slot| self.source.slots.get(slot as usize));
-        if !matches!(ty, Some(Ty::Result(value, _)) if is_element(value)) {
+        if !matches!(self.seen_as(operand), Some(Ty::Result(value, _)) if is_element(value)) {
             return Ok(None);
         }
         let Some(value) = self.try_value(label.as_deref(), operand, tried.site)? else {
@@ -178,11 +184,6 @@ impl Lowering<'_, '_> {
         }
         Ok(there)
     }
-}
-
-/// `Some(pattern)`.
-pub(super) fn there(pattern: tree::Pattern) -> tree::Pattern {
-    tree::Pattern::Constructor("Some".into(), vec![pattern])
 }
 
 /// Whether a value refers to something.

@@ -201,12 +201,7 @@ impl Lowering<'_, '_> {
         if let tree::ExprKind::Tuple(parts) = &index.kind
             && let [row, col] = parts.as_slice()
         {
-            let usize = Some(Type::USIZE);
-            let indices = self.operands(&[
-                Operand { expr: row, expected: usize.clone(), role: "row" },
-                Operand { expr: col, expected: usize, role: "column" },
-            ])?;
-            let [row, col] = two(indices, index.site)?;
+            let [row, col] = self.row_and_column([row, col])?;
             return Ok(Step::Element(row, col));
         }
         let index = self.value(index, Some(&Type::USIZE))?;
@@ -220,6 +215,13 @@ impl Lowering<'_, '_> {
             }
             _ => Step::Index(index),
         })
+    }
+
+    /// The indices of a row and a column.
+    pub(super) fn row_and_column(&mut self, [row, col]: [&tree::Expr; 2]) -> Result<[Expr; 2]> {
+        let operand = |expr, role| Operand { expr, expected: Some(Type::USIZE), role };
+        let indices = self.operands(&[operand(row, "row"), operand(col, "column")])?;
+        two(indices, row.site)
     }
 
     /// The type at a place that is to be assigned, without computing its indices.

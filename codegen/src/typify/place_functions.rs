@@ -9,6 +9,7 @@ use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
 use super::expr::Call;
+use super::function::result_of;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
 use super::value::Value;
@@ -24,7 +25,7 @@ pub(super) struct Indexing<'a> {
 
 /// Whether a function lends a place, and whether to be written.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
-    match function.slots.get(function.tree.result as usize) {
+    match result_of(function) {
         Some(Ty::Ref(inner, mutable)) if !matches!(**inner, Ty::Slice(_)) => Some(*mutable),
         _ => None,
     }
@@ -130,9 +131,9 @@ impl<'a> Context<'a> {
     pub(super) fn note_lending(&mut self, functions: &[&'a tree::Function]) {
         for function in functions {
             let body = &function.tree.body;
-            let result = function.slots.get(function.tree.result as usize);
+            let holds_nothing = result_of(function).is_some_and(|ty| self.is_nothing(ty));
             let stands = match lends(function) {
-                Some(written) if !result.is_some_and(|ty| self.is_nothing(ty)) => {
+                Some(written) if !holds_nothing => {
                     (written || body.stmts.iter().all(is_named_first))
                         && !leaves(body)
                         && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
@@ -161,10 +162,9 @@ impl<'a> Context<'a> {
     fn is_place(&self, function: &tree::Function, expr: &tree::Expr) -> bool {
         match &expr.kind {
             Tree::Local(_) => true,
-            Tree::Ref(_, inner) | Tree::Deref(inner) | Tree::Field(inner, _) => {
-                self.is_place(function, inner)
+            Tree::Ref(_, of) | Tree::Deref(of) | Tree::Field(of, _) | Tree::Index(of, _) => {
+                self.is_place(function, of)
             }
-            Tree::Index(base, _) => self.is_place(function, base),
             Tree::Call(callee, _) => match function.callees.get(*callee as usize) {
                 Some(tree::Callee::Function(path)) => {
                     self.all.get(path.as_str()).copied().and_then(lends).is_some()
@@ -235,8 +235,7 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
     ) -> Result<Option<Type>> {
         let Some(function) = self.indexed_by(owner, index, site)? else { return Ok(None) };
-        let result = function.slots.get(function.tree.result as usize);
-        result.map(|ty| self.cx.pointee(ty, site)).transpose()
+        result_of(function).map(|ty| self.cx.pointee(ty, site)).transpose()
     }
 
     /// The function behind an author's own `[…]`.

@@ -10,7 +10,7 @@ use bessemer_ir::{
 };
 
 use super::expr::Call;
-use super::function::slice_of;
+use super::function::{result_of, slice_of};
 use super::lengths::{compared, divided, is_number, least, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
 use super::pattern::both;
@@ -170,9 +170,9 @@ impl Lowering<'_, '_> {
         let of_slot =
             expr.slot.is_some_and(|slot| self.slot_is_slice(slot, expr.site).unwrap_or_default());
         match &expr.kind {
-            tree::ExprKind::Call(..) if !of_slot => self.called(expr).is_some_and(|(it, _)| {
-                it.slots.get(it.tree.result as usize).and_then(slice_of).is_some()
-            }),
+            tree::ExprKind::Call(..) if !of_slot => {
+                self.called(expr).is_some_and(|(it, _)| result_of(it).and_then(slice_of).is_some())
+            }
             tree::ExprKind::Call(..) | tree::ExprKind::Try(..) | tree::ExprKind::Apply(..) => {
                 of_slot
             }

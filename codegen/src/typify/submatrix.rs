@@ -114,12 +114,12 @@ impl<'a> Lowering<'a, '_> {
 
     /// The value of a part: its elements, or a copy.
     pub(super) fn submatrix_value(&mut self, part: &Submatrix, site: Site) -> Result<Expr> {
-        let span = self.span(site);
         if part.is_large() {
-            let copy = self.part_copied("part", part, span)?;
+            let copy = self.part_copied("part", part, site)?;
             self.held.insert(copy.root);
             return Ok(copy.load());
         }
+        let span = self.span(site);
         let mut elements = Vec::new();
         for column in 0..part.cols {
             for row in 0..part.rows {
@@ -129,8 +129,13 @@ impl<'a> Lowering<'a, '_> {
         self.node(ExprKind::Matrix(elements), part.ty(), site)
     }
 
-    /// A copy of a part, in a local.
-    fn part_copied(&mut self, name: &str, part: &Submatrix, span: Span) -> Result<Place> {
+    /// A copy of a part that may be changed, in a local.
+    fn part_copied(&mut self, name: &str, part: &Submatrix, site: Site) -> Result<Place> {
+        if !part.is_large() {
+            let value = self.submatrix_value(part, site)?;
+            return Ok(self.mutable_place(name, value));
+        }
+        let span = self.span(site);
         // No compiler sees that the loop assigns all of it.
         let copy = self.mutable_place(name, self.zero(&part.ty(), span));
         self.each_of_part(part, span, |at, step| {
@@ -140,21 +145,14 @@ impl<'a> Lowering<'a, '_> {
         Ok(copy)
     }
 
-    /// A copy of a part that may be changed.
+    /// The same, of that name.
     pub(super) fn copy_of_part(
         &mut self,
         name: &str,
         part: &Submatrix,
         site: Site,
     ) -> Result<Place> {
-        self.naming_as("", |inner| {
-            if part.is_large() {
-                let span = inner.span(site);
-                return inner.part_copied(name, part, span);
-            }
-            let value = inner.submatrix_value(part, site)?;
-            Ok(inner.mutable_place(name, value))
-        })
+        self.naming_as("", |inner| inner.part_copied(name, part, site))
     }
 
     /// A call that has changed copies of parts, and these parts written back.
