@@ -518,7 +518,9 @@ impl Lowering<'_, '_> {
                 if let Some(template) = function.filter(|it| takes_closures(it)) {
                     return self.call_handing(template, arguments, expr);
                 }
-                if let Some(place) = self.lent_by(path, Call { arguments, expr })? {
+                if let Some(function) = function
+                    && let Some(place) = self.lent_by(function, Call { arguments, expr })?
+                {
                     return Ok(place.load());
                 }
                 if let Some(value) = self.shorter(path, Call { arguments, expr })? {

@@ -296,7 +296,7 @@ struct Context<'a> {
     /// Those that return references and are inlined: a reference lowers to a place, never to a pointer.
     lending: HashSet<&'a str>,
     /// The authors' own `[…]`.
-    indexing: Vec<place_functions::Indexing<'a>>,
+    indexing: Vec<(Type, &'a tree::Implied)>,
     /// Functions that are still to be made.
     waiting: HashMap<&'a str, &'a tree::Function>,
     /// Functions that are being made, each for the one before.

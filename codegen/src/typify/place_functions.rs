@@ -15,14 +15,6 @@ use super::rewrite::Placed;
 use super::value::Value;
 use super::{Context, Problem, Result, problem};
 
-/// An author's own `[…]`.
-pub(super) struct Indexing<'a> {
-    owner: Type,
-    index: &'a Ty,
-    mutable: bool,
-    function: &'a tree::Function,
-}
-
 /// Whether a function lends a place, and whether to be written.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
     match result_of(function) {
@@ -119,11 +111,9 @@ impl<'a> Context<'a> {
     /// Notes the authors' own `[…]`.
     pub(super) fn note_indexing(&mut self, it: &'a tree::Implied) {
         if let Ty::Named(path) = &it.owner
-            && let Some(owner) = self.types.get(path).cloned()
-            && let Some(function) = self.all.get(it.function.as_str()).copied()
+            && let Some(owner) = self.types.get(path)
         {
-            let (index, mutable) = (&it.other, it.of == "IndexMut");
-            self.indexing.push(Indexing { owner, index, mutable, function });
+            self.indexing.push((owner.clone(), it));
         }
     }
 
@@ -175,18 +165,13 @@ impl<'a> Context<'a> {
             _ => false,
         }
     }
-
-    /// The function that is put where it is called; none if it gives a value.
-    fn lending(&self, path: &str) -> Option<&'a tree::Function> {
-        self.lending.contains(path).then(|| self.all.get(path).copied())?
-    }
 }
 
 impl<'a> Lowering<'a, '_> {
     /// The place that a call lends; none if it gives a value.
     pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.called(expr) {
-            Some((function, arguments)) => self.lent_by(&function.path, Call { arguments, expr }),
+            Some((function, arguments)) => self.lent_by(function, Call { arguments, expr }),
             None => self.in_option(expr),
         }
     }
@@ -197,10 +182,16 @@ impl<'a> Lowering<'a, '_> {
         called.is_some_and(|(it, _)| lends(it) == Some(true) && !self.cx.lends_place(it))
     }
 
-    /// The same, of a function by its path.
-    pub(super) fn lent_by(&mut self, path: &str, call: Call<'_>) -> Result<Option<Place>> {
+    /// The same, of a function that is called.
+    pub(super) fn lent_by(
+        &mut self,
+        function: &'a tree::Function,
+        call: Call<'_>,
+    ) -> Result<Option<Place>> {
         let Call { arguments, expr } = call;
-        let Some(function) = self.cx.lending(path) else { return Ok(None) };
+        if !self.cx.lends_place(function) {
+            return Ok(None);
+        }
         let place = self.placed(function, arguments, expr.site)?;
         if let Some(slot) = expr.slot {
             let rustc = self.refers_to(slot, expr.site)?;
@@ -245,13 +236,14 @@ impl<'a> Lowering<'a, '_> {
         index: &tree::Expr,
         site: Site,
     ) -> Result<Option<&'a tree::Function>> {
-        let all = self.cx.indexing.iter().filter(|it| it.owner == *owner);
-        let all: Vec<_> = all.map(|it| (it.index, it.mutable, it.function)).collect();
-        let several = all.iter().any(|it| it.0 != all[0].0);
+        let all = self.cx.indexing.iter().filter(|(of, _)| of == owner);
+        let all: Vec<_> = all.map(|(_, it)| *it).collect();
+        let several = all.iter().any(|it| it.other != all[0].other);
         let mut found = [None, None];
-        for (of, mutable, function) in all {
-            if !several || self.is_of(index, of)? {
-                found[usize::from(mutable)].get_or_insert(function);
+        for it in all {
+            if !several || self.is_of(index, &it.other)? {
+                let known = &mut found[usize::from(it.of == "IndexMut")];
+                *known = known.or(self.cx.all.get(it.function.as_str()).copied());
             }
         }
         match found {
