@@ -7,7 +7,7 @@
 use bessemer_ir::tree::{self, Builtin, NO_SLOT, Site, SliceMethod};
 use bessemer_ir::{CompareOp, Expr, ExprKind, LogicOp, Type};
 
-use super::lengths::{compared, minus, plus, size};
+use super::lengths::{compared, minus, number, plus, size};
 use super::lowering::Lowering;
 use super::pattern::both;
 use super::syntax::is_rest;
@@ -174,18 +174,19 @@ impl Lowering<'_, '_> {
         Ok(all)
     }
 
-    /// True for the name of a slice whose length is a literal.
-    pub(super) fn is_part(&self, expr: &tree::Expr) -> bool {
-        matches!(self.meaning(expr), Some(Value::Slice(part)) if part.length.is_literal())
+    /// The slice that a name means, if its length is a literal.
+    pub(super) fn part_named(&self, expr: &tree::Expr) -> Option<Box<Slice>> {
+        match self.meaning(expr)? {
+            Value::Slice(part) if part.length.is_literal() => Some(part),
+            _ => None,
+        }
     }
 
     /// `*part`: its elements as an array.
-    pub(super) fn part_value(&mut self, part: &tree::Expr, site: Site) -> Result<Expr> {
-        let part = self.sliced(part)?;
-        let ExprKind::Literal(length) = part.length.kind else {
+    pub(super) fn part_value(&mut self, part: &Slice, site: Site) -> Result<Expr> {
+        let Some(len) = number(&part.length).and_then(|length| u32::try_from(length).ok()) else {
             return problem(site, "a slice is no value", "match what `&` refers to");
         };
-        let Ok(len) = u32::try_from(length) else { return problem(site, LENT, TAKE_APART) };
         let ty = Type::Array { element: Box::new(part.element.clone()), len };
         Ok(part.as_array(ty, self.span(site)))
     }
@@ -202,12 +203,10 @@ impl Lowering<'_, '_> {
             self.bind(name, Value::Slice(Box::new(part)));
             return Ok(());
         }
-        let ty = self.slot(slot, site)?;
-        let (Type::Array { .. }, true) = (&ty, part.length.is_literal()) else {
-            return problem(site, "a slice is no value", "match what `&` refers to");
-        };
+        let (value, ty) = (self.part_value(part, site)?, self.slot(slot, site)?);
+        self.agree(&value.ty, &ty, site)?;
         let span = self.span(site);
-        self.let_named(name, part.as_array(ty, span), span);
+        self.let_named(name, value, span);
         Ok(())
     }
 }

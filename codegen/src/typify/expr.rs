@@ -145,7 +145,9 @@ impl Lowering<'_, '_> {
             {
                 self.read(part, None)
             }
-            tree::ExprKind::Deref(part) if self.is_part(part) => self.part_value(part, site),
+            tree::ExprKind::Deref(part) if let Some(part) = self.part_named(part) => {
+                self.part_value(&part, site)
+            }
             _ if control_with_value(expr) => self.control_value(expr, expected),
             _ => match self.place(expr)? {
                 Some(place) => {
@@ -519,7 +521,7 @@ impl Lowering<'_, '_> {
                     return self.call_handing(template, arguments, expr);
                 }
                 if let Some(function) = function
-                    && let Some(place) = self.lent_by(function, Call { arguments, expr })?
+                    && let Some(place) = self.lent_by((function, arguments), expr)?
                 {
                     return Ok(place.load());
                 }

@@ -31,10 +31,9 @@ impl Lowering<'_, '_> {
                     None if self.may_lend_element(lent) => self.base(lent)?,
                     None => return Ok(None),
                 };
-                let (id, word, field) = self.held_in(&place, expr)?;
-                let (condition, span) = (self.tag_is(&place, id, word), self.span(expr.site));
-                self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
-                let held = self.part(&place, id, field);
+                let (id, word, held) = self.held_in(&place, expr)?;
+                let (there, span) = (self.tag_is(&place, id, word), self.span(expr.site));
+                self.check(there, Fault::Absent, span);
                 if by_itself { Ok(Some(held)) } else { self.element_lent(&held, expr.site) }
             }
             _ => Ok(None),
@@ -135,11 +134,11 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The struct of an `Option`, the word of `Some`, and the field of what is in it.
-    fn held_in(&mut self, place: &Place, expr: &tree::Expr) -> Result<(StructId, u64, usize)> {
+    /// The struct of an `Option`, the word of `Some`, and the place of what is in it.
+    fn held_in(&mut self, place: &Place, expr: &tree::Expr) -> Result<(StructId, u64, Place)> {
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         match self.case(id, "Some").map(|(word, case)| (word, case.field)) {
-            Some((word, Some(field))) => Ok((id, word, field as usize)),
+            Some((word, Some(field))) => Ok((id, word, self.part(place, id, field as usize))),
             _ => problem(expr.site, "there is nothing to this value", "keep a `bool`"),
         }
     }
@@ -154,23 +153,21 @@ impl Lowering<'_, '_> {
     ) -> Result<Place> {
         let unless = method != OptionMethod::Insert;
         let place = self.settled(option)?;
-        let (id, word, field) = self.held_in(&place, expr)?;
-        let (there, span) = (self.part(&place, id, field), self.span(expr.site));
-        let value = match method {
-            OptionMethod::GetOrInsertWith => None,
+        let ((id, word, there), span) = (self.held_in(&place, expr)?, self.span(expr.site));
+        // What no closure computes is computed whether it is wanted or not.
+        let given = match &given.kind {
+            Tree::Closure(it) if method == OptionMethod::GetOrInsertWith => Err(&it.body),
+            _ if method == OptionMethod::GetOrInsertWith => {
+                return problem(expr.site, "this takes a closure", "write `|| …`");
+            }
             _ => {
                 let value = self.value(given, Some(&there.ty))?;
-                // It is computed whether it is wanted or not.
                 let free = !unless || order::is_free(&value);
-                Some(if free { value } else { self.temporary("value", value) })
+                Ok(if free { value } else { self.temporary("value", value) })
             }
         };
         let Block(put) = self.scoped(|inner| {
-            let value = match (value, &given.kind) {
-                (Some(value), _) => value,
-                (None, Tree::Closure(it)) => inner.value(&it.body, Some(&there.ty))?,
-                _ => return problem(expr.site, "this takes a closure", "write `|| …`"),
-            };
+            let value = given.or_else(|body| inner.value(body, Some(&there.ty)))?;
             inner.agree(&value.ty, &there.ty, expr.site)?;
             let value = inner.choice(id, word, Some(value), expr.site)?;
             inner.emit(StmtKind::Assign { place: place.clone(), value }, span);

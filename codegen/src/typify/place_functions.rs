@@ -8,7 +8,7 @@ use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
-use super::expr::Call;
+use super::call::Called;
 use super::function::result_of;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
@@ -171,7 +171,7 @@ impl<'a> Lowering<'a, '_> {
     /// The place that a call lends; none if it gives a value.
     pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.called(expr) {
-            Some((function, arguments)) => self.lent_by(function, Call { arguments, expr }),
+            Some(called) => self.lent_by(called, expr),
             None => self.in_option(expr),
         }
     }
@@ -185,14 +185,13 @@ impl<'a> Lowering<'a, '_> {
     /// The same, of a function that is called.
     pub(super) fn lent_by(
         &mut self,
-        function: &'a tree::Function,
-        call: Call<'_>,
+        called: Called<'a, '_>,
+        expr: &tree::Expr,
     ) -> Result<Option<Place>> {
-        let Call { arguments, expr } = call;
-        if !self.cx.lends_place(function) {
+        if !self.cx.lends_place(called.0) {
             return Ok(None);
         }
-        let place = self.placed(function, arguments, expr.site)?;
+        let place = self.placed(called, expr.site)?;
         if let Some(slot) = expr.slot {
             let rustc = self.refers_to(slot, expr.site)?;
             self.agree(&place.ty, &rustc, expr.site)?;
@@ -210,7 +209,7 @@ impl<'a> Lowering<'a, '_> {
         let Some(function) = self.indexed_by(owner, operands[1], site)? else { return Ok(None) };
         let operands = operands.map(tree::Expr::clone);
         if self.cx.lends_place(function) {
-            return self.placed(function, &operands, site).map(Some);
+            return self.placed((function, &operands), site).map(Some);
         }
         let id = self.function_at(&function.path, site)?;
         let expr = tree::Expr::plain(Tree::Bool(false), site);
@@ -269,12 +268,7 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The statements of a function before the place that it returns, and the place.
-    fn placed(
-        &mut self,
-        function: &'a tree::Function,
-        arguments: &[tree::Expr],
-        site: Site,
-    ) -> Result<Place> {
+    fn placed(&mut self, (function, arguments): Called<'a, '_>, site: Site) -> Result<Place> {
         let mut bound = Vec::new();
         let mut body = function.tree.body.clone();
         for (param, argument) in function.tree.params.iter().zip(arguments) {
