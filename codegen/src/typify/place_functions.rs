@@ -76,20 +76,13 @@ fn same_meaning(one: &tree::Function, other: &tree::Function) -> bool {
 /// The names of the parts of a parameter that the body begins with taking apart, `(row, column): (usize, usize)`; then
 /// it does no longer.
 fn taken_apart(body: &mut tree::Block, name: &str, count: usize) -> Option<Vec<String>> {
-    let parts = |stmt: &tree::Stmt| match stmt {
-        tree::Stmt::Apart { pattern, value, otherwise: None, .. } => match &**pattern {
-            Pattern::Tuple(parts) if value.kind == Tree::Local(name.to_owned()) => {
-                parts.iter().map(plain_name).collect::<Option<Vec<String>>>()
-            }
-            _ => None,
-        },
-        _ => None,
+    let parts = |stmt: &tree::Stmt| {
+        let tree::Stmt::Apart { pattern, value, otherwise: None, .. } = stmt else { return None };
+        let Pattern::Tuple(parts) = &**pattern else { return None };
+        let is_it = value.kind == Tree::Local(name.to_owned()) && parts.len() == count;
+        is_it.then(|| parts.iter().map(plain_name).collect::<Option<Vec<String>>>())?
     };
-    let (at, names) =
-        body.stmts.iter().enumerate().find_map(|(at, stmt)| Some((at, parts(stmt)?)))?;
-    if names.len() != count {
-        return None;
-    }
+    let at = body.stmts.iter().position(|stmt| parts(stmt).is_some())?;
     let stmt = body.stmts.remove(at);
     let mut named = Locals::default();
     named.block(body);
@@ -97,7 +90,7 @@ fn taken_apart(body: &mut tree::Block, name: &str, count: usize) -> Option<Vec<S
         body.stmts.insert(at, stmt);
         return None;
     }
-    Some(names)
+    parts(&stmt)
 }
 
 fn plain_name(pattern: &Pattern) -> Option<String> {
