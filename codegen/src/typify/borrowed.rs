@@ -22,6 +22,9 @@ pub(super) type Spot = (Option<LocalId>, Path);
 /// Two slices in a struct that have one lender, since a function makes one a part of the other.
 pub(super) type Joined = (StructId, [Path; 2]);
 
+/// The remedy where elements are zero-sized.
+pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
+
 /// The refusal of an array of slices: each would have a lender of its own.
 pub(super) const MANY: &str = "an array or a list of slices is not in the DSL";
 pub(super) const ONE: &str = "keep their ends, an array of pairs, or a field for each slice";
@@ -143,11 +146,7 @@ impl Context<'_> {
     /// The type of the elements of a slice.
     pub(super) fn element_type(&mut self, element: &Ty, site: Site) -> Result<Type> {
         match self.value_type(element, site)? {
-            Type::Unit => problem(
-                site,
-                "a slice of what holds nothing is not in the DSL",
-                super::zero_sized::COUNT,
-            ),
+            Type::Unit => problem(site, "a slice of what holds nothing is not in the DSL", COUNT),
             element => Ok(element),
         }
     }
@@ -176,7 +175,10 @@ impl Context<'_> {
     pub(super) fn groups_in(&self, ty: &Type) -> Vec<(Vec<Path>, Borrowed)> {
         let mut groups: Vec<(Vec<Path>, Borrowed)> = Vec::new();
         for (path, borrowed) in self.slices_in(ty) {
-            let joins = |group: &(Vec<Path>, _)| group.0.iter().any(|it| self.joins(ty, it, &path));
+            let known = |both| self.joined.contains(&both);
+            let joins = |group: &(Vec<Path>, _)| {
+                group.0.iter().any(|it| self.within_one(ty, it, &path).is_some_and(known))
+            };
             let (own, rest): (Vec<_>, Vec<_>) = groups.into_iter().partition(joins);
             groups = rest;
             let mut paths: Vec<Path> = own.into_iter().flat_map(|group| group.0).collect();
@@ -185,12 +187,6 @@ impl Context<'_> {
         }
         groups.sort_by(|one, other| one.0.cmp(&other.0));
         groups
-    }
-
-    /// Whether two slices in a value of a type are known to have one lender.
-    fn joins(&self, ty: &Type, one: &[u32], other: &[u32]) -> bool {
-        let Some(both) = self.within_one(ty, one, other) else { return false };
-        self.joined.contains(&both)
     }
 
     /// Two slices in a value, as fields of the innermost struct that has both.

@@ -83,10 +83,9 @@ impl Lowering<'_, '_> {
                     M::SplitFirstChunk(_) => pair(slice(array.part(zero.clone(), begun)), behind),
                     _ => pair(before, slice(Slice { length: begun, ..array.behind(less) })),
                 };
-                let there = match length.kind {
-                    ExprKind::Literal(_) => array.has(count.into(), false, span),
-                    _ if chunk => array.has(count.into(), false, span),
-                    _ => compared(CompareOp::Gt, &length, &zero),
+                let there = match chunk || number(&length).is_some() {
+                    true => array.has(count.into(), false, span),
+                    false => compared(CompareOp::Gt, &length, &zero),
                 };
                 maybe(there, lent)
             }

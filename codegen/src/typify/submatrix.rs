@@ -138,10 +138,7 @@ impl<'a> Lowering<'a, '_> {
         let span = self.span(site);
         // No compiler sees that the loop assigns all of it.
         let copy = self.mutable_place(name, self.zero(&part.ty(), span));
-        self.each_of_part(part, span, |at, step| {
-            let place = copy.inside(step, at.ty.clone());
-            StmtKind::Assign { place, value: at.load() }
-        })?;
+        self.each_of_part(part, span, |at, step| (copy.inside(step, at.ty.clone()), at.load()))?;
         Ok(copy)
     }
 
@@ -184,41 +181,36 @@ impl<'a> Lowering<'a, '_> {
     /// Writes a part.
     pub(super) fn write_part(&mut self, part: &Submatrix, value: Expr) -> Result<()> {
         let span = value.span;
-        match value.kind {
-            ExprKind::Splat(value) => {
-                let value = self.steady(words::ELEMENT, *value);
-                self.each_of_part(part, span, |place, _| StmtKind::Assign {
-                    place,
-                    value: value.clone(),
-                })
-            }
-            _ => {
-                let place = match value.kind {
-                    ExprKind::Load(mut place) if place.root != part.matrix.root => {
-                        self.fix(&mut place);
-                        place
-                    }
-                    _ => self.temporary_place("part", value),
-                };
-                self.each_of_part(part, span, |at, step| {
-                    let value = place.inside(step, at.ty.clone()).load();
-                    StmtKind::Assign { place: at, value }
-                })
-            }
+        if let ExprKind::Splat(value) = value.kind {
+            let value = self.steady(words::ELEMENT, *value);
+            return self.each_of_part(part, span, |at, _| (at, value.clone()));
         }
+        let place = match value.kind {
+            ExprKind::Load(mut place) if place.root != part.matrix.root => {
+                self.fix(&mut place);
+                place
+            }
+            _ => self.temporary_place("part", value),
+        };
+        self.each_of_part(part, span, |at, step| {
+            let value = place.inside(step, at.ty.clone()).load();
+            (at, value)
+        })
     }
 
-    /// Does the same for each element of a part, by columns: its place, and the step to it in a matrix of its own.
+    /// Assigns what `assigned` says of each element of a part, by columns: of its place, and of the step to it in a matrix
+    /// of its own.
     fn each_of_part(
         &mut self,
         part: &Submatrix,
         span: Span,
-        element: impl Fn(Place, Step) -> StmtKind,
+        assigned: impl Fn(Place, Step) -> (Place, Expr),
     ) -> Result<()> {
         let zero = || Expr::usize(0, span);
         let emit = |walk: &mut Self, row: Expr, column: Expr| {
             let at = part.at(row.clone(), column.clone());
-            walk.emit(element(at, Step::Element(row, column)), span);
+            let (place, value) = assigned(at, Step::Element(row, column));
+            walk.emit(StmtKind::Assign { place, value }, span);
             Ok(())
         };
         let down = |walk: &mut Self, column: Expr| {

@@ -236,7 +236,7 @@ impl<'a> Context<'a> {
                     return problem(
                         site,
                         "an array of what holds nothing is not in the DSL",
-                        super::zero_sized::COUNT,
+                        super::borrowed::COUNT,
                     );
                 }
                 element if !self.slices_in(&element).is_empty() => {

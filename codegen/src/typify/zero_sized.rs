@@ -9,9 +9,6 @@ use super::lowering::Lowering;
 use super::value::{Named, Value};
 use super::{Context, Result, problem};
 
-/// The remedy where elements are zero-sized.
-pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
-
 /// An author's zero-sized type.
 pub(super) struct Nothing {
     pub name: String,
