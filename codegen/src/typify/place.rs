@@ -220,7 +220,7 @@ impl Lowering<'_, '_> {
     /// The indices of a row and a column.
     pub(super) fn row_and_column(&mut self, [row, col]: [&tree::Expr; 2]) -> Result<[Expr; 2]> {
         let operand = |expr, role| Operand { expr, expected: Some(Type::USIZE), role };
-        let indices = self.operands(&[operand(row, "row"), operand(col, "column")])?;
+        let indices = self.operands(&[operand(row, words::ROW), operand(col, words::COLUMN)])?;
         two(indices, row.site)
     }
 

@@ -76,7 +76,7 @@ impl<'a> Lowering<'a, '_> {
             Some(index) => self.steady_index(role, index),
             None => Ok(Expr::usize(0, span)),
         };
-        let (row, column) = (begins("row", row)?, begins("column", column)?);
+        let (row, column) = (begins(words::ROW, row)?, begins(words::COLUMN, column)?);
         // As nalgebra has it: the end of the view is that of the matrix at most.
         for (first, count, most) in [(&row, rows, outer.rows), (&column, cols, outer.cols)] {
             let end = plus(first.clone(), size(count, span));
@@ -214,14 +214,13 @@ impl<'a> Lowering<'a, '_> {
             Ok(())
         };
         let down = |walk: &mut Self, column: Expr| {
-            walk.each_number("row", part.rows, span, |walk, row| emit(walk, row, column))
+            walk.each_number(words::ROW, part.rows, span, |walk, row| emit(walk, row, column))
         };
         match (part.rows, part.cols) {
             (_, 1) => down(self, zero()),
-            (1, cols) => {
-                self.each_number("column", cols, span, |walk, column| emit(walk, zero(), column))
-            }
-            (_, cols) => self.each_number("column", cols, span, down),
+            (1, cols) => self
+                .each_number(words::COLUMN, cols, span, |walk, column| emit(walk, zero(), column)),
+            (_, cols) => self.each_number(words::COLUMN, cols, span, down),
         }
     }
 
