@@ -12,7 +12,7 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::visit::{self, Access, VisitMut, Walk};
 use bessemer_ir::{
-    Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Span, Step,
+    Argument, BinaryOp, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Span, Step,
     StmtKind, Type,
 };
 
@@ -376,9 +376,7 @@ impl Lowering<'_, '_> {
                 return problem(site, "whose elements these are is not known here", help);
             };
             let mut put = Put { stands, whole: lender.ty == slice.element, lender };
-            let mut body = Block(std::mem::take(&mut self.out));
-            put.block(&mut body);
-            self.out = body.0;
+            self.out.iter_mut().for_each(|stmt| put.stmt(stmt));
             // What others were given of it.
             for (.., lender) in &mut self.lenders.known {
                 put.place(lender, Access::Read);

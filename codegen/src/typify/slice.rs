@@ -167,15 +167,13 @@ impl Lowering<'_, '_> {
 
     /// Whether the value of a call, or of control flow, is a slice.
     fn gives_slice(&self, expr: &tree::Expr) -> bool {
-        let of_slot =
-            expr.slot.is_some_and(|slot| self.slot_is_slice(slot, expr.site).unwrap_or_default());
+        let of_slot = self.seen_as(expr).and_then(slice_of).is_some();
         match &expr.kind {
-            tree::ExprKind::Call(..) if !of_slot => {
-                self.called(expr).is_some_and(|(it, _)| result_of(it).and_then(slice_of).is_some())
+            tree::ExprKind::Call(..) => {
+                let called = self.called(expr).and_then(|(it, _)| result_of(it));
+                of_slot || called.and_then(slice_of).is_some()
             }
-            tree::ExprKind::Call(..) | tree::ExprKind::Try(..) | tree::ExprKind::Apply(..) => {
-                of_slot
-            }
+            tree::ExprKind::Try(..) | tree::ExprKind::Apply(..) => of_slot,
             _ => of_slot && control_with_value(expr),
         }
     }
