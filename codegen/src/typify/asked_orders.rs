@@ -116,7 +116,7 @@ impl Lowering<'_, '_> {
     /// Whether an expression can be computed before another that stands before it: it does nothing, and has no fault.
     fn is_calm(&self, expr: &tree::Expr) -> bool {
         let is_float = || {
-            let ty = expr.slot.and_then(|slot| self.source.slots.get(slot as usize));
+            let ty = self.seen_as(expr);
             matches!(ty, Some(Ty::Scalar(Scalar::Float(_))))
         };
         match &expr.kind {

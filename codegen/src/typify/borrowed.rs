@@ -6,13 +6,28 @@
 //! that goes. A function that takes such a value takes the lender of each slice in it beside it, as a slice; one that gives such
 //! a value gives slices of what it was lent.
 //!
-//! Must not know: the lenders of a function's values ([`lenders`](super::lenders)).
+//! Must not know: how the lenders of a function's values are found ([`lenders`](super::lenders)).
 
 use bessemer_ir::tree::{Site, Ty};
-use bessemer_ir::{StructId, Type};
+use bessemer_ir::{Expr, Field, LocalId, Place, Span, Step, StructId, Type};
 
-use super::regions::{Joined, Path};
-use super::{Context, Result, problem};
+use super::{Context, Problem, Result, problem};
+
+/// The fields that lead to a slice in a value; an element of an array is as any other.
+pub(super) type Path = Vec<u32>;
+
+/// Where a slice is: in a local or, without one, in the result; and the fields that lead to it there.
+pub(super) type Spot = (Option<LocalId>, Path);
+
+/// Two slices in a struct that have one lender, since a function makes one a part of the other.
+pub(super) type Joined = (StructId, [Path; 2]);
+
+/// The remedy where elements are zero-sized.
+pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
+
+/// The refusal of an array of slices: each would have a lender of its own.
+pub(super) const MANY: &str = "an array or a list of slices is not in the DSL";
+pub(super) const ONE: &str = "keep their ends, an array of pairs, or a field for each slice";
 
 /// A slice in a value.
 #[derive(Clone)]
@@ -23,6 +38,69 @@ pub(super) struct Borrowed {
     pub mutable: bool,
     /// Whether it is one element, `&mut T`.
     pub one: bool,
+}
+
+/// The slices in the locals of a function, and the arrays whose elements they are.
+#[derive(Default)]
+pub(super) struct Lenders {
+    /// The lender of each slice.
+    pub known: Vec<(Spot, Place)>,
+    /// Those of slices that are in no local yet.
+    pub made: Vec<(Expr, Place)>,
+    /// The locals that say where a slice begins and how many elements it has, which not every use asks.
+    pub taken: Vec<LocalId>,
+    /// The parameters that lend: of which other one, and of which slices in it.
+    pub lending: Vec<(LocalId, LocalId, Path)>,
+    /// What stands for those that are not known yet.
+    pub awaited: Vec<Awaited>,
+    /// Slices that were copied before their lender was known: to where, from where.
+    pub copied: Vec<(Spot, Copied)>,
+    /// How many locals are parameters.
+    pub params: usize,
+    /// What is wrong with one of them.
+    pub problem: Option<Problem>,
+}
+
+impl Lenders {
+    /// The lender of the slice at a spot.
+    pub fn of(&self, spot: &Spot) -> Option<Place> {
+        self.known.iter().find(|it| it.0 == *spot).map(|it| it.1.clone())
+    }
+}
+
+/// The slice that another one is a copy of, and where it was copied.
+pub(super) type Copied = (Spot, Span);
+
+/// A local that stands for an array until something shows which one it is.
+pub(super) struct Awaited {
+    pub stands: LocalId,
+    /// The slice, and where it is.
+    pub slice: Borrowed,
+    pub of: Spot,
+    pub site: Site,
+}
+
+/// Where the slice at a place is: the fields among its steps.
+pub(super) fn spot_of(place: &Place) -> Spot {
+    let field = |step: &Step| match step {
+        Step::Field(at) => Some(*at),
+        _ => None,
+    };
+    (Some(place.root), place.steps.iter().filter_map(field).collect())
+}
+
+/// What is known of the slices in a field, as those in its struct.
+pub(super) fn in_field<T>(at: u32, found: Vec<(Path, T)>) -> impl Iterator<Item = (Path, T)> {
+    found.into_iter().map(move |(path, known)| ([vec![at], path].concat(), known))
+}
+
+/// The struct that a type is, or an array of.
+fn struct_in(ty: &Type) -> Option<StructId> {
+    match ty {
+        Type::Array { element, .. } => struct_in(element),
+        Type::Struct(id) => Some(*id),
+        _ => None,
+    }
 }
 
 /// Whether a type is a `&mut T` of one value.
@@ -57,10 +135,7 @@ impl Context<'_> {
         if let Some(known) = self.generics.get(&ty) {
             return Ok(known.clone());
         }
-        let element = self.value_type(element, site)?;
-        if element == Type::Unit {
-            return problem(site, super::zero_sized::EMPTY_SLICE, super::zero_sized::COUNT);
-        }
+        let element = self.element_type(element, site)?;
         let id = self.borrowed_struct(&element, (mutable, one), site)?;
         self.borrowed.insert(id, Borrowed { element, mutable, one });
         self.note(&Type::Struct(id)).unequal = true;
@@ -68,11 +143,12 @@ impl Context<'_> {
         Ok(Type::Struct(id))
     }
 
-    /// Whether a function gives a slice.
-    pub(super) fn gives_slice(&self, path: &str) -> bool {
-        let function = self.all.get(path);
-        let result = function.and_then(|it| it.slots.get(it.tree.result as usize));
-        matches!(result, Some(Ty::Ref(inner, _)) if matches!(**inner, Ty::Slice(_)))
+    /// The type of the elements of a slice.
+    pub(super) fn element_type(&mut self, element: &Ty, site: Site) -> Result<Type> {
+        match self.value_type(element, site)? {
+            Type::Unit => problem(site, "a slice of what holds nothing is not in the DSL", COUNT),
+            element => Ok(element),
+        }
     }
 
     /// The slice that a type is.
@@ -85,18 +161,24 @@ impl Context<'_> {
 
     /// The slices in a value of a type.
     pub(super) fn slices_in(&self, ty: &Type) -> Vec<(Path, Borrowed)> {
-        let mut found = Vec::new();
-        if !self.borrowed.is_empty() {
-            self.find_slices(ty, &mut Vec::new(), &mut found);
+        let Some(id) = struct_in(ty).filter(|_| !self.borrowed.is_empty()) else {
+            return Vec::new();
+        };
+        if let Some(borrowed) = self.borrowed.get(&id) {
+            return vec![(Path::new(), borrowed.clone())];
         }
-        found
+        let inside = |(at, field): (u32, &Field)| in_field(at, self.slices_in(&field.ty));
+        (0..).zip(self.fields(id)).flat_map(inside).collect()
     }
 
     /// The slices in a value of a type, those together that have one lender.
     pub(super) fn groups_in(&self, ty: &Type) -> Vec<(Vec<Path>, Borrowed)> {
         let mut groups: Vec<(Vec<Path>, Borrowed)> = Vec::new();
         for (path, borrowed) in self.slices_in(ty) {
-            let joins = |group: &(Vec<Path>, _)| group.0.iter().any(|it| self.joins(ty, it, &path));
+            let known = |both| self.joined.contains(&both);
+            let joins = |group: &(Vec<Path>, _)| {
+                group.0.iter().any(|it| self.within_one(ty, it, &path).is_some_and(known))
+            };
             let (own, rest): (Vec<_>, Vec<_>) = groups.into_iter().partition(joins);
             groups = rest;
             let mut paths: Vec<Path> = own.into_iter().flat_map(|group| group.0).collect();
@@ -107,58 +189,24 @@ impl Context<'_> {
         groups
     }
 
-    /// Whether two slices in a value of a type are known to have one lender.
-    fn joins(&self, ty: &Type, one: &[u32], other: &[u32]) -> bool {
-        let Some(both) = self.within_one(ty, one, other) else { return false };
-        self.joined.contains(&both)
-    }
-
     /// Two slices in a value, as fields of the innermost struct that has both.
     pub(super) fn within_one(&self, ty: &Type, one: &[u32], other: &[u32]) -> Option<Joined> {
         let common = one.iter().zip(other).take_while(|(one, other)| one == other).count();
-        let mut ty = ty.clone();
-        for step in 0..=common {
-            while let Type::Array { element, .. } = ty {
-                ty = *element;
-            }
-            let Type::Struct(id) = ty else { return None };
-            if step == common {
-                let mut both = [one[common..].to_vec(), other[common..].to_vec()];
-                both.sort();
-                return Some((id, both));
-            }
-            let field = &self.fields(id)[one[step] as usize];
-            ty = field.ty.clone();
+        let mut id = struct_in(ty)?;
+        for at in &one[..common] {
+            id = struct_in(&self.fields(id)[*at as usize].ty)?;
         }
-        None
-    }
-
-    fn find_slices(&self, ty: &Type, path: &mut Path, found: &mut Vec<(Path, Borrowed)>) {
-        match ty {
-            Type::Array { element, .. } => self.find_slices(element, path, found),
-            Type::Struct(id) => match self.borrowed.get(id) {
-                Some(borrowed) => found.push((path.clone(), borrowed.clone())),
-                None => {
-                    for (at, field) in (0..).zip(self.fields(*id)) {
-                        path.push(at);
-                        self.find_slices(&field.ty, path, found);
-                        path.pop();
-                    }
-                }
-            },
-            _ => {}
-        }
+        let mut both = [one[common..].to_vec(), other[common..].to_vec()];
+        both.sort();
+        Some((id, both))
     }
 
     /// The name of the parameter that lends the slice at a path of another.
     pub(super) fn lender_name(&self, param: &str, ty: &Type, path: &[u32]) -> String {
         let (mut name, mut ty) = (param.to_owned(), ty);
-        for step in path {
-            while let Type::Array { element, .. } = ty {
-                ty = element;
-            }
-            let Type::Struct(id) = ty else { break };
-            let field = &self.fields(*id)[*step as usize];
+        for at in path {
+            let Some(id) = struct_in(ty) else { break };
+            let field = &self.fields(id)[*at as usize];
             name = format!("{name}_{}", field.name);
             ty = &field.ty;
         }

@@ -5,9 +5,9 @@
 //! a copy, slices become values ([`held_slices`](super::held_slices)), and what would be written is refused.
 
 use bessemer_ir::tree::{self, Builtin, NO_SLOT, Site, SliceMethod};
-use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
+use bessemer_ir::{CompareOp, Expr, ExprKind, LogicOp, Type};
 
-use super::lengths::{minus, plus};
+use super::lengths::{compared, minus, number, plus, size};
 use super::lowering::Lowering;
 use super::pattern::both;
 use super::syntax::is_rest;
@@ -26,25 +26,23 @@ impl Lowering<'_, '_> {
             None | Some((Builtin::Slice(M::Whole), _)) => {
                 return Ok(self.slice(expr)?.map(|slice| Value::Slice(Box::new(slice))));
             }
-            Some((Builtin::Slice(method), [array, at @ ..])) if lends(method) => {
+            Some((Builtin::Slice(method), [array, at @ ..])) if !NOT_LENT.contains(&method) => {
                 (method, self.sliced(array)?, at)
             }
             Some(_) => return Ok(None),
         };
         let span = self.span(expr.site);
-        let (zero, one) = (Expr::usize(0, span), Expr::usize(1, span));
+        let zero = Expr::usize(0, span);
         let slice = |slice: Slice| Value::Slice(Box::new(slice));
         let pair = |one, other| Value::Tuple(vec![one, other], None);
         let maybe = |there, lent| Value::Maybe(there, Box::new(lent));
-        let compared =
-            |op, one: &Expr, other: &Expr| Expr::compare(op, one.clone(), other.clone()).at(span);
+        let compared = |op, one: &Expr, other: &Expr| compared(op, one, other, span);
         let length = array.length.clone();
-        let has = |count: u32| array.has(count.into(), false, span);
         Ok(Some(match (method, at) {
             (M::Get | M::GetMut, [index]) => {
                 let index = self.steady_index(words::INDEX, index)?;
                 let there = compared(CompareOp::Lt, &index, &length);
-                maybe(there, Value::Place(array.at(plus(array.from.clone(), index))))
+                maybe(there, Value::Place(array.nth(index)))
             }
             (M::GetPart, [from, to]) => {
                 let from = self.steady_index(words::ENDS[0], from)?;
@@ -62,35 +60,32 @@ impl Lowering<'_, '_> {
             }
             (M::SplitAt, [at]) => {
                 let at = self.steady_index("middle", at)?;
-                let condition = compared(CompareOp::Le, &at, &length);
-                self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+                self.check_index(&at, CompareOp::Le, &length, span);
                 let behind = slice(array.behind(at.clone()));
                 pair(slice(array.part(zero, at)), behind)
             }
-            (M::SplitFirstChunk(count), _) => {
-                let begun = Expr::usize(u64::from(count), span);
-                let chunk = slice(array.part(zero.clone(), begun.clone()));
-                maybe(has(count), pair(chunk, slice(array.behind(begun))))
-            }
-            (M::SplitLastChunk(count), _) => {
-                let count_of = Expr::usize(u64::from(count), span);
-                let less = minus(length.clone(), count_of.clone());
-                let chunk = Slice { length: count_of, ..array.behind(less.clone()) };
-                maybe(has(count), pair(slice(array.part(zero.clone(), less)), slice(chunk)))
-            }
             _ => {
+                let (count, chunk) = match method {
+                    M::SplitFirstChunk(count) | M::SplitLastChunk(count) => (count, true),
+                    _ => (1, false),
+                };
+                let begun = size(count, span);
+                let less = minus(length.clone(), begun.clone());
                 let first = Value::Place(array.at(array.from.clone()));
-                let last = Value::Place(array.at(minus(array.to.clone(), one.clone())));
-                let less = minus(length.clone(), one.clone());
+                let last = Value::Place(array.at(minus(array.to.clone(), begun.clone())));
+                let behind = slice(array.behind(begun.clone()));
+                let before = slice(array.part(zero.clone(), less.clone()));
                 let lent = match method {
                     M::First | M::FirstMut => first,
                     M::Last | M::LastMut => last,
-                    M::SplitFirst => pair(first, slice(array.behind(one))),
-                    _ => pair(last, slice(array.part(zero.clone(), less))),
+                    M::SplitFirst => pair(first, behind),
+                    M::SplitLast => pair(last, before),
+                    M::SplitFirstChunk(_) => pair(slice(array.part(zero.clone(), begun)), behind),
+                    _ => pair(before, slice(Slice { length: begun, ..array.behind(less) })),
                 };
-                let there = match length.kind {
-                    ExprKind::Literal(_) => has(1),
-                    _ => compared(CompareOp::Gt, &length, &zero),
+                let there = match chunk || number(&length).is_some() {
+                    true => array.has(count.into(), false, span),
+                    false => compared(CompareOp::Gt, &length, &zero),
                 };
                 maybe(there, lent)
             }
@@ -178,20 +173,19 @@ impl Lowering<'_, '_> {
         Ok(all)
     }
 
-    /// True for the name of a slice whose length is a literal.
-    pub(super) fn is_part(&mut self, expr: &tree::Expr) -> bool {
-        let tree::ExprKind::Local(name) = &expr.kind else { return false };
-        let found = self.lookup(name, expr.site);
-        matches!(found, Ok(Value::Slice(part)) if part.length.is_literal())
+    /// The slice that a name means, if its length is a literal.
+    pub(super) fn part_named(&self, expr: &tree::Expr) -> Option<Box<Slice>> {
+        match self.meaning(expr)? {
+            Value::Slice(part) if part.length.is_literal() => Some(part),
+            _ => None,
+        }
     }
 
     /// `*part`: its elements as an array.
-    pub(super) fn part_value(&mut self, part: &tree::Expr, site: Site) -> Result<Expr> {
-        let part = self.sliced(part)?;
-        let ExprKind::Literal(length) = part.length.kind else {
+    pub(super) fn part_value(&mut self, part: &Slice, site: Site) -> Result<Expr> {
+        let Some(len) = number(&part.length).and_then(|length| u32::try_from(length).ok()) else {
             return problem(site, "a slice is no value", "match what `&` refers to");
         };
-        let Ok(len) = u32::try_from(length) else { return problem(site, LENT, TAKE_APART) };
         let ty = Type::Array { element: Box::new(part.element.clone()), len };
         Ok(part.as_array(ty, self.span(site)))
     }
@@ -208,38 +202,19 @@ impl Lowering<'_, '_> {
             self.bind(name, Value::Slice(Box::new(part)));
             return Ok(());
         }
-        let ty = self.slot(slot, site)?;
-        let (Type::Array { .. }, true) = (&ty, part.length.is_literal()) else {
-            return problem(site, "a slice is no value", "match what `&` refers to");
-        };
-        let span: Span = self.span(site);
-        let value = Some(part.as_array(ty.clone(), span));
-        let local = self.declare(name, ty, Mode::Value, span);
-        self.emit(StmtKind::Let { local, value }, span);
+        let (value, ty) = (self.part_value(part, site)?, self.slot(slot, site)?);
+        self.agree(&value.ty, &ty, site)?;
+        let span = self.span(site);
+        self.let_named(name, value, span);
         Ok(())
     }
 }
 
-/// Whether a method lends a part of its slice.
-fn lends(method: SliceMethod) -> bool {
+/// The methods that lend no part of their slice.
+const NOT_LENT: [SliceMethod; 6] = {
     use SliceMethod as M;
-    matches!(
-        method,
-        M::Get
-            | M::GetMut
-            | M::GetPart
-            | M::GetFrom
-            | M::First
-            | M::FirstMut
-            | M::Last
-            | M::LastMut
-            | M::SplitFirst
-            | M::SplitLast
-            | M::SplitFirstChunk(_)
-            | M::SplitLastChunk(_)
-            | M::SplitAt
-    )
-}
+    [M::Len, M::IsEmpty, M::CopyFrom, M::Reverse, M::ToArray, M::FirstChunk]
+};
 
 /// The refusal of a reference that is kept.
 pub(super) const LENT: &str = "what this lends is no value in the DSL";

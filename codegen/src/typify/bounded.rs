@@ -5,7 +5,6 @@ use bessemer_ir::tree;
 use bessemer_ir::{CompareOp, Expr, Fault, LogicOp, Place, Span, Step, StmtKind, Type};
 
 use super::each::Each;
-use super::expr::{Operand, two};
 use super::lengths::least;
 use super::lowering::Lowering;
 use super::value::Value;
@@ -49,16 +48,9 @@ impl Lowering<'_, '_> {
             return problem(index.site, "this takes a row and a column", remedy);
         };
         let mark = self.out.len();
-        let usize = Some(Type::USIZE);
-        let indices = self.operands(&[
-            Operand { expr: row, expected: usize.clone(), role: "row" },
-            Operand { expr: column, expected: usize, role: "column" },
-        ])?;
-        let [row, column] = two(indices, index.site)?;
+        let [row, column] = self.row_and_column([row, column])?;
         let (row, column) = (self.steady("row", row), self.steady("column", column));
-        let later = self.later(mark);
-        self.settle_place(&mut place, &later);
-        self.out.extend(later);
+        self.settle_since(mark, &mut place);
         let size = |field| place.inside(Step::Field(field), Type::USIZE).load();
         let conditions = [
             // The first two hold of every matrix, and keep a damaged one from being read beyond its end.

@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, Builtin, MatrixMethod};
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
 use super::expr::{Call, Operand};
+use super::lengths::size;
 use super::lowering::Lowering;
 use super::numbers::number;
 use super::words;
@@ -43,7 +44,7 @@ impl Lowering<'_, '_> {
             Builtin::Spatial(method) => self.spatial(method, call),
             Builtin::Parts(parts) => self.of_parts(parts, call),
             Builtin::List(method) => self.list_method(method, call),
-            Builtin::Slice(method) => self.slice_method(method, arguments, expr),
+            Builtin::Slice(method) => self.slice_method(method, call),
             Builtin::Option(method) => self.option_method(method, call),
             // It was put in its place before, if its arguments are closures.
             Builtin::Desugared(_) => {
@@ -60,9 +61,7 @@ impl Lowering<'_, '_> {
             }
             MatrixMethod::ByRows => self.by_rows(&arguments[0], expr),
             MatrixMethod::FromArray => self.exchanged_with_array(&arguments[0], expr),
-            MatrixMethod::Swizzle(axes, count) => {
-                self.swizzle(&axes[..usize::from(count)], &arguments[0], expr)
-            }
+            MatrixMethod::Swizzle(axes, count) => self.swizzle(&axes[..usize::from(count)], call),
             MatrixMethod::Part(_) => Self::moved_part(expr.site),
             MatrixMethod::New
             | MatrixMethod::Zeros
@@ -83,7 +82,7 @@ impl Lowering<'_, '_> {
             MatrixMethod::Cols => cols,
             _ => rows * cols,
         };
-        Ok(self.index_literal(u64::from(count), expr))
+        Ok(size(count, self.span(expr.site)))
     }
 
     /// `vector![a, b]`, `matrix![a, b; c, d]`.

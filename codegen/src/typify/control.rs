@@ -145,8 +145,7 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<Option<Expr>> {
         let span = self.span(site);
-        let value = self.value(operand, None)?;
-        let place = self.hold(value);
+        let place = self.held(operand)?;
         let target = self.left_by(label, site)?;
         let result = match &target {
             Target::Place(place) => place.ty.clone(),
@@ -272,8 +271,7 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
             tree::ExprKind::Call(..)
-                if self.in_option(expr)?.is_some()
-                    || self.lent_place(expr)?.is_some()
+                if self.lent_place(expr)?.is_some()
                     || self.list_effect(expr)?
                     || self.slice_effect(expr)? =>
             {

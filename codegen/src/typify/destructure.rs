@@ -82,9 +82,7 @@ impl Lowering<'_, '_> {
             (tree::Pattern::Name { name, slot, inner: None, .. }, _)
                 if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
             {
-                let slice = self.naming_as(&**name, |inner| inner.sliced(value))?;
-                let slice = self.kept_elements(slice);
-                bound.push((name.clone(), Value::Slice(Box::new(slice))));
+                bound.push((name.clone(), self.slice_for(name, value)?));
                 Ok(())
             }
             (tree::Pattern::Name { name, slot, inner: None, .. }, _)

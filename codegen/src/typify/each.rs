@@ -200,8 +200,7 @@ impl Lowering<'_, '_> {
 
     /// True if the loop goes through an `Option`.
     fn may_be_there(&mut self, of: &tree::Expr) -> bool {
-        let slot = of.slot.and_then(|slot| self.source.slots.get(slot as usize));
-        match (slot, &of.kind) {
+        match (self.seen_as(of), &of.kind) {
             (Some(Ty::Option(_)), _) => true,
             (Some(Ty::Ref(inner, _)), _) => matches!(**inner, Ty::Option(_)),
             (None, Tree::Local(_) | Tree::Field(..) | Tree::Ref(..)) => match self.place_type(of) {

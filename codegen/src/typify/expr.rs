@@ -43,9 +43,6 @@ impl Lowering<'_, '_> {
         if let Some(slice) = self.wanted_slice(expr, expected)? {
             return Ok(slice);
         }
-        if let Some(place) = self.in_option(expr)? {
-            return Ok(place.load());
-        }
         if let Some(place) = self.lent_place(expr)? {
             return Ok(place.load());
         }
@@ -148,7 +145,9 @@ impl Lowering<'_, '_> {
             {
                 self.read(part, None)
             }
-            tree::ExprKind::Deref(part) if self.is_part(part) => self.part_value(part, site),
+            tree::ExprKind::Deref(part) if let Some(part) = self.part_named(part) => {
+                self.part_value(&part, site)
+            }
             _ if control_with_value(expr) => self.control_value(expr, expected),
             _ => match self.place(expr)? {
                 Some(place) => {
@@ -521,10 +520,12 @@ impl Lowering<'_, '_> {
                 if let Some(template) = function.filter(|it| takes_closures(it)) {
                     return self.call_handing(template, arguments, expr);
                 }
-                if let Some(place) = self.lent_by(path, arguments, expr)? {
+                if let Some(function) = function
+                    && let Some(place) = self.lent_by((function, arguments), expr)?
+                {
                     return Ok(place.load());
                 }
-                if let Some(value) = self.shorter(path, arguments, expr)? {
+                if let Some(value) = self.shorter(path, Call { arguments, expr })? {
                     return Ok(value);
                 }
                 if let Some(answer) = self.order_asked(path, arguments, expr.site)? {

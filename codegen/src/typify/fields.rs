@@ -1,9 +1,10 @@
 //! Values of structs and variants: their fields in the author's order, and the rest from another value.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{Expr, ExprKind, Place, Span, Step, StmtKind, StructId, Type};
+use bessemer_ir::{Expr, ExprKind, Place, Span, StmtKind, StructId, Type};
 
 use super::expr::Operand;
+use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
 use super::syntax::numbered;
@@ -29,7 +30,18 @@ impl Lowering<'_, '_> {
         if self.cx.known_of(id).cases.is_empty() {
             return self.parts(id, fields, rest, expr);
         }
-        let (word, case) = self.named_case(id, name, expr.site)?;
+        let case = self.named_case(id, name, expr.site)?;
+        self.variant(id, case, fields, expr)
+    }
+
+    /// A variant, by its word and what it holds.
+    fn variant(
+        &mut self,
+        id: StructId,
+        (word, case): (u64, Case),
+        fields: &[(String, tree::Expr)],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
         let held = case.field.map(|field| self.cx.field_type(id, field));
         let payload = match (held, fields) {
             (Some(held), [(_, value)]) if case.single => {
@@ -58,14 +70,9 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         // Where no author wrote it, what it is for tells its type.
         if let (None, Some(Type::Struct(id))) = (expr.slot, expected)
-            && let Some((word, case)) = self.case(*id, name)
+            && let Some(case) = self.case(*id, name)
         {
-            let held = case.field.map(|field| self.cx.field_type(*id, field));
-            let payload = match (parts, held) {
-                ([part], Some(held)) => Some(self.value(part, Some(&held))?),
-                _ => None,
-            };
-            return self.choice(*id, word, payload, expr.site);
+            return self.variant(*id, case, &numbered(parts), expr);
         }
         self.struct_value(name, &numbered(parts), None, expr)
     }
@@ -118,39 +125,37 @@ impl Lowering<'_, '_> {
         rest: Option<&tree::Expr>,
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let ty = Type::Struct(id);
-        let declared = self.cx.fields(id).to_vec();
-        let at = |name: &str| match self.cx.field_at(id, name) {
-            Some(At::Field(index)) => Some(index),
-            _ => None,
-        };
-        let places: Vec<_> = fields.iter().map(|(name, _)| at(name)).collect();
         if let Some((_, moved)) = fields.iter().find(|(_, it)| self.is_submatrix(it)) {
             return Self::moved_part(moved.site);
         }
-        let operands: Vec<_> = fields
-            .iter()
-            .zip(&places)
-            .map(|((_, value), at)| Operand {
-                expr: value,
-                expected: at.map(|at| declared[at].ty.clone()),
-                role: "part",
-            })
-            .collect();
+        let declared = self.cx.fields(id).to_vec();
+        let at = |(name, _): &(String, _)| match self.cx.field_at(id, name) {
+            Some(At::Field(index)) => Some(index),
+            _ => None,
+        };
+        let places: Vec<Option<usize>> = fields.iter().map(at).collect();
+        let operands = fields.iter().zip(&places).map(|((_, expr), at)| Operand {
+            expr,
+            expected: at.map(|at| declared[at].ty.clone()),
+            role: "part",
+        });
+        let operands: Vec<_> = operands.collect();
         let before = self.locals.len();
         // In the author's order; then into the order of the definition.
-        let mut values: Vec<_> = self.operands(&operands)?.into_iter().map(Some).collect();
+        let mut values = self.operands(&operands)?;
         let rest = match rest {
             Some(rest) => Some(self.rest(&mut values, fields, rest)?),
             None => None,
         };
-        if let Some(made) = rest.as_ref().filter(|place| self.is_made(place, before)) {
-            let written = values.into_iter().zip(&places).zip(fields);
-            for ((value, at), (_, expr)) in written {
-                let (Some(value), Some(at)) = (value, at) else { continue };
-                self.agree(&value.ty, &declared[*at].ty, expr.site)?;
-                let place = made.inside(Step::Field(*at as u32), declared[*at].ty.clone());
-                let span = value.span;
+        // Where the rest is a value that was held just now, that becomes the struct.
+        let is_made = |it: &&Place| {
+            it.root.index() >= before && it.steps.is_empty() && self.held.contains(&it.root)
+        };
+        if let Some(made) = rest.as_ref().filter(is_made) {
+            for ((value, at), (_, expr)) in values.into_iter().zip(&places).zip(fields) {
+                let Some(at) = at else { continue };
+                let (place, span) = (self.part(made, id, *at), value.span);
+                self.agree(&value.ty, &place.ty, expr.site)?;
                 self.emit(StmtKind::Assign { place, value }, span);
             }
             // It is written here, so no name may stand for a part of it before.
@@ -158,50 +163,40 @@ impl Lowering<'_, '_> {
             return Ok(made.load());
         }
         // What holds nothing has been done.
-        let kept: Vec<_> = places.iter().flatten().collect();
-        let sorted = kept.is_sorted();
+        let sorted = places.iter().flatten().is_sorted();
         self.keep_order_of_fields(&mut values, sorted, rest.is_some(), fields);
         let mut ordered = Vec::new();
         for (at, field) in declared.iter().enumerate() {
-            let index = places.iter().position(|place| *place == Some(at));
-            let value = index.and_then(|index| values[index].take()).or_else(|| {
-                let step = Step::Field(at as u32);
-                Some(rest.as_ref()?.inside(step, field.ty.clone()).load())
-            });
-            let Some(value) = value else {
-                return problem(expr.site, format!("`{}` is missing", field.name), OUR_FAULT);
+            let value = match (places.iter().position(|place| *place == Some(at)), &rest) {
+                (Some(index), _) => values[index].clone(),
+                (None, Some(rest)) => self.part(rest, id, at).load(),
+                (None, None) => {
+                    return problem(expr.site, format!("`{}` is missing", field.name), OUR_FAULT);
+                }
             };
             self.agree(&value.ty, &field.ty, expr.site)?;
             ordered.push(value);
         }
-        self.node(ExprKind::Struct(ordered), ty, expr.site)
-    }
-
-    /// Whether the rest of a struct is a value that was held just now: then it becomes the struct.
-    fn is_made(&self, rest: &Place, before: usize) -> bool {
-        rest.root.index() >= before && rest.steps.is_empty() && self.held.contains(&rest.root)
+        self.node(ExprKind::Struct(ordered), Type::Struct(id), expr.site)
     }
 
     /// Computes the values of fields in the author's order, where that of the definition would show.
     fn keep_order_of_fields(
         &mut self,
-        values: &mut [Option<Expr>],
+        values: &mut [Expr],
         sorted: bool,
         rest: bool,
         fields: &[(String, tree::Expr)],
     ) {
-        let loud = values.iter().flatten().filter(|value| !is_free(value)).count();
-        let writing = values.iter().flatten().any(has_effect);
+        let loud = values.iter().filter(|value| !is_free(value)).count();
+        let writing = values.iter().any(has_effect);
         if !(loud > 1 && !sorted || writing && (!sorted || rest)) {
             return;
         }
         self.naming_as("", |inner| {
-            for (value, (name, _)) in values.iter_mut().zip(fields) {
-                if let Some(value) = value
-                    && !value.is_literal()
-                {
-                    *value = inner.temporary(name, value.clone());
-                }
+            let named = values.iter_mut().zip(fields);
+            for (value, (name, _)) in named.filter(|(value, _)| !value.is_literal()) {
+                *value = inner.temporary(name, value.clone());
             }
         });
     }
@@ -209,20 +204,16 @@ impl Lowering<'_, '_> {
     /// The place of `..base`; values that its statements could change are computed before them.
     fn rest(
         &mut self,
-        values: &mut [Option<Expr>],
+        values: &mut [Expr],
         fields: &[(String, tree::Expr)],
         rest: &tree::Expr,
     ) -> Result<Place> {
         let mark = self.out.len();
         let place = self.base(rest)?;
-        if self.out.len() > mark {
-            let later = self.out.split_off(mark);
-            let named = values.iter_mut().zip(fields);
-            let there =
-                named.filter_map(|(value, (name, _))| Some((value.as_mut()?, name.as_str())));
-            self.settle_all(there, &later);
-            self.out.extend(later);
-        }
+        let later = self.later(mark);
+        let names = fields.iter().map(|(name, _)| name.as_str());
+        self.settle_all(values.iter_mut().zip(names), &later);
+        self.out.extend(later);
         Ok(place)
     }
 }

@@ -4,14 +4,14 @@ use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
-    Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
-    StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Fault, Function, Local, LocalId, Mode, Owner, Place, Role,
+    Span, Stmt, StmtKind, Type,
 };
 
+use super::borrowed::{Lenders, Path};
+use super::lengths::compared;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
-use super::option_places::there;
-use super::regions::{Lenders, Path};
 use super::syntax::{Writes, control_with_value, ends_in_loop};
 use super::value::Value;
 use super::{Context, Result, names, problem};
@@ -76,8 +76,13 @@ pub(super) fn without_marks(local: Local) -> Local {
     Local { name: local.name.replace('%', ""), ..local }
 }
 
+/// The type of what a function gives, as rustc saw it.
+pub(super) fn result_of(function: &tree::Function) -> Option<&Ty> {
+    function.slots.get(function.tree.result as usize)
+}
+
 /// The elements of the slice that a type refers to.
-fn slice_of(ty: &Ty) -> Option<&Ty> {
+pub(super) fn slice_of(ty: &Ty) -> Option<&Ty> {
     match ty {
         Ty::Ref(inner, _) => match &**inner {
             Ty::Slice(element) => Some(element),
@@ -255,6 +260,11 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// The type of an expression, as rustc saw it; none where it was not asked.
+    pub(super) fn seen_as(&self, expr: &tree::Expr) -> Option<&Ty> {
+        self.source.slots.get(expr.slot? as usize)
+    }
+
     /// The referent of the reference in a slot.
     pub(super) fn refers_to(&mut self, slot: u32, site: Site) -> Result<Type> {
         self.cx.pointee(slot_type(self.source, slot, site)?, site)
@@ -292,6 +302,13 @@ impl Lowering<'_, '_> {
         self.locals[id.index()].mode = mode;
         self.bind(name, Value::Local(id));
         id
+    }
+
+    /// The same, with its value.
+    pub(super) fn let_named(&mut self, name: &str, value: Expr, span: Span) -> LocalId {
+        let local = self.declare(name, value.ty.clone(), Mode::Value, span);
+        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+        local
     }
 
     /// The meaning of a name, as a value.
@@ -367,14 +384,11 @@ impl Lowering<'_, '_> {
             let mark = self.out.len();
             let site = match stmt {
                 tree::Stmt::Let { name, slot, value, site, mutable } => {
-                    let tried = value.as_ref().and_then(|value| self.tried_lent(value));
-                    match tried {
-                        Some((lent, otherwise)) => {
-                            let (name, slot) = (name.clone(), *slot);
-                            let name = Pattern::Name { name, slot, mutable: false, inner: None };
-                            self.take_apart(&there(name), &lent, Some(&otherwise))?;
-                        }
-                        None => self.let_stmt((name, *mutable), *slot, value.as_ref(), *site)?,
+                    let (slot, inner) = (*slot, None);
+                    let whole = Pattern::Name { name: name.clone(), slot, mutable: false, inner };
+                    let value = value.as_ref();
+                    if !value.map_or(Ok(false), |value| self.take_tried(whole, value))? {
+                        self.let_stmt((name, *mutable), slot, value, *site)?;
                     }
                     *site
                 }
@@ -384,12 +398,8 @@ impl Lowering<'_, '_> {
                     if let tree::Pattern::Name { name, slot: NO_SLOT, .. } = &**pattern {
                         self.naming.clone_from(name);
                     }
-                    match self.tried_lent(value).filter(|_| otherwise.is_none()) {
-                        Some((lent, otherwise)) => {
-                            let pattern = there((**pattern).clone());
-                            self.take_apart(&pattern, &lent, Some(&otherwise))?;
-                        }
-                        None => self.take_apart(pattern, value, otherwise.as_ref())?,
+                    if otherwise.is_some() || !self.take_tried((**pattern).clone(), value)? {
+                        self.take_apart(pattern, value, otherwise.as_ref())?;
                     }
                     self.naming = naming;
                     *site
@@ -475,8 +485,7 @@ impl Lowering<'_, '_> {
                         self.bind(name, Value::Local(local));
                     }
                     None => {
-                        let local = self.declare(name, ty, Mode::Value, span);
-                        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+                        self.let_named(name, value, span);
                     }
                 }
             }
@@ -549,6 +558,16 @@ impl Lowering<'_, '_> {
         let done = lower(self);
         self.naming = outer;
         done
+    }
+
+    /// Emits a check of a condition.
+    pub(super) fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
+        self.emit(StmtKind::Check { condition, fault }, span);
+    }
+
+    /// The same of an index or a number of elements: how it has to compare with how many there are.
+    pub(super) fn check_index(&mut self, index: &Expr, op: CompareOp, most: &Expr, span: Span) {
+        self.check(compared(op, index, most, span), Fault::Index, span);
     }
 
     /// Emits an `if` without an `else`.

@@ -160,7 +160,7 @@ impl Context<'_> {
     fn list(&mut self, element: &Ty, n: u32, site: Site) -> Result<StructId> {
         let element = self.value_type(element, site)?;
         if !self.slices_in(&element).is_empty() {
-            return problem(site, super::regions::MANY, super::regions::ONE);
+            return problem(site, super::borrowed::MANY, super::borrowed::ONE);
         }
         if element == Type::Unit || n == 0 {
             return problem(

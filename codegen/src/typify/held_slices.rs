@@ -7,11 +7,10 @@
 
 use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
-use bessemer_ir::{Block, Expr, ExprKind, LocalId, Mode, Place, Step, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, StmtKind, StructId, Type};
 
-use super::borrowed::Borrowed;
+use super::borrowed::{Borrowed, spot_of};
 use super::lenders::{FROM, LENGTH};
-use super::lengths::plus;
 use super::lowering::{Lowering, UNNAMED};
 use super::syntax::{Writes, control_with_value, slots_of};
 use super::value::{Slice, Value};
@@ -22,31 +21,18 @@ use crate::effects;
 impl Lowering<'_, '_> {
     /// The slice at a place that is one.
     pub(super) fn slice_at(&mut self, place: Place, site: Site) -> Result<Option<Slice>> {
-        let Some((_, Borrowed { element, one, .. })) = self.cx.as_borrowed(&place.ty) else {
-            return Ok(None);
-        };
-        let (element, one) = (element.clone(), *one);
-        let base = self.lender_of(&place).unwrap_or_else(|| {
-            let help = match one {
-                true => {
-                    "keep the index in place of the reference, `Option<usize>`, or let `iter_mut().min_by_key(…)` and its like choose"
-                }
-                false => {
-                    "give the slice its first value, `&values[..0]` if need be, above this line"
-                }
-            };
-            self.awaited(&place, &element, (site, help))
-        });
+        let Some((_, borrowed)) = self.cx.as_borrowed(&place.ty) else { return Ok(None) };
+        let borrowed = borrowed.clone();
+        let base = self.lender_of(&place).unwrap_or_else(|| self.awaited(&place, &borrowed, site));
+        let Borrowed { element, one, .. } = borrowed;
         let lasting = self.is_lasting(&place);
         let part = |at: u32| place.inside(Step::Field(at), Type::USIZE).load();
         let length = if one { Expr::usize(1, place.span) } else { part(LENGTH) };
         let (mut from, mut length) = (part(FROM), length);
         if !lasting {
             // The slice stays what it is, whatever is written to the place.
-            let name = match place.steps.last() {
-                Some(Step::Field(at)) if !one => self.field_name(&place, *at),
-                _ => self.locals[place.root.index()].name.clone(),
-            };
+            let field = if one { None } else { self.field_name(&place) };
+            let name = field.unwrap_or_else(|| self.locals[place.root.index()].name.clone());
             let roles = if one { words::ENDS_OF_ONE } else { words::ENDS };
             let parts = [&mut from, &mut length].into_iter().zip(roles);
             for (part, role) in parts.filter(|(part, _)| !part.is_literal()) {
@@ -56,53 +42,15 @@ impl Lowering<'_, '_> {
                 *part = held.load();
             }
         }
-        let to = plus(from.clone(), length.clone());
-        Ok(Some(Slice { base, element, from, to, length, whole: false, within: None }))
+        Ok(Some(Slice::whole(base, element, length.clone()).part(from, length)))
     }
 
     /// The name of the field that is the last step of a place.
-    fn field_name(&self, place: &Place, at: u32) -> String {
-        let (_, outer) = place.steps.split_last().unwrap_or((&Step::Field(at), &[]));
+    fn field_name(&self, place: &Place) -> Option<String> {
+        let (Step::Field(at), outer) = place.steps.split_last()? else { return None };
         match self.type_of(place.root, outer) {
-            Type::Struct(id) => self.cx.fields(id)[at as usize].name.clone(),
-            _ => UNNAMED.into(),
-        }
-    }
-
-    /// The slice that an expression is whose value is one, other than by its syntax.
-    pub(super) fn computed_slice(&mut self, expr: &tree::Expr) -> Result<Option<Slice>> {
-        match &expr.kind {
-            tree::ExprKind::Field(..) | tree::ExprKind::Index(..) => {
-                if self.cx.borrowed.is_empty()
-                    || !self.place_type(expr).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some())
-                {
-                    return Ok(None);
-                }
-                let place = self.base(expr)?;
-                self.slice_at(place, expr.site)
-            }
-            _ if self.gives_slice(expr) => {
-                let value = self.value(expr, None)?;
-                let place = self.hold(value);
-                self.slice_at(place, expr.site)
-            }
-            _ => Ok(None),
-        }
-    }
-
-    /// Whether an expression that names no place has a slice as its value.
-    fn gives_slice(&mut self, expr: &tree::Expr) -> bool {
-        let of_slot = |inner: &Self| {
-            expr.slot.is_some_and(|slot| inner.slot_is_slice(slot, expr.site).unwrap_or_default())
-        };
-        match &expr.kind {
-            tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
-                Some(tree::Callee::Function(path)) => self.cx.gives_slice(path) || of_slot(self),
-                Some(tree::Callee::Builtin(_)) => of_slot(self),
-                None => false,
-            },
-            tree::ExprKind::Try(..) | tree::ExprKind::Apply(..) => of_slot(self),
-            _ => control_with_value(expr) && of_slot(self),
+            Type::Struct(id) => Some(self.cx.fields(id)[*at as usize].name.clone()),
+            _ => None,
         }
     }
 
@@ -112,11 +60,8 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
         expected: Option<&Type>,
     ) -> Result<Option<Expr>> {
-        let Some((id, one)) =
-            expected.and_then(|ty| self.cx.as_borrowed(ty)).map(|(id, it)| (id, it.one))
-        else {
-            return Ok(None);
-        };
+        let slice = expected.and_then(|ty| self.cx.as_borrowed(ty));
+        let Some((id, one)) = slice.map(|(id, it)| (id, it.one)) else { return Ok(None) };
         if control_with_value(expr) {
             return Ok(None);
         }
@@ -166,8 +111,7 @@ impl Lowering<'_, '_> {
         if place.ty == Type::Struct(id) {
             return Ok(place.load());
         }
-        if !matches!(self.cx.borrowed.get(&id), Some(Borrowed { element, .. }) if *element == place.ty)
-        {
+        if self.type_behind(Type::Struct(id)) != place.ty {
             return problem(site, "this is not what is lent here", OUR_FAULT);
         }
         // Rust looks at its indices here.
@@ -180,9 +124,7 @@ impl Lowering<'_, '_> {
             (Some(Step::Index(from)), Type::Array { .. } | Type::Slice(_)) => (base, from),
             _ => (place.clone(), Expr::usize(0, place.span)),
         };
-        let to = plus(from.clone(), one.clone());
-        let element = place.ty;
-        let slice = Slice { base, element, from, to, length: one, whole: false, within: None };
+        let slice = Slice::whole(base, place.ty, one.clone()).part(from, one);
         Ok(self.borrowed_value(slice, id, site))
     }
 
@@ -205,21 +147,20 @@ impl Lowering<'_, '_> {
         let parts = if one { vec![slice.from] } else { vec![slice.from, slice.length] };
         let kind = ExprKind::Struct(parts);
         let value = Expr { kind, ty: Type::Struct(id), span };
-        let known = self.lenders.made.iter().position(|(made, _)| *made == value);
-        match known.map(|at| self.lenders.made[at].1.clone()) {
+        let known = self.lenders.made.iter().find(|(made, _)| *made == value);
+        match known.map(|(_, base)| effects::same_place(base, &slice.base)) {
             None => self.lenders.made.push((value.clone(), slice.base)),
-            Some(base) if effects::same_place(&base, &slice.base) => {}
+            Some(true) => {}
             // Two that look alike are told apart by their names.
-            Some(_) => return self.named_slice(value, slice.base),
+            Some(false) => {
+                let place = self.temporary_place(UNNAMED, value);
+                let spot = spot_of(&place);
+                self.lenders.known.retain(|it| it.0 != spot);
+                self.lenders.known.push((spot, slice.base));
+                return place.load();
+            }
         }
         value
-    }
-
-    fn named_slice(&mut self, value: Expr, base: Place) -> Expr {
-        let place = self.temporary_place(UNNAMED, value);
-        self.lenders.known.retain(|it| it.0 != place.root);
-        self.lenders.known.push((place.root, Vec::new(), base));
-        place.load()
     }
 
     /// What a method lends, as a value of a type.
@@ -243,11 +184,9 @@ impl Lowering<'_, '_> {
                 let none = self.choice(*id, 0, None, site)?;
                 let place = self.temporary_place(words::FOUND, none);
                 let held = place.load();
-                let payload = self.cx.known_of(*id).cases.iter().find_map(|it| it.field);
-                let Some(payload) = payload else {
+                let Some(inner) = self.payload_type(*id, "Some") else {
                     return problem(site, "this is not an `Option`", OUR_FAULT);
                 };
-                let inner = self.cx.field_type(*id, payload);
                 let then = self.scoped(|it| {
                     let value = it.lent_value(*lent, &inner, site)?;
                     let value = it.choice(*id, 1, Some(value), site)?;
@@ -273,9 +212,8 @@ impl Lowering<'_, '_> {
         let ty = self.slot(slot, site)?;
         let local = tree::Expr::local(name, site);
         let (value, span) = (self.value(&local, Some(&ty))?, self.span(site));
-        let local = self.declare(&format!("{name}_left"), ty, Mode::Value, span);
+        let local = self.let_named(&format!("{name}_left"), value, span);
         self.bind(name, Value::Local(local));
-        self.emit(StmtKind::Let { local, value: Some(value) }, span);
         Ok(())
     }
 
@@ -292,7 +230,7 @@ impl Lowering<'_, '_> {
         // What stands where it is called knows the value by another name.
         let changed =
             !self.expanding.is_empty() || Writes::to(&local.name, &self.source.tree.body).part;
-        changed && self.is_loaned(&local.ty, &place.steps)
+        changed && self.is_loaned(place)
     }
 
     /// A slice that gets a name, of elements that stay what they are.
@@ -300,44 +238,32 @@ impl Lowering<'_, '_> {
         if !self.may_come_to_refer(&slice.base) || self.is_lasting(&slice.base) {
             return slice;
         }
-        let name = match slice.base.steps.last() {
-            Some(Step::Field(at)) => self.field_name(&slice.base, *at),
-            _ => UNNAMED.into(),
-        };
+        let name = self.field_name(&slice.base).unwrap_or_else(|| UNNAMED.into());
         let base = self.hold_copy(&name, slice.base.clone());
         Slice { base, ..slice }
     }
 
-    /// Whether a reference is on the way to a part of a value.
-    fn is_loaned(&self, ty: &Type, steps: &[Step]) -> bool {
-        let (mut ty, mut found) = (ty.clone(), false);
-        for step in steps {
-            ty = match (step, ty) {
-                (Step::Field(at), Type::Struct(id)) => {
-                    found |= self.cx.known_of(id).loans.contains(at);
-                    self.cx.field_type(id, *at)
-                }
-                (Step::Index(_), Type::Array { element, .. }) => *element,
-                (_, other) => other,
-            };
-        }
-        found
+    /// Whether a reference is on the way to what is at a place.
+    fn is_loaned(&self, place: &Place) -> bool {
+        let steps = &place.steps;
+        (0..steps.len()).any(|at| match (&steps[at], self.type_of(place.root, &steps[..at])) {
+            (Step::Field(field), Type::Struct(id)) => self.cx.known_of(id).loans.contains(field),
+            _ => false,
+        })
     }
 
     /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
     pub(super) fn is_loan(&self, place: &Place) -> bool {
-        let ty = &self.locals[place.root.index()].ty;
         let rebound = !place.steps.is_empty() && self.is_rebound_within(place.root);
-        rebound || self.is_loaned(ty, &place.steps)
+        rebound || self.is_loaned(place)
     }
 
     /// The type of an expression, if there are slices in it.
     pub(super) fn borrowing_type(&mut self, expr: &tree::Expr) -> Option<Type> {
-        let slot = expr.slot?;
-        if !borrows(self.source.slots.get(slot as usize)?) {
+        if !borrows(self.seen_as(expr)?) {
             return None;
         }
-        self.seen(slot, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
+        self.seen(expr.slot?, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
     }
 }
 

@@ -12,22 +12,23 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::visit::{self, Access, VisitMut, Walk};
 use bessemer_ir::{
-    Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Span, Step,
+    Argument, BinaryOp, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Span, Step,
     StmtKind, Type,
 };
 
-use super::borrowed::Borrowed;
+use super::borrowed::{Awaited, Borrowed, Copied, Path, Spot, in_field, spot_of};
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
-use super::regions::{Awaited, Copied, Path};
+use super::order::indices;
 use super::value::Slice;
 use super::{Problem, Result, problem};
 use crate::effects::same_place;
 
 /// The refusal of a slice with two lenders.
-const ONE_OR_OTHER: &str =
-    "this may be a part of one array or of another, which is decided at run time";
-const ONE_ARRAY: &str = "let both be parts of one array, or do what is to be done in each branch";
+const ONE_OR_OTHER: (&str, &str) = (
+    "this may be a part of one array or of another, which is decided at run time",
+    "let both be parts of one array, or do what is to be done in each branch",
+);
 
 /// The refusals of what is chosen by an index that is younger than the name.
 const CHOSEN: (&str, &str) = (
@@ -39,18 +40,25 @@ const OF_MATRIX: (&str, &str) = (
     "find where it is, and index: `if let Some(at) = m.iter().position(|x| …) { m[at] = … }`",
 );
 
+/// The refusal of a result that is a part of something else than a parameter.
+const UNNAMEABLE: (&str, &str) = (
+    "what this function gives is a part of an array that its caller cannot name",
+    "let the caller pass the array itself, and give a part of it",
+);
+
+/// The remedies where the array of a slice, or of a `&mut T`, is not known.
+const FIRST_VALUE: &str =
+    "give the slice its first value, `&values[..0]` if need be, above this line";
+const KEEP_INDEX: &str = "keep the index in place of the reference, `Option<usize>`, or let `iter_mut().min_by_key(…)` and its like choose";
+const PASS_GIVEN: &str =
+    "pass one that an array gave: `values.get_mut(i)`, `values.iter_mut().find(…)`";
+
+/// The lender of a slice or, where it is not known yet, what the slice is a copy of.
+type Lent = Result<Place, Copied>;
+
 /// The fields of the struct that a slice is in a value.
 pub(super) const FROM: u32 = 0;
 pub(super) const LENGTH: u32 = 1;
-
-/// The fields among the steps of a place.
-pub(super) fn path_of(place: &Place) -> Path {
-    let field = |step: &Step| match step {
-        Step::Field(at) => Some(*at),
-        _ => None,
-    };
-    place.steps.iter().filter_map(field).collect()
-}
 
 impl Lowering<'_, '_> {
     /// Declares the parameters that lend the slices in another one.
@@ -66,14 +74,10 @@ impl Lowering<'_, '_> {
         }
         for (paths, Borrowed { element, mutable, .. }) in groups {
             let name = self.cx.lender_name(&param.name, &ty, &paths[0]);
-            let mode = if mutable { Mode::RefMut } else { Mode::Ref };
-            let (root, ty) = (LocalId(self.locals.len() as u32), Type::Slice(Box::new(element)));
-            let length = format!("{name}_length");
-            self.locals.push(Local { name, ty: ty.clone(), mode, span });
-            self.local(length, Type::USIZE, span);
+            let root = self.slice_local(&name, element, mutable, span);
             self.lenders.lending.push((root, local, paths[0].clone()));
-            let lender = Place::local(root, ty, span);
-            let known = paths.into_iter().map(|path| (local, path, lender.clone()));
+            let lender = Place::local(root, self.locals[root.index()].ty.clone(), span);
+            let known = paths.into_iter().map(|path| ((Some(local), path), lender.clone()));
             self.lenders.known.extend(known);
         }
         Ok(())
@@ -85,17 +89,12 @@ impl Lowering<'_, '_> {
         let (Some((_, param, one)), Some((_, also, other))) = (slice(one), slice(other)) else {
             return false;
         };
-        if param != also {
-            return false;
-        }
         let ty = self.locals[param.index()].ty.clone();
-        match self.cx.within_one(&ty, &one, &other) {
-            Some(both) if !self.cx.joined.contains(&both) => {
-                self.cx.joined.push(both);
-                true
-            }
-            _ => false,
-        }
+        let both = self.cx.within_one(&ty, &one, &other);
+        let both = both.filter(|both| param == also && !self.cx.joined.contains(both));
+        let joins = both.is_some();
+        self.cx.joined.extend(both);
+        joins
     }
 
     /// All elements of the array that lends a slice.
@@ -111,133 +110,89 @@ impl Lowering<'_, '_> {
 
     /// The lender of the slice at a place.
     pub(super) fn lender_of(&self, place: &Place) -> Option<Place> {
-        self.lenders.of(place.root, &path_of(place))
+        self.lenders.of(&spot_of(place))
     }
 
     /// Follows the slices in a value to the place where a statement puts it.
     pub(super) fn follow(&mut self, stmt: &StmtKind) {
-        match stmt {
+        let ((to, at), value) = match stmt {
             StmtKind::Let { local, value } => {
-                self.lenders.known.retain(|it| it.0 != *local);
-                if let Some(value) = value {
-                    let found = self.lenders_in(value);
-                    self.lend_to(*local, &[], found, value.span);
-                    self.note_copies((Some(*local), &[]), value);
-                }
+                self.lenders.known.retain(|it| it.0.0 != Some(*local));
+                ((Some(*local), Path::new()), value.as_ref())
             }
-            StmtKind::Assign { place, value } => {
-                let found = self.lenders_in(value);
-                self.lend_to(place.root, &path_of(place), found, value.span);
-                self.note_copies((Some(place.root), &path_of(place)), value);
+            StmtKind::Assign { place, value } => (spot_of(place), Some(value)),
+            StmtKind::Return(value) => ((None, Path::new()), value.as_ref()),
+            _ => return,
+        };
+        let Some(value) = value else { return };
+        for (path, lender) in self.slices_of(value) {
+            let to = (to, [&at[..], &path].concat());
+            match lender {
+                Ok(lender) => self.lend(to, lender, value.span),
+                Err(copied) => self.lenders.copied.push((to, copied)),
             }
-            StmtKind::Return(Some(value)) => {
-                for (path, lender) in self.lenders_in(value) {
-                    self.lend_out(path, lender, value.span);
-                }
-                self.note_copies((None, &[]), value);
-            }
-            _ => {}
-        }
-    }
-
-    /// Notes the slices in a value that are copied from where their lender is not known yet.
-    fn note_copies(&mut self, (to, at): (Option<LocalId>, &[u32]), value: &Expr) {
-        if self.cx.borrowed.is_empty() {
-            return;
-        }
-        match &value.kind {
-            ExprKind::Load(place) => {
-                let path = path_of(place);
-                for (inside, _) in self.cx.slices_in(&value.ty) {
-                    let from = (place.root, [&path[..], &inside].concat());
-                    if self.lenders.of(from.0, &from.1).is_none() {
-                        let to = (to, [at, &inside].concat());
-                        self.lenders.copied.push(Copied { to, from, span: value.span });
-                    }
-                }
-            }
-            ExprKind::Struct(parts) if self.cx.as_borrowed(&value.ty).is_none() => {
-                for (field, part) in (0..).zip(parts) {
-                    self.note_copies((to, &[at, &[field]].concat()), part);
-                }
-            }
-            ExprKind::Array(items) => items.iter().for_each(|it| self.note_copies((to, at), it)),
-            ExprKind::Splat(item) => self.note_copies((to, at), item),
-            _ => {}
         }
     }
 
     /// Follows what was copied before its lender was known: both are of one array.
     pub(super) fn follow_copies(&mut self) {
-        let mut left = std::mem::take(&mut self.lenders.copied);
         loop {
-            let before = left.len();
-            for copied in std::mem::take(&mut left) {
-                let Copied { to: (to, path), from, span } = &copied;
-                match (self.lenders.of(from.0, &from.1), to) {
-                    (None, _) => left.push(copied),
-                    (Some(lender), Some(to)) => {
-                        self.lend_to(*to, &[], vec![(path.clone(), lender)], *span);
-                    }
-                    (Some(lender), None) => self.lend_out(path.clone(), lender, *span),
+            let before = self.lenders.copied.len();
+            for (to, (from, span)) in std::mem::take(&mut self.lenders.copied) {
+                match self.lenders.of(&from) {
+                    Some(lender) => self.lend(to, lender, span),
+                    None => self.lenders.copied.push((to, (from, span))),
                 }
             }
             // What is left was never given anything.
-            if left.len() == before {
+            if self.lenders.copied.len() == before {
                 return;
             }
         }
     }
 
-    /// The lenders of the slices in a value, as far as there are any.
-    fn lenders_in(&self, value: &Expr) -> Vec<(Path, Place)> {
-        if self.cx.borrowed.is_empty() || self.cx.slices_in(&value.ty).is_empty() {
+    /// The slices in a value: their lenders, or what they are copies of where it is not known yet.
+    fn slices_of(&self, value: &Expr) -> Vec<(Path, Lent)> {
+        let slices = self.cx.slices_in(&value.ty);
+        if slices.is_empty() {
             return Vec::new();
         }
-        let inside = |at: usize, found: Vec<(Path, Place)>| {
-            let at = at as u32;
-            found.into_iter().map(move |(path, it)| ([vec![at], path].concat(), it))
-        };
         match &value.kind {
             ExprKind::Load(place) => {
-                let path = path_of(place);
-                let of = |(root, known, lender): &(LocalId, Path, Place)| {
-                    let rest =
-                        known.strip_prefix(path.as_slice()).filter(|_| *root == place.root)?;
-                    Some((rest.to_vec(), lender.clone()))
+                let (root, path) = spot_of(place);
+                let of = |(inside, _): (Path, Borrowed)| {
+                    let spot = (root, [&path[..], &inside].concat());
+                    (inside, self.lenders.of(&spot).ok_or((spot, value.span)))
                 };
-                self.lenders.known.iter().filter_map(of).collect()
+                slices.into_iter().map(of).collect()
             }
             ExprKind::Struct(_) if self.cx.as_borrowed(&value.ty).is_some() => {
                 let made = self.lenders.made.iter().find(|(made, _)| made == value);
-                made.map(|(_, lender)| (Vec::new(), lender.clone())).into_iter().collect()
+                made.map(|(_, lender)| (Path::new(), Ok(lender.clone()))).into_iter().collect()
             }
             ExprKind::Struct(parts) => {
-                let parts = parts.iter().enumerate();
-                parts.flat_map(|(at, part)| inside(at, self.lenders_in(part))).collect()
+                let inside = |(at, part): (u32, &Expr)| in_field(at, self.slices_of(part));
+                (0..).zip(parts).flat_map(inside).collect()
             }
-            ExprKind::Array(items) => items.iter().flat_map(|it| self.lenders_in(it)).collect(),
-            ExprKind::Splat(item) => self.lenders_in(item),
+            ExprKind::Array(items) => items.iter().flat_map(|it| self.slices_of(it)).collect(),
+            ExprKind::Splat(item) => self.slices_of(item),
             ExprKind::Call(id, arguments) => self.lent_by_call(*id, arguments),
             _ => Vec::new(),
         }
     }
 
     /// What a call gives slices of: what it was lent.
-    fn lent_by_call(&self, id: FunctionId, arguments: &[Argument]) -> Vec<(Path, Place)> {
+    fn lent_by_call(&self, id: FunctionId, arguments: &[Argument]) -> Vec<(Path, Lent)> {
         let Some(given) = self.cx.given_back.get(&id) else { return Vec::new() };
         let mapped = |(path, lender): &(Path, Place)| {
             let of = passed_for(lender, arguments)?;
-            let mut steps = of.steps.clone();
-            if let Some(Step::From(_)) = steps.last() {
-                steps.pop();
-            }
-            steps.extend(lender.steps.iter().cloned());
-            let ty = match (&lender.ty, lender.steps.is_empty()) {
-                (Type::Slice(_), true) => self.type_of(of.root, &steps),
-                (ty, _) => ty.clone(),
+            let outer = match of.steps.split_last() {
+                Some((Step::From(_), outer)) => outer,
+                _ => &of.steps,
             };
-            Some((path.clone(), Place { root: of.root, steps, ty, span: of.span }))
+            let steps = [outer, &lender.steps].concat();
+            let ty = self.type_of(of.root, &steps);
+            Some((path.clone(), Ok(Place { root: of.root, steps, ty, span: of.span })))
         };
         given.iter().filter_map(mapped).collect()
     }
@@ -256,44 +211,22 @@ impl Lowering<'_, '_> {
         ty
     }
 
-    fn lend_to(&mut self, root: LocalId, at: &[u32], found: Vec<(Path, Place)>, span: Span) {
-        for (path, lender) in found {
-            let path = [at, path.as_slice()].concat();
-            match self.lenders.of(root, &path) {
-                Some(known) if same_place(&known, &lender) || self.join(&known, &lender) => {}
-                Some(_) => self.refuse_lender(span, ONE_OR_OTHER, ONE_ARRAY),
-                None if lender.steps.iter().any(|step| mentions_from(step, root)) => {
-                    let outer = lender.steps.split_last().map_or(&[][..], |(_, outer)| outer);
-                    let (message, help) = match self.type_of(lender.root, outer) {
-                        Type::Matrix { .. } => OF_MATRIX,
-                        _ => CHOSEN,
-                    };
-                    self.refuse_lender(span, message, help);
+    /// Notes the lender of a slice; refuses what would need a pointer.
+    fn lend(&mut self, to: Spot, lender: Place, span: Span) {
+        let of_param = lender.root.index() < self.lenders.params;
+        let (message, help) = match (to.0, self.lenders.of(&to)) {
+            (None, _) if !of_param || !indices(&lender).all(Expr::is_literal) => UNNAMEABLE,
+            (_, Some(known)) if same_place(&known, &lender) || self.join(&known, &lender) => return,
+            (_, Some(_)) => ONE_OR_OTHER,
+            (Some(root), None) if indices(&lender).any(|index| mentions_from(index, root)) => {
+                let outer = lender.steps.split_last().map_or(&[][..], |(_, outer)| outer);
+                match self.type_of(lender.root, outer) {
+                    Type::Matrix { .. } => OF_MATRIX,
+                    _ => CHOSEN,
                 }
-                None => self.lenders.known.push((root, path, lender)),
             }
-        }
-    }
-
-    /// Notes what the result has slices of.
-    fn lend_out(&mut self, path: Path, lender: Place, span: Span) {
-        let fixed = lender.steps.iter().all(super::order::is_fixed);
-        if lender.root.index() >= self.lenders.params || !fixed {
-            self.refuse_lender(
-                span,
-                "what this function gives is a part of an array that its caller cannot name",
-                "let the caller pass the array itself, and give a part of it",
-            );
-            return;
-        }
-        match self.lenders.result.iter().find(|it| it.0 == path).map(|it| it.1.clone()) {
-            Some(known) if same_place(&known, &lender) || self.join(&known, &lender) => {}
-            Some(_) => self.refuse_lender(span, ONE_OR_OTHER, ONE_ARRAY),
-            None => self.lenders.result.push((path, lender)),
-        }
-    }
-
-    fn refuse_lender(&mut self, span: Span, message: &str, help: &str) {
+            (_, None) => return self.lenders.known.push((to, lender)),
+        };
         let site = Site(span.line, span.column);
         let told = Problem { site, message: message.into(), help: help.into() };
         self.lenders.problem.get_or_insert(told);
@@ -310,45 +243,41 @@ impl Lowering<'_, '_> {
         if groups.is_empty() {
             return Ok(Vec::new());
         }
-        let known = match argument {
-            Argument::Value(value) | Argument::Ref(value) => self.lenders_in(value),
-            Argument::RefMut(place) => self.lenders_in(&place.load()),
+        let value = match argument {
+            Argument::Value(value) | Argument::Ref(value) => value,
+            Argument::RefMut(place) => &place.load(),
         };
+        let known = self.slices_of(value).into_iter();
+        let known: Vec<_> = known.filter_map(|(path, it)| Some((path, it.ok()?))).collect();
         let mut passed = Vec::new();
         for (paths, Borrowed { mutable, one, .. }) in groups {
-            let mut lenders = known.iter().filter(|it| paths.contains(&it.0)).map(|it| &it.1);
-            let lender = lenders.next().cloned();
-            if lenders.any(|it| lender.as_ref().is_some_and(|lender| !same_place(it, lender))) {
+            let lenders = known.iter().filter(|it| paths.contains(&it.0)).map(|it| &it.1);
+            let lenders: Vec<_> = lenders.collect();
+            if lenders.iter().any(|it| !same_place(it, lenders[0])) {
                 return problem(
                     site,
                     "two slices in this value are parts of two arrays, and this function makes one a part of the other",
                     "let both be parts of one array",
                 );
             }
-            let Some((lender, slice)) = lender
+            let Some((lender, slice)) = lenders
+                .first()
                 .filter(|lender| !self.stands(lender.root))
-                .and_then(|lender| Some((lender.clone(), self.all_lent(&lender)?)))
+                .and_then(|lender| Some(((*lender).clone(), self.all_lent(lender)?)))
             else {
-                let help = match one {
-                    true => {
-                        "pass one that an array gave: `values.get_mut(i)`, `values.iter_mut().find(…)`"
-                    }
-                    false => {
-                        "give the slice its first value, `&values[..0]` if need be, above this line"
-                    }
-                };
                 return problem(
                     site,
                     "whose elements this value refers to is not known here",
-                    help,
+                    if one { PASS_GIVEN } else { FIRST_VALUE },
                 );
             };
             passed.extend(slice.passed(if mutable { Mode::RefMut } else { Mode::Ref }));
             // What had no elements may have some behind the call.
             if let Argument::RefMut(place) = argument {
+                let (root, outer) = spot_of(place);
                 for path in paths.into_iter().filter(|path| known.iter().all(|it| it.0 != *path)) {
-                    let path = [path_of(place), path].concat();
-                    self.lenders.known.push((place.root, path, lender.clone()));
+                    let spot = (root, [&outer[..], &path].concat());
+                    self.lenders.known.push((spot, lender.clone()));
                 }
             }
         }
@@ -370,8 +299,7 @@ impl Lowering<'_, '_> {
         }
         let place = self.hold(call);
         for (path, from) in begun {
-            let Block(stmts) = self.scoped(|inner| inner.shift(&place, &path, &from))?;
-            self.out.extend(stmts);
+            self.shift(&place, &path, &from)?;
         }
         Ok(place.load())
     }
@@ -388,15 +316,12 @@ impl Lowering<'_, '_> {
         let Type::Struct(id) = place.ty else { return Ok(()) };
         let inner = self.part(place, id, *first as usize);
         let mut cases = self.cx.known_of(id).cases.iter();
-        let case = cases.position(|case| case.field == Some(*first));
+        let Some(word) = cases.position(|case| case.field == Some(*first)) else {
+            return self.shift(&inner, rest, by);
+        };
         let then = self.scoped(|it| it.shift(&inner, rest, by))?;
-        match case {
-            Some(word) => {
-                let condition = self.tag_is(place, id, word as u64);
-                self.emit_if(condition, then, span);
-            }
-            None => self.out.extend(then.0),
-        }
+        let condition = self.tag_is(place, id, word as u64);
+        self.emit_if(condition, then, span);
         Ok(())
     }
 
@@ -412,26 +337,24 @@ impl Lowering<'_, '_> {
         }
         match self.lenders.problem.take() {
             Some(wrong) => Err(wrong),
-            None => Ok(std::mem::take(&mut self.lenders.result)),
+            None => {
+                let all = std::mem::take(&mut self.lenders.known).into_iter();
+                let result = all.filter(|((local, _), _)| local.is_none());
+                Ok(result.map(|((_, path), lender)| (path, lender)).collect())
+            }
         }
     }
 
     /// What stands for the array whose elements the slice at a place has.
-    pub(super) fn awaited(
-        &mut self,
-        place: &Place,
-        element: &Type,
-        (site, help): (Site, &'static str),
-    ) -> Place {
-        let of = (place.root, path_of(place));
-        let ty = Type::Array { element: Box::new(element.clone()), len: u32::MAX };
+    pub(super) fn awaited(&mut self, place: &Place, slice: &Borrowed, site: Site) -> Place {
+        let of = spot_of(place);
+        let ty = Type::Array { element: Box::new(slice.element.clone()), len: u32::MAX };
         let known = self.lenders.awaited.iter().find(|it| it.of == of).map(|it| it.stands);
-        let stands = known.unwrap_or(LocalId(self.locals.len() as u32));
-        if known.is_none() {
-            self.local(UNNAMED, ty.clone(), place.span);
-            let element = element.clone();
-            self.lenders.awaited.push(Awaited { stands, element, of, site, help });
-        }
+        let stands = known.unwrap_or_else(|| {
+            let stands = self.local(UNNAMED, ty.clone(), place.span);
+            self.lenders.awaited.push(Awaited { stands, slice: slice.clone(), of, site });
+            stands
+        });
         Place::local(stands, ty, place.span)
     }
 
@@ -442,20 +365,18 @@ impl Lowering<'_, '_> {
 
     /// Puts the arrays where something stands for them.
     pub(super) fn put_awaited(&mut self) -> Result<()> {
-        for Awaited { stands, element, of, site, help } in std::mem::take(&mut self.lenders.awaited)
-        {
-            let lender = self.lenders.of(of.0, &of.1).filter(|it| it.root != stands);
+        for Awaited { stands, slice, of, site } in std::mem::take(&mut self.lenders.awaited) {
+            let lender = self.lenders.of(&of).filter(|it| it.root != stands);
             let Some(lender) = lender else {
                 // Where it was shown, and refused.
                 if let Some(told) = self.lenders.problem.take() {
                     return Err(told);
                 }
+                let help = if slice.one { KEEP_INDEX } else { FIRST_VALUE };
                 return problem(site, "whose elements these are is not known here", help);
             };
-            let mut put = Put { stands, whole: lender.ty == element, lender };
-            let mut body = Block(std::mem::take(&mut self.out));
-            put.block(&mut body);
-            self.out = body.0;
+            let mut put = Put { stands, whole: lender.ty == slice.element, lender };
+            self.out.iter_mut().for_each(|stmt| put.stmt(stmt));
             // What others were given of it.
             for (.., lender) in &mut self.lenders.known {
                 put.place(lender, Access::Read);
@@ -476,15 +397,8 @@ fn passed_for<'a>(lender: &Place, arguments: &'a [Argument]) -> Option<&'a Place
 }
 
 /// Whether an index is computed from a local as young as `root`, or younger.
-fn mentions_from(step: &Step, root: LocalId) -> bool {
-    let young = |index: &Expr| {
-        index.any_expr(|it| matches!(&it.kind, ExprKind::Load(place) if place.root >= root))
-    };
-    match step {
-        Step::Field(_) => false,
-        Step::Index(index) | Step::From(index) => young(index),
-        Step::Element(row, column) => young(row) || young(column),
-    }
+fn mentions_from(index: &Expr, root: LocalId) -> bool {
+    index.any_expr(|it| matches!(&it.kind, ExprKind::Load(place) if place.root >= root))
 }
 
 /// Puts an array in the place of what stands for it.

@@ -1,6 +1,6 @@
 //! Arithmetic of lengths and indices, shorter where a number is known.
 
-use bessemer_ir::{BinaryOp, Expr, ExprKind, Intrinsic};
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, Span};
 
 /// The number that a length is known to be.
 pub(super) fn number(expr: &Expr) -> Option<u64> {
@@ -22,6 +22,16 @@ pub(super) fn same(one: &Expr, other: &Expr) -> bool {
         }
         (one, other) => one == other,
     }
+}
+
+/// A number of elements that a type has.
+pub(super) fn size(number: u32, span: Span) -> Expr {
+    Expr::usize(u64::from(number), span)
+}
+
+/// `one < other` and the like.
+pub(super) fn compared(op: CompareOp, one: &Expr, other: &Expr, span: Span) -> Expr {
+    Expr::compare(op, one.clone(), other.clone()).at(span)
 }
 
 /// `one + other`, shorter where one of them is a number.

@@ -107,10 +107,6 @@ impl Lowering<'_, '_> {
         list.at(index)
     }
 
-    fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
-        self.emit(StmtKind::Check { condition, fault }, span);
-    }
-
     /// The value of a method of `List` that has one.
     pub(super) fn list_method(&mut self, method: ListMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;

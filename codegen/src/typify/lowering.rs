@@ -10,7 +10,7 @@ use bessemer_ir::tree;
 use bessemer_ir::{Local, LocalId, Place, Stmt, Type};
 
 use super::Context;
-use super::regions::Lenders;
+use super::borrowed::Lenders;
 use super::value::Value;
 
 /// The owner of temporaries where nothing has a name.

@@ -55,7 +55,6 @@ mod pattern;
 mod place;
 mod place_functions;
 mod ranges;
-mod regions;
 mod rewrite;
 mod seq;
 mod slice;
@@ -132,7 +131,7 @@ pub fn typify(
 type Outcome = Result<(Module, Typed), Vec<Diagnostic>>;
 
 /// What of its structs has one lender, as far as it shows; the typed module, or everything that is wrong.
-fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<regions::Joined>, Outcome) {
+fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::Joined>, Outcome) {
     for definition in &package.types {
         if let Err(problem) = cx.define(definition) {
             cx.tell(&definition.file, problem);
@@ -284,11 +283,11 @@ struct Context<'a> {
     /// The structs that stand for slices in values.
     borrowed: HashMap<StructId, borrowed::Borrowed>,
     /// The slices in structs that have one lender.
-    joined: Vec<regions::Joined>,
+    joined: Vec<borrowed::Joined>,
     /// Which parameters of functions hold nothing.
     absent: HashMap<FunctionId, Vec<bool>>,
     /// What functions give slices of: places in their parameters.
-    given_back: HashMap<FunctionId, Vec<(regions::Path, bessemer_ir::Place)>>,
+    given_back: HashMap<FunctionId, Vec<(borrowed::Path, bessemer_ir::Place)>>,
     functions: HashMap<String, FunctionId>,
     /// All functions, by their paths.
     all: HashMap<&'a str, &'a tree::Function>,
@@ -297,7 +296,7 @@ struct Context<'a> {
     /// Those that return references and are inlined: a reference lowers to a place, never to a pointer.
     lending: HashSet<&'a str>,
     /// The authors' own `[…]`.
-    indexing: Vec<place_functions::Indexing<'a>>,
+    indexing: Vec<(Type, &'a tree::Implied)>,
     /// Functions that are still to be made.
     waiting: HashMap<&'a str, &'a tree::Function>,
     /// Functions that are being made, each for the one before.

@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Place, Span};
 
 use super::lowering::Lowering;
+use super::syntax::bare;
 use super::value::Value;
 use super::{Result, problem};
 
@@ -22,6 +23,14 @@ fn is_held(expr: &tree::Expr) -> bool {
 }
 
 impl Lowering<'_, '_> {
+    /// The meaning of a name, also behind `&` and `*`; none of another expression.
+    pub(super) fn meaning(&self, expr: &tree::Expr) -> Option<Value> {
+        match &bare(expr).kind {
+            tree::ExprKind::Local(name) => self.lookup(name, expr.site).ok(),
+            _ => None,
+        }
+    }
+
     /// The place that a name means; none if it means a value, or none yet.
     pub(super) fn place_of(&self, meaning: &Value, span: Span) -> Option<Place> {
         match meaning {
@@ -57,8 +66,7 @@ impl Lowering<'_, '_> {
         };
         // What a call lends is not written while it is lent.
         if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
-            let lent = self.value(lent, None)?;
-            let place = self.hold(lent);
+            let place = self.held(lent)?;
             self.bind(name, Value::Place(place));
             return Ok(());
         }

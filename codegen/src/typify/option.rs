@@ -49,8 +49,7 @@ impl Lowering<'_, '_> {
 
     /// The place of an `Option` or a `Result`.
     fn receiver(&mut self, expr: &tree::Expr) -> Result<(Place, StructId)> {
-        let value = self.value(expr, None)?;
-        let place = self.hold(value);
+        let place = self.held(expr)?;
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         Ok((place, id))
     }
@@ -92,9 +91,7 @@ impl Lowering<'_, '_> {
                 let held = self.payload_type(id, "Some");
                 let mark = self.out.len();
                 let value = self.value(value, held.as_ref())?;
-                let later = self.later(mark);
-                self.settle_place(&mut place, &later);
-                self.out.extend(later);
+                self.settle_since(mark, &mut place);
                 if !is_free(&value) {
                     self.fix(&mut place);
                 }

@@ -1,7 +1,7 @@
 //! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference is
 //! another name for the content.
 
-use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Ty};
+use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Pattern, Ty};
 use bessemer_ir::{Block, Fault, Place, StmtKind, StructId};
 
 use super::borrowed::is_element;
@@ -31,10 +31,9 @@ impl Lowering<'_, '_> {
                     None if self.may_lend_element(lent) => self.base(lent)?,
                     None => return Ok(None),
                 };
-                let (id, word, field) = self.held_in(&place, expr)?;
-                let (condition, span) = (self.tag_is(&place, id, word), self.span(expr.site));
-                self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
-                let held = self.part(&place, id, field);
+                let (id, word, held) = self.held_in(&place, expr)?;
+                let (there, span) = (self.tag_is(&place, id, word), self.span(expr.site));
+                self.check(there, Fault::Absent, span);
                 if by_itself { Ok(Some(held)) } else { self.element_lent(&held, expr.site) }
             }
             _ => Ok(None),
@@ -43,8 +42,7 @@ impl Lowering<'_, '_> {
 
     /// Whether an expression gives an `Option<&mut T>`.
     fn may_lend_element(&self, expr: &tree::Expr) -> bool {
-        let ty = expr.slot.and_then(|slot| self.source.slots.get(slot as usize));
-        matches!(ty, Some(Ty::Option(value)) if is_element(value))
+        matches!(self.seen_as(expr), Some(Ty::Option(value)) if is_element(value))
     }
 
     /// The `Option` that `as_mut` is called of; none if `expr` is something else.
@@ -59,18 +57,19 @@ impl Lowering<'_, '_> {
 
     /// `lent?` of an `Option` that refers to something, also behind `.ok_or(error)`: the `Option`, and how the function is
     /// left without. What is lent is taken apart where it is called.
-    pub(super) fn tried_lent(&self, tried: &tree::Expr) -> Option<(tree::Expr, tree::Block)> {
+    fn tried_lent(&self, tried: &tree::Expr) -> Option<(tree::Expr, tree::Block)> {
         let Tree::Try(label, operand) = &tried.kind else { return None };
-        let ty = |expr: &tree::Expr| self.source.slots.get(expr.slot? as usize);
-        if !ty(tried).is_some_and(refers) {
+        if !self.seen_as(tried).is_some_and(refers) {
             return None;
         }
         let plain = |kind| tree::Expr::plain(kind, tried.site);
         let Tree::Call(callee, arguments) = &operand.kind else { return None };
         let callee = self.source.callees.get(*callee as usize);
-        let (lent, case, error) = match (callee, arguments.as_slice(), ty(operand)?) {
+        let (lent, case, error) = match (callee, arguments.as_slice(), self.seen_as(operand)?) {
             // Of an `Option` and something else, core makes a `Result` in these two alone.
-            (Some(_), [lent, error], Ty::Result(..)) if matches!(ty(lent), Some(Ty::Option(_))) => {
+            (Some(_), [lent, error], Ty::Result(..))
+                if matches!(self.seen_as(lent), Some(Ty::Option(_))) =>
+            {
                 let error = match &error.kind {
                     Tree::Closure(closure) => &*closure.body,
                     _ if is_of_names(error) => error,
@@ -90,12 +89,19 @@ impl Lowering<'_, '_> {
         Some((lent.clone(), tree::Block { stmts, tail: None }))
     }
 
+    /// `let pattern = lent?;`; false if `tried` is something else.
+    pub(super) fn take_tried(&mut self, pattern: Pattern, tried: &tree::Expr) -> Result<bool> {
+        let Some((lent, otherwise)) = self.tried_lent(tried) else { return Ok(false) };
+        let there = Pattern::Constructor("Some".into(), vec![pattern]);
+        self.take_apart(&there, &lent, Some(&otherwise))?;
+        Ok(true)
+    }
+
     /// The place that `lent?` leads to; none if `tried` is something else.
     pub(super) fn tried_place(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
-        let Some((lent, otherwise)) = self.tried_lent(tried) else {
+        if !self.take_tried(Pattern::name(TRIED), tried)? {
             return self.tried_element(tried);
-        };
-        self.take_apart(&there(tree::Pattern::name(TRIED)), &lent, Some(&otherwise))?;
+        }
         let (meaning, span) = (self.lookup(TRIED, tried.site)?, self.span(tried.site));
         let mut place = self.place_of(&meaning, span);
         if let Some(place) = &mut place {
@@ -107,8 +113,7 @@ impl Lowering<'_, '_> {
     /// The element that `result?` refers to, of a `Result<&mut T, E>`; none if `tried` is something else.
     fn tried_element(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
         let Tree::Try(label, operand) = &tried.kind else { return Ok(None) };
-        let ty = operand.slot.and_then(|slot| self.source.slots.get(slot as usize));
-        if !matches!(ty, Some(Ty::Result(value, _)) if is_element(value)) {
+        if !matches!(self.seen_as(operand), Some(Ty::Result(value, _)) if is_element(value)) {
             return Ok(None);
         }
         let Some(value) = self.try_value(label.as_deref(), operand, tried.site)? else {
@@ -129,11 +134,11 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The struct of an `Option`, the word of `Some`, and the field of what is in it.
-    fn held_in(&mut self, place: &Place, expr: &tree::Expr) -> Result<(StructId, u64, usize)> {
+    /// The struct of an `Option`, the word of `Some`, and the place of what is in it.
+    fn held_in(&mut self, place: &Place, expr: &tree::Expr) -> Result<(StructId, u64, Place)> {
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         match self.case(id, "Some").map(|(word, case)| (word, case.field)) {
-            Some((word, Some(field))) => Ok((id, word, field as usize)),
+            Some((word, Some(field))) => Ok((id, word, self.part(place, id, field as usize))),
             _ => problem(expr.site, "there is nothing to this value", "keep a `bool`"),
         }
     }
@@ -148,23 +153,21 @@ impl Lowering<'_, '_> {
     ) -> Result<Place> {
         let unless = method != OptionMethod::Insert;
         let place = self.settled(option)?;
-        let (id, word, field) = self.held_in(&place, expr)?;
-        let (there, span) = (self.part(&place, id, field), self.span(expr.site));
-        let value = match method {
-            OptionMethod::GetOrInsertWith => None,
+        let ((id, word, there), span) = (self.held_in(&place, expr)?, self.span(expr.site));
+        // What no closure computes is computed whether it is wanted or not.
+        let given = match &given.kind {
+            Tree::Closure(it) if method == OptionMethod::GetOrInsertWith => Err(&it.body),
+            _ if method == OptionMethod::GetOrInsertWith => {
+                return problem(expr.site, "this takes a closure", "write `|| …`");
+            }
             _ => {
                 let value = self.value(given, Some(&there.ty))?;
-                // It is computed whether it is wanted or not.
                 let free = !unless || order::is_free(&value);
-                Some(if free { value } else { self.temporary("value", value) })
+                Ok(if free { value } else { self.temporary("value", value) })
             }
         };
         let Block(put) = self.scoped(|inner| {
-            let value = match (value, &given.kind) {
-                (Some(value), _) => value,
-                (None, Tree::Closure(it)) => inner.value(&it.body, Some(&there.ty))?,
-                _ => return problem(expr.site, "this takes a closure", "write `|| …`"),
-            };
+            let value = given.or_else(|body| inner.value(body, Some(&there.ty)))?;
             inner.agree(&value.ty, &there.ty, expr.site)?;
             let value = inner.choice(id, word, Some(value), expr.site)?;
             inner.emit(StmtKind::Assign { place: place.clone(), value }, span);
@@ -178,11 +181,6 @@ impl Lowering<'_, '_> {
         }
         Ok(there)
     }
-}
-
-/// `Some(pattern)`.
-pub(super) fn there(pattern: tree::Pattern) -> tree::Pattern {
-    tree::Pattern::Constructor("Some".into(), vec![pattern])
 }
 
 /// Whether a value refers to something.

@@ -42,6 +42,13 @@ impl Lowering<'_, '_> {
         self.settle_all(indices_mut(place).map(|index| (index, words::INDEX)), later);
     }
 
+    /// The same where the statements since `mark` are those to come.
+    pub(super) fn settle_since(&mut self, mark: usize, place: &mut Place) {
+        let later = self.later(mark);
+        self.settle_place(place, &later);
+        self.out.extend(later);
+    }
+
     /// Computes now what of the arguments so far the statements to come could change.
     pub(super) fn settle_arguments(&mut self, passed: &mut [Argument], later: &[Stmt]) {
         let mut values = Vec::new();
@@ -265,7 +272,8 @@ pub(super) fn may_change_places(first: &Expr, second: &Expr) -> bool {
     stays(first, second) || stays(second, first)
 }
 
-fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
+/// The indices that lead to a place.
+pub(super) fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
     place.steps.iter().flat_map(|step| match step {
         Step::Field(_) => [None, None].into_iter().flatten(),
         Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),

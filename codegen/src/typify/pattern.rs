@@ -59,7 +59,7 @@ impl Lowering<'_, '_> {
             return Ok(lent);
         }
         // A number that is written out is of the type that rustc saw.
-        let expected = match expr.slot.and_then(|slot| self.source.slots.get(slot as usize)) {
+        let expected = match self.seen_as(expr) {
             Some(tree::Ty::Scalar(scalar)) => Some(Type::Scalar(*scalar)),
             _ => None,
         };

@@ -1,10 +1,11 @@
 //! Places: where values are held.
 
-use bessemer_ir::tree;
-use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{Expr, ExprKind, Place, Span, Step, Type};
 
 use super::expr::{Operand, two};
 use super::lowering::{Lowering, RESULT, UNNAMED};
+use super::syntax::bare;
 use super::words;
 use super::zero_sized::At;
 use super::{Result, problem};
@@ -27,6 +28,7 @@ fn by_name(name: &str) -> Option<(u64, u64)> {
 impl Lowering<'_, '_> {
     /// The place that `expr` names; none if it is a value.
     pub(super) fn place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
+        let expr = bare(expr);
         let span = self.span(expr.site);
         if self.holds_nothing(expr) {
             return Ok(None);
@@ -37,17 +39,12 @@ impl Lowering<'_, '_> {
                 let place = self.place_of(&meaning, span);
                 place.map(|place| self.followed(place, expr.site)).transpose()
             }
-            tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
-            tree::ExprKind::Call(..) => match self.in_option(expr)? {
-                Some(place) => Ok(Some(place)),
-                None => match self.lent_place(expr)? {
-                    None if self.gives_element(expr) => {
-                        let value = self.value(expr, None)?;
-                        let held = self.hold(value);
-                        self.element_lent(&held, expr.site)
-                    }
-                    place => Ok(place),
-                },
+            tree::ExprKind::Call(..) => match self.lent_place(expr)? {
+                None if self.gives_element(expr) => {
+                    let held = self.held(expr)?;
+                    self.element_lent(&held, expr.site)
+                }
+                place => Ok(place),
             },
             tree::ExprKind::Try(..) => self.tried_place(expr),
             tree::ExprKind::Field(_, name) if name == "coords" && self.in_coords(expr)? => Ok(None),
@@ -59,7 +56,13 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Field(base, name) => {
                 let base = self.base(base)?;
-                let place = self.field(base, name, expr)?;
+                let place = match is_whole(&base.ty, name) {
+                    true => base,
+                    false => {
+                        let (step, ty) = self.field_step(&base.ty, name, expr)?;
+                        Place { span, ..base.inside(step, ty) }
+                    }
+                };
                 self.followed(place, expr.site).map(Some)
             }
             tree::ExprKind::Index(base, index) => {
@@ -76,7 +79,7 @@ impl Lowering<'_, '_> {
                     return Ok(Some(place));
                 }
                 let base = self.base(base)?;
-                self.element(base, index, expr).map(Some)
+                self.element(base, index, span).map(Some)
             }
             _ => Ok(None),
         }
@@ -84,9 +87,14 @@ impl Lowering<'_, '_> {
 
     /// The subject that is taken apart: a place, or a value held in a temporary.
     pub(super) fn base(&mut self, expr: &tree::Expr) -> Result<Place> {
-        if let Some(place) = self.place(expr)? {
-            return Ok(place);
+        match self.place(expr)? {
+            Some(place) => Ok(place),
+            None => self.held(expr),
         }
+    }
+
+    /// The place of the value of an expression.
+    pub(super) fn held(&mut self, expr: &tree::Expr) -> Result<Place> {
         let value = self.value(expr, None)?;
         Ok(self.hold(value))
     }
@@ -98,14 +106,13 @@ impl Lowering<'_, '_> {
             return place;
         }
         let known = self.cx.known(&value.ty);
-        let role = match &value.ty {
-            Type::Struct(id)
-                if let Type::Struct(of) = self.type_behind(value.ty.clone())
-                    && of != *id =>
-            {
-                super::names::role(&self.cx.module.structs[of.index()].name)
-            }
-            Type::Struct(id) if known.shown.is_some() && !self.cx.borrowed.contains_key(id) => {
+        let borrowed = self.cx.as_borrowed(&value.ty).is_some();
+        let named = match self.type_behind(value.ty.clone()) {
+            behind @ Type::Struct(_) => behind,
+            _ => value.ty.clone(),
+        };
+        let role = match &named {
+            Type::Struct(_) if known.shown.is_some() && !borrowed => {
                 match known.cases.first().map(|case| case.name.as_str()) {
                     Some("None") => words::OPTION.into(),
                     Some("Err") => words::OUTCOME.into(),
@@ -125,17 +132,6 @@ impl Lowering<'_, '_> {
         self.naming_as(naming, |inner| inner.temporary_place(&role, value))
     }
 
-    fn field(&mut self, mut base: Place, name: &str, expr: &tree::Expr) -> Result<Place> {
-        if is_whole(&base.ty, name) {
-            return Ok(base);
-        }
-        let (step, ty) = self.field_step(&base.ty, name, expr)?;
-        base.steps.push(step);
-        base.ty = ty;
-        base.span = self.span(expr.site);
-        Ok(base)
-    }
-
     fn field_step(&mut self, base: &Type, name: &str, expr: &tree::Expr) -> Result<(Step, Type)> {
         match base {
             Type::Struct(id) => {
@@ -145,18 +141,14 @@ impl Lowering<'_, '_> {
                 }
             }
             Type::Matrix { element, rows, cols } => {
-                if let Some((row, col)) = by_name(name).filter(|(row, col)| {
-                    *cols > 1 && *row < u64::from(*rows) && *col < u64::from(*cols)
-                }) {
-                    let (row, col) = (self.index_literal(row, expr), self.index_literal(col, expr));
+                let (rows, cols) = (u64::from(*rows), u64::from(*cols));
+                let axis = (0..).zip(["x", "y", "z", "w", "a", "b"]).find(|(_, it)| *it == name);
+                let axis = axis.filter(|_| rows == 1 || cols == 1);
+                let axis = axis.map(|(at, _)| if cols == 1 { (at, 0) } else { (0, at) });
+                let at = by_name(name).filter(|_| cols > 1).or(axis);
+                if let Some((row, col)) = at.filter(|(row, col)| *row < rows && *col < cols) {
+                    let [row, col] = [row, col].map(|at| Expr::usize(at, self.span(expr.site)));
                     return Ok((Step::Element(row, col), Type::Scalar(*element)));
-                }
-                let place = ["x", "y", "z", "w", "a", "b"].iter().position(|axis| *axis == name);
-                let place = place.filter(|place| (*place as u32) < rows * cols);
-                if let (Some(place), true) = (place, *rows == 1 || *cols == 1) {
-                    let (row, col) = if *cols == 1 { (place, 0) } else { (0, place) };
-                    let mut index = |at: usize| self.index_literal(at as u64, expr);
-                    return Ok((Step::Element(index(row), index(col)), Type::Scalar(*element)));
                 }
             }
             _ => {}
@@ -164,7 +156,7 @@ impl Lowering<'_, '_> {
         problem(expr.site, format!("`{name}` is not a field that the DSL knows"), "use an index")
     }
 
-    fn element(&mut self, mut base: Place, index: &tree::Expr, expr: &tree::Expr) -> Result<Place> {
+    fn element(&mut self, mut base: Place, index: &tree::Expr, span: Span) -> Result<Place> {
         let mark = self.out.len();
         let (mut step, ty) = match base.ty.clone() {
             Type::Array { element, .. } => {
@@ -172,24 +164,20 @@ impl Lowering<'_, '_> {
                 (Step::Index(index), *element)
             }
             Type::Matrix { element, rows, cols } => {
-                (self.matrix_step(index, rows, cols, expr)?, Type::Scalar(element))
+                (self.matrix_step(index, rows, cols, span)?, Type::Scalar(element))
             }
             ref bounded if self.bounded_type(bounded).is_some() => {
-                let span = self.span(expr.site);
                 return self.bounded_element(base, index, span);
             }
             ref list if self.list_type(list).is_some() => {
                 let index = self.value(index, Some(&Type::USIZE))?;
-                let later = self.later(mark);
-                self.settle_place(&mut base, &later);
-                self.out.extend(later);
+                self.settle_since(mark, &mut base);
                 self.keep_indices(&mut base, |index| !index.is_literal());
-                let span = self.span(expr.site);
                 return Ok(self.list_element(base, index, span));
             }
             _ => {
                 return problem(
-                    expr.site,
+                    Site(span.line, span.column),
                     "only arrays, matrices and vectors have elements in the DSL",
                     "use `[T; N]`, or a vector",
                 );
@@ -199,13 +187,8 @@ impl Lowering<'_, '_> {
         if !effects::lent_by_step(&step).is_empty() {
             self.keep_indices_of(&mut step, |index| !index.is_literal());
         }
-        let later = self.later(mark);
-        self.settle_place(&mut base, &later);
-        self.out.extend(later);
-        base.steps.push(step);
-        base.ty = ty;
-        base.span = self.span(expr.site);
-        Ok(base)
+        self.settle_since(mark, &mut base);
+        Ok(Place { span, ..base.inside(step, ty) })
     }
 
     pub(super) fn matrix_step(
@@ -213,38 +196,32 @@ impl Lowering<'_, '_> {
         index: &tree::Expr,
         rows: u32,
         cols: u32,
-        expr: &tree::Expr,
+        span: Span,
     ) -> Result<Step> {
         if let tree::ExprKind::Tuple(parts) = &index.kind
             && let [row, col] = parts.as_slice()
         {
-            let usize = Some(Type::USIZE);
-            let indices = self.operands(&[
-                Operand { expr: row, expected: usize.clone(), role: "row" },
-                Operand { expr: col, expected: usize, role: "column" },
-            ])?;
-            let [row, col] = two(indices, expr.site)?;
+            let [row, col] = self.row_and_column([row, col])?;
             return Ok(Step::Element(row, col));
         }
         let index = self.value(index, Some(&Type::USIZE))?;
-        if cols == 1 {
-            return Ok(Step::Element(index, self.index_literal(0, expr)));
-        }
-        if rows == 1 {
-            return Ok(Step::Element(self.index_literal(0, expr), index));
-        }
-        match index.kind {
-            ExprKind::Literal(word) => {
-                let (row, col) = (word % u64::from(rows), word / u64::from(rows));
-                Ok(Step::Element(self.index_literal(row, expr), self.index_literal(col, expr)))
+        let number = |number: u64| Expr::usize(number, span);
+        Ok(match (rows, cols, &index.kind) {
+            (_, 1, _) => Step::Element(index, number(0)),
+            (1, ..) => Step::Element(number(0), index),
+            (rows, _, ExprKind::Literal(word)) => {
+                let rows = u64::from(rows);
+                Step::Element(number(word % rows), number(word / rows))
             }
-            _ => Ok(Step::Index(index)),
-        }
+            _ => Step::Index(index),
+        })
     }
 
-    pub(super) fn index_literal(&mut self, word: u64, expr: &tree::Expr) -> Expr {
-        let span = self.span(expr.site);
-        Expr::literal(word, Type::Scalar(Scalar::Int(Int::Usize)), span)
+    /// The indices of a row and a column.
+    pub(super) fn row_and_column(&mut self, [row, col]: [&tree::Expr; 2]) -> Result<[Expr; 2]> {
+        let operand = |expr, role| Operand { expr, expected: Some(Type::USIZE), role };
+        let indices = self.operands(&[operand(row, words::ROW), operand(col, words::COLUMN)])?;
+        two(indices, row.site)
     }
 
     /// The type at a place that is to be assigned, without computing its indices.

@@ -8,22 +8,16 @@ use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
+use super::call::Called;
+use super::function::result_of;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
 use super::value::Value;
 use super::{Context, Problem, Result, problem};
 
-/// An author's own `[…]`.
-pub(super) struct Indexing<'a> {
-    owner: Type,
-    index: &'a Ty,
-    mutable: bool,
-    path: &'a str,
-}
-
 /// Whether a function lends a place, and whether to be written.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
-    match function.slots.get(function.tree.result as usize) {
+    match result_of(function) {
         Some(Ty::Ref(inner, mutable)) if !matches!(**inner, Ty::Slice(_)) => Some(*mutable),
         _ => None,
     }
@@ -41,6 +35,16 @@ fn leaves(body: &tree::Block) -> bool {
     let mut found = Leaves(false);
     found.block(body);
     found.0
+}
+
+/// Whether a statement names what the place is made of: the place is the same whatever the values are, and nothing is done
+/// before that needs a function.
+fn is_named_first(stmt: &tree::Stmt) -> bool {
+    match stmt {
+        tree::Stmt::Let { .. } => true,
+        tree::Stmt::Apart { otherwise, .. } => otherwise.is_none(),
+        tree::Stmt::Expr(expr) => matches!(expr.kind, Tree::Assert(..)),
+    }
 }
 
 /// Lends to be read what is lent to be written.
@@ -72,20 +76,13 @@ fn same_meaning(one: &tree::Function, other: &tree::Function) -> bool {
 /// The names of the parts of a parameter that the body begins with taking apart, `(row, column): (usize, usize)`; then
 /// it does no longer.
 fn taken_apart(body: &mut tree::Block, name: &str, count: usize) -> Option<Vec<String>> {
-    let parts = |stmt: &tree::Stmt| match stmt {
-        tree::Stmt::Apart { pattern, value, otherwise: None, .. } => match &**pattern {
-            Pattern::Tuple(parts) if value.kind == Tree::Local(name.to_owned()) => {
-                parts.iter().map(plain_name).collect::<Option<Vec<String>>>()
-            }
-            _ => None,
-        },
-        _ => None,
+    let parts = |stmt: &tree::Stmt| {
+        let tree::Stmt::Apart { pattern, value, otherwise: None, .. } = stmt else { return None };
+        let Pattern::Tuple(parts) = &**pattern else { return None };
+        let is_it = value.kind == Tree::Local(name.to_owned()) && parts.len() == count;
+        is_it.then(|| parts.iter().map(plain_name).collect::<Option<Vec<String>>>())?
     };
-    let (at, names) =
-        body.stmts.iter().enumerate().find_map(|(at, stmt)| Some((at, parts(stmt)?)))?;
-    if names.len() != count {
-        return None;
-    }
+    let at = body.stmts.iter().position(|stmt| parts(stmt).is_some())?;
     let stmt = body.stmts.remove(at);
     let mut named = Locals::default();
     named.block(body);
@@ -93,7 +90,7 @@ fn taken_apart(body: &mut tree::Block, name: &str, count: usize) -> Option<Vec<S
         body.stmts.insert(at, stmt);
         return None;
     }
-    Some(names)
+    parts(&stmt)
 }
 
 fn plain_name(pattern: &Pattern) -> Option<String> {
@@ -107,28 +104,24 @@ impl<'a> Context<'a> {
     /// Notes the authors' own `[…]`.
     pub(super) fn note_indexing(&mut self, it: &'a tree::Implied) {
         if let Ty::Named(path) = &it.owner
-            && let Some(owner) = self.types.get(path).cloned()
+            && let Some(owner) = self.types.get(path)
         {
-            let (index, mutable, path) = (&it.other, it.of == "IndexMut", it.function.as_str());
-            self.indexing.push(Indexing { owner, index, mutable, path });
+            self.indexing.push((owner.clone(), it));
         }
     }
 
     /// Notes the functions of which the place stands where they are called.
     pub(super) fn note_lending(&mut self, functions: &[&'a tree::Function]) {
-        let lends_more = |it: &&&tree::Function| {
-            it.slots.get(it.tree.result as usize).is_some_and(|ty| !self.is_nothing(ty))
-        };
-        let functions: Vec<_> = functions.iter().filter(lends_more).copied().collect();
         for function in functions {
+            let body = &function.tree.body;
+            let holds_nothing = result_of(function).is_some_and(|ty| self.is_nothing(ty));
             let stands = match lends(function) {
-                None => continue,
-                Some(true) => {
-                    let body = &function.tree.body;
-                    let tail = body.tail.as_deref();
-                    !leaves(body) && tail.is_some_and(|it| self.is_place(function, it))
+                Some(written) if !holds_nothing => {
+                    (written || body.stmts.iter().all(is_named_first))
+                        && !leaves(body)
+                        && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
                 }
-                Some(false) => self.stands_for_itself(function),
+                _ => false,
             };
             let asked = &function.tree.attributes;
             if stands && (asked.name.is_some() || asked.section.is_some()) {
@@ -149,26 +142,12 @@ impl<'a> Context<'a> {
         self.lending.contains(function.path.as_str())
     }
 
-    /// Whether the place is the same whatever the values are, and nothing is done before that needs a function.
-    fn stands_for_itself(&self, function: &tree::Function) -> bool {
-        let body = &function.tree.body;
-        let plain = body.stmts.iter().all(|stmt| match stmt {
-            tree::Stmt::Let { .. } | tree::Stmt::Apart { otherwise: None, .. } => true,
-            tree::Stmt::Expr(expr) => matches!(expr.kind, Tree::Assert(..)),
-            tree::Stmt::Apart { .. } => false,
-        });
-        plain
-            && !leaves(body)
-            && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
-    }
-
     fn is_place(&self, function: &tree::Function, expr: &tree::Expr) -> bool {
         match &expr.kind {
             Tree::Local(_) => true,
-            Tree::Ref(_, inner) | Tree::Deref(inner) | Tree::Field(inner, _) => {
-                self.is_place(function, inner)
+            Tree::Ref(_, of) | Tree::Deref(of) | Tree::Field(of, _) | Tree::Index(of, _) => {
+                self.is_place(function, of)
             }
-            Tree::Index(base, _) => self.is_place(function, base),
             Tree::Call(callee, _) => match function.callees.get(*callee as usize) {
                 Some(tree::Callee::Function(path)) => {
                     self.all.get(path.as_str()).copied().and_then(lends).is_some()
@@ -179,19 +158,14 @@ impl<'a> Context<'a> {
             _ => false,
         }
     }
-
-    /// The function that is put where it is called; none if it gives a value.
-    fn lending(&self, path: &str) -> Option<&'a tree::Function> {
-        self.lending.contains(path).then(|| self.all.get(path).copied())?
-    }
 }
 
 impl<'a> Lowering<'a, '_> {
     /// The place that a call lends; none if it gives a value.
     pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.called(expr) {
-            Some((function, arguments)) => self.lent_by(&function.path, arguments, expr),
-            None => Ok(None),
+            Some(called) => self.lent_by(called, expr),
+            None => self.in_option(expr),
         }
     }
 
@@ -201,15 +175,16 @@ impl<'a> Lowering<'a, '_> {
         called.is_some_and(|(it, _)| lends(it) == Some(true) && !self.cx.lends_place(it))
     }
 
-    /// The same, of a function by its path.
+    /// The same, of a function that is called.
     pub(super) fn lent_by(
         &mut self,
-        path: &str,
-        arguments: &[tree::Expr],
+        called: Called<'a, '_>,
         expr: &tree::Expr,
     ) -> Result<Option<Place>> {
-        let Some(function) = self.cx.lending(path) else { return Ok(None) };
-        let place = self.placed(function, arguments, expr.site)?;
+        if !self.cx.lends_place(called.0) {
+            return Ok(None);
+        }
+        let place = self.placed(called, expr.site)?;
         if let Some(slot) = expr.slot {
             let rustc = self.refers_to(slot, expr.site)?;
             self.agree(&place.ty, &rustc, expr.site)?;
@@ -224,17 +199,15 @@ impl<'a> Lowering<'a, '_> {
         operands: [&tree::Expr; 2],
         site: Site,
     ) -> Result<Option<Place>> {
-        let Some(path) = self.indexed_by(owner, operands[1], site)? else { return Ok(None) };
+        let Some(function) = self.indexed_by(owner, operands[1], site)? else { return Ok(None) };
         let operands = operands.map(tree::Expr::clone);
-        match self.cx.lending(path) {
-            Some(function) => self.placed(function, &operands, site).map(Some),
-            None => {
-                let id = self.function_at(path, site)?;
-                let expr = tree::Expr::plain(Tree::Bool(false), site);
-                let value = self.call_function(id, &operands, &expr)?;
-                Ok(Some(self.hold(value)))
-            }
+        if self.cx.lends_place(function) {
+            return self.placed((function, &operands), site).map(Some);
         }
+        let id = self.function_at(&function.path, site)?;
+        let expr = tree::Expr::plain(Tree::Bool(false), site);
+        let value = self.call_function(id, &operands, &expr)?;
+        Ok(Some(self.hold(value)))
     }
 
     /// The type at an author's own `[…]`.
@@ -244,10 +217,8 @@ impl<'a> Lowering<'a, '_> {
         index: &tree::Expr,
         site: Site,
     ) -> Result<Option<Type>> {
-        let Some(path) = self.indexed_by(owner, index, site)? else { return Ok(None) };
-        let function = self.cx.all.get(path).copied();
-        let result = function.and_then(|it| it.slots.get(it.tree.result as usize));
-        result.map(|ty| self.cx.pointee(ty, site)).transpose()
+        let Some(function) = self.indexed_by(owner, index, site)? else { return Ok(None) };
+        result_of(function).map(|ty| self.cx.pointee(ty, site)).transpose()
     }
 
     /// The function behind an author's own `[…]`.
@@ -256,31 +227,26 @@ impl<'a> Lowering<'a, '_> {
         owner: &Type,
         index: &tree::Expr,
         site: Site,
-    ) -> Result<Option<&'a str>> {
-        let all = self.cx.indexing.iter().filter(|it| it.owner == *owner);
-        let mut found: Vec<(&Ty, bool, &'a str)> =
-            all.map(|it| (it.index, it.mutable, it.path)).collect();
-        if found.iter().any(|(index, ..)| *index != found[0].0) {
-            let mut kept = Vec::new();
-            for it in found {
-                if self.is_of(index, it.0)? {
-                    kept.push(it);
-                }
+    ) -> Result<Option<&'a tree::Function>> {
+        let all = self.cx.indexing.iter().filter(|(of, _)| of == owner);
+        let all: Vec<_> = all.map(|(_, it)| *it).collect();
+        let several = all.iter().any(|it| it.other != all[0].other);
+        let mut found = [None, None];
+        for it in all {
+            if !several || self.is_of(index, &it.other)? {
+                let known = &mut found[usize::from(it.of == "IndexMut")];
+                *known = known.or(self.cx.all.get(it.function.as_str()).copied());
             }
-            found = kept;
         }
-        let Some((_, _, path)) = found.iter().find(|it| !it.1).copied() else { return Ok(None) };
-        let Some((_, _, other)) = found.iter().find(|it| it.1) else { return Ok(Some(path)) };
-        let (read, written) = (self.cx.all.get(path), self.cx.all.get(other));
-        let alike = read.zip(written).is_some_and(|(one, other)| same_meaning(one, other));
-        if !alike {
-            return problem(
+        match found {
+            [Some(read), Some(written)] if !same_meaning(read, written) => problem(
                 site,
                 "`Index` and `IndexMut` of this type lend in two ways, and here either may be meant",
                 "write one and the same body in both, or methods with names",
-            );
+            ),
+            [Some(read), Some(written)] if !self.cx.lends_place(read) => Ok(Some(written)),
+            [read, _] => Ok(read),
         }
-        Ok(Some(if self.cx.lending.contains(path) { path } else { other }))
     }
 
     /// Whether an index is of a type, of which rustc was not asked where it is written out.
@@ -295,49 +261,37 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The statements of a function before the place that it returns, and the place.
-    fn placed(
-        &mut self,
-        function: &'a tree::Function,
-        arguments: &[tree::Expr],
-        site: Site,
-    ) -> Result<Place> {
+    fn placed(&mut self, (function, arguments): Called<'a, '_>, site: Site) -> Result<Place> {
         let mut bound = Vec::new();
         let mut body = function.tree.body.clone();
         for (param, argument) in function.tree.params.iter().zip(arguments) {
-            let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
-            if let (Tree::Tuple(values), Ty::Tuple(types)) = (&argument.kind, &ty)
-                && let Some(names) = taken_apart(&mut body, &param.name, values.len())
-            {
-                for ((name, ty), value) in names.iter().zip(types).zip(values) {
-                    bound.push((name.clone(), self.given((name, false), ty, value)?));
+            match (&argument.kind, function.slots.get(param.slot as usize)) {
+                (Tree::Tuple(values), Some(Ty::Tuple(types)))
+                    if let Some(names) = taken_apart(&mut body, &param.name, values.len()) =>
+                {
+                    for ((name, ty), value) in names.iter().zip(types).zip(values) {
+                        bound.push((name.clone(), self.given((name, false), ty, value)?));
+                    }
                 }
-                continue;
+                _ => bound.push(self.given_as(function, param, argument)?),
             }
-            bound.push((
-                param.name.clone(),
-                self.given((&param.name, param.mutable), &ty, argument)?,
-            ));
         }
-        self.inside(function, bound, site, |inner| inner.ends_in(function, &body))
-    }
-
-    fn ends_in(&mut self, function: &'a tree::Function, body: &tree::Block) -> Result<Place> {
-        let site = function.tree.site;
-        self.stmts(body)?;
-        let Some(tail) = body.tail.as_deref() else {
-            return problem(site, "this lends no place", "end in `&self.field`");
-        };
-        match self.place(tail)? {
-            Some(mut place) => {
-                self.fix(&mut place);
-                Ok(place)
-            }
-            None => problem(
-                tail.site,
-                "this is no place that could be lent",
-                "end in a field or an element: `&self.axes[i]`",
-            ),
-        }
+        self.inside(function, bound, site, |inner| {
+            inner.stmts(&body)?;
+            let Some(tail) = body.tail.as_deref() else {
+                let site = function.tree.site;
+                return problem(site, "this lends no place", "end in `&self.field`");
+            };
+            let Some(mut place) = inner.place(tail)? else {
+                return problem(
+                    tail.site,
+                    "this is no place that could be lent",
+                    "end in a field or an element: `&self.axes[i]`",
+                );
+            };
+            inner.fix(&mut place);
+            Ok(place)
+        })
     }
 
     /// The meaning of a parameter: the place that is lent to it, or a value that stays as it is.

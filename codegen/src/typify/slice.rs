@@ -6,18 +6,21 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Builtin, Site, SliceMethod, Ty};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Place, Span, StmtKind, Type,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, LocalId, Mode, Place, Span, StmtKind, Type,
 };
 
-use super::lengths::{is_number, least, minus, plus, same};
+use super::expr::Call;
+use super::function::{result_of, slice_of};
+use super::lengths::{compared, divided, is_number, least, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
-use super::syntax::{Writes, control_with_value};
+use super::pattern::both;
+use super::syntax::{Writes, bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
-    /// A parameter that is a slice, and the one of its length.
+    /// A parameter that is a slice.
     pub(super) fn slice_parameter(
         &mut self,
         param: &tree::Param,
@@ -31,15 +34,24 @@ impl Lowering<'_, '_> {
                 "take an array, `&[T; N]`, or a `List<T, N>`",
             );
         }
-        let element = self.cx.value_type(element, param.site)?;
-        if element == Type::Unit {
-            return problem(param.site, super::zero_sized::EMPTY_SLICE, super::zero_sized::COUNT);
-        }
-        let mode = if mutable { Mode::RefMut } else { Mode::Ref };
-        let span = self.span(param.site);
-        self.declare(&param.name, Type::Slice(Box::new(element)), mode, span);
-        self.local(format!("{}_length", param.name), Type::USIZE, span);
+        let (element, span) = (self.cx.element_type(element, param.site)?, self.span(param.site));
+        let local = self.slice_local(&param.name, element, mutable, span);
+        self.bind(&param.name, Value::Local(local));
         Ok(())
+    }
+
+    /// A parameter that is a slice, and the one of its length.
+    pub(super) fn slice_local(
+        &mut self,
+        name: &str,
+        element: Type,
+        mutable: bool,
+        span: Span,
+    ) -> LocalId {
+        let local = self.local(name, Type::Slice(Box::new(element)), span);
+        self.locals[local.index()].mode = if mutable { Mode::RefMut } else { Mode::Ref };
+        self.local(format!("{name}_length"), Type::USIZE, span);
+        local
     }
 
     /// `let part = &values[1..];`: another name for the elements. Where they begin is in a local if that is written again,
@@ -58,15 +70,19 @@ impl Lowering<'_, '_> {
                     return inner.let_control(name, ty, Some(value), span);
                 }
                 let value = inner.value(value, Some(&ty))?;
-                let local = inner.declare(name, ty, Mode::Value, span);
-                inner.emit(StmtKind::Let { local, value: Some(value) }, span);
+                inner.let_named(name, value, span);
                 Ok(())
             });
         }
-        let slice = self.naming_as(name, |inner| inner.sliced(value))?;
-        let slice = self.kept_elements(slice);
-        self.bind(name, Value::Slice(Box::new(slice)));
+        let slice = self.slice_for(name, value)?;
+        self.bind(name, slice);
         Ok(())
+    }
+
+    /// What a name of elements means.
+    pub(super) fn slice_for(&mut self, name: &str, value: &tree::Expr) -> Result<Value> {
+        let slice = self.naming_as(name, |inner| inner.sliced(value))?;
+        Ok(Value::Slice(Box::new(self.kept_elements(slice))))
     }
 
     /// The slice that is lent, or all elements of an array or a list.
@@ -91,45 +107,27 @@ impl Lowering<'_, '_> {
     pub(super) fn all_of(&mut self, place: Place) -> Option<Slice> {
         if let Some((length, items)) = self.list_items(&place) {
             let Type::Array { element, len } = items.ty.clone() else { return None };
-            let most = Expr::usize(u64::from(len), place.span);
-            let length = super::lengths::lesser(length.load(), most);
+            let length = lesser(length.load(), size(len, place.span));
             return Some(Slice { whole: false, ..Slice::whole(items, *element, length) });
         }
-        match place.ty.clone() {
-            Type::Array { element, len } => {
-                let length = Expr::usize(u64::from(len), place.span);
-                Some(Slice::whole(place, *element, length))
-            }
-            Type::Matrix { element, rows, cols } => {
-                let length = Expr::usize(u64::from(rows * cols), place.span);
-                Some(Slice::whole(place, Type::Scalar(element), length))
-            }
-            _ => None,
-        }
+        let (element, len) = match &place.ty {
+            Type::Array { element, len } => ((**element).clone(), *len),
+            Type::Matrix { element, rows, cols } => (Type::Scalar(*element), rows * cols),
+            _ => return None,
+        };
+        let length = size(len, place.span);
+        Some(Slice::whole(place, element, length))
     }
 
-    /// The slice that an expression is, if its syntax or its name shows that it is one.
+    /// The slice that an expression is; none if its value is something else.
     pub(super) fn slice(&mut self, expr: &tree::Expr) -> Result<Option<Slice>> {
-        match &expr.kind {
-            tree::ExprKind::Local(name) => Ok(match self.lookup(name, expr.site)? {
-                Value::Slice(slice) => Some(*slice),
-                Value::Local(root) => match self.locals[root.index()].ty.clone() {
-                    Type::Slice(element) => {
-                        Some(Slice::parameter(root, *element, self.span(expr.site)))
-                    }
-                    ty => {
-                        let span = self.span(expr.site);
-                        self.slice_at(Place::local(root, ty, span), expr.site)?
-                    }
-                },
-                Value::Place(place) => self.slice_at(place, expr.site)?,
-                _ => None,
-            }),
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.slice(inner),
+        let expr = bare(expr);
+        let span = self.span(expr.site);
+        let place = match &expr.kind {
             tree::ExprKind::Slice(base, from, to, inclusive) => {
                 let base = self.sliced(base)?;
-                let span = self.span(expr.site);
-                self.narrowed(base, (from.as_deref(), to.as_deref()), *inclusive, span).map(Some)
+                let ends = (from.as_deref(), to.as_deref());
+                return self.narrowed(base, ends, *inclusive, span).map(Some);
             }
             tree::ExprKind::Cut(base, cut) => {
                 let base = match self.submatrix(base)? {
@@ -139,17 +137,44 @@ impl Lowering<'_, '_> {
                 let count = self.value(&cut.count, Some(&Type::USIZE))?;
                 let count = least(count, base.length.clone());
                 let count = self.steady("count", count);
-                Ok(Some(match cut.skip {
+                return Ok(Some(match cut.skip {
                     true => base.behind(count),
                     false => base.part(Expr::usize(0, base.base.span), count),
-                }))
+                }));
             }
             tree::ExprKind::Call(callee, arguments)
                 if self.builtin_of(*callee) == Some(Builtin::Slice(SliceMethod::Whole)) =>
             {
-                self.sliced(&arguments[0]).map(Some)
+                return self.sliced(&arguments[0]).map(Some);
             }
-            _ => self.computed_slice(expr),
+            tree::ExprKind::Local(name) => match self.lookup(name, expr.site)? {
+                Value::Slice(slice) => return Ok(Some(*slice)),
+                Value::Local(root) if let Type::Slice(element) = &self.locals[root.index()].ty => {
+                    return Ok(Some(Slice::parameter(root, (**element).clone(), span)));
+                }
+                meaning => self.place_of(&meaning, span),
+            },
+            tree::ExprKind::Field(..) | tree::ExprKind::Index(..) => {
+                let is_slice = !self.cx.borrowed.is_empty()
+                    && self.place_type(expr).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some());
+                if is_slice { Some(self.base(expr)?) } else { None }
+            }
+            _ if self.gives_slice(expr) => Some(self.held(expr)?),
+            _ => None,
+        };
+        place.map_or(Ok(None), |place| self.slice_at(place, expr.site))
+    }
+
+    /// Whether the value of a call, or of control flow, is a slice.
+    fn gives_slice(&self, expr: &tree::Expr) -> bool {
+        let of_slot = self.seen_as(expr).and_then(slice_of).is_some();
+        match &expr.kind {
+            tree::ExprKind::Call(..) => {
+                let called = self.called(expr).and_then(|(it, _)| result_of(it));
+                of_slot || called.and_then(slice_of).is_some()
+            }
+            tree::ExprKind::Try(..) | tree::ExprKind::Apply(..) => of_slot,
+            _ => of_slot && control_with_value(expr),
         }
     }
 
@@ -165,44 +190,33 @@ impl Lowering<'_, '_> {
             Some(from) => self.value(from, Some(&Type::USIZE))?,
             None => Expr::usize(0, span),
         };
-        let mark = self.out.len();
         let from = self.steady("start", written.clone());
-        let kept = self.later(mark);
+        let mark = self.out.len();
         let open = to.is_none();
         let mut to = match to {
             Some(to) => self.value(to, Some(&Type::USIZE))?,
             None => slice.length.clone(),
         };
-        let between = self.later(mark);
-        let undisturbed = between.is_empty();
-        self.out.extend(kept);
-        self.out.extend(between);
         // `i + 4` behind `i..` is so many more than what was kept of `i`.
         if let (true, ExprKind::Binary(_, _, more)) = (is_further(&written, &to), &to.kind)
-            && undisturbed
+            && self.out.len() == mark
         {
             to = plus(from.clone(), (**more).clone());
         }
         if inclusive {
             // The last one has to be there before the one behind it can be named.
             to = self.steady("last", to);
-            let there = Expr::compare(CompareOp::Lt, to.clone(), slice.length.clone()).at(span);
-            self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
+            self.check_index(&to, CompareOp::Lt, &slice.length, span);
             to = plus(to, Expr::usize(1, span));
         } else if !open && !is_further(&from, &to) {
             to = self.steady("end", to);
         }
-        let mut conditions = Vec::new();
-        if !is_number(&from, 0) && !is_further(&from, &to) {
-            conditions.push(Expr::compare(CompareOp::Le, from.clone(), to.clone()).at(span));
-        }
-        if !open && !inclusive {
-            conditions
-                .push(Expr::compare(CompareOp::Le, to.clone(), slice.length.clone()).at(span));
-        }
-        let condition = conditions.into_iter().reduce(|a, b| Expr::logic(LogicOp::And, a, b));
-        if let Some(condition) = condition {
-            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+        let ordered = !is_number(&from, 0) && !is_further(&from, &to);
+        let ordered = ordered.then(|| compared(CompareOp::Le, &from, &to, span));
+        let inside = !open && !inclusive;
+        let inside = inside.then(|| compared(CompareOp::Le, &to, &slice.length, span));
+        if let Some(condition) = both(ordered, inside) {
+            self.check(condition, Fault::Index, span);
         }
         let whole = slice.whole && open && is_number(&from, 0);
         Ok(Slice { whole, ..slice.between(from, to) })
@@ -227,7 +241,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `slice[index]`.
+    /// `slice[index]`, its index checked.
     pub(super) fn slice_element(
         &mut self,
         slice: &Slice,
@@ -235,32 +249,21 @@ impl Lowering<'_, '_> {
         span: Span,
     ) -> Result<Place> {
         let index = self.value(index, Some(&Type::USIZE))?;
-        let place = self.element_of(slice, index, span);
-        Ok(Place { span, ..place })
-    }
-
-    /// An element, its index checked.
-    fn element_of(&mut self, slice: &Slice, index: Expr, span: Span) -> Place {
         if slice.whole {
-            return slice.at(index);
+            return Ok(Place { span, ..slice.at(index) });
         }
         let index = match super::order::is_free(&index) {
             true => index,
             false => self.temporary(words::INDEX, index),
         };
-        let there = Expr::compare(CompareOp::Lt, index.clone(), slice.length.clone()).at(span);
-        self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
-        slice.at(plus(slice.from.clone(), index))
+        self.check_index(&index, CompareOp::Lt, &slice.length, span);
+        Ok(Place { span, ..slice.nth(index) })
     }
 
     /// The value of a method of slices that has one; none if `name` is no such method.
-    pub(super) fn slice_method(
-        &mut self,
-        method: SliceMethod,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn slice_method(&mut self, method: SliceMethod, call: Call<'_>) -> Result<Expr> {
         use SliceMethod as M;
+        let Call { arguments, expr } = call;
         let span = self.span(expr.site);
         let copied = matches!(method, M::First | M::Last | M::Get);
         let ty = if copied { Some(self.slot_of(expr)?) } else { self.borrowing_type(expr) };
@@ -273,7 +276,7 @@ impl Lowering<'_, '_> {
         let zero = Expr::usize(0, span);
         match (method, arguments) {
             (M::Len, _) => Ok(slice.length),
-            (M::IsEmpty, _) => Ok(Expr::compare(CompareOp::Eq, slice.length, zero).at(span)),
+            (M::IsEmpty, _) => Ok(compared(CompareOp::Eq, &slice.length, &zero, span)),
             (M::ToArray, _) => self.as_array(true, &slice, expr),
             (M::FirstChunk, _) => self.as_array(false, &slice, expr),
             (M::CopyFrom | M::Reverse, _) => {
@@ -285,18 +288,20 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A loop over the indices of the base.
-    fn each_index(
+    /// A loop over the indices below `count`.
+    fn each_below(
         &mut self,
-        slice: &Slice,
+        count: Expr,
         span: Span,
-        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
+        body: impl FnOnce(&mut Self, Expr),
     ) -> Result<()> {
         let variable = self.counter("i", span);
-        let index = Place::local(variable, Type::USIZE, span);
-        let body = self.scoped(|inner| body(inner, index.load()))?;
-        let (from, to) = (slice.from.clone(), slice.to.clone());
-        self.emit(StmtKind::for_range(variable, from, to, body), span);
+        let index = Expr::local(variable, &Type::USIZE, span);
+        let body = self.scoped(|inner| {
+            body(inner, index);
+            Ok(())
+        })?;
+        self.emit(StmtKind::for_range(variable, Expr::usize(0, span), count, body), span);
         Ok(())
     }
 
@@ -309,25 +314,23 @@ impl Lowering<'_, '_> {
         match (method, arguments) {
             (SliceMethod::Reverse, [array]) => {
                 let slice = self.sliced(array)?;
-                let half = Expr::binary(BinaryOp::Div, slice.length.clone(), Expr::usize(2, span));
                 let half = match slice.length.kind {
                     ExprKind::Literal(length) => Expr::usize(length / 2, span),
-                    _ => half,
+                    _ => divided(slice.length.clone(), Expr::usize(2, span)),
                 };
-                let start = Slice { to: half, from: Expr::usize(0, span), ..slice.clone() };
-                self.each_index(&start, span, |inner, index| {
-                    let last = minus(minus(slice.to.clone(), Expr::usize(1, span)), index.clone());
-                    let first = slice.at(plus(slice.from.clone(), index));
-                    inner.exchange(first, slice.at(last), span);
-                    Ok(())
+                let last = minus(slice.to.clone(), Expr::usize(1, span));
+                self.each_below(half, span, |inner, index| {
+                    let other = slice.at(minus(last, index.clone()));
+                    let one = slice.nth(index);
+                    let (value, before) = (other.load(), inner.temporary("before", one.load()));
+                    inner.emit(StmtKind::Assign { place: one, value }, span);
+                    inner.emit(StmtKind::Assign { place: other, value: before }, span);
                 })?;
             }
             (SliceMethod::CopyFrom, [array, from]) => {
                 let (to, from) = (self.sliced(array)?, self.sliced(from)?);
-                let same =
-                    Expr::compare(CompareOp::Eq, to.length.clone(), from.length.clone()).at(span);
                 if !to.length.is_literal() || !from.length.is_literal() {
-                    self.emit(StmtKind::Check { condition: same, fault: Fault::Index }, span);
+                    self.check_index(&to.length, CompareOp::Eq, &from.length, span);
                 } else if to.length.kind != from.length.kind {
                     return problem(
                         expr.site,
@@ -335,23 +338,14 @@ impl Lowering<'_, '_> {
                         "name as many elements on both sides",
                     );
                 }
-                let all = Slice { from: Expr::usize(0, span), to: to.length.clone(), ..to.clone() };
-                self.each_index(&all, span, |inner, index| {
-                    let place = to.at(plus(to.from.clone(), index.clone()));
-                    let value = from.at(plus(from.from.clone(), index)).load();
+                self.each_below(to.length.clone(), span, |inner, index| {
+                    let (place, value) = (to.nth(index.clone()), from.nth(index).load());
                     inner.emit(StmtKind::Assign { place, value }, span);
-                    Ok(())
                 })?;
             }
             _ => return Ok(false),
         }
         Ok(true)
-    }
-
-    fn exchange(&mut self, one: Place, other: Place, span: Span) {
-        let before = self.temporary("before", one.load());
-        self.emit(StmtKind::Assign { place: one, value: other.load() }, span);
-        self.emit(StmtKind::Assign { place: other, value: before }, span);
     }
 
     /// `left == right` or `left != right`, if one of the two is a slice.
@@ -364,31 +358,26 @@ impl Lowering<'_, '_> {
         if !matches!(op, Op::Eq | Op::Ne) {
             return Ok(None);
         }
-        let (one, other) = match (self.slice(left)?, self.slice(right)?) {
-            (None, None) => return Ok(None),
-            (Some(one), None) => (one, self.sliced(right)?),
-            (None, Some(other)) => (self.sliced(left)?, other),
-            (Some(one), Some(other)) => (one, other),
-        };
+        let (one, other) = (self.slice(left)?, self.slice(right)?);
+        if one.is_none() && other.is_none() {
+            return Ok(None);
+        }
+        let one = one.map_or_else(|| self.sliced(left), Ok)?;
+        let other = other.map_or_else(|| self.sliced(right), Ok)?;
         let span = self.span(site);
-        let equal = if same(&one.length, &other.length) {
-            self.equal_elements_of((&one, &other), site)?
-        } else {
-            let as_long =
-                Expr::compare(CompareOp::Eq, one.length.clone(), other.length.clone()).at(span);
-            self.and_then(as_long, |inner| inner.equal_elements_of((&one, &other), site))?
+        let equal = |inner: &mut Self| {
+            inner.all_equal(one.length.clone(), span, |inner, index| {
+                inner.equal(&one.nth(index.clone()), &other.nth(index), site, span)
+            })
+        };
+        let equal = match same(&one.length, &other.length) {
+            true => equal(self)?,
+            false => {
+                let as_long = compared(CompareOp::Eq, &one.length, &other.length, span);
+                self.and_then(as_long, equal)?
+            }
         };
         Ok(Some(if op == Op::Ne { equal.negated() } else { equal }))
-    }
-
-    /// Whether each element is equal to its counterpart.
-    fn equal_elements_of(&mut self, (one, other): (&Slice, &Slice), site: Site) -> Result<Expr> {
-        let span = self.span(site);
-        self.all_equal(one.length.clone(), span, |inner, index| {
-            let left = one.at(plus(one.from.clone(), index.clone()));
-            let right = other.at(plus(other.from.clone(), index));
-            inner.equal(&left, &right, site, span)
-        })
     }
 }
 

@@ -10,62 +10,53 @@
 //! Must not know: what the methods of matrices compute.
 
 use bessemer_ir::tree::{self, Builtin, MatrixMethod, MatrixPart, Site};
-use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, Type};
+use bessemer_ir::{CompareOp, Expr, ExprKind, Place, Span, Step, StmtKind, Type};
 
 use super::call::Called;
-
 use super::expr::Call;
-use super::lengths::plus;
+use super::lengths::{plus, size};
 use super::lowering::Lowering;
+use super::syntax::bare;
 use super::value::{SMALL, Submatrix, Value};
 use super::words;
 use super::{OUR_FAULT, Result, problem};
 
+/// Where a part begins: at a row and a column, the first where none is said.
+type From<'e> = (Option<&'e tree::Expr>, Option<&'e tree::Expr>);
+
 impl<'a> Lowering<'a, '_> {
     /// Whether an expression is a part of a matrix that is written where it is.
     pub(super) fn is_submatrix(&self, expr: &tree::Expr) -> bool {
-        match &expr.kind {
-            tree::ExprKind::Local(name) => {
-                matches!(self.lookup(name, expr.site), Ok(Value::Submatrix(_)))
-            }
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
-                self.is_submatrix(inner)
-            }
-            _ => {
-                matches!(self.builtin_call(expr), Some((Builtin::Matrix(MatrixMethod::Part(_)), _)))
-            }
-        }
+        let called = || self.builtin_call(bare(expr)).map(|(builtin, _)| builtin);
+        matches!(self.meaning(expr), Some(Value::Submatrix(_)))
+            || matches!(called(), Some(Builtin::Matrix(MatrixMethod::Part(_))))
     }
 
     /// The part of a matrix that an expression is; none if it is something else.
     pub(super) fn submatrix(&mut self, expr: &tree::Expr) -> Result<Option<Submatrix>> {
-        match &expr.kind {
-            tree::ExprKind::Local(name) => match self.lookup(name, expr.site) {
-                Ok(Value::Submatrix(part)) => Ok(Some(*part)),
-                _ => Ok(None),
-            },
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.submatrix(inner),
-            _ => match self.builtin_call(expr) {
-                Some((Builtin::Matrix(MatrixMethod::Part(part)), [matrix, from @ ..])) => {
-                    let from = match (part, from) {
-                        (MatrixPart::Rows, [row]) => (Some(row), None),
-                        (MatrixPart::Columns, [column]) => (None, Some(column)),
-                        (MatrixPart::Block, [row, column]) => (Some(row), Some(column)),
-                        _ => return Ok(None),
-                    };
-                    let ty = self.slot_of(expr)?;
-                    self.part_from(matrix, from, &ty, expr.site)
-                }
-                _ => Ok(None),
-            },
+        if let Some(Value::Submatrix(part)) = self.meaning(expr) {
+            return Ok(Some(*part));
         }
+        let expr = bare(expr);
+        let Some((Builtin::Matrix(MatrixMethod::Part(part)), arguments)) = self.builtin_call(expr)
+        else {
+            return Ok(None);
+        };
+        let from = match (part, arguments) {
+            (MatrixPart::Rows, [_, row]) => (Some(row), None),
+            (MatrixPart::Columns, [_, column]) => (None, Some(column)),
+            (MatrixPart::Block, [_, row, column]) => (Some(row), Some(column)),
+            _ => return Ok(None),
+        };
+        let ty = self.slot_of(expr)?;
+        self.part_from(&arguments[0], from, &ty, expr.site)
     }
 
     /// The part of a matrix that begins at a row and a column, which are checked to be there.
     pub(super) fn part_from(
         &mut self,
         matrix: &tree::Expr,
-        (row, column): (Option<&tree::Expr>, Option<&tree::Expr>),
+        (row, column): From,
         ty: &Type,
         site: Site,
     ) -> Result<Option<Submatrix>> {
@@ -81,23 +72,18 @@ impl<'a> Lowering<'a, '_> {
                 Submatrix { matrix: place, row, column, element, rows, cols }
             }
         };
-        let row = self.index_from(row, span)?;
-        let row = self.steady("row", row);
-        let column = self.index_from(column, span)?;
-        let column = self.steady("column", column);
+        let mut begins = |role, index: Option<&tree::Expr>| match index {
+            Some(index) => self.steady_index(role, index),
+            None => Ok(Expr::usize(0, span)),
+        };
+        let (row, column) = (begins(words::ROW, row)?, begins(words::COLUMN, column)?);
         // As nalgebra has it: the end of the view is that of the matrix at most.
         for (first, count, most) in [(&row, rows, outer.rows), (&column, cols, outer.cols)] {
-            let end = plus(first.clone(), Expr::usize(u64::from(count), span));
-            let most = Expr::usize(u64::from(most), span);
-            let condition = Expr::compare(CompareOp::Le, end, most).at(span);
-            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+            let end = plus(first.clone(), size(count, span));
+            self.check_index(&end, CompareOp::Le, &size(most, span), span);
         }
         let (row, column) = (plus(outer.row, row), plus(outer.column, column));
         Ok(Some(Submatrix { matrix: outer.matrix, row, column, element, rows, cols }))
-    }
-
-    fn index_from(&mut self, index: Option<&tree::Expr>, span: Span) -> Result<Expr> {
-        index.map_or(Ok(Expr::usize(0, span)), |index| self.value(index, Some(&Type::USIZE)))
     }
 
     /// An element of a part, its index checked.
@@ -108,25 +94,19 @@ impl<'a> Lowering<'a, '_> {
         expr: &tree::Expr,
     ) -> Result<Place> {
         let span = self.span(expr.site);
-        let step = match self.matrix_step(index, part.rows, part.cols, expr)? {
+        let place = match self.matrix_step(index, part.rows, part.cols, span)? {
             Step::Element(row, column) => {
-                Step::Element(self.steady("row", row), self.steady("column", column))
+                let (row, column) = (self.steady("row", row), self.steady("column", column));
+                self.check_index(&row, CompareOp::Lt, &size(part.rows, span), span);
+                self.check_index(&column, CompareOp::Lt, &size(part.cols, span), span);
+                part.at(row, column)
             }
-            Step::Index(index) => Step::Index(self.steady(words::INDEX, index)),
-            other => other,
-        };
-        let mut there = |index: Expr, most: u32| {
-            let most = Expr::usize(u64::from(most), span);
-            let condition = Expr::compare(CompareOp::Lt, index.clone(), most).at(span);
-            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
-            index
-        };
-        let place = match step {
-            Step::Element(row, column) => {
-                let row = there(row, part.rows);
-                part.at(row, there(column, part.cols))
+            Step::Index(index) => {
+                let index = self.steady(words::INDEX, index);
+                let most = size(part.rows * part.cols, span);
+                self.check_index(&index, CompareOp::Lt, &most, span);
+                part.nth(index)
             }
-            Step::Index(index) => part.nth(there(index, part.rows * part.cols)),
             _ => return problem(expr.site, "this is no element", OUR_FAULT),
         };
         Ok(Place { span, ..place })
@@ -134,49 +114,42 @@ impl<'a> Lowering<'a, '_> {
 
     /// The value of a part: its elements, or a copy.
     pub(super) fn submatrix_value(&mut self, part: &Submatrix, site: Site) -> Result<Expr> {
-        let span = self.span(site);
         if part.is_large() {
-            let copy = self.part_copied("part", part, span)?;
+            let copy = self.part_copied("part", part, site)?;
             self.held.insert(copy.root);
             return Ok(copy.load());
         }
+        let span = self.span(site);
         let mut elements = Vec::new();
         for column in 0..part.cols {
             for row in 0..part.rows {
-                let index = |at: u32| Expr::usize(u64::from(at), span);
-                elements.push(part.at(index(row), index(column)).load());
+                elements.push(part.at(size(row, span), size(column, span)).load());
             }
         }
         self.node(ExprKind::Matrix(elements), part.ty(), site)
     }
 
-    /// A copy of a part, in a local.
-    fn part_copied(&mut self, name: &str, part: &Submatrix, span: Span) -> Result<Place> {
+    /// A copy of a part that may be changed, in a local.
+    fn part_copied(&mut self, name: &str, part: &Submatrix, site: Site) -> Result<Place> {
+        if !part.is_large() {
+            let value = self.submatrix_value(part, site)?;
+            return Ok(self.mutable_place(name, value));
+        }
+        let span = self.span(site);
         // No compiler sees that the loop assigns all of it.
         let copy = self.mutable_place(name, self.zero(&part.ty(), span));
-        let element = Type::Scalar(part.element);
-        self.each_of_part(part, span, |row, column| {
-            let place = copy.inside(Step::Element(row.clone(), column.clone()), element.clone());
-            StmtKind::Assign { place, value: part.at(row, column).load() }
-        })?;
+        self.each_of_part(part, span, |at, step| (copy.inside(step, at.ty.clone()), at.load()))?;
         Ok(copy)
     }
 
-    /// A copy of a part that may be changed.
+    /// The same, of that name.
     pub(super) fn copy_of_part(
         &mut self,
         name: &str,
         part: &Submatrix,
         site: Site,
     ) -> Result<Place> {
-        self.naming_as("", |inner| {
-            if part.is_large() {
-                let span = inner.span(site);
-                return inner.part_copied(name, part, span);
-            }
-            let value = inner.submatrix_value(part, site)?;
-            Ok(inner.mutable_place(name, value))
-        })
+        self.naming_as("", |inner| inner.part_copied(name, part, site))
     }
 
     /// A call that has changed copies of parts, and these parts written back.
@@ -208,66 +181,61 @@ impl<'a> Lowering<'a, '_> {
     /// Writes a part.
     pub(super) fn write_part(&mut self, part: &Submatrix, value: Expr) -> Result<()> {
         let span = value.span;
-        let element = Type::Scalar(part.element);
-        match value.kind {
-            ExprKind::Splat(value) => {
-                let value = match self.is_steady(&value) {
-                    true => *value,
-                    false => self.temporary("element", *value),
-                };
-                self.each_of_part(part, span, |row, column| StmtKind::Assign {
-                    place: part.at(row, column),
-                    value: value.clone(),
-                })
-            }
-            _ => {
-                let place = match value.kind {
-                    ExprKind::Load(mut place) if place.root != part.matrix.root => {
-                        self.fix(&mut place);
-                        place
-                    }
-                    _ => self.temporary_place("part", value),
-                };
-                self.each_of_part(part, span, |row, column| {
-                    let from = Step::Element(row.clone(), column.clone());
-                    let value = place.inside(from, element.clone()).load();
-                    StmtKind::Assign { place: part.at(row, column), value }
-                })
-            }
+        if let ExprKind::Splat(value) = value.kind {
+            let value = self.steady(words::ELEMENT, *value);
+            return self.each_of_part(part, span, |at, _| (at, value.clone()));
         }
+        let place = match value.kind {
+            ExprKind::Load(mut place) if place.root != part.matrix.root => {
+                self.fix(&mut place);
+                place
+            }
+            _ => self.temporary_place("part", value),
+        };
+        self.each_of_part(part, span, |at, step| {
+            let value = place.inside(step, at.ty.clone()).load();
+            (at, value)
+        })
     }
 
-    /// Does the same for each element of a part, by columns.
+    /// Assigns what `assigned` says of each element of a part, by columns: of its place, and of the step to it in a matrix
+    /// of its own.
     fn each_of_part(
         &mut self,
         part: &Submatrix,
         span: Span,
-        element: impl Fn(Expr, Expr) -> StmtKind,
+        assigned: impl Fn(Place, Step) -> (Place, Expr),
     ) -> Result<()> {
-        let at = |root| Expr::local(root, &Type::USIZE, span);
         let zero = || Expr::usize(0, span);
-        let [rows, cols] = [part.rows, part.cols].map(|it| Expr::usize(u64::from(it), span));
-        let down = |walk: &mut Self, column: Expr| {
-            let row = walk.counter("row", span);
-            let body = walk.scoped(|walk| {
-                walk.emit(element(at(row), column), span);
-                Ok(())
-            })?;
-            Ok(StmtKind::for_below(row, rows, body))
+        let emit = |walk: &mut Self, row: Expr, column: Expr| {
+            let at = part.at(row.clone(), column.clone());
+            let (place, value) = assigned(at, Step::Element(row, column));
+            walk.emit(StmtKind::Assign { place, value }, span);
+            Ok(())
         };
-        if part.cols == 1 {
-            return self.repeated(None, None, span, |walk| down(walk, zero()));
+        let down = |walk: &mut Self, column: Expr| {
+            walk.each_number(words::ROW, part.rows, span, |walk, row| emit(walk, row, column))
+        };
+        match (part.rows, part.cols) {
+            (_, 1) => down(self, zero()),
+            (1, cols) => self
+                .each_number(words::COLUMN, cols, span, |walk, column| emit(walk, zero(), column)),
+            (_, cols) => self.each_number(words::COLUMN, cols, span, down),
         }
+    }
+
+    /// A loop over the numbers below `count`.
+    fn each_number(
+        &mut self,
+        name: &str,
+        count: u32,
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
+    ) -> Result<()> {
         self.repeated(None, None, span, |walk| {
-            let column = walk.counter("column", span);
-            let body = walk.scoped(|walk| match part.rows {
-                1 => {
-                    walk.emit(element(zero(), at(column)), span);
-                    Ok(())
-                }
-                _ => walk.repeated(None, None, span, |walk| down(walk, at(column))),
-            })?;
-            Ok(StmtKind::for_below(column, cols, body))
+            let counter = walk.counter(name, span);
+            let body = walk.scoped(|walk| body(walk, Expr::local(counter, &Type::USIZE, span)))?;
+            Ok(StmtKind::for_below(counter, size(count, span), body))
         })
     }
 
@@ -340,63 +308,46 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The inlined form of a call of the library; none if it stays a call.
-    pub(super) fn shorter(
-        &mut self,
-        path: &str,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
+    pub(super) fn shorter(&mut self, path: &str, call: Call<'_>) -> Result<Option<Expr>> {
         let view = path.strip_prefix("bessemer::linear::views::");
         match view.and_then(|view| view.split('<').next()) {
-            Some(name) => self.view(name, arguments, expr),
-            None => self.small_power(path, Call { arguments, expr }),
+            Some(name) => self.view(name, call),
+            None => self.small_power(path, call),
         }
     }
 
     /// `v.zyx()`: the components of a vector, by their names.
-    pub(super) fn swizzle(
-        &mut self,
-        axes: &[u8],
-        vector: &tree::Expr,
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
+    pub(super) fn swizzle(&mut self, axes: &[u8], call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
         let span = self.span(expr.site);
-        let place = self.base(vector)?;
+        let place = self.base(&arguments[0])?;
         let Type::Matrix { element, .. } = place.ty else {
             return problem(expr.site, "this takes a vector", OUR_FAULT);
         };
         let component = |axis: &u8| {
-            let step = Step::Element(Expr::usize(u64::from(*axis), span), Expr::usize(0, span));
+            let step = Step::Element(size((*axis).into(), span), Expr::usize(0, span));
             place.inside(step, Type::Scalar(element)).load()
         };
         self.node(ExprKind::Matrix(axes.iter().map(component).collect()), ty, expr.site)
     }
 
-    fn view(
-        &mut self,
-        name: &str,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
-        let (row, column) = match (name, arguments) {
+    fn view(&mut self, name: &str, call: Call<'_>) -> Result<Option<Expr>> {
+        let Call { arguments, expr } = call;
+        let from = match (name, arguments) {
+            _ if expr.slot.is_none() => return Ok(None),
             ("row" | "fixed_rows", [_, row]) => (Some(row), None),
             ("column" | "fixed_columns", [_, column]) => (None, Some(column)),
             ("fixed_view", [_, row, column]) => (Some(row), Some(column)),
             _ => return Ok(None),
         };
-        if expr.slot.is_none() {
-            return Ok(None);
-        }
         let ty = self.slot_of(expr)?;
-        let Type::Matrix { rows, cols, .. } = ty else { return Ok(None) };
-        if rows.saturating_mul(cols) > SMALL {
+        let small = |rows: u32, cols| rows.saturating_mul(cols) <= SMALL;
+        if !matches!(ty, Type::Matrix { rows, cols, .. } if small(rows, cols)) {
             return Ok(None);
         }
-        match self.part_from(&arguments[0], (row, column), &ty, expr.site)? {
-            Some(part) => self.submatrix_value(&part, expr.site).map(Some),
-            None => Ok(None),
-        }
+        let part = self.part_from(&arguments[0], from, &ty, expr.site)?;
+        part.map(|part| self.submatrix_value(&part, expr.site)).transpose()
     }
 }
 

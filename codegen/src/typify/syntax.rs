@@ -2,6 +2,14 @@
 
 use bessemer_ir::tree::{self, visit};
 
+/// An expression without `&` and `*`: a reference is another name for what it refers to.
+pub(super) fn bare(expr: &tree::Expr) -> &tree::Expr {
+    match &expr.kind {
+        tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => bare(inner),
+        _ => expr,
+    }
+}
+
 /// Whether `expr` is control flow that has a value.
 pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
     use tree::ExprKind::{Block, If, Labelled, Match, While};

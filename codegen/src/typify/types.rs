@@ -236,11 +236,11 @@ impl<'a> Context<'a> {
                     return problem(
                         site,
                         "an array of what holds nothing is not in the DSL",
-                        super::zero_sized::COUNT,
+                        super::borrowed::COUNT,
                     );
                 }
                 element if !self.slices_in(&element).is_empty() => {
-                    return problem(site, super::regions::MANY, super::regions::ONE);
+                    return problem(site, super::borrowed::MANY, super::borrowed::ONE);
                 }
                 element => Type::Array { element: Box::new(element), len: *len },
             },

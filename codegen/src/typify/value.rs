@@ -6,7 +6,7 @@ use bessemer_ir::{
     Argument, BinaryOp, CompareOp, Expr, ExprKind, LocalId, Mode, Place, Scalar, Span, Step, Type,
 };
 
-use super::lengths::{is_number, minus, plus};
+use super::lengths::{compared, is_number, minus, plus, size};
 
 /// The meaning of an expression or a name.
 #[derive(Clone)]
@@ -107,6 +107,11 @@ impl Slice {
         self.base.inside(step, self.element.clone())
     }
 
+    /// An element, by its index in the slice.
+    pub fn nth(&self, index: Expr) -> Place {
+        self.at(plus(self.from.clone(), index))
+    }
+
     /// `length` elements from `begin` on, which are known to be there.
     pub fn part(&self, begin: Expr, length: Expr) -> Slice {
         let from = plus(self.from.clone(), begin);
@@ -133,15 +138,14 @@ impl Slice {
         match self.length.kind {
             ExprKind::Literal(length) if exact => Expr::bool(length == count, span),
             ExprKind::Literal(length) => Expr::bool(length >= count, span),
-            _ => Expr::compare(op, self.length.clone(), Expr::usize(count, span)).at(span),
+            _ => compared(op, &self.length, &Expr::usize(count, span), span),
         }
     }
 
     /// A copy of the elements, of which there are as many as the array type has.
     pub fn as_array(&self, ty: Type, span: Span) -> Expr {
         let len = if let Type::Array { len, .. } = ty { len } else { 0 };
-        let index = |index: u32| plus(self.from.clone(), Expr::usize(u64::from(index), span));
-        let elements = (0..len).map(|at| self.at(index(at)).load()).collect();
+        let elements = (0..len).map(|at| self.nth(size(at, span)).load()).collect();
         Expr { kind: ExprKind::Array(elements), ty, span }
     }
 
@@ -190,7 +194,7 @@ impl Submatrix {
             (_, 1) => self.at(index, zero),
             (1, _) => self.at(zero, index),
             (rows, _) => {
-                let rows = Expr::usize(u64::from(rows), index.span);
+                let rows = size(rows, index.span);
                 let row = Expr::binary(BinaryOp::Rem, index.clone(), rows.clone());
                 self.at(row, Expr::binary(BinaryOp::Div, index, rows))
             }
@@ -199,7 +203,7 @@ impl Submatrix {
 
     /// All its elements.
     pub fn elements(&self) -> Slice {
-        let length = Expr::usize(u64::from(self.rows * self.cols), self.matrix.span);
+        let length = size(self.rows * self.cols, self.matrix.span);
         let all = Slice::whole(self.matrix.clone(), Type::Scalar(self.element), length);
         Slice { whole: false, within: Some(Box::new(self.clone())), ..all }
     }

@@ -51,6 +51,9 @@ pub(super) const OPERANDS: [&str; 3] = ["left", "middle", "right"];
 pub(super) const SIDES: [&str; 2] = ["left", "right"];
 pub(super) const OF_NUMBERS: [&str; 2] = ["value", "by"];
 pub(super) const BOUNDS: [&str; 2] = ["first", "end"];
+/// The indices of an element of a matrix.
+pub(super) const ROW: &str = "row";
+pub(super) const COLUMN: &str = "column";
 
 /// What is looked for; a loop and the flags behind one; a pass, and the counters, for which their author has no name.
 pub(super) const FOUND: &str = "found";

@@ -9,10 +9,6 @@ use super::lowering::Lowering;
 use super::value::{Named, Value};
 use super::{Context, Result, problem};
 
-/// The refusal of slices of zero-sized elements.
-pub(super) const EMPTY_SLICE: &str = "a slice of what holds nothing is not in the DSL";
-pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
-
 /// An author's zero-sized type.
 pub(super) struct Nothing {
     pub name: String,
