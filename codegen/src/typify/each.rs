@@ -92,9 +92,8 @@ impl Lowering<'_, '_> {
             })?;
             copies = inner.copy_written(&seqs, &mut body, span);
             inner.counters.pop();
-            let (to, inclusive, reversed) = (end, numbered.over, order == Order::Down);
-            let (unroll, ended) = (None, false);
-            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
+            let way = (numbered.over, order == Order::Down);
+            Ok(StmtKind::for_way(variable, [from, end], way, body))
         })?;
         self.out.splice(mark..mark, copies);
         Ok(())

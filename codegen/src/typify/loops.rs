@@ -59,9 +59,8 @@ impl Lowering<'_, '_> {
                 }
                 inner.statements(body)
             })?;
-            let (inclusive, reversed) = (range.inclusive || open, range.reversed);
-            let (unroll, ended) = (None, false);
-            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
+            let way = (range.inclusive || open, range.reversed);
+            Ok(StmtKind::for_way(variable, [from, to], way, body))
         })
     }
 
@@ -128,7 +127,7 @@ impl Lowering<'_, '_> {
                 behind = last_breath(&mut body);
                 return inner.ended_loop(site, body);
             };
-            endless = !breaks(&body);
+            endless = !body.0.iter().any(breaks_in);
             if !endless {
                 body.0.insert(0, Stmt::new(begun(pass, &bound, span), span));
             }
@@ -535,9 +534,7 @@ fn begun(pass: LocalId, bound: &Expr, span: Span) -> StmtKind {
 
 /// The passes of a loop with a bound; `over`: one more begins, for its check to tell.
 fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
-    let (from, to) = (Expr::literal_like(0, &bound), bound);
-    let (inclusive, reversed, unroll, ended) = (over, false, None, false);
-    StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
+    StmtKind::for_way(variable, [Expr::literal_like(0, &bound), bound], (over, false), body)
 }
 
 /// Whether an expression is nothing to evaluate once more.
@@ -548,11 +545,7 @@ fn is_calm(expr: &Expr) -> bool {
     }
 }
 
-/// Whether something in the body of a loop ends it.
-fn breaks(body: &Block) -> bool {
-    body.0.iter().any(breaks_in)
-}
-
+/// Whether a statement of the body of a loop ends it.
 pub(super) fn breaks_in(stmt: &Stmt) -> bool {
-    matches!(stmt.kind, StmtKind::Break) || labelled::branches(stmt).any(breaks)
+    stmt.any_branch(&|kind| matches!(kind, StmtKind::Break))
 }

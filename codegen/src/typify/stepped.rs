@@ -45,9 +45,7 @@ impl Lowering<'_, '_> {
                 inner.statements(body)
             })?;
             let from = Expr::literal_like(0, &passes);
-            let (to, inclusive, reversed) = (passes, false, range.reversed);
-            let (unroll, ended) = (None, false);
-            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
+            Ok(StmtKind::for_way(variable, [from, passes], (false, range.reversed), body))
         })
     }
 
