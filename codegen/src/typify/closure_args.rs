@@ -46,11 +46,8 @@ impl<'a> Lowering<'a, '_> {
             }
             let Closure { text, source, scope, .. } = known;
             // It leaves the function that it was written in: what it uses goes with it.
-            let scopes = std::mem::replace(&mut self.scopes, scope.names);
-            let captured =
-                self.from(source, argument.site, |inner| inner.captured(text, argument.site));
-            self.scopes = scopes;
-            return captured;
+            let (site, meanings) = (argument.site, (scope.names, self.expanding.clone()));
+            return self.from(source, meanings, site, |inner| inner.captured(text, site));
         }
         let text = self.closure_of(argument)?;
         self.captured(text, argument.site)
@@ -290,7 +287,12 @@ impl<'a> Lowering<'a, '_> {
             }
             if !lent && value.ty != Type::Unit {
                 // In a place of its own: the body may write to what it was computed from.
-                value = self.named_argument(parameter, value);
+                value = match parameter {
+                    Some(tree::Pattern::Name { name, .. }) => {
+                        self.naming_as("", |inner| inner.temporary(name, value))
+                    }
+                    _ => self.temporary(words::ARGUMENT, value),
+                };
             }
             subjects.push(self.value_subject(value));
         }
@@ -332,20 +334,7 @@ impl<'a> Lowering<'a, '_> {
         let each = each.map(|each| (tree::EACH.to_owned(), each));
         let names = names.iter().cloned().chain([each.into_iter().collect()]).collect();
         let expanding = if locals.is_some() { expanding } else { &self.expanding }.clone();
-        let expanding = std::mem::replace(&mut self.expanding, expanding);
-        let scopes = std::mem::replace(&mut self.scopes, names);
-        let done = self.from(closure.source, site, lower);
-        self.scopes = scopes;
-        self.expanding = expanding;
-        done
-    }
-
-    /// The arguments of a closure, under the closure's names.
-    fn named_argument(&mut self, parameter: Option<&tree::Pattern>, value: Expr) -> Expr {
-        let Some(tree::Pattern::Name { name, .. }) = parameter else {
-            return self.temporary(words::ARGUMENT, value);
-        };
-        self.naming_as("", |inner| inner.temporary(name, value))
+        self.from(closure.source, (names, expanding), site, lower)
     }
 
     /// Binds the parameters of a closure; to the places themselves where they stay what they are. A local of what calls
@@ -358,19 +347,17 @@ impl<'a> Lowering<'a, '_> {
     ) -> Result<()> {
         let mut names = Vec::new();
         for (pattern, subject) in closure.parameters.iter().zip(subjects) {
-            let place = match (stays, subject) {
-                (Some(_), Value::Place(place)) => Some(place.clone()),
-                _ => self.counted(subject),
-            };
-            if let (tree::Pattern::Name { name, mutable: false, inner: None, .. }, Some(place)) =
-                (pattern, place)
-            {
-                self.name_own(pattern, &Value::Place(place.clone()), stays);
-                self.bind(name, Value::Place(place));
-                continue;
-            }
             self.name_own(pattern, subject, stays);
-            self.test(pattern, subject, closure.body.site, &mut names)?;
+            // Nothing but its loop changes a counter that is handed on.
+            let counter =
+                |place: &Place| place.steps.is_empty() && self.steady.contains(&place.root);
+            match (pattern, subject) {
+                (
+                    tree::Pattern::Name { name, mutable: false, inner: None, .. },
+                    Value::Place(place),
+                ) if stays.is_some() || counter(place) => self.bind(name, subject.clone()),
+                _ => drop(self.test(pattern, subject, closure.body.site, &mut names)?),
+            }
         }
         self.bind_names(&names)
     }
@@ -397,10 +384,8 @@ impl<'a> Lowering<'a, '_> {
     }
 
     fn body_value(&mut self, closure: &tree::Closure) -> Result<Expr> {
-        let ty = match closure.body.slot {
-            Some(slot) => Some(self.slot(slot, closure.body.site)?),
-            None => None,
-        };
+        let slot = closure.body.slot;
+        let ty = slot.map(|slot| self.slot(slot, closure.body.site)).transpose()?;
         let unit = match &ty {
             Some(ty) => *ty == Type::Unit,
             // The body of a loop.

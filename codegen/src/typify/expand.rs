@@ -138,27 +138,27 @@ impl<'a> Lowering<'a, '_> {
         if self.expanding.contains(&function.path.as_str()) {
             return problem(site, "this calls itself where it stands", "write a loop over a range");
         }
-        self.expanding.push(&function.path);
-        let scopes = std::mem::replace(&mut self.scopes, vec![bound]);
-        let done = self.from(function, site, lower);
-        self.scopes = scopes;
-        self.expanding.pop();
-        done
+        let expanding = [&self.expanding[..], &[&function.path]].concat();
+        self.from(function, (vec![bound], expanding), site, lower)
     }
 
-    /// Lowers what stands in another function. What is wrong there is told in that function's file, once; at `site`
-    /// nothing is left to say. What is wrong in a function of the DSL's is told where the author calls it.
+    /// Lowers what stands in another function, in which names have these meanings and these functions are expanded. What
+    /// is wrong there is told in that function's file, once; at `site` nothing is left to say. What is wrong in a function
+    /// of the DSL's is told where the author calls it.
     pub(super) fn from<T>(
         &mut self,
         function: &'a tree::Function,
+        (names, expanding): (Vec<Vec<(String, Value)>>, Vec<&'a str>),
         site: Site,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
         let source = std::mem::replace(&mut self.source, function);
+        let scopes = std::mem::replace(&mut self.scopes, names);
+        let expanding = std::mem::replace(&mut self.expanding, expanding);
         let told = self.cx.told.len();
         let had = self.lenders.problem.is_some();
         let done = lower(self);
-        self.source = source;
+        (self.source, self.scopes, self.expanding) = (source, scopes, expanding);
         if let Some(problem) = self.lenders.problem.as_mut().filter(|_| !had && is_ours(function)) {
             problem.site = site;
         }

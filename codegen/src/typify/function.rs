@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
-    Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
+    Block, Expr, ExprKind, Fault, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
     StmtKind, Type,
 };
 
@@ -331,6 +331,10 @@ impl Lowering<'_, '_> {
     pub(super) fn emit(&mut self, kind: StmtKind, span: Span) {
         self.follow(&kind);
         self.out.push(Stmt::new(kind, span));
+    }
+
+    pub(super) fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
+        self.emit(StmtKind::Check { condition, fault }, span);
     }
 
     /// Gives the author's comments above `site` to the first statement since `mark`.

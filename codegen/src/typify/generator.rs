@@ -13,7 +13,7 @@ use bessemer_ir::tree::visit::{Visit, walk_expr};
 use bessemer_ir::tree::{
     self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt, Ty,
 };
-use bessemer_ir::{Expr, Int, Place, Scalar, StmtKind, Type};
+use bessemer_ir::{Expr, Int, Scalar, StmtKind, Type};
 
 use super::call::Called;
 use super::closure_args::is_hidden;
@@ -245,16 +245,6 @@ impl<'a> Lowering<'a, '_> {
         }
         match self.out.pop()?.kind {
             StmtKind::Let { value, .. } => value,
-            _ => None,
-        }
-    }
-
-    /// The counter of a loop, if that is what is handed on: nothing else changes it.
-    pub(super) fn counted(&self, subject: &Value) -> Option<Place> {
-        match subject {
-            Value::Place(place) if place.steps.is_empty() && self.steady.contains(&place.root) => {
-                Some(place.clone())
-            }
             _ => None,
         }
     }

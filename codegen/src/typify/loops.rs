@@ -15,6 +15,7 @@ use crate::termination::{self, Loop, Proof};
 use super::conditions::has_let;
 use super::each::Each;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
+use super::syntax::is_named;
 use super::value::Named;
 use super::words;
 use super::{OUR_FAULT, Result, labelled, problem};
@@ -149,7 +150,7 @@ impl Lowering<'_, '_> {
         let Some((Builtin::List(ListMethod::Pop), arguments)) = self.builtin_call(value) else {
             return Ok(None);
         };
-        if variant != "Some" || !is_named(&arguments[0]) {
+        if variant != "Some" || !is_named(&arguments[0], false) {
             return Ok(None);
         }
         let list = self.base(&arguments[0])?;
@@ -215,32 +216,25 @@ impl Lowering<'_, '_> {
 
     /// A `loop` without a declared bound: one of its `if … { break; }` has to show that it ends.
     fn ended_loop(&mut self, site: Site, body: Block) -> Result<StmtKind> {
-        let (mut shown, span) = (Err(no_end()), self.span(site));
+        let mut shown = Err(no_end());
         for head in 0..body.0.len() {
             let Some(of) = left_at(&body.0, head, &self.out) else { continue };
             let name = |place: &Place| self.place_name(place);
             match termination::proof(&self.cx.module, name, &of) {
                 Ok(proof) => return self.ended(site, Ok(proof), body),
                 Err(reason) => match termination::turned(&self.cx.module, name, &of) {
-                    Ok(()) => return Ok(self.turned(body, span)),
+                    // Nothing is known of its first pass, but that it ends: any number of passes is enough.
+                    Ok(()) => {
+                        let (span, ty) = (self.span(site), Type::Scalar(Scalar::Int(Int::U64)));
+                        let [low, high] =
+                            [0, u64::MAX].map(|word| Expr::literal(word, ty.clone(), span));
+                        return self.ended(site, Ok(Proof { low, high, inclusive: false }), body);
+                    }
                     Err(turned) => shown = Err(if head == 0 { reason } else { turned }),
                 },
             }
         }
         self.ended(site, shown, body)
-    }
-
-    /// A loop that ends, though nothing is known of its first pass: any number of passes is enough.
-    fn turned(&mut self, body: Block, span: Span) -> StmtKind {
-        let ty = Type::Scalar(Scalar::Int(Int::U64));
-        let bound = |word| Expr::literal(word, ty.clone(), span);
-        self.ended_within(bound(0), bound(u64::MAX), body, span)
-    }
-
-    fn ended_within(&mut self, from: Expr, to: Expr, body: Block, span: Span) -> StmtKind {
-        let variable = self.pass(&from, span);
-        let (inclusive, reversed, unroll, ended) = (true, false, None, true);
-        StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
     }
 
     /// A loop that its body ends, within a bound that shows.
@@ -267,7 +261,9 @@ impl Lowering<'_, '_> {
         let limit = |value: i128| Expr::literal_like(value as u64, &low);
         let from = if is_calm(&low) { low.clone() } else { limit(int.min()) };
         let to = if is_calm(&high) && !inclusive { high } else { limit(int.max()) };
-        Ok(self.ended_within(from, to, body, span))
+        let variable = self.pass(&from, span);
+        let (inclusive, reversed, unroll, ended) = (true, false, None, true);
+        Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
     }
 
     /// A place as its author names it.
@@ -337,14 +333,28 @@ impl Lowering<'_, '_> {
         }
         for Behind { flag, left, leaving } in behind {
             // What this loop stands in ends as well, unless it is the one that goes on.
-            let kind = match (leaving, self.frames[left].mark) {
-                (Leaving::Continue, None) if self.is_outermost(left, depth) => StmtKind::Continue,
-                (_, Some(mark)) if self.is_outermost(left, depth) => labelled::left(mark),
-                _ => StmtKind::Break,
-            };
+            let kind = self.way_out(left, leaving, depth).unwrap_or(StmtKind::Break);
             self.emit_if(Expr::local(flag, &Type::BOOL, span), Block::of(kind, span), span);
         }
         Ok(())
+    }
+
+    /// A loop below an end, whose author has no name for its counter.
+    pub(super) fn below(
+        &mut self,
+        name: &str,
+        end: Expr,
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
+    ) -> Result<()> {
+        self.repeated(None, None, span, |inner| {
+            let variable = inner.counter(name, span);
+            inner.counters.push(variable);
+            let at = Expr::local(variable, &Type::USIZE, span);
+            let body = inner.scoped(|inner| body(inner, at));
+            inner.counters.pop();
+            Ok(StmtKind::for_below(variable, end, body?))
+        })
     }
 
     /// Lowers a pass of a loop that several are, the outermost of them at `outermost`.
@@ -410,12 +420,7 @@ impl Lowering<'_, '_> {
                 Leaving::Continue => innermost.unwrap_or(outermost),
             };
         }
-        if self.is_outermost(depth, self.frames.len()) {
-            let kind = match (leaving, self.frames[depth].mark) {
-                (_, Some(mark)) => labelled::left(mark),
-                (Leaving::Break, None) => StmtKind::Break,
-                (Leaving::Continue, None) => StmtKind::Continue,
-            };
+        if let Some(kind) = self.way_out(depth, leaving, self.frames.len()) {
             self.emit(kind, span);
             return Ok(());
         }
@@ -430,6 +435,16 @@ impl Lowering<'_, '_> {
     /// Whether no loop stands between the frame that is left and the one at `depth`.
     fn is_outermost(&self, left: usize, depth: usize) -> bool {
         !self.frames[left + 1..depth].iter().any(Frame::is_loop)
+    }
+
+    /// What leaves the frame at `left` from `depth`; none if a loop stands between.
+    fn way_out(&self, left: usize, leaving: Leaving, depth: usize) -> Option<StmtKind> {
+        let direct = self.is_outermost(left, depth);
+        direct.then(|| match (leaving, self.frames[left].mark) {
+            (_, Some(mark)) => labelled::left(mark),
+            (Leaving::Break, None) => StmtKind::Break,
+            (Leaving::Continue, None) => StmtKind::Continue,
+        })
     }
 
     fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
@@ -513,15 +528,6 @@ fn conjuncts(condition: &tree::Expr) -> Vec<&tree::Expr> {
             [conjuncts(left), conjuncts(right)].concat()
         }
         _ => vec![condition],
-    }
-}
-
-/// Whether an expression is a variable or a part of one, so that to name it does nothing.
-fn is_named(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Local(_) => true,
-        tree::ExprKind::Field(base, _) | tree::ExprKind::Deref(base) => is_named(base),
-        _ => false,
     }
 }
 

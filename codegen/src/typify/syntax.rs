@@ -41,6 +41,16 @@ pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
     }
 }
 
+/// Whether an expression is a variable, a part of one or, if `lent`, a reference to that, so that to name it does nothing.
+pub(super) fn is_named(expr: &tree::Expr, lent: bool) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Local(_) => true,
+        tree::ExprKind::Field(base, _) | tree::ExprKind::Deref(base) => is_named(base, lent),
+        tree::ExprKind::Ref(_, base) => lent && is_named(base, lent),
+        _ => false,
+    }
+}
+
 /// `..`, or `name @ ..`.
 pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
     match pattern {
