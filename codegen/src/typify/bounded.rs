@@ -101,10 +101,7 @@ impl Lowering<'_, '_> {
     /// An element of a list, its index checked against the length.
     pub(super) fn list_element(&mut self, place: Place, index: Expr, span: Span) -> Place {
         let Some(list) = self.list_at(place.clone()) else { return place };
-        let index = match is_free(&index) {
-            true => index,
-            false => self.temporary(words::INDEX, index),
-        };
+        let index = self.temporary_unless(is_free(&index), words::INDEX, index);
         self.check_indices(&[(&index, &list.length, list.capacity)], span);
         list.at(index)
     }
@@ -201,20 +198,15 @@ impl Lowering<'_, '_> {
     /// An argument, computed once.
     fn length_argument(&mut self, argument: &tree::Expr) -> Result<Expr> {
         let length = self.value(argument, Some(&Type::USIZE))?;
-        Ok(match length.is_literal() {
-            true => length,
-            false => self.temporary("length", length),
-        })
+        Ok(self.temporary_unless(length.is_literal(), "length", length))
     }
 
     fn push(&mut self, list: &tree::Expr, element: &tree::Expr, span: Span) -> Result<()> {
         let list = self.list(list)?;
-        let mut value = self.value(element, Some(&list.element))?;
+        let value = self.value(element, Some(&list.element))?;
         self.agree(&value.ty, &list.element, element.site)?;
         // Rust computes the element before it looks for room.
-        if !is_free(&value) {
-            value = self.temporary("element", value);
-        }
+        let value = self.temporary_unless(is_free(&value), "element", value);
         self.check(list.length_is(CompareOp::Lt, list.capacity, span), Fault::Capacity, span);
         let place = list.at(list.length.load());
         self.emit(StmtKind::Assign { place, value }, span);
@@ -225,19 +217,15 @@ impl Lowering<'_, '_> {
     fn resize(&mut self, arguments: &[tree::Expr], span: Span) -> Result<()> {
         let list = self.list(&arguments[0])?;
         let length = self.length_argument(&arguments[1])?;
-        let element = self.value(&arguments[2], Some(&list.element))?;
-        let element = match element.is_literal() {
-            true => element,
-            false => self.temporary("element", element),
-        };
+        let value = self.value(&arguments[2], Some(&list.element))?;
+        let value = self.temporary_unless(value.is_literal(), "element", value);
         let capacity = Expr::usize(u64::from(list.capacity), span);
         let room = Expr::compare(CompareOp::Le, length.clone(), capacity).at(span);
         self.check(room, Fault::Capacity, span);
         let before = self.temporary("before", list.length.load());
         let variable = self.counter("i", span);
-        let index = Place::local(variable, Type::USIZE, span);
-        let place = list.at(index.load());
-        let body = Block::of(StmtKind::Assign { place, value: element }, span);
+        let place = list.at(Expr::local(variable, &Type::USIZE, span));
+        let body = Block::of(StmtKind::Assign { place, value }, span);
         self.emit(StmtKind::for_range(variable, before, length.clone(), body), span);
         self.emit(list.set_length(length), span);
         Ok(())
@@ -325,12 +313,12 @@ impl Lowering<'_, '_> {
     /// `for` over all its elements.
     pub(super) fn each_of_bounded(
         &mut self,
-        (part, matrix): (&tree::Part, Place),
+        (part, mut matrix): (&tree::Part, Place),
         Each { site, label, body, .. }: Each,
     ) -> Result<()> {
         let span = self.span(site);
         let Some((element, rows, columns)) = self.bounded_type(&matrix.ty) else { return Ok(()) };
-        let matrix = self.held_still(matrix);
+        self.keep_moving(&mut matrix);
         let mut size = |name, field, most: u32| {
             let size = matrix.inside(Step::Field(field), Type::USIZE).load();
             self.steady(name, least(size, Expr::usize(u64::from(most), span)))

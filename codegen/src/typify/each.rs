@@ -3,7 +3,7 @@
 //! A name for a reference is another name for the element; a name for a value is a local of its own.
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Order, Pattern, Site, Ty};
-use bessemer_ir::{Block, Expr, ExprKind, Place, Span, Step, Stmt, StmtKind, Type};
+use bessemer_ir::{Block, Expr, ExprKind, Span, Stmt, StmtKind, Type};
 
 use super::lengths::{is_number, least, minus, plus};
 use super::lowering::{Frame, Lowering};
@@ -97,26 +97,6 @@ impl Lowering<'_, '_> {
         })?;
         self.out.splice(mark..mark, copies);
         Ok(())
-    }
-
-    /// Computes the indices on the way to an array once.
-    pub(super) fn held_still(&mut self, mut place: Place) -> Place {
-        for step in &mut place.steps {
-            if let Step::Index(index) = step
-                && !index.is_literal()
-                && !self.is_counter(index)
-                && !self.is_steady(index)
-            {
-                *index = self.temporary(words::INDEX, index.clone());
-            }
-        }
-        place
-    }
-
-    /// Whether a value is that of a counter, which only its loop changes.
-    fn is_counter(&self, index: &Expr) -> bool {
-        matches!(&index.kind, ExprKind::Load(place)
-            if place.steps.is_empty() && self.counters.contains(&place.root))
     }
 
     /// The name for the counter of a loop whose author has none.

@@ -531,6 +531,11 @@ impl Lowering<'_, '_> {
         self.temporary_place(role, value).load()
     }
 
+    /// The same, unless the value stays what it is.
+    pub(super) fn temporary_unless(&mut self, stays: bool, role: &str, value: Expr) -> Expr {
+        if stays { value } else { self.temporary(role, value) }
+    }
+
     /// Its place.
     pub(super) fn temporary_place(&mut self, role: &str, value: Expr) -> Place {
         let place = self.mutable_place(role, value);

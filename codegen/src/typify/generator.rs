@@ -237,13 +237,9 @@ impl<'a> Lowering<'a, '_> {
     /// What a subject holds that was computed last, where it is read once, and next.
     pub(super) fn just_computed(&mut self, subject: &Value, before: usize) -> Option<Expr> {
         let Value::Place(place) = subject else { return None };
-        let last = self.out.last()?;
-        match &last.kind {
-            StmtKind::Let { local, value: Some(_) }
-                if *local == place.root && place.steps.is_empty() && local.index() >= before => {}
-            _ => return None,
-        }
-        match self.out.pop()?.kind {
+        let own = place.steps.is_empty() && place.root.index() >= before;
+        let is_it = |kind: &StmtKind| matches!(kind, StmtKind::Let { local, value: Some(_) } if *local == place.root);
+        match self.out.pop_if(|last| own && is_it(&last.kind))?.kind {
             StmtKind::Let { value, .. } => value,
             _ => None,
         }

@@ -137,8 +137,7 @@ impl Lowering<'_, '_> {
         self.out.extend(behind);
         if endless {
             // Behind the last pass there is nothing but the fault.
-            let condition = Expr::bool(false, span);
-            self.emit(StmtKind::Check { condition, fault: Fault::Bound }, span);
+            self.check(Expr::bool(false, span), Fault::Bound, span);
         }
         Ok(())
     }

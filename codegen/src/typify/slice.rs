@@ -210,10 +210,7 @@ impl Lowering<'_, '_> {
 
     /// A value that is computed once, and written down again as it is where nothing changes it.
     pub(super) fn steady(&mut self, role: &str, value: Expr) -> Expr {
-        match self.is_steady(&value) {
-            true => value,
-            false => self.temporary(role, value),
-        }
+        self.temporary_unless(self.is_steady(&value), role, value)
     }
 
     /// Whether nothing writes to what a value is read from.
@@ -244,10 +241,7 @@ impl Lowering<'_, '_> {
         if slice.whole {
             return slice.at(index);
         }
-        let index = match super::order::is_free(&index) {
-            true => index,
-            false => self.temporary(words::INDEX, index),
-        };
+        let index = self.temporary_unless(super::order::is_free(&index), words::INDEX, index);
         let there = Expr::compare(CompareOp::Lt, index.clone(), slice.length.clone()).at(span);
         self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
         slice.at(plus(slice.from.clone(), index))

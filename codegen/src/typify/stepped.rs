@@ -5,6 +5,7 @@ use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Mode, Scalar, StmtKind, Type,
 };
 
+use super::lengths;
 use super::lowering::Lowering;
 use super::words;
 use super::{OUR_FAULT, Result, problem};
@@ -98,10 +99,7 @@ impl Lowering<'_, '_> {
 
     /// An end that is computed once.
     fn once(&mut self, role: &str, end: Expr) -> Expr {
-        match end.kind {
-            ExprKind::Literal(_) => end,
-            _ => self.temporary(role, end),
-        }
+        self.temporary_unless(lengths::number(&end).is_some(), role, end)
     }
 
     /// Steps of a constant through unsigned numbers, which count the passes, too.
@@ -112,24 +110,14 @@ impl Lowering<'_, '_> {
         // The last number that there may be is one more than those behind the steps.
         let last = inclusive.then(|| self.temporary("last", to.clone()));
         let to = last.clone().unwrap_or(to);
-        let length = match from_zero {
-            true => to,
-            false => Expr::intrinsic(Intrinsic::SaturatingSub, vec![to, held.clone()]),
-        };
-        let length = match (&last, from_zero) {
-            (Some(_), true) => length,
-            _ => self.temporary("length", length),
-        };
-        let whole = Expr::binary(BinaryOp::Div, length.clone(), step.clone());
-        let more = match last {
-            // A step of at least 2 leaves room for it.
-            Some(_) if from_zero => Expr::literal_like(1, &held),
-            Some(last) => Expr::compare(CompareOp::Le, held.clone(), last).cast(&held.ty),
-            // A step of 1 leaves no rest, so this cannot leave the type.
-            None => leaves_rest(length, step.clone()).cast(&held.ty),
-        };
-        let passes =
-            self.temporary("passes", Expr::intrinsic(Intrinsic::WrappingAdd, vec![whole, more]));
+        let named = inclusive && from_zero;
+        let length = self.temporary_unless(named, "length", distance(&held, to));
+        // A step of at least 2 leaves room for the last number, and a step of 1 no rest: this cannot leave the type.
+        let more = last.map(|last| match from_zero {
+            true => Expr::literal_like(1, &held),
+            false => Expr::compare(CompareOp::Le, held.clone(), last),
+        });
+        let passes = self.passes_of(length, &step, more, Intrinsic::WrappingAdd);
         Steps { from: held, step, passes, constant: false }
     }
 
@@ -139,15 +127,11 @@ impl Lowering<'_, '_> {
         let span = step.span;
         let step = self.once("step", step);
         let there = Expr::compare(CompareOp::Ne, step.clone(), Expr::literal_like(0, &step));
-        self.emit(StmtKind::Check { condition: there, fault: Fault::Assertion }, span);
-        let wide = int.bits() == 64;
+        self.check(there, Fault::Assertion, span);
         let length = match int {
             Int::U64 | Int::Usize => {
                 let [first, last] = [&from, &to].map(|end| end.clone().cast(&Type::USIZE));
-                match first.kind {
-                    ExprKind::Literal(0) => last,
-                    _ => Expr::intrinsic(Intrinsic::SaturatingSub, vec![last, first]),
-                }
+                distance(&first, last)
             }
             // What lies between two numbers of 64 bits with a sign fits without it.
             Int::I64 | Int::Isize => {
@@ -164,28 +148,35 @@ impl Lowering<'_, '_> {
                 Expr::intrinsic(Intrinsic::Max, vec![length, none]).cast(&Type::USIZE)
             }
         };
-        let length = match length.kind {
-            ExprKind::Load(_) => length,
-            _ => self.temporary("length", length),
-        };
-        let whole = Expr::binary(BinaryOp::Div, length.clone(), step.clone());
-        let more = match inclusive {
-            true => Expr::compare(CompareOp::Le, from.clone(), to),
-            false => leaves_rest(length, step.clone()),
-        };
-        let more = more.cast(&Type::USIZE);
+        let named = matches!(length.kind, ExprKind::Load(_));
+        let length = self.temporary_unless(named, "length", length);
+        let more = inclusive.then(|| Expr::compare(CompareOp::Le, from.clone(), to));
         // All numbers of 64 bits are one more than `usize` counts to, and nobody gets that far.
-        let add = if wide && inclusive { Intrinsic::SaturatingAdd } else { Intrinsic::WrappingAdd };
-        let passes = self.temporary("passes", Expr::intrinsic(add, vec![whole, more]));
+        let add = match int.bits() {
+            64 if inclusive => Intrinsic::SaturatingAdd,
+            _ => Intrinsic::WrappingAdd,
+        };
+        let passes = self.passes_of(length, &step, more, add);
         Steps { from: from.cast(&Type::USIZE), step, passes, constant: false }
+    }
+
+    /// The steps that a length has room for, and one `more`; without that, one where the length leaves a rest.
+    fn passes_of(&mut self, length: Expr, step: &Expr, more: Option<Expr>, add: Intrinsic) -> Expr {
+        let [whole, rest] =
+            [BinaryOp::Div, BinaryOp::Rem].map(|op| Expr::binary(op, length.clone(), step.clone()));
+        let none = Expr::literal_like(0, &rest);
+        let more = more.unwrap_or_else(|| Expr::compare(CompareOp::Ne, rest, none));
+        let more = more.cast(&whole.ty);
+        self.temporary("passes", Expr::intrinsic(add, vec![whole, more]))
     }
 }
 
-/// Whether the last step is a shorter one.
-fn leaves_rest(length: Expr, step: Expr) -> Expr {
-    let rest = Expr::binary(BinaryOp::Rem, length, step);
-    let none = Expr::literal_like(0, &rest);
-    Expr::compare(CompareOp::Ne, rest, none)
+/// How far it is from one number to another, which may lie before it.
+fn distance(from: &Expr, to: Expr) -> Expr {
+    match from.kind {
+        ExprKind::Literal(0) => to,
+        _ => Expr::intrinsic(Intrinsic::SaturatingSub, vec![to, from.clone()]),
+    }
 }
 
 /// The number of a pass.
