@@ -92,17 +92,16 @@ impl Lowering<'_, '_> {
         }
         let whole = self.zero(&ty, span);
         let result = self.temporary_place("elements", whole);
-        let copy = |walk: &mut Self, col: Expr, row: Option<Expr>| {
-            let at = (col, row);
-            let (place, value) = (cell(&result, &at, span), cell(&source, &at, span).load());
+        let copy = |walk: &mut Self, at: &[Expr]| {
+            let (place, value) = (cell(&result, at, span), cell(&source, at, span).load());
             walk.emit(StmtKind::Assign { place, value }, span);
             Ok(())
         };
         let count = |count: u32| Expr::usize(u64::from(count), span);
         match inner {
-            None => self.below("i", count(outer), span, |walk, i| copy(walk, i, None))?,
+            None => self.below("i", count(outer), span, |walk, i| copy(walk, &[i]))?,
             Some(rows) => self.below("col", count(outer), span, |walk, col| {
-                walk.below("row", count(rows), span, |walk, row| copy(walk, col, Some(row)))
+                walk.below("row", count(rows), span, |walk, row| copy(walk, &[col, row]))
             })?,
         }
         Ok(result.load())
@@ -142,25 +141,19 @@ fn dimensions(ty: &Type) -> Option<(u32, Option<u32>)> {
 }
 
 /// The part of an array or a matrix at a column and a row, or at an index.
-fn cell(whole: &Place, (outer, inner): &(Expr, Option<Expr>), span: Span) -> Place {
-    match (&whole.ty, inner) {
-        (Type::Matrix { element, rows, .. }, inner) => {
-            let (row, col) = match inner {
-                Some(row) => (row.clone(), outer.clone()),
-                None if *rows == 1 => (Expr::usize(0, span), outer.clone()),
-                None => (outer.clone(), Expr::usize(0, span)),
+fn cell(whole: &Place, at: &[Expr], span: Span) -> Place {
+    let zero = Expr::usize(0, span);
+    match (&whole.ty, at) {
+        (Type::Matrix { element, rows, .. }, [first, rest @ ..]) => {
+            let (row, col) = match rest {
+                [row, ..] => (row, first),
+                [] if *rows == 1 => (&zero, first),
+                [] => (first, &zero),
             };
-            whole.inside(Step::Element(row, col), Type::Scalar(*element))
+            whole.inside(Step::Element(row.clone(), col.clone()), Type::Scalar(*element))
         }
-        (Type::Array { element, .. }, inner) => {
-            let part = whole.inside(Step::Index(outer.clone()), (**element).clone());
-            match (&part.ty, inner) {
-                (Type::Array { element, .. }, Some(row)) => {
-                    let element = (**element).clone();
-                    part.inside(Step::Index(row.clone()), element)
-                }
-                _ => part,
-            }
+        (Type::Array { element, .. }, [first, rest @ ..]) => {
+            cell(&whole.inside(Step::Index(first.clone()), (**element).clone()), rest, span)
         }
         _ => whole.clone(),
     }
@@ -174,12 +167,10 @@ fn written_out(
     span: Span,
 ) -> ExprKind {
     let index = |index: u32| Expr::usize(u64::from(index), span);
-    let columns = (0..outer).map(|col| -> Vec<Expr> {
-        let at = |row| cell(source, &(index(col), row), span).load();
-        inner.map_or_else(
-            || vec![at(None)],
-            |rows| (0..rows).map(|row| at(Some(index(row)))).collect(),
-        )
+    let load = |at: &[Expr]| cell(source, at, span).load();
+    let columns = (0..outer).map(|col| match inner {
+        Some(rows) => (0..rows).map(|row| load(&[index(col), index(row)])).collect(),
+        None => vec![load(&[index(col)])],
     });
     match (ty, inner) {
         (Type::Array { element: ty, .. }, Some(_)) => {

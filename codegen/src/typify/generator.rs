@@ -124,19 +124,19 @@ impl<'a> Lowering<'a, '_> {
             },
             By::Closure(..) => None,
         };
-        let going = |way: Way| match (&by, text?) {
-            (By::Call((function, _)), it @ tree::Expr { kind: Tree::For { slot, .. }, .. }) => {
+        let indices = match (&by, text.map(|text| &text.kind)) {
+            (By::Call((function, _)), Some(Tree::For { slot, .. })) => {
                 let ty = function.slots.get(*slot as usize);
-                let counts = matches!(ty, Some(Ty::Scalar(Scalar::Int(Int::Usize))));
-                counts.then(|| way.of_range(it))?
+                matches!(ty, Some(Ty::Scalar(Scalar::Int(Int::Usize))))
             }
-            (_, it) => way.of(it),
+            _ => false,
         };
-        let counted = going(Way { order, counted: index.is_some() });
+        let going = |way: Way| going(way, text?, indices);
+        let counted = going((order, index.is_some()));
         let indexed = counted.is_some();
         // From the last on with an index that goes up, a number beside it is the index.
         let itself = counted.or_else(|| match (order, index) {
-            (Order::Mirrored, Some(_)) => going(Way { order: Order::Down, counted: false }),
+            (Order::Mirrored, Some(_)) => going((Order::Down, false)),
             _ => None,
         });
         if !straight || (order != Order::Up && itself.is_none()) || !cuts.is_empty() {
@@ -262,66 +262,61 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// How a loop goes through an iterator that is an argument.
-struct Way {
-    order: Order,
-    counted: bool,
+/// How a loop goes through what a loop hands on: in an order, each item with its index if they are counted.
+type Way = (Order, bool);
+
+/// A loop that hands on each element, going that way itself; none if that cannot be said of it. A range is one of indices,
+/// if that is what its numbers may be.
+fn going((order, counted): Way, through: &tree::Expr, indices: bool) -> Option<tree::Expr> {
+    let mut text = through.clone();
+    match &mut text.kind {
+        Tree::Each { index: own, order: way, cuts, body, .. } => {
+            // Its own numbers go the way that it goes.
+            if own.is_some() && (counted || *way != Order::Up || !cuts.is_empty()) {
+                return None;
+            }
+            *way = turned(*way, (order, counted), body).filter(|_| !counted || cuts.is_empty())?;
+            if counted {
+                with_number(body, COUNTER)?;
+                *own = Some(COUNTER.into());
+            }
+        }
+        // Of a range from zero on the counter is the index. One that begins with `_` is none that could be read.
+        Tree::For { name, range, body, .. }
+            if indices
+                && matches!(&range.from.kind, Tree::Int(digits, _) if digits == "0")
+                && !name.starts_with('_')
+                && range.step.is_none()
+                && !range.inclusive
+                && range.to.is_some() =>
+        {
+            let own = if range.reversed { Order::Down } else { Order::Up };
+            let way = turned(own, (order, counted), body).filter(|it| *it != Order::Mirrored)?;
+            range.reversed = way == Order::Down;
+            if counted {
+                with_number(body, name)?;
+            }
+        }
+        _ => return None,
+    }
+    Some(text)
 }
 
-impl Way {
-    /// A loop that hands on each element, going that way itself, each element with its index if they are counted; none if
-    /// that cannot be said of it.
-    fn of(&self, through: &tree::Expr) -> Option<tree::Expr> {
-        let mut text = through.clone();
-        let Tree::Each { index: own, order, cuts, body, .. } = &mut text.kind else {
-            return None;
-        };
-        // Its own numbers go the way that it goes.
-        if own.is_some() && (self.counted || *order != Order::Up || !cuts.is_empty()) {
-            return None;
-        }
-        *order = self.turned(*order, body).filter(|_| !self.counted || cuts.is_empty())?;
-        if self.counted {
-            with_number(body, COUNTER)?;
-            *own = Some(COUNTER.into());
-        }
-        Some(text)
+/// The order in which a loop that goes one way itself goes another.
+fn turned(own: Order, (order, counted): Way, body: &tree::Block) -> Option<Order> {
+    let mut hands = Hands { each: 0, ends: false };
+    hands.block(body);
+    // What ends early, or hands on in loops of its own, has no other way.
+    if hands.each != 1 || (hands.ends && order != Order::Up) {
+        return None;
     }
-
-    /// The order in which a loop that goes one way itself goes this way.
-    fn turned(&self, own: Order, body: &tree::Block) -> Option<Order> {
-        let mut hands = Hands { each: 0, ends: false };
-        hands.block(body);
-        // What ends early, or hands on in loops of its own, has no other way.
-        if hands.each != 1 || (hands.ends && self.order != Order::Up) {
-            return None;
-        }
-        match (own, self.order, self.counted) {
-            (own, Order::Up, false) => Some(own),
-            (Order::Up, Order::Down, false) => Some(Order::Down),
-            (Order::Down, Order::Down, false) => Some(Order::Up),
-            (Order::Up, Order::Up | Order::Down, true) => Some(self.order),
-            (Order::Down, Order::Up, true) => Some(Order::Mirrored),
-            _ => None,
-        }
-    }
-
-    /// The same of a loop over a range from zero on, whose counter is the index.
-    fn of_range(&self, through: &tree::Expr) -> Option<tree::Expr> {
-        let mut text = through.clone();
-        let Tree::For { name, range, body, .. } = &mut text.kind else { return None };
-        let from_zero = matches!(&range.from.kind, Tree::Int(digits, _) if digits == "0");
-        // One that begins with `_` is none that could be read.
-        let named = !name.starts_with('_');
-        let plain =
-            from_zero && named && range.step.is_none() && !range.inclusive && range.to.is_some();
-        let own = if range.reversed { Order::Down } else { Order::Up };
-        let turned = self.turned(own, body).filter(|it| plain && *it != Order::Mirrored)?;
-        range.reversed = turned == Order::Down;
-        if self.counted {
-            with_number(body, name)?;
-        }
-        Some(text)
+    match (own, order, counted) {
+        (own, Order::Up, false) => Some(own),
+        (Order::Up, Order::Down, false) => Some(Order::Down),
+        (Order::Down, Order::Down, false) => Some(Order::Up),
+        (Order::Up, Order::Up | Order::Down, true) => Some(order),
+        (Order::Down, Order::Up, true) => Some(Order::Mirrored),
+        _ => None,
     }
 }
 

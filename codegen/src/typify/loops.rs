@@ -21,20 +21,6 @@ use super::words;
 use super::{OUR_FAULT, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
-    /// A loop through a range, or through elements.
-    pub(super) fn through(&mut self, expr: &tree::Expr) -> Result<()> {
-        match &expr.kind {
-            tree::ExprKind::For { label, name, slot, range, body } => {
-                self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
-            }
-            tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
-                let (site, label, index) = (expr.site, label.as_deref(), index.as_deref());
-                self.each_stmt(parts, Each { site, label, index, order: *order, cuts, body })
-            }
-            _ => self.effect(expr),
-        }
-    }
-
     pub(super) fn for_stmt(
         &mut self,
         site: Site,
@@ -65,74 +51,64 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// `while`: one pass more than the bound comes to the condition, and not beyond.
+    /// `while`, of which the condition is asked once more than the bound says, and not beyond; without a condition `loop`,
+    /// the value of its `break` to `target` if it has one.
     pub(super) fn while_stmt(
         &mut self,
         site: Site,
         label: Option<&str>,
-        condition: &tree::Expr,
-        bound: Option<&tree::Expr>,
+        (condition, bound): (Option<&tree::Expr>, Option<&tree::Expr>),
         body: &tree::Block,
+        target: Option<&Target>,
     ) -> Result<()> {
-        if let (None, Some(rest)) = (bound, self.rest_of(condition, body)) {
+        if let (Some(condition), None) = (condition, bound)
+            && let Some(rest) = self.rest_of(condition, body)
+        {
             let (index, order, cuts) = (None, tree::Order::Up, &[][..]);
             return self.each_stmt(&[rest], Each { site, label, index, order, cuts, body });
         }
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
-        let length = self.popped_length(condition)?;
-        self.repeated(label, None, span, |inner| {
+        let popped = condition.map(|it| self.popped_length(it)).transpose()?.flatten();
+        let (mut endless, mut behind) = (false, Vec::new());
+        self.repeated(label, target, span, |inner| {
             let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
             let mut heads = Vec::new();
-            let body = inner.scoped(|inner| {
+            let mut body = inner.scoped(|inner| {
                 let mut names = Vec::new();
-                heads = inner.heads(condition, &mut names, span)?;
+                if let Some(condition) = condition {
+                    heads = inner.heads(condition, &mut names, span)?;
+                }
                 if let Some((pass, bound)) = &declared {
-                    inner.emit(begun(*pass, bound, span), span);
+                    let pass = Expr::local(*pass, &bound.ty, span);
+                    let begins = Expr::compare(CompareOp::Lt, pass, bound.clone());
+                    inner.check(begins, Fault::Bound, span);
                 }
                 inner.bind_names(&names)?;
                 inner.statements(body)
             })?;
-            match (declared, length) {
-                (Some((pass, bound)), _) => Ok(passes(pass, bound, true, body)),
-                (None, Some(length)) => {
-                    let name = |place: &Place| inner.place_name(place);
-                    let rest = &body.0[heads[0] + 1..];
-                    let shown = termination::popped(&inner.cx.module, name, &length, rest);
-                    inner.ended(site, shown, body)
-                }
-                (None, None) => {
-                    let shown = inner.shown(&body, &heads);
-                    inner.ended(site, shown, body)
-                }
-            }
-        })
-    }
-
-    /// `loop`, the value of its `break` to `target` if it has one.
-    pub(super) fn loop_stmt(
-        &mut self,
-        site: Site,
-        label: Option<&str>,
-        bound: Option<&tree::Expr>,
-        body: &tree::Block,
-        target: Option<&Target>,
-    ) -> Result<()> {
-        let span = self.span(site);
-        let bound = bound.map(|bound| self.passes(bound)).transpose()?;
-        let (mut endless, mut behind) = (false, Vec::new());
-        self.repeated(label, target, span, |inner| {
-            let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
-            let mut body = inner.scoped(|inner| inner.statements(body))?;
             let Some((pass, bound)) = declared else {
-                behind = last_breath(&mut body);
-                return inner.ended_loop(site, body);
+                let shown = match popped {
+                    _ if condition.is_none() => {
+                        behind = last_breath(&mut body);
+                        return inner.ended_loop(site, body);
+                    }
+                    Some(length) => {
+                        let name = |place: &Place| inner.place_name(place);
+                        let rest = &body.0[heads[0] + 1..];
+                        termination::popped(&inner.cx.module, name, &length, rest)
+                    }
+                    None => inner.shown(&body, &heads),
+                };
+                return inner.ended(site, shown, body);
             };
             endless = !body.0.iter().any(breaks_in);
-            if !endless {
-                body.0.insert(0, Stmt::new(begun(pass, &bound, span), span));
+            if endless {
+                body.0.remove(0);
             }
-            Ok(passes(pass, bound, !endless, body))
+            // Another pass than the bound says begins, for its check to tell.
+            let bounds = [Expr::literal_like(0, &bound), bound];
+            Ok(StmtKind::for_way(pass, bounds, (!endless, false), body))
         })?;
         self.out.extend(behind);
         if endless {
@@ -528,18 +504,6 @@ fn conjuncts(condition: &tree::Expr) -> Vec<&tree::Expr> {
         }
         _ => vec![condition],
     }
-}
-
-/// The check that a pass may begin.
-fn begun(pass: LocalId, bound: &Expr, span: Span) -> StmtKind {
-    let pass = Expr::local(pass, &bound.ty, span);
-    let condition = Expr::compare(CompareOp::Lt, pass, bound.clone());
-    StmtKind::Check { condition, fault: Fault::Bound }
-}
-
-/// The passes of a loop with a bound; `over`: one more begins, for its check to tell.
-fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
-    StmtKind::for_way(variable, [Expr::literal_like(0, &bound), bound], (over, false), body)
 }
 
 /// Whether an expression is nothing to evaluate once more.
