@@ -7,7 +7,7 @@
 use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, Stmt, StmtKind,
-    StructId, Type,
+    Type,
 };
 
 use super::each::Each;
@@ -20,25 +20,25 @@ use super::value::Value;
 use super::words;
 use super::{OUR_FAULT, Result, problem, struct_of};
 
-/// A list in its place.
-struct List {
-    place: Place,
-    /// The place of its length.
-    length: Place,
+/// A container in its place.
+struct Bounded {
+    /// The place of all elements, those beyond its size too.
+    items: Place,
     element: Type,
+    /// The place of its length, in a matrix of how many rows there are; and how many there may be.
+    length: Place,
     capacity: u32,
+    /// The same of the columns of a matrix.
+    columns: Option<(Place, u32)>,
 }
 
-impl List {
-    /// The place of all elements, those behind the length too.
-    fn items(&self) -> Place {
-        let ty = Type::Array { element: Box::new(self.element.clone()), len: self.capacity };
-        self.place.inside(Step::Field(1), ty)
-    }
-
-    /// The place of an element.
-    fn at(&self, index: Expr) -> Place {
-        self.items().inside(Step::Index(index), self.element.clone())
+impl Bounded {
+    /// The place of the element at an index; in a matrix at a column and a row.
+    fn at(&self, indices: impl IntoIterator<Item = Expr>) -> Place {
+        indices.into_iter().fold(self.items.clone(), |place, index| match &place.ty {
+            Type::Array { element, .. } => place.inside(Step::Index(index), (**element).clone()),
+            _ => place,
+        })
     }
 
     /// How the length compares with a number.
@@ -63,62 +63,144 @@ impl List {
 }
 
 impl Lowering<'_, '_> {
-    /// The parts of a type that is a list: of its elements, and how many there may be.
-    pub(super) fn list_type(&self, ty: &Type) -> Option<(StructId, Type, u32)> {
+    /// The elements of a type that is a container, and how many there may be; in a matrix in a column, and how many columns.
+    pub(super) fn contained(&self, ty: &Type) -> Option<(Type, u32, Option<u32>)> {
         let Type::Struct(id) = ty else { return None };
         let definition = &self.cx.module.structs[id.index()];
-        match (&definition.form, &definition.fields.get(1)?.ty) {
-            (Form::Sequence, Type::Array { element, len }) => {
-                Some((*id, (**element).clone(), *len))
-            }
+        let array = |at: usize| match &definition.fields.get(at)?.ty {
+            Type::Array { element, len } => Some((&**element, *len)),
             _ => None,
+        };
+        if self.cx.known(ty).bounded {
+            let (Type::Array { element, len }, columns) = array(2)? else { return None };
+            return Some(((**element).clone(), *len, Some(columns)));
         }
+        let (element, len) = array(1).filter(|_| definition.form == Form::Sequence)?;
+        Some((element.clone(), len, None))
     }
 
-    /// The list at a place, if one is there.
-    fn list_at(&self, place: Place) -> Option<List> {
-        let (_, element, capacity) = self.list_type(&place.ty)?;
-        let length = place.inside(Step::Field(0), Type::USIZE);
-        Some(List { place, length, element, capacity })
+    /// The container at a place, if one is there.
+    fn bounded(&self, place: &Place) -> Option<Bounded> {
+        let (element, capacity, columns) = self.contained(&place.ty)?;
+        let array = |element: &Type, len| Type::Array { element: Box::new(element.clone()), len };
+        let size = |field| place.inside(Step::Field(field), Type::USIZE);
+        let column = array(&element, capacity);
+        let items = match columns {
+            Some(columns) => place.inside(Step::Field(2), array(&column, columns)),
+            None => place.inside(Step::Field(1), column),
+        };
+        let columns = columns.map(|most| (size(1), most));
+        Some(Bounded { items, element, length: size(0), capacity, columns })
+    }
+
+    fn list_at(&self, place: &Place) -> Option<Bounded> {
+        self.bounded(place).filter(|it| it.columns.is_none())
     }
 
     /// The places of a list's length and of its elements.
     pub(super) fn list_items(&self, place: &Place) -> Option<(Place, Place)> {
-        let list = self.list_at(place.clone())?;
-        let items = list.items();
-        Some((list.length, items))
+        self.list_at(place).map(|list| (list.length, list.items))
     }
 
-    fn list(&mut self, expr: &tree::Expr) -> Result<List> {
+    fn list(&mut self, expr: &tree::Expr) -> Result<Bounded> {
         let mut place = self.base(expr)?;
         self.keep_indices(&mut place, |index| !index.is_literal());
-        match self.list_at(place) {
+        match self.list_at(&place) {
             Some(list) => Ok(list),
             None => problem(expr.site, "this is not a `List`", OUR_FAULT),
         }
     }
 
-    /// An element of a list, its index checked against the length.
-    pub(super) fn list_element(&mut self, place: Place, index: Expr, span: Span) -> Place {
-        let Some(list) = self.list_at(place.clone()) else { return place };
-        let index = self.temporary_unless(is_free(&index), words::INDEX, index);
-        self.check_indices(&[(&index, &list.length, list.capacity)], span);
-        list.at(index)
-    }
-
-    /// Checks indices against the sizes at places, and these against the room that there is: that holds of every container,
-    /// and keeps a damaged one from being read beyond its end.
-    fn check_indices(&mut self, indices: &[(&Expr, &Place, u32)], span: Span) {
-        let sound = indices.iter().map(|(_, size, room)| {
-            Expr::compare(CompareOp::Le, size.load(), Expr::usize(u64::from(*room), span))
+    /// `list[index]`, `matrix[(row, column)]`: each index is checked against the size, and that against the room that there
+    /// is: this holds of every container, and keeps a damaged one from being read beyond its end.
+    pub(super) fn bounded_element(
+        &mut self,
+        mut place: Place,
+        index: &tree::Expr,
+        span: Span,
+    ) -> Result<Place> {
+        let mark = self.out.len();
+        let is_matrix = self.contained(&place.ty).is_some_and(|(.., columns)| columns.is_some());
+        let mut indices = match is_matrix {
+            true => self.row_and_column(index)?.into(),
+            false => vec![self.value(index, Some(&Type::USIZE))?],
+        };
+        let later = self.later(mark);
+        self.settle_place(&mut place, &later);
+        self.out.extend(later);
+        if !is_matrix {
+            self.keep_indices(&mut place, |index| !index.is_literal());
+            for index in &mut indices {
+                *index = self.temporary_unless(is_free(index), words::INDEX, index.clone());
+            }
+        }
+        let Some(bounded) = self.bounded(&place) else { return Ok(place) };
+        let sizes = || {
+            [(&bounded.length, bounded.capacity)]
+                .into_iter()
+                .chain(bounded.columns.iter().map(|(size, most)| (size, *most)))
+        };
+        let sound = sizes().map(|(size, most)| {
+            Expr::compare(CompareOp::Le, size.load(), Expr::usize(u64::from(most), span))
         });
-        let inside = indices
-            .iter()
-            .map(|(index, size, _)| Expr::compare(CompareOp::Lt, (*index).clone(), size.load()));
+        let inside = sizes()
+            .zip(&indices)
+            .map(|((size, _), index)| Expr::compare(CompareOp::Lt, index.clone(), size.load()));
         let conditions = sound.chain(inside).map(|it| it.at(span));
         if let Some(all) = conditions.reduce(|a, b| Expr::logic(LogicOp::And, a, b)) {
             self.check(all, Fault::Index, span);
         }
+        let place = bounded.at(indices.into_iter().rev());
+        Ok(if is_matrix { Place { span, ..place } } else { place })
+    }
+
+    fn row_and_column(&mut self, index: &tree::Expr) -> Result<[Expr; 2]> {
+        let remedy = "write `m[(row, column)]`";
+        let tree::ExprKind::Tuple(parts) = &index.kind else {
+            return problem(index.site, "a `BoundedMatrix` takes a row and a column", remedy);
+        };
+        let [row, column] = parts.as_slice() else {
+            return problem(index.site, "this takes a row and a column", remedy);
+        };
+        let usize = Some(Type::USIZE);
+        let indices = self.operands(&[
+            Operand { expr: row, expected: usize.clone(), role: "row" },
+            Operand { expr: column, expected: usize, role: "column" },
+        ])?;
+        let [row, column] = two(indices, index.site)?;
+        Ok([self.steady("row", row), self.steady("column", column)])
+    }
+
+    /// A `BoundedMatrix` that a loop goes through, if it has a name.
+    pub(super) fn bounded_place(&mut self, expr: &tree::Expr) -> Option<Place> {
+        // Whatever else is wrong with it is told where it is lowered.
+        let place = is_named(expr, true).then(|| self.base(expr).ok())??;
+        self.contained(&place.ty)?.2.map(|_| place)
+    }
+
+    /// `for` over all its elements.
+    pub(super) fn each_of_bounded(
+        &mut self,
+        (part, mut matrix): (&tree::Part, Place),
+        Each { site, label, body, .. }: Each,
+    ) -> Result<()> {
+        let span = self.span(site);
+        self.keep_moving(&mut matrix);
+        let Some(matrix) = self.bounded(&matrix) else { return Ok(()) };
+        let Some((columns, most)) = &matrix.columns else { return Ok(()) };
+        let mut end = |name, size: &Place, most: u32| {
+            self.steady(name, least(size.load(), Expr::usize(u64::from(most), span)))
+        };
+        let rows = end("rows", &matrix.length, matrix.capacity);
+        let columns = end("columns", columns, *most);
+        let outermost = self.frames.len();
+        self.below("column", columns, span, |walk, column| {
+            walk.below("row", rows, span, |walk, row| {
+                let place = Place { span, ..matrix.at([column, row]) };
+                walk.bind_pattern(&part.pattern, &Value::Place(place), site)?;
+                walk.pass_of(label, outermost, |walk| walk.statements(body))
+            })
+        })
     }
 
     /// The value of a method of `List` that has one.
@@ -151,7 +233,7 @@ impl Lowering<'_, '_> {
         let none = self.choice(option, 0, None, site)?;
         let place = self.temporary_place("popped", none);
         let held = place.load();
-        let some = self.choice(option, 1, Some(list.at(list.length.load()).load()), site)?;
+        let some = self.choice(option, 1, Some(list.at([list.length.load()]).load()), site)?;
         let then = vec![
             Stmt::new(list.moved_length(Intrinsic::WrappingSub, span), span),
             Stmt::new(StmtKind::Assign { place, value: some }, span),
@@ -208,7 +290,7 @@ impl Lowering<'_, '_> {
         // Rust computes the element before it looks for room.
         let value = self.temporary_unless(is_free(&value), "element", value);
         self.check(list.length_is(CompareOp::Lt, list.capacity, span), Fault::Capacity, span);
-        let place = list.at(list.length.load());
+        let place = list.at([list.length.load()]);
         self.emit(StmtKind::Assign { place, value }, span);
         self.emit(list.moved_length(Intrinsic::WrappingAdd, span), span);
         Ok(())
@@ -224,7 +306,7 @@ impl Lowering<'_, '_> {
         self.check(room, Fault::Capacity, span);
         let before = self.temporary("before", list.length.load());
         let variable = self.counter("i", span);
-        let place = list.at(Expr::local(variable, &Type::USIZE, span));
+        let place = list.at([Expr::local(variable, &Type::USIZE, span)]);
         let body = Block::of(StmtKind::Assign { place, value }, span);
         self.emit(StmtKind::for_range(variable, before, length.clone(), body), span);
         self.emit(list.set_length(length), span);
@@ -238,7 +320,7 @@ impl Lowering<'_, '_> {
         site: Site,
         span: Span,
     ) -> Result<Expr> {
-        let lists = (self.list_at(left.clone()), self.list_at(right.clone()));
+        let lists = (self.list_at(left), self.list_at(right));
         let (Some(left), Some(right)) = lists else {
             return problem(site, "this is not a `List`", OUR_FAULT);
         };
@@ -247,103 +329,8 @@ impl Lowering<'_, '_> {
         self.and_then(as_long, |inner| {
             let count = lesser(one, Expr::usize(u64::from(left.capacity), span));
             inner.all_equal(count, span, |inner, index| {
-                inner.equal(&left.at(index.clone()), &right.at(index), site, span)
+                inner.equal(&left.at([index.clone()]), &right.at([index]), site, span)
             })
         })
     }
-}
-
-impl Lowering<'_, '_> {
-    /// The type of the elements of a `BoundedMatrix`, and how many rows and columns there may be.
-    pub(super) fn bounded_type(&self, ty: &Type) -> Option<(Type, u32, u32)> {
-        let Type::Struct(id) = ty else { return None };
-        if !self.cx.known(ty).bounded {
-            return None;
-        }
-        match &self.cx.fields(*id).get(2)?.ty {
-            Type::Array { element, len: columns } => match &**element {
-                Type::Array { element, len: rows } => Some(((**element).clone(), *rows, *columns)),
-                _ => None,
-            },
-            _ => None,
-        }
-    }
-
-    /// `matrix[(row, column)]`.
-    pub(super) fn bounded_element(
-        &mut self,
-        mut place: Place,
-        index: &tree::Expr,
-        span: Span,
-    ) -> Result<Place> {
-        let Some((element, rows, columns)) = self.bounded_type(&place.ty) else {
-            return Ok(place);
-        };
-        let remedy = "write `m[(row, column)]`";
-        let tree::ExprKind::Tuple(parts) = &index.kind else {
-            return problem(index.site, "a `BoundedMatrix` takes a row and a column", remedy);
-        };
-        let [row, column] = parts.as_slice() else {
-            return problem(index.site, "this takes a row and a column", remedy);
-        };
-        let mark = self.out.len();
-        let usize = Some(Type::USIZE);
-        let indices = self.operands(&[
-            Operand { expr: row, expected: usize.clone(), role: "row" },
-            Operand { expr: column, expected: usize, role: "column" },
-        ])?;
-        let [row, column] = two(indices, index.site)?;
-        let (row, column) = (self.steady("row", row), self.steady("column", column));
-        let later = self.later(mark);
-        self.settle_place(&mut place, &later);
-        self.out.extend(later);
-        let [end_rows, end_columns] =
-            [0, 1].map(|field| place.inside(Step::Field(field), Type::USIZE));
-        self.check_indices(&[(&row, &end_rows, rows), (&column, &end_columns, columns)], span);
-        Ok(element_at(&place, (element, rows, columns), [row, column], span))
-    }
-
-    /// A `BoundedMatrix` that a loop goes through, if it has a name.
-    pub(super) fn bounded_place(&mut self, expr: &tree::Expr) -> Option<Place> {
-        // Whatever else is wrong with it is told where it is lowered.
-        let place = is_named(expr, true).then(|| self.base(expr).ok())??;
-        self.bounded_type(&place.ty).is_some().then_some(place)
-    }
-
-    /// `for` over all its elements.
-    pub(super) fn each_of_bounded(
-        &mut self,
-        (part, mut matrix): (&tree::Part, Place),
-        Each { site, label, body, .. }: Each,
-    ) -> Result<()> {
-        let span = self.span(site);
-        let Some((element, rows, columns)) = self.bounded_type(&matrix.ty) else { return Ok(()) };
-        self.keep_moving(&mut matrix);
-        let mut size = |name, field, most: u32| {
-            let size = matrix.inside(Step::Field(field), Type::USIZE).load();
-            self.steady(name, least(size, Expr::usize(u64::from(most), span)))
-        };
-        let (end_rows, end_columns) = (size("rows", 0, rows), size("columns", 1, columns));
-        let outermost = self.frames.len();
-        self.below("column", end_columns, span, |walk, column| {
-            walk.below("row", end_rows, span, |walk, row| {
-                let place = element_at(&matrix, (element, rows, columns), [row, column], span);
-                walk.bind_pattern(&part.pattern, &Value::Place(place), site)?;
-                walk.pass_of(label, outermost, |walk| walk.statements(body))
-            })
-        })
-    }
-}
-
-/// The element at a row and a column, which are known to be there.
-fn element_at(
-    matrix: &Place,
-    (element, rows, columns): (Type, u32, u32),
-    [row, column]: [Expr; 2],
-    span: Span,
-) -> Place {
-    let of_column = Type::Array { element: Box::new(element.clone()), len: rows };
-    let all = Type::Array { element: Box::new(of_column.clone()), len: columns };
-    let column = matrix.inside(Step::Field(2), all).inside(Step::Index(column), of_column);
-    Place { span, ..column.inside(Step::Index(row), element) }
 }

@@ -95,7 +95,7 @@ impl Lowering<'_, '_> {
         let mut place = self.base(expr)?;
         // Whether there is a pass or not.
         self.fix(&mut place);
-        let bounded = self.bounded_type(&place.ty).is_some();
+        let bounded = self.contained(&place.ty).is_some();
         match self.all_of(place) {
             Some(slice) => Ok(slice),
             None if bounded => problem(
