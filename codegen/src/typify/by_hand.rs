@@ -7,8 +7,6 @@
 //!
 //! Must not know: which methods end an iterator.
 
-use std::rc::Rc;
-
 use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Order, Pattern, Site, Stmt};
 use bessemer_ir::{
@@ -79,7 +77,7 @@ impl<'a> Lowering<'a, '_> {
         let counted = self.closures.len();
         for mut closure in both {
             closure.scope.names.push(vec![(taken.to_owned(), Value::Local(local))]);
-            self.closures.push(Rc::new(closure));
+            self.closure(closure);
         }
         let again = counted + 1;
         self.hands.insert(counted, Hand { again, taken: (taken.to_owned(), local) });

@@ -37,27 +37,28 @@ impl<'a> Lowering<'a, '_> {
 
     /// The closure that an argument is, and what it uses.
     fn handed(&mut self, argument: &tree::Expr) -> Result<Closure<'a>> {
-        if let tree::ExprKind::Local(name) = &argument.kind
-            && let Some(closure) = self.closure_named(name)
-        {
-            let known = (*self.closures[closure]).clone();
-            if known.scope.locals.is_none() {
-                return Ok(known);
-            }
-            let Closure { text, source, scope, .. } = known;
-            // It leaves the function that it was written in: what it uses goes with it.
-            let (site, meanings) = (argument.site, (scope.names, self.expanding.clone()));
-            return self.from(source, meanings, site, |inner| inner.captured(text, site));
+        let closure = self.closure_given(argument)?;
+        let known = (*self.closures[closure]).clone();
+        if known.scope.locals.is_none() {
+            return Ok(known);
         }
-        let text = self.closure_of(argument)?;
-        self.captured(text, argument.site)
+        // It leaves the function that it was written in: what it uses goes with it.
+        self.in_scope_of(&known, None, argument.site, |inner| {
+            inner.captured(known.text.clone(), argument.site)
+        })
     }
 
-    /// The closure that is written as an argument.
-    pub(super) fn closure_of(&self, argument: &tree::Expr) -> Result<tree::Closure> {
+    /// The closure that an argument names, or that is written there.
+    pub(super) fn closure_given(&mut self, argument: &tree::Expr) -> Result<usize> {
         match &argument.kind {
-            tree::ExprKind::Closure(closure) => Ok(closure.clone()),
-            tree::ExprKind::Local(_) => problem(argument.site, "this is not a closure", OUR_FAULT),
+            tree::ExprKind::Closure(closure) => {
+                let closure = self.written_here(closure.clone());
+                Ok(self.closure(closure))
+            }
+            tree::ExprKind::Local(name) => match self.closure_named(name) {
+                Some(closure) => Ok(closure),
+                None => problem(argument.site, "this is not a closure", OUR_FAULT),
+            },
             _ => problem(
                 argument.site,
                 "a function that takes a closure is given one in the DSL",
@@ -119,22 +120,20 @@ impl<'a> Lowering<'a, '_> {
             span: place.span,
         }));
         let params = inner.locals.len();
-        let mut own = (first as u32..).map(LocalId);
+        let mut next = first as u32;
         for (param, mut closure) in closures {
             for (_, meaning) in closure.scope.names.iter_mut().flatten() {
-                let is_local = matches!(meaning, Value::Local(_));
-                if !(is_local || matches!(meaning, Value::Place(_))) {
-                    continue;
+                match meaning {
+                    Value::Local(local) => *local = LocalId(next),
+                    Value::Place(place) => {
+                        *place = Place::local(LocalId(next), place.ty.clone(), place.span);
+                    }
+                    _ => continue,
                 }
-                let Some(root) = own.next() else { continue };
-                let Local { ty, span, .. } = inner.locals[root.index()].clone();
-                *meaning = match is_local {
-                    true => Value::Local(root),
-                    false => Value::Place(Place::local(root, ty, span)),
-                };
+                next += 1;
             }
             let closure = inner.closure(closure);
-            inner.bind(param, closure);
+            inner.bind(param, Value::Closure(closure));
         }
         inner.body(&template.tree.body)?;
         let mut lowered = inner.finished(params, span)?;

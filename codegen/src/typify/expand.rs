@@ -8,7 +8,7 @@
 //!
 //! Must not know: what any such function computes.
 
-use bessemer_ir::tree::{self, ExprKind as Tree, Role, Site, Ty};
+use bessemer_ir::tree::{self, Role, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Type};
 
 use super::call::Called;
@@ -91,40 +91,21 @@ impl<'a> Lowering<'a, '_> {
         param: &tree::Param,
         argument: &tree::Expr,
     ) -> Result<(String, Value)> {
-        let given = match param.closure {
-            true => self.closure_given(function, param, argument)?,
-            false => {
+        let given = match (param.items, param.mutable) {
+            (true, true) => {
+                let given = self.gone_through(argument)?;
+                self.by_hand(&param.name, given, &function.tree.body, argument.site)?
+            }
+            (true, false) if begins_at_once(function) => self.gone_through_at_once(argument),
+            (true, false) => self.gone_through(argument)?,
+            // In the scope that it was written in.
+            _ if param.closure => Value::Closure(self.closure_given(argument)?),
+            _ => {
                 let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
                 self.given((&param.name, param.mutable), &ty, argument)?
             }
         };
         Ok((param.name.clone(), given))
-    }
-
-    /// The closure that an argument is, in the scope that it was written in.
-    fn closure_given(
-        &mut self,
-        function: &tree::Function,
-        param: &tree::Param,
-        argument: &tree::Expr,
-    ) -> Result<Value> {
-        if param.items {
-            let given = match begins_at_once(function) && !param.mutable {
-                true => self.gone_through_at_once(argument),
-                false => self.gone_through(argument)?,
-            };
-            return match param.mutable {
-                true => self.by_hand(&param.name, given, &function.tree.body, argument.site),
-                false => Ok(given),
-            };
-        }
-        if let Tree::Local(name) = &argument.kind
-            && let Some(closure) = self.closure_named(name)
-        {
-            return Ok(Value::Closure(closure));
-        }
-        let text = self.closure_of(argument)?;
-        Ok(self.closure_here(text))
     }
 
     /// Lowers what belongs to another function, in which names have these meanings.

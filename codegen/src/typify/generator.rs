@@ -162,7 +162,7 @@ impl<'a> Lowering<'a, '_> {
             let closure = tree::Closure { name, parameters, body };
             let outermost = Some((label.map(str::to_owned), inner.frames.len()));
             let each = Closure { outermost, ..inner.written_here(closure) };
-            let each = inner.closure(each);
+            let each = Value::Closure(inner.closure(each));
             match by {
                 By::Call((function, arguments)) => {
                     let mut bound = inner.given_to(function, arguments)?;
@@ -171,10 +171,7 @@ impl<'a> Lowering<'a, '_> {
                     if let (Some(itself), Some(last)) = (itself, text.stmts.last_mut()) {
                         *last = Stmt::Expr(itself);
                     }
-                    inner.inside(function, bound, site, |inner| {
-                        inner.stmts(&text)?;
-                        text.tail.as_ref().map_or(Ok(()), |tail| inner.effect(tail))
-                    })
+                    inner.inside(function, bound, site, |inner| inner.statements(&text))
                 }
                 By::Argument(handed) => {
                     let text = itself.unwrap_or_else(|| (*handed.text.body).clone());

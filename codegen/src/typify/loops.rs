@@ -353,15 +353,10 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         if let Some(value) = value {
-            let depth = self.depth(label, site)?;
-            match self.frames[depth].target.clone() {
-                Some(target) => {
-                    self.into(value, &target)?;
-                    if matches!(target, Target::Return) {
-                        return Ok(());
-                    }
-                }
-                None => self.effect(value)?,
+            let target = self.frames[self.depth(label, site)?].target.clone();
+            self.lowered(value, target.as_ref())?;
+            if matches!(target, Some(Target::Return)) {
+                return Ok(());
             }
         }
         self.leave(label, Leaving::Break, site)
