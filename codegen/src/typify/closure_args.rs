@@ -362,7 +362,12 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Gives locals of what calls a closure the names that the closure's author gives them.
-    fn name_own(&mut self, pattern: &tree::Pattern, subject: &Value, stays: Option<usize>) {
+    pub(super) fn name_own(
+        &mut self,
+        pattern: &tree::Pattern,
+        subject: &Value,
+        stays: Option<usize>,
+    ) {
         match (pattern, subject) {
             (tree::Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
                 for (pattern, part) in patterns.iter().zip(parts) {

@@ -137,19 +137,16 @@ impl Lowering<'_, '_> {
         Ok((from, to))
     }
 
-    /// Whether the elements are references, whatever they are gone through by: those of a slice with a name.
-    fn refers(&self, part: &tree::Part) -> bool {
-        let Pattern::Name { slot, .. } = &part.pattern else { return false };
-        matches!(self.source.slots.get(*slot as usize), Some(Ty::Ref(..)))
-    }
-
     /// A loop over a value does not see what its body writes: then it goes through a copy. Gives the
     /// declarations of the copies.
     fn copy_written(&mut self, seqs: &[Seq], body: &mut Block, span: Span) -> Vec<Stmt> {
         let mut copies = Vec::new();
         for Seq { part, slice, .. } in seqs {
             let place = &slice.base;
-            if !part.owned || self.refers(part) || !effects::writes_local(body, place.root) {
+            // Elements that are references, whatever they are gone through by: those of a slice with a name.
+            let refers = |slot| matches!(self.source.slots.get(slot as usize), Some(Ty::Ref(..)));
+            let refers = matches!(part.pattern, Pattern::Name { slot, .. } if refers(slot));
+            if !part.owned || refers || !effects::writes_local(body, place.root) {
                 continue;
             }
             let local = self.local(words::ELEMENTS, place.ty.clone(), span);

@@ -16,7 +16,6 @@ use bessemer_ir::tree::{
 use bessemer_ir::{Expr, Int, Scalar, StmtKind, Type};
 
 use super::call::Called;
-use super::closure_args::is_hidden;
 use super::each::Each;
 use super::items::handing;
 use super::lowering::{Closure, Lowering};
@@ -25,16 +24,8 @@ use super::syntax::generates;
 use super::value::Value;
 use super::{Result, problem};
 
-/// A loop through what a function gives.
-pub(super) struct Generated<'a, 'e> {
-    by: By<'a, 'e>,
-    pattern: &'e tree::Pattern,
-    /// Whether it is gone through one by one, as it comes.
-    straight: bool,
-}
-
 /// What gives the items.
-enum By<'a, 'e> {
+pub(super) enum By<'a, 'e> {
     /// A call of a function.
     Call(Called<'a, 'e>),
     /// An iterator that is an argument.
@@ -58,29 +49,29 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn generated<'e>(
         &mut self,
         parts: &'e [tree::Part],
-    ) -> Result<Option<Generated<'a, 'e>>> {
+    ) -> Result<Option<(By<'a, 'e>, &'e tree::Part)>> {
         let mut found = None;
         for part in parts {
-            let called = self.expansion(&part.array).filter(|(it, _)| generates(it));
-            let by = match called {
-                Some(called) => Some(By::Call(called)),
-                None if let Tree::Apply(name, arguments) = &part.array.kind => {
-                    Some(By::Closure(name, arguments))
+            let by = if let Some(called) = self.expansion(&part.array).filter(|it| generates(it.0))
+            {
+                By::Call(called)
+            } else if let Tree::Apply(name, arguments) = &part.array.kind {
+                By::Closure(name, arguments)
+            } else if let Some(closure) = self.iterator_named(&part.array) {
+                let through = Rc::clone(&self.closures[closure]);
+                // Elements stand beside others.
+                if parts.len() > 1 && elements_through(&through.text).is_some() {
+                    continue;
                 }
-                None if let Some(closure) = self.iterator_named(&part.array) => {
-                    let through = Rc::clone(&self.closures[closure]);
-                    // Elements stand beside others.
-                    let beside = parts.len() > 1 && elements_through(&through.text).is_some();
-                    (!beside).then_some(By::Argument(through))
-                }
+                By::Argument(through)
+            } else if !part.owned
                 // What is gone through by value is what `into_iter` gives, which may be something else.
-                None if part.owned => None,
-                None => {
-                    let own = self.own_items(&part.array)?;
-                    own.map(By::Call)
-                }
+                && let Some(own) = self.own_items(&part.array)?
+            {
+                By::Call(own)
+            } else {
+                continue;
             };
-            let Some(by) = by else { continue };
             if parts.len() > 1 {
                 return problem(
                     part.array.site,
@@ -88,8 +79,7 @@ impl<'a> Lowering<'a, '_> {
                     "go through it alone, and count: `.enumerate()`, and index the other",
                 );
             }
-            let straight = part.group.is_none() && !part.reversed;
-            found = Some(Generated { by, pattern: &part.pattern, straight });
+            found = Some((by, part));
         }
         Ok(found)
     }
@@ -111,10 +101,9 @@ impl<'a> Lowering<'a, '_> {
     /// `for pattern in function(arguments)`.
     pub(super) fn generated_stmt(
         &mut self,
-        generated: Generated<'a, '_>,
+        (by, part): (By<'a, '_>, &tree::Part),
         Each { site, label, index, order, cuts, body }: Each,
     ) -> Result<()> {
-        let Generated { by, pattern, straight } = generated;
         let text = match &by {
             By::Argument(through) => Some(&*through.text.body),
             // What is counted before a loop is counted from the first item on.
@@ -139,6 +128,7 @@ impl<'a> Lowering<'a, '_> {
             (Order::Mirrored, Some(_)) => going((Order::Down, false)),
             _ => None,
         });
+        let straight = part.group.is_none() && !part.reversed;
         if !straight || (order != Order::Up && itself.is_none()) || !cuts.is_empty() {
             return problem(
                 site,
@@ -148,7 +138,7 @@ impl<'a> Lowering<'a, '_> {
         }
         self.naming_scope(|inner| {
             let mut body = body.clone();
-            let mut pattern = pattern.clone();
+            let mut pattern = part.pattern.clone();
             if let Some(index) = index {
                 match indexed {
                     true => {
@@ -200,19 +190,16 @@ impl<'a> Lowering<'a, '_> {
                 Ok(Value::Tuple(parts.collect::<Result<_>>()?, None))
             }
             Tree::Local(name) => match self.lookup(name, expr.site)? {
-                Value::Place(place) => Ok(Value::Place(place)),
+                known @ (Value::Place(_) | Value::Slice(_)) => Ok(known),
                 Value::Local(local) if !self.steady.contains(&local) => {
                     // Nothing else writes to it: it was made to be handed on.
                     self.held.insert(local);
-                    if let Some(tree::Pattern::Name { name, mutable: false, inner: None, .. }) =
-                        taken
-                        && !is_hidden(name)
-                    {
-                        self.locals[local.index()].name.clone_from(name);
+                    let item = self.subject(expr)?;
+                    if let Some(taken) = taken {
+                        self.name_own(taken, &item, Some(0));
                     }
-                    self.subject(expr)
+                    Ok(item)
                 }
-                Value::Slice(slice) => Ok(Value::Slice(slice)),
                 _ => self.subject(expr),
             },
             _ => {

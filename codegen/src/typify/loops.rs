@@ -15,7 +15,7 @@ use crate::termination::{self, Loop, Proof};
 use super::conditions::has_let;
 use super::each::Each;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
-use super::syntax::is_named;
+use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
 use super::{OUR_FAULT, Result, labelled, problem};
@@ -120,16 +120,14 @@ impl Lowering<'_, '_> {
 
     /// The length of the list that `while let Some(…) = list.pop()` takes from.
     fn popped_length(&mut self, condition: &tree::Expr) -> Result<Option<Expr>> {
-        let tree::ExprKind::Let(pattern, value) = &condition.kind else { return Ok(None) };
-        let tree::Pattern::Constructor(variant, _) = &**pattern else { return Ok(None) };
-        let Some((Builtin::List(ListMethod::Pop), arguments)) = self.builtin_call(value) else {
-            return Ok(None);
-        };
-        if variant != "Some" || !is_named(&arguments[0], false) {
-            return Ok(None);
+        if let Some((_, value)) = some_of(condition)
+            && let Some((Builtin::List(ListMethod::Pop), [list])) = self.builtin_call(value)
+            && is_named(list, false)
+        {
+            let list = self.base(list)?;
+            return Ok(self.list_items(&list).map(|(length, _)| length.load()));
         }
-        let list = self.base(&arguments[0])?;
-        Ok(self.list_items(&list).map(|(length, _)| length.load()))
+        Ok(None)
     }
 
     /// Leaves a loop where its condition does not hold; gives the places of the `if`s that do. There is one for all
@@ -146,13 +144,8 @@ impl Lowering<'_, '_> {
             Stmt::new(StmtKind::if_then(condition.negated(), then), span)
         };
         let is_true = |condition: &Expr| condition.kind == ExprKind::Literal(1);
-        let mut parts = conjuncts(condition).into_iter();
-        let mut holds = match parts.next() {
-            Some(first) => self.pattern_condition(first, names)?,
-            None => Expr::bool(true, span),
-        };
-        let mut heads = Vec::new();
-        for part in parts {
+        let (mut holds, mut heads) = (Expr::bool(true, span), Vec::new());
+        for part in conjuncts(condition) {
             let at = self.out.len();
             if has_let(condition) {
                 self.keep_changeable(names)?;

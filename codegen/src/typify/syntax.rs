@@ -51,6 +51,15 @@ pub(super) fn is_named(expr: &tree::Expr, lent: bool) -> bool {
     }
 }
 
+/// The patterns and the value of `let Some(…) = value`.
+pub(super) fn some_of(condition: &tree::Expr) -> Option<(&[tree::Pattern], &tree::Expr)> {
+    let tree::ExprKind::Let(pattern, value) = &condition.kind else { return None };
+    match &**pattern {
+        tree::Pattern::Constructor(some, parts) if some == "Some" => Some((parts, value)),
+        _ => None,
+    }
+}
+
 /// `..`, or `name @ ..`.
 pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
     match pattern {
