@@ -75,7 +75,9 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
         if let (Type::Matrix { element, .. }, Some(elements)) = (&ty, leaves(from))
-            && self.are_numbers(&elements)?
+            // Else they are the names of columns.
+            && let Some(first) = elements.first()
+            && matches!(self.type_alone(first)?, Type::Scalar(_))
         {
             let elements = self.uniform(&elements, Some(Type::Scalar(*element)))?;
             return self.node(ExprKind::Matrix(elements), ty, expr.site);
@@ -105,14 +107,6 @@ impl Lowering<'_, '_> {
             })?,
         }
         Ok(result.load())
-    }
-
-    /// True if the items of an array literal are scalars; else they are the names of columns.
-    fn are_numbers(&mut self, elements: &[tree::Expr]) -> Result<bool> {
-        match elements.first() {
-            Some(first) => Ok(matches!(self.type_alone(first)?, Type::Scalar(_))),
-            None => Ok(false),
-        }
     }
 }
 

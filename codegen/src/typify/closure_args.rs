@@ -233,7 +233,7 @@ impl<'a> Lowering<'a, '_> {
         let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);
-        let (mut subjects, mut computed) = (Vec::new(), None);
+        let mut subjects = Vec::new();
         let parameters = closure.parameters.iter().map(Some).chain(std::iter::repeat(None));
         for (argument, parameter) in arguments.iter().zip(parameters) {
             let taken = match parameter {
@@ -246,16 +246,16 @@ impl<'a> Lowering<'a, '_> {
                 && handed.source.tree.role != tree::Role::Expanded;
             if name == tree::EACH && !whole {
                 let before = self.locals.len();
-                let item = self.item(argument, parameter)?;
+                let mut item = self.item(argument, parameter)?;
                 if let (Some(locals), Some(parameter)) = (handed.scope.locals, parameter)
                     && handed.source.tree.role != tree::Role::Expanded
                 {
                     self.name_own(parameter, &item, Some(locals));
                 }
-                if let Some(tree::Pattern::Name { name, slot: NO_SLOT, .. }) = parameter
+                if let Some(tree::Pattern::Name { slot: NO_SLOT, .. }) = parameter
                     && let Some(value) = self.just_computed(&item, before)
                 {
-                    computed = Some((name.clone(), value));
+                    item = Value::Word(Box::new(value));
                 }
                 subjects.push(item);
                 continue;
@@ -296,10 +296,7 @@ impl<'a> Lowering<'a, '_> {
             subjects.push(self.value_subject(value));
         }
         self.in_scope_of(&handed, None, site, |inner| {
-            match computed {
-                Some((name, value)) => inner.bind(&name, Value::Word(Box::new(value))),
-                None => inner.bind_arguments(closure, &subjects, stays)?,
-            }
+            inner.bind_arguments(closure, &subjects, stays)?;
             match &handed.outermost {
                 Some((label, outermost)) => {
                     inner.pass_of(label.as_deref(), *outermost, |inner| end(inner, closure))
@@ -355,6 +352,10 @@ impl<'a> Lowering<'a, '_> {
                     tree::Pattern::Name { name, mutable: false, inner: None, .. },
                     Value::Place(place),
                 ) if stays.is_some() || counter(place) => self.bind(name, subject.clone()),
+                // What was just computed for a name that no author gave.
+                (tree::Pattern::Name { name, slot: NO_SLOT, .. }, Value::Word(_)) => {
+                    self.bind(name, subject.clone());
+                }
                 _ => drop(self.test(pattern, subject, closure.body.site, &mut names)?),
             }
         }

@@ -222,8 +222,11 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn just_computed(&mut self, subject: &Value, before: usize) -> Option<Expr> {
         let Value::Place(place) = subject else { return None };
         let own = place.steps.is_empty() && place.root.index() >= before;
-        let is_it = |kind: &StmtKind| matches!(kind, StmtKind::Let { local, value: Some(_) } if *local == place.root);
-        match self.out.pop_if(|last| own && is_it(&last.kind))?.kind {
+        let is_it = |last: &mut bessemer_ir::Stmt| match &last.kind {
+            StmtKind::Let { local, value: Some(_) } => own && *local == place.root,
+            _ => false,
+        };
+        match self.out.pop_if(is_it)?.kind {
             StmtKind::Let { value, .. } => value,
             _ => None,
         }

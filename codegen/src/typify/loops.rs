@@ -31,23 +31,33 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let (ty, span) = (self.slot(slot, site)?, self.span(site));
         let [from, to] = self.ends(range, &ty, site)?;
-        let open = range.to.is_none();
         let name = if name.starts_with('_') { words::PASS } else { name };
-        if range.step.is_some() {
-            return self.stepped(site, label, (name, ty), range, [from, to], body);
-        }
+        let steps = self.steps(name, (&ty, site), range, [&from, &to])?;
+        let open = range.to.is_none() && steps.is_none();
+        let (ends, inclusive) = match &steps {
+            Some(steps) => (steps.ends(), false),
+            None => ([from, to], range.inclusive || open),
+        };
         self.repeated(label, None, span, |inner| {
             let mut variable = LocalId(0);
             let body = inner.scoped(|inner| {
-                variable = inner.declare(name, ty, Mode::Value, span);
-                inner.steady.insert(variable);
+                let pass =
+                    steps.as_ref().map(|_| inner.local(words::PASS, ends[1].ty.clone(), span));
+                let local = inner.declare(name, ty.clone(), Mode::Value, span);
+                variable = pass.unwrap_or(local);
+                if let Some(steps) = &steps {
+                    let pass = Expr::local(variable, &ends[1].ty, span);
+                    let value = Some(steps.number(pass, &ty));
+                    inner.emit(StmtKind::Let { local, value }, span);
+                } else {
+                    inner.steady.insert(local);
+                }
                 if open {
-                    inner.ask_open(variable, &to, span);
+                    inner.ask_open(local, &ends[1], span);
                 }
                 inner.statements(body)
             })?;
-            let way = (range.inclusive || open, range.reversed);
-            Ok(StmtKind::for_way(variable, [from, to], way, body))
+            Ok(StmtKind::for_way(variable, ends, (inclusive, range.reversed), body))
         })
     }
 
@@ -72,7 +82,8 @@ impl Lowering<'_, '_> {
         let popped = condition.map(|it| self.popped_length(it)).transpose()?.flatten();
         let (mut endless, mut behind) = (false, Vec::new());
         self.repeated(label, target, span, |inner| {
-            let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
+            let declared =
+                bound.map(|bound| (inner.local(words::PASS, bound.ty.clone(), span), bound));
             let mut heads = Vec::new();
             let mut body = inner.scoped(|inner| {
                 let mut names = Vec::new();
@@ -229,7 +240,7 @@ impl Lowering<'_, '_> {
         let limit = |value: i128| Expr::literal_like(value as u64, &low);
         let from = if is_calm(&low) { low.clone() } else { limit(int.min()) };
         let to = if is_calm(&high) && !inclusive { high } else { limit(int.max()) };
-        let variable = self.pass(&from, span);
+        let variable = self.local(words::PASS, from.ty.clone(), span);
         let (inclusive, reversed, unroll, ended) = (true, false, None, true);
         Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
     }
@@ -246,11 +257,6 @@ impl Lowering<'_, '_> {
             }
         }
         name
-    }
-
-    /// The counter of the passes of a loop with a bound; the author has no name for it.
-    fn pass(&mut self, bound: &Expr, span: Span) -> LocalId {
-        self.local(words::PASS, bound.ty.clone(), span)
     }
 
     /// The bound of a loop.

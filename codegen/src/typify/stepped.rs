@@ -1,17 +1,14 @@
 //! `for i in (a..b).step_by(n)`: a loop over its passes, and the number of each.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Mode, Scalar, StmtKind, Type,
-};
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Scalar, Type};
 
 use super::lengths;
 use super::lowering::Lowering;
-use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 /// Where a stepped range begins, and what it takes to get on.
-struct Steps {
+pub(super) struct Steps {
     from: Expr,
     step: Expr,
     passes: Expr,
@@ -20,46 +17,28 @@ struct Steps {
 }
 
 impl Lowering<'_, '_> {
-    pub(super) fn stepped(
+    /// The steps of a range that has some; what it takes to get on is named for the number.
+    pub(super) fn steps(
         &mut self,
-        site: Site,
-        label: Option<&str>,
-        (name, ty): (&str, Type),
+        name: &str,
+        (ty, site): (&Type, Site),
         range: &tree::Range,
-        bounds: [Expr; 2],
-        body: &tree::Block,
-    ) -> Result<()> {
-        let span = self.span(site);
+        [from, to]: [&Expr; 2],
+    ) -> Result<Option<Steps>> {
+        let Some(step) = &range.step else { return Ok(None) };
         let Some(int) = ty.as_int() else {
             return problem(site, "only integers are stepped through", OUR_FAULT);
         };
-        // What it takes to get on is named for the number.
-        let steps = self.naming_as(name, |inner| inner.steps(site, int, range, bounds))?;
-        self.repeated(label, None, span, |inner| {
-            let passes = steps.passes.clone();
-            let variable = inner.local(words::PASS, passes.ty.clone(), span);
-            let body = inner.scoped(|inner| {
-                let pass = Expr::local(variable, &passes.ty, span);
-                let local = inner.declare(name, ty.clone(), Mode::Value, span);
-                let value = Some(number(&steps, pass, &ty));
-                inner.emit(StmtKind::Let { local, value }, span);
-                inner.statements(body)
-            })?;
-            let from = Expr::literal_like(0, &passes);
-            Ok(StmtKind::for_way(variable, [from, passes], (false, range.reversed), body))
-        })
+        let ends = [from.clone(), to.clone()];
+        self.naming_as(name, |inner| inner.steps_of(int, (step, range.inclusive), ends)).map(Some)
     }
 
-    fn steps(
+    fn steps_of(
         &mut self,
-        site: Site,
         int: Int,
-        range: &tree::Range,
+        (step, inclusive): (&tree::Expr, bool),
         [from, to]: [Expr; 2],
     ) -> Result<Steps> {
-        let Some(step) = &range.step else {
-            return problem(site, "this range has no step", OUR_FAULT);
-        };
         // The ends are read before the step is computed, which may change what they are.
         let [from, to] = match step.kind {
             tree::ExprKind::Int(..) | tree::ExprKind::Path(..) | tree::ExprKind::Local(_) => {
@@ -70,22 +49,19 @@ impl Lowering<'_, '_> {
         let step = self.value(step, Some(&Type::USIZE))?;
         let by = self.known(&step).filter(|by| (1..=u64::from(u16::MAX)).contains(by));
         let by = by.filter(|by| i128::from(*by) <= int.max());
-        let Some(by) = by else {
-            return Ok(self.any_steps(int, range.inclusive, [from, to], step));
-        };
-        if let (Some(first), Some(last)) = (self.known(&from), self.known(&to)) {
+        if let (Some(by), Some(first), Some(last)) = (by, self.known(&from), self.known(&to)) {
             let (first, last) = (int.from_word(first), int.from_word(last));
-            let end = last + i128::from(range.inclusive);
+            let end = last + i128::from(inclusive);
             let passes = ((end - first).max(0) + i128::from(by) - 1) / i128::from(by);
             let constant = int.min() == 0 || passes == 0 || first >= 0;
             let from = if constant { from } else { from.cast(&Type::USIZE) };
             let [step, passes] = [by, passes as u64].map(|word| Expr::literal_like(word, &from));
             return Ok(Steps { from, step, passes, constant });
         }
-        if int.min() < 0 || range.inclusive && by == 1 {
-            return Ok(self.any_steps(int, range.inclusive, [from, to], step));
-        }
-        Ok(self.unsigned_steps(range.inclusive, [from, to], by))
+        Ok(match by.filter(|by| int.min() == 0 && !(inclusive && *by == 1)) {
+            Some(by) => self.unsigned_steps(inclusive, [from, to], by),
+            None => self.any_steps(int, inclusive, [from, to], step),
+        })
     }
 
     /// The word of a number that generation knows.
@@ -179,19 +155,27 @@ fn distance(from: &Expr, to: Expr) -> Expr {
     }
 }
 
-/// The number of a pass.
-fn number(steps: &Steps, pass: Expr, ty: &Type) -> Expr {
-    let (from, step) = (steps.from.clone(), steps.step.clone());
-    let from_zero = from.kind == ExprKind::Literal(0);
-    if !steps.constant {
-        let way = Expr::intrinsic(Intrinsic::WrappingMul, vec![pass, step]);
-        let number =
-            if from_zero { way } else { Expr::intrinsic(Intrinsic::WrappingAdd, vec![from, way]) };
-        return number.cast(ty);
+impl Steps {
+    /// The passes.
+    pub(super) fn ends(&self) -> [Expr; 2] {
+        [Expr::literal_like(0, &self.passes), self.passes.clone()]
     }
-    let way = match step.kind {
-        ExprKind::Literal(1) => pass,
-        _ => Expr::binary(BinaryOp::Mul, pass, step),
-    };
-    if from_zero { way } else { Expr::binary(BinaryOp::Add, from, way) }
+
+    /// The number of a pass.
+    pub(super) fn number(&self, pass: Expr, ty: &Type) -> Expr {
+        let (from, step) = (self.from.clone(), self.step.clone());
+        let from_zero = from.kind == ExprKind::Literal(0);
+        if !self.constant {
+            let way = Expr::intrinsic(Intrinsic::WrappingMul, vec![pass, step]);
+            return match from_zero {
+                true => way.cast(ty),
+                false => Expr::intrinsic(Intrinsic::WrappingAdd, vec![from, way]).cast(ty),
+            };
+        }
+        let way = match step.kind {
+            ExprKind::Literal(1) => pass,
+            _ => Expr::binary(BinaryOp::Mul, pass, step),
+        };
+        if from_zero { way } else { Expr::binary(BinaryOp::Add, from, way) }
+    }
 }
