@@ -122,7 +122,7 @@ impl Lowering<'_, '_> {
         let mark = self.out.len();
         let is_matrix = self.contained(&place.ty).is_some_and(|(.., columns)| columns.is_some());
         let mut indices = match is_matrix {
-            true => self.row_and_column(index)?.into(),
+            true => self.bounded_indices(index)?.into(),
             false => vec![self.value(index, Some(&Type::USIZE))?],
         };
         let later = self.later(mark);
@@ -154,7 +154,7 @@ impl Lowering<'_, '_> {
         Ok(if is_matrix { Place { span, ..place } } else { place })
     }
 
-    fn row_and_column(&mut self, index: &tree::Expr) -> Result<[Expr; 2]> {
+    fn bounded_indices(&mut self, index: &tree::Expr) -> Result<[Expr; 2]> {
         let remedy = "write `m[(row, column)]`";
         let tree::ExprKind::Tuple(parts) = &index.kind else {
             return problem(index.site, "a `BoundedMatrix` takes a row and a column", remedy);

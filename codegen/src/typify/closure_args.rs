@@ -233,68 +233,11 @@ impl<'a> Lowering<'a, '_> {
         let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);
-        let mut subjects = Vec::new();
-        let parameters = closure.parameters.iter().map(Some).chain(std::iter::repeat(None));
-        for (argument, parameter) in arguments.iter().zip(parameters) {
-            let taken = match parameter {
-                Some(tree::Pattern::Name { slot, .. }) => handed.source.slots.get(*slot as usize),
-                _ => None,
-            };
-            // An item is what it is where it comes from; but a pair that has one name is a value.
-            let whole = matches!(parameter, Some(tree::Pattern::Name { name, .. }) if !is_hidden(name))
-                && matches!(argument.kind, tree::ExprKind::Tuple(_))
-                && handed.source.tree.role != tree::Role::Expanded;
-            if name == tree::EACH && !whole {
-                let before = self.locals.len();
-                let mut item = self.item(argument, parameter)?;
-                if let (Some(locals), Some(parameter)) = (handed.scope.locals, parameter)
-                    && handed.source.tree.role != tree::Role::Expanded
-                {
-                    self.name_own(parameter, &item, Some(locals));
-                }
-                if let Some(tree::Pattern::Name { slot: NO_SLOT, .. }) = parameter
-                    && let Some(value) = self.just_computed(&item, before)
-                {
-                    item = Value::Word(Box::new(value));
-                }
-                subjects.push(item);
-                continue;
-            }
-            if let (Some(tree::Pattern::Tuple(_)), Some(parts)) =
-                (parameter, self.parts_named(argument))
-            {
-                subjects.push(parts);
-                continue;
-            }
-            if let Some(slice) = self.slice_named(argument)? {
-                subjects.push(slice);
-                continue;
-            }
-            let (lent, expected) = match taken {
-                Some(ty) => (matches!(ty, Ty::Ref(..)), Some(self.cx.pointee(ty, site)?)),
-                None => (false, None),
-            };
-            let mut value = self.value(argument, expected.as_ref())?;
-            if let (Some(_), ExprKind::Load(place)) = (stays, &value.kind)
-                && value.ty != Type::Unit
-            {
-                let mut place = place.clone();
-                // Its indices are checked also where the body does not read it.
-                self.fix(&mut place);
-                subjects.push(Value::Place(place));
-                continue;
-            }
-            if !lent && value.ty != Type::Unit {
-                // In a place of its own: the body may write to what it was computed from.
-                value = match parameter {
-                    Some(tree::Pattern::Name { name, .. }) => {
-                        self.naming_as("", |inner| inner.temporary(name, value))
-                    }
-                    _ => self.temporary(words::ARGUMENT, value),
-                };
-            }
-            subjects.push(self.value_subject(value));
-        }
+        let pairs = closure.parameters.iter().zip(arguments);
+        let subjects = pairs.map(|(parameter, argument)| {
+            self.argument_for(parameter, argument, &handed, (name == tree::EACH, site))
+        });
+        let subjects = subjects.collect::<Result<Vec<_>>>()?;
         self.in_scope_of(&handed, None, site, |inner| {
             inner.bind_arguments(closure, &subjects, stays)?;
             match &handed.outermost {
@@ -304,6 +247,65 @@ impl<'a> Lowering<'a, '_> {
                 None => end(inner, closure),
             }
         })
+    }
+
+    /// What an argument is to the parameter of a closure; `each`: it is an item that is handed on.
+    fn argument_for(
+        &mut self,
+        parameter: &tree::Pattern,
+        argument: &tree::Expr,
+        handed: &Closure<'a>,
+        (each, site): (bool, Site),
+    ) -> Result<Value> {
+        let name = match parameter {
+            tree::Pattern::Name { name, slot, .. } => Some((name, *slot)),
+            _ => None,
+        };
+        let written = handed.source.tree.role != tree::Role::Expanded;
+        // An item is what it is where it comes from; but a pair that has one name is a value.
+        let whole = name.is_some_and(|(name, _)| !is_hidden(name))
+            && matches!(argument.kind, tree::ExprKind::Tuple(_))
+            && written;
+        if each && !whole {
+            let before = self.locals.len();
+            let item = self.item(argument, Some(parameter))?;
+            self.name_own(parameter, &item, handed.scope.locals.filter(|_| written));
+            let computed = match name {
+                Some((_, NO_SLOT)) => self.just_computed(&item, before),
+                _ => None,
+            };
+            return Ok(computed.map_or(item, |value| Value::Word(Box::new(value))));
+        }
+        if let tree::Pattern::Tuple(_) = parameter
+            && let Some(parts) = self.parts_named(argument)
+        {
+            return Ok(parts);
+        }
+        if let Some(slice) = self.slice_named(argument)? {
+            return Ok(slice);
+        }
+        let taken = name.and_then(|(_, slot)| handed.source.slots.get(slot as usize));
+        let expected = taken.map(|ty| self.cx.pointee(ty, site)).transpose()?;
+        let value = self.value(argument, expected.as_ref())?;
+        if value.ty == Type::Unit {
+            return Ok(self.value_subject(value));
+        }
+        if let ExprKind::Load(place) = &value.kind
+            && !each
+            && handed.scope.locals.is_some()
+        {
+            let mut place = place.clone();
+            // Its indices are checked also where the body does not read it.
+            self.fix(&mut place);
+            return Ok(Value::Place(place));
+        }
+        // In a place of its own: the body may write to what it was computed from.
+        let value = match name {
+            _ if matches!(taken, Some(Ty::Ref(..))) => value,
+            Some((name, _)) => self.naming_as("", |inner| inner.temporary(name, value)),
+            None => self.temporary(words::ARGUMENT, value),
+        };
+        Ok(self.value_subject(value))
     }
 
     /// The slice that an argument names.
@@ -330,7 +332,7 @@ impl<'a> Lowering<'a, '_> {
         let each = each.map(|each| (tree::EACH.to_owned(), each));
         let names = names.iter().cloned().chain([each.into_iter().collect()]).collect();
         let expanding = if locals.is_some() { expanding } else { &self.expanding }.clone();
-        self.from(closure.source, (names, expanding), site, lower)
+        self.from(closure.source, Scope { names, expanding, locals: *locals }, site, lower)
     }
 
     /// Binds the parameters of a closure; to the places themselves where they stay what they are. A local of what calls

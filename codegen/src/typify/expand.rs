@@ -13,7 +13,7 @@ use bessemer_ir::{Expr, ExprKind, Type};
 
 use super::call::Called;
 use super::items::begins_at_once;
-use super::lowering::Lowering;
+use super::lowering::{Lowering, Scope};
 use super::syntax::generates;
 use super::value::Value;
 use super::{Problem, Result, diagnostic, problem};
@@ -120,7 +120,7 @@ impl<'a> Lowering<'a, '_> {
             return problem(site, "this calls itself where it stands", "write a loop over a range");
         }
         let expanding = [&self.expanding[..], &[&function.path]].concat();
-        self.from(function, (vec![bound], expanding), site, lower)
+        self.from(function, Scope { names: vec![bound], expanding, locals: None }, site, lower)
     }
 
     /// Lowers what stands in another function, in which names have these meanings and these functions are expanded. What
@@ -129,7 +129,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn from<T>(
         &mut self,
         function: &'a tree::Function,
-        (names, expanding): (Vec<Vec<(String, Value)>>, Vec<&'a str>),
+        Scope { names, expanding, .. }: Scope<'a>,
         site: Site,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {

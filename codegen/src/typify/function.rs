@@ -219,7 +219,7 @@ impl Lowering<'_, '_> {
         self.give_values(&mut stmts);
         let mut body = Block(stmts);
         self.leave_unasked(&mut body);
-        super::labelled::leave_out_unreached(&mut body);
+        super::labelled::leave_out(&mut body);
         self.out = body.0;
         Ok(())
     }
@@ -331,10 +331,6 @@ impl Lowering<'_, '_> {
     pub(super) fn emit(&mut self, kind: StmtKind, span: Span) {
         self.follow(&kind);
         self.out.push(Stmt::new(kind, span));
-    }
-
-    pub(super) fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
-        self.emit(StmtKind::Check { condition, fault }, span);
     }
 
     /// Gives the author's comments above `site` to the first statement since `mark`.
@@ -558,6 +554,11 @@ impl Lowering<'_, '_> {
         let done = lower(self);
         self.naming = outer;
         done
+    }
+
+    /// Emits a check of a condition.
+    pub(super) fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
+        self.emit(StmtKind::Check { condition, fault }, span);
     }
 
     /// Emits an `if` without an `else`.

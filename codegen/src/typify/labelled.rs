@@ -202,7 +202,7 @@ fn turned(mut stmt: Stmt) -> Stmt {
 }
 
 /// Takes what nothing reaches out of a body.
-pub(super) fn leave_out_unreached(body: &mut Block) {
+pub(super) fn leave_out(body: &mut Block) {
     Unreached.block(body);
 }
 
