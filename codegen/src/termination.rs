@@ -120,7 +120,7 @@ fn no_integers() -> Reason {
 }
 
 /// Whether a statement goes on with the next pass of the loop that it stands in.
-pub(crate) fn continues(stmt: &Stmt) -> bool {
+fn continues(stmt: &Stmt) -> bool {
     stmt.any_branch(&|kind| matches!(kind, StmtKind::Continue))
 }
 

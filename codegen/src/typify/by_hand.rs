@@ -14,12 +14,10 @@ use bessemer_ir::{
 };
 
 use super::items::handing;
-use super::loops::breaks_in;
 use super::lowering::{Closure, Hand, Lowering};
 use super::syntax::{generates, some_of};
 use super::value::Value;
 use super::{Result, problem};
-use crate::termination;
 
 /// The function that takes the next item of an iterator.
 const NEXT: &str = "bessemer::iterate::next";
@@ -98,8 +96,8 @@ impl<'a> Lowering<'a, '_> {
             return None;
         };
         let (Made { kind: StmtKind::Break, .. }, pass) = body.0.split_last()? else { return None };
-        let leaves = |stmt: &Made| breaks_in(stmt) || termination::continues(stmt);
-        if !self.is_taken(from) || pass.iter().any(leaves) {
+        let leaves = |kind: &StmtKind| matches!(kind, StmtKind::Break | StmtKind::Continue);
+        if !self.is_taken(from) || pass.iter().any(|stmt| stmt.any_branch(&leaves)) {
             return None;
         }
         let mut then =

@@ -509,6 +509,6 @@ fn is_calm(expr: &Expr) -> bool {
 }
 
 /// Whether a statement of the body of a loop ends it.
-pub(super) fn breaks_in(stmt: &Stmt) -> bool {
+fn breaks_in(stmt: &Stmt) -> bool {
     stmt.any_branch(&|kind| matches!(kind, StmtKind::Break))
 }
