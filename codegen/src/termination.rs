@@ -120,16 +120,8 @@ fn no_integers() -> Reason {
 }
 
 /// Whether a statement goes on with the next pass of the loop that it stands in.
-pub(crate) fn continues(stmt: &Stmt) -> bool {
-    let any = |block: &Block| block.0.iter().any(continues);
-    match &stmt.kind {
-        StmtKind::Continue => true,
-        StmtKind::If { then, otherwise, .. } => any(then) || any(otherwise),
-        StmtKind::Match { arms, otherwise, .. } => {
-            arms.iter().any(|arm| any(&arm.body)) || otherwise.as_ref().is_some_and(any)
-        }
-        _ => false,
-    }
+fn continues(stmt: &Stmt) -> bool {
+    stmt.any_branch(&|kind| matches!(kind, StmtKind::Continue))
 }
 
 /// A lower bound of a number where a loop begins: the last write to it before, if that shows.

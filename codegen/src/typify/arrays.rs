@@ -16,9 +16,9 @@ impl Lowering<'_, '_> {
         slice: &Slice,
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let (id, ty) = self.array_in(expr)?;
-        let (there, array) = self.elements_as(whole, slice, ty, expr)?;
+        let (id, ty, len) = self.array_in(expr)?;
         let span = self.span(expr.site);
+        let (there, array) = (slice.has(len.into(), whole, span), slice.as_array(ty, span));
         let none = self.choice(id, 0, None, expr.site)?;
         let place = self.temporary_place("part", none);
         let (held, value) = (place.load(), self.choice(id, 1, Some(array), expr.site)?);
@@ -38,17 +38,17 @@ impl Lowering<'_, '_> {
             _ => return Ok(None),
         };
         let slice = self.sliced(&arguments[0])?;
-        let (_, ty) = self.array_in(expr)?;
-        let (condition, array) = self.elements_as(whole, &slice, ty, expr)?;
+        let (_, ty, len) = self.array_in(expr)?;
+        let span = self.span(expr.site);
+        let condition = slice.has(len.into(), whole, span);
         if condition.kind != ExprKind::Literal(1) {
-            let span = self.span(expr.site);
-            self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
+            self.check(condition, Fault::Absent, span);
         }
-        Ok(Some(array))
+        Ok(Some(slice.as_array(ty, span)))
     }
 
-    /// The `Option` or `Result` of a call, and the array in it.
-    fn array_in(&mut self, expr: &tree::Expr) -> Result<(StructId, Type)> {
+    /// The `Option` or `Result` of a call, the array in it, and how many elements that has.
+    fn array_in(&mut self, expr: &tree::Expr) -> Result<(StructId, Type, u32)> {
         let ty = match self.slot_of(expr)? {
             Type::Struct(id) => ["Ok", "Some"].iter().find_map(|case| {
                 let field = self.case(id, case)?.1.field?;
@@ -57,31 +57,14 @@ impl Lowering<'_, '_> {
             _ => None,
         };
         match ty {
-            Some(found @ (_, Type::Array { .. })) => Ok(found),
-            _ => problem(expr.site, "a slice becomes an array in the DSL", OUR_FAULT),
-        }
-    }
-
-    /// Whether there are as many elements as the array has, and these.
-    fn elements_as(
-        &mut self,
-        whole: bool,
-        slice: &Slice,
-        ty: Type,
-        expr: &tree::Expr,
-    ) -> Result<(Expr, Expr)> {
-        let span = self.span(expr.site);
-        let Type::Array { len, .. } = ty else {
-            return problem(expr.site, "a slice becomes an array in the DSL", OUR_FAULT);
-        };
-        if len > MOST {
-            return problem(
+            Some((id, ty @ Type::Array { len, .. })) if len <= MOST => Ok((id, ty, len)),
+            Some((_, Type::Array { .. })) => problem(
                 expr.site,
                 format!("a slice becomes an array of at most {MOST} elements in the DSL"),
                 "declare the array, and call `copy_from_slice`",
-            );
+            ),
+            _ => problem(expr.site, "a slice becomes an array in the DSL", OUR_FAULT),
         }
-        Ok((slice.has(len.into(), whole, span), slice.as_array(ty, span)))
     }
 
     /// A matrix from an array, or an array from a matrix.
@@ -92,7 +75,9 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
         if let (Type::Matrix { element, .. }, Some(elements)) = (&ty, leaves(from))
-            && self.are_numbers(&elements)?
+            // Else they are the names of columns.
+            && let Some(first) = elements.first()
+            && matches!(self.type_alone(first)?, Type::Scalar(_))
         {
             let elements = self.uniform(&elements, Some(Type::Scalar(*element)))?;
             return self.node(ExprKind::Matrix(elements), ty, expr.site);
@@ -109,26 +94,19 @@ impl Lowering<'_, '_> {
         }
         let whole = self.zero(&ty, span);
         let result = self.temporary_place("elements", whole);
-        let i = self.counter(if inner.is_some() { "col" } else { "i" }, span);
-        let row = inner.map(|_| self.counter("row", span));
-        let local = |root| Expr::local(root, &Type::USIZE, span);
-        let at = (local(i), row.map(local));
-        let (place, value) = (cell(&result, &at, span), cell(&source, &at, span).load());
-        let mut body = Block::of(StmtKind::Assign { place, value }, span);
+        let copy = |walk: &mut Self, at: &[Expr]| {
+            let (place, value) = (cell(&result, at, span), cell(&source, at, span).load());
+            walk.emit(StmtKind::Assign { place, value }, span);
+            Ok(())
+        };
         let count = |count: u32| Expr::usize(u64::from(count), span);
-        if let (Some(row), Some(rows)) = (row, inner) {
-            body = Block::of(StmtKind::for_below(row, count(rows), body), span);
+        match inner {
+            None => self.below("i", count(outer), span, |walk, i| copy(walk, &[i]))?,
+            Some(rows) => self.below("col", count(outer), span, |walk, col| {
+                walk.below("row", count(rows), span, |walk, row| copy(walk, &[col, row]))
+            })?,
         }
-        self.emit(StmtKind::for_below(i, count(outer), body), span);
         Ok(result.load())
-    }
-
-    /// True if the items of an array literal are scalars; else they are the names of columns.
-    fn are_numbers(&mut self, elements: &[tree::Expr]) -> Result<bool> {
-        match elements.first() {
-            Some(first) => Ok(matches!(self.type_alone(first)?, Type::Scalar(_))),
-            None => Ok(false),
-        }
     }
 }
 
@@ -157,25 +135,19 @@ fn dimensions(ty: &Type) -> Option<(u32, Option<u32>)> {
 }
 
 /// The part of an array or a matrix at a column and a row, or at an index.
-fn cell(whole: &Place, (outer, inner): &(Expr, Option<Expr>), span: Span) -> Place {
-    match (&whole.ty, inner) {
-        (Type::Matrix { element, rows, .. }, inner) => {
-            let (row, col) = match inner {
-                Some(row) => (row.clone(), outer.clone()),
-                None if *rows == 1 => (Expr::usize(0, span), outer.clone()),
-                None => (outer.clone(), Expr::usize(0, span)),
+fn cell(whole: &Place, at: &[Expr], span: Span) -> Place {
+    let zero = Expr::usize(0, span);
+    match (&whole.ty, at) {
+        (Type::Matrix { element, rows, .. }, [first, rest @ ..]) => {
+            let (row, col) = match rest {
+                [row, ..] => (row, first),
+                [] if *rows == 1 => (&zero, first),
+                [] => (first, &zero),
             };
-            whole.inside(Step::Element(row, col), Type::Scalar(*element))
+            whole.inside(Step::Element(row.clone(), col.clone()), Type::Scalar(*element))
         }
-        (Type::Array { element, .. }, inner) => {
-            let part = whole.inside(Step::Index(outer.clone()), (**element).clone());
-            match (&part.ty, inner) {
-                (Type::Array { element, .. }, Some(row)) => {
-                    let element = (**element).clone();
-                    part.inside(Step::Index(row.clone()), element)
-                }
-                _ => part,
-            }
+        (Type::Array { element, .. }, [first, rest @ ..]) => {
+            cell(&whole.inside(Step::Index(first.clone()), (**element).clone()), rest, span)
         }
         _ => whole.clone(),
     }
@@ -189,17 +161,17 @@ fn written_out(
     span: Span,
 ) -> ExprKind {
     let index = |index: u32| Expr::usize(u64::from(index), span);
-    let column = |col: u32| -> Vec<Expr> {
-        let rows = inner.map_or(vec![None], |rows| (0..rows).map(|row| Some(index(row))).collect());
-        rows.into_iter().map(|row| cell(source, &(index(col), row), span).load()).collect()
-    };
+    let load = |at: &[Expr]| cell(source, at, span).load();
+    let columns = (0..outer).map(|col| match inner {
+        Some(rows) => (0..rows).map(|row| load(&[index(col), index(row)])).collect(),
+        None => vec![load(&[index(col)])],
+    });
     match (ty, inner) {
-        (Type::Array { element, .. }, Some(_)) => {
-            let array =
-                |col| Expr { kind: ExprKind::Array(column(col)), ty: (**element).clone(), span };
-            ExprKind::Array((0..outer).map(array).collect())
+        (Type::Array { element: ty, .. }, Some(_)) => {
+            let array = |of| Expr { kind: ExprKind::Array(of), ty: (**ty).clone(), span };
+            ExprKind::Array(columns.map(array).collect())
         }
-        (Type::Array { .. }, None) => ExprKind::Array((0..outer).flat_map(column).collect()),
-        _ => ExprKind::Matrix((0..outer).flat_map(column).collect()),
+        (Type::Array { .. }, None) => ExprKind::Array(columns.flatten().collect()),
+        _ => ExprKind::Matrix(columns.flatten().collect()),
     }
 }

@@ -1,136 +1,331 @@
-//! The elements of a `BoundedMatrix`: one, whose row and column are checked against the size that it has, and all of
+//! What has a size of its own, below the room that there is: the methods of `List`, its length and the elements below it;
+//! and the elements of a `BoundedMatrix`: one, whose row and column are checked against the size that it has, and all of
 //! them, column by column, in two loops that its author wrote as one.
+//!
+//! Room and indices are checked before anything is written.
 
-use bessemer_ir::tree;
-use bessemer_ir::{CompareOp, Expr, Fault, LogicOp, Place, Span, Step, StmtKind, Type};
+use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
+use bessemer_ir::{
+    Block, CompareOp, Expr, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, Stmt, StmtKind,
+    Type,
+};
 
 use super::each::Each;
-use super::lengths::least;
+use super::expr::Call;
+use super::lengths::{least, lesser};
 use super::lowering::Lowering;
+use super::order::is_free;
+use super::syntax::is_named;
 use super::value::Value;
-use super::{Result, problem};
+use super::words;
+use super::{OUR_FAULT, Result, problem, struct_of};
+
+/// A container in its place.
+struct Bounded {
+    /// The place of all elements, those beyond its size too.
+    items: Place,
+    element: Type,
+    /// The place of its length, in a matrix of how many rows there are; and how many there may be.
+    length: Place,
+    capacity: u32,
+    /// The same of the columns of a matrix.
+    columns: Option<(Place, u32)>,
+}
+
+impl Bounded {
+    /// The place of the element at an index; in a matrix at a column and a row.
+    fn at(&self, indices: impl IntoIterator<Item = Expr>) -> Place {
+        indices.into_iter().fold(self.items.clone(), |place, index| match &place.ty {
+            Type::Array { element, .. } => place.inside(Step::Index(index), (**element).clone()),
+            _ => place,
+        })
+    }
+
+    /// How the length compares with a number.
+    fn length_is(&self, op: CompareOp, number: u32, span: Span) -> Expr {
+        Expr::compare(op, self.length.load(), Expr::usize(u64::from(number), span)).at(span)
+    }
+
+    /// Whether the length is one that a list may have.
+    fn is_sound(&self, span: Span) -> Expr {
+        self.length_is(CompareOp::Le, self.capacity, span)
+    }
+
+    fn set_length(&self, value: Expr) -> StmtKind {
+        StmtKind::Assign { place: self.length.clone(), value }
+    }
+
+    /// A length that is greater or less by one.
+    fn moved_length(&self, op: Intrinsic, span: Span) -> StmtKind {
+        let operands = vec![self.length.load(), Expr::usize(1, span)];
+        self.set_length(Expr::intrinsic(op, operands).at(span))
+    }
+}
 
 impl Lowering<'_, '_> {
-    /// The type of the elements of a `BoundedMatrix`, and how many rows and columns there may be.
-    pub(super) fn bounded_type(&self, ty: &Type) -> Option<(Type, u32, u32)> {
+    /// The elements of a type that is a container, and how many there may be; in a matrix in a column, and how many columns.
+    pub(super) fn contained(&self, ty: &Type) -> Option<(Type, u32, Option<u32>)> {
         let Type::Struct(id) = ty else { return None };
-        if !self.cx.known(ty).bounded {
-            return None;
-        }
-        match &self.cx.fields(*id).get(2)?.ty {
-            Type::Array { element, len: columns } => match &**element {
-                Type::Array { element, len: rows } => Some(((**element).clone(), *rows, *columns)),
-                _ => None,
-            },
+        let definition = &self.cx.module.structs[id.index()];
+        let array = |at: usize| match &definition.fields.get(at)?.ty {
+            Type::Array { element, len } => Some((&**element, *len)),
             _ => None,
+        };
+        if self.cx.known(ty).bounded {
+            let (Type::Array { element, len }, columns) = array(2)? else { return None };
+            return Some(((**element).clone(), *len, Some(columns)));
+        }
+        let (element, len) = array(1).filter(|_| definition.form == Form::Sequence)?;
+        Some((element.clone(), len, None))
+    }
+
+    /// The container at a place, if one is there.
+    fn bounded(&self, place: &Place) -> Option<Bounded> {
+        let (element, capacity, columns) = self.contained(&place.ty)?;
+        let array = |element: &Type, len| Type::Array { element: Box::new(element.clone()), len };
+        let size = |field| place.inside(Step::Field(field), Type::USIZE);
+        let column = array(&element, capacity);
+        let items = match columns {
+            Some(columns) => place.inside(Step::Field(2), array(&column, columns)),
+            None => place.inside(Step::Field(1), column),
+        };
+        let columns = columns.map(|most| (size(1), most));
+        Some(Bounded { items, element, length: size(0), capacity, columns })
+    }
+
+    fn list_at(&self, place: &Place) -> Option<Bounded> {
+        self.bounded(place).filter(|it| it.columns.is_none())
+    }
+
+    /// The places of a list's length and of its elements.
+    pub(super) fn list_items(&self, place: &Place) -> Option<(Place, Place)> {
+        self.list_at(place).map(|list| (list.length, list.items))
+    }
+
+    fn list(&mut self, expr: &tree::Expr) -> Result<Bounded> {
+        let mut place = self.base(expr)?;
+        self.keep_indices(&mut place, |index| !index.is_literal());
+        match self.list_at(&place) {
+            Some(list) => Ok(list),
+            None => problem(expr.site, "this is not a `List`", OUR_FAULT),
         }
     }
 
-    /// `matrix[(row, column)]`.
+    /// `list[index]`, `matrix[(row, column)]`: each index is checked against the size, and that against the room that there
+    /// is: this holds of every container, and keeps a damaged one from being read beyond its end.
     pub(super) fn bounded_element(
         &mut self,
         mut place: Place,
         index: &tree::Expr,
         span: Span,
     ) -> Result<Place> {
-        let Some((element, rows, columns)) = self.bounded_type(&place.ty) else {
-            return Ok(place);
+        let mark = self.out.len();
+        let is_matrix = self.contained(&place.ty).is_some_and(|(.., columns)| columns.is_some());
+        let mut indices = match is_matrix {
+            true => self.bounded_indices(index)?.into(),
+            false => vec![self.value(index, Some(&Type::USIZE))?],
         };
-        let tree::ExprKind::Tuple(parts) = &index.kind else {
-            return problem(
-                index.site,
-                "a `BoundedMatrix` takes a row and a column",
-                "write `m[(row, column)]`",
-            );
+        let later = self.later(mark);
+        self.settle_place(&mut place, &later);
+        self.out.extend(later);
+        if !is_matrix {
+            self.keep_indices(&mut place, |index| !index.is_literal());
+            for index in &mut indices {
+                *index = self.temporary_unless(is_free(index), words::INDEX, index.clone());
+            }
+        }
+        let Some(bounded) = self.bounded(&place) else { return Ok(place) };
+        let sizes = || {
+            [(&bounded.length, bounded.capacity)]
+                .into_iter()
+                .chain(bounded.columns.iter().map(|(size, most)| (size, *most)))
         };
+        let sound = sizes().map(|(size, most)| {
+            Expr::compare(CompareOp::Le, size.load(), Expr::usize(u64::from(most), span))
+        });
+        let inside = sizes()
+            .zip(&indices)
+            .map(|((size, _), index)| Expr::compare(CompareOp::Lt, index.clone(), size.load()));
+        let conditions = sound.chain(inside).map(|it| it.at(span));
+        if let Some(all) = conditions.reduce(|a, b| Expr::logic(LogicOp::And, a, b)) {
+            self.check(all, Fault::Index, span);
+        }
+        let place = bounded.at(indices.into_iter().rev());
+        Ok(if is_matrix { Place { span, ..place } } else { place })
+    }
+
+    fn bounded_indices(&mut self, index: &tree::Expr) -> Result<[Expr; 2]> {
         let remedy = "write `m[(row, column)]`";
+        let tree::ExprKind::Tuple(parts) = &index.kind else {
+            return problem(index.site, "a `BoundedMatrix` takes a row and a column", remedy);
+        };
         let [row, column] = parts.as_slice() else {
             return problem(index.site, "this takes a row and a column", remedy);
         };
-        let mark = self.out.len();
         let [row, column] = self.row_and_column([row, column])?;
-        let (row, column) = (self.steady("row", row), self.steady("column", column));
-        self.settle_since(mark, &mut place);
-        let size = |field| place.inside(Step::Field(field), Type::USIZE).load();
-        let conditions = [
-            // The first two hold of every matrix, and keep a damaged one from being read beyond its end.
-            Expr::compare(CompareOp::Le, size(0), Expr::usize(u64::from(rows), span)).at(span),
-            Expr::compare(CompareOp::Le, size(1), Expr::usize(u64::from(columns), span)).at(span),
-            Expr::compare(CompareOp::Lt, row.clone(), size(0)).at(span),
-            Expr::compare(CompareOp::Lt, column.clone(), size(1)).at(span),
-        ];
-        let condition = conditions.into_iter().reduce(|a, b| Expr::logic(LogicOp::And, a, b));
-        if let Some(condition) = condition {
-            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
-        }
-        Ok(element_at(&place, (element, rows, columns), [row, column], span))
+        Ok([self.steady("row", row), self.steady("column", column)])
     }
 
     /// A `BoundedMatrix` that a loop goes through, if it has a name.
     pub(super) fn bounded_place(&mut self, expr: &tree::Expr) -> Option<Place> {
         // Whatever else is wrong with it is told where it is lowered.
-        let place = is_named(expr).then(|| self.base(expr).ok())??;
-        self.bounded_type(&place.ty).is_some().then_some(place)
+        let place = is_named(expr, true).then(|| self.base(expr).ok())??;
+        self.contained(&place.ty)?.2.map(|_| place)
     }
 
     /// `for` over all its elements.
     pub(super) fn each_of_bounded(
         &mut self,
-        (part, matrix): (&tree::Part, Place),
+        (part, mut matrix): (&tree::Part, Place),
         Each { site, label, body, .. }: Each,
     ) -> Result<()> {
         let span = self.span(site);
-        let Some((element, rows, columns)) = self.bounded_type(&matrix.ty) else { return Ok(()) };
-        let matrix = self.held_still(matrix);
-        let mut size = |name, field, most: u32| {
-            let size = matrix.inside(Step::Field(field), Type::USIZE).load();
-            self.steady(name, least(size, Expr::usize(u64::from(most), span)))
+        self.keep_moving(&mut matrix);
+        let Some(matrix) = self.bounded(&matrix) else { return Ok(()) };
+        let Some((columns, most)) = &matrix.columns else { return Ok(()) };
+        let mut end = |name, size: &Place, most: u32| {
+            self.steady(name, least(size.load(), Expr::usize(u64::from(most), span)))
         };
-        let (end_rows, end_columns) = (size("rows", 0, rows), size("columns", 1, columns));
-        let at = |root| Expr::local(root, &Type::USIZE, span);
+        let rows = end("rows", &matrix.length, matrix.capacity);
+        let columns = end("columns", columns, *most);
         let outermost = self.frames.len();
-        self.repeated(None, None, span, |walk| {
-            let column = walk.counter("column", span);
-            walk.counters.push(column);
-            let through = |walk: &mut Self| {
-                let row = walk.counter("row", span);
-                walk.counters.push(row);
-                let at = [at(row), at(column)];
-                let place = element_at(&matrix, (element, rows, columns), at, span);
-                let block = walk.scoped(|walk| {
-                    walk.bind_pattern(&part.pattern, &Value::Place(place), site)?;
-                    walk.pass_of(label, outermost, |walk| walk.statements(body))
-                })?;
-                walk.counters.pop();
-                Ok(StmtKind::for_below(row, end_rows, block))
-            };
-            let block = walk.scoped(|walk| walk.repeated(None, None, span, through))?;
-            walk.counters.pop();
-            Ok(StmtKind::for_below(column, end_columns, block))
+        self.below("column", columns, span, |walk, column| {
+            walk.below("row", rows, span, |walk, row| {
+                let place = Place { span, ..matrix.at([column, row]) };
+                walk.bind_pattern(&part.pattern, &Value::Place(place), site)?;
+                walk.pass_of(label, outermost, |walk| walk.statements(body))
+            })
         })
     }
-}
 
-/// The element at a row and a column, which are known to be there.
-fn element_at(
-    matrix: &Place,
-    (element, rows, columns): (Type, u32, u32),
-    [row, column]: [Expr; 2],
-    span: Span,
-) -> Place {
-    let of_column = Type::Array { element: Box::new(element.clone()), len: rows };
-    let all = Type::Array { element: Box::new(of_column.clone()), len: columns };
-    let column = matrix.inside(Step::Field(2), all).inside(Step::Index(column), of_column);
-    Place { span, ..column.inside(Step::Index(row), element) }
-}
+    /// The value of a method of `List` that has one.
+    pub(super) fn list_method(&mut self, method: ListMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
+        let (site, span) = (expr.site, self.span(expr.site));
+        match method {
+            ListMethod::New => {
+                let ty = self.slot_of(expr)?;
+                Ok(self.zero(&ty, span))
+            }
+            ListMethod::Len => Ok(self.list(&arguments[0])?.length.load()),
+            ListMethod::Capacity => {
+                let capacity = self.list(&arguments[0])?.capacity;
+                Ok(Expr::usize(u64::from(capacity), span))
+            }
+            ListMethod::IsEmpty => Ok(self.list(&arguments[0])?.length_is(CompareOp::Eq, 0, span)),
+            ListMethod::Pop => self.pop(&arguments[0], expr),
+            ListMethod::Push | ListMethod::Clear | ListMethod::Truncate | ListMethod::Resize => {
+                problem(site, "this has no value", "write it as a statement")
+            }
+        }
+    }
 
-/// Whether lowering an expression as a place computes nothing.
-fn is_named(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Local(_) => true,
-        tree::ExprKind::Field(base, _)
-        | tree::ExprKind::Deref(base)
-        | tree::ExprKind::Ref(_, base) => is_named(base),
-        _ => false,
+    fn pop(&mut self, list: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
+        let (site, span) = (expr.site, self.span(expr.site));
+        let ty = self.slot_of(expr)?;
+        let option = struct_of(&ty, site, "an `Option`")?;
+        let list = self.list(list)?;
+        let none = self.choice(option, 0, None, site)?;
+        let place = self.temporary_place("popped", none);
+        let held = place.load();
+        let some = self.choice(option, 1, Some(list.at([list.length.load()]).load()), site)?;
+        let then = vec![
+            Stmt::new(list.moved_length(Intrinsic::WrappingSub, span), span),
+            Stmt::new(StmtKind::Assign { place, value: some }, span),
+        ];
+        let some_left = list.length_is(CompareOp::Gt, 0, span);
+        let condition = Expr::logic(LogicOp::And, some_left, list.is_sound(span));
+        self.emit_if(condition, Block(then), span);
+        Ok(held)
+    }
+
+    /// A method of `List` for its effect; false if it is none.
+    pub(super) fn list_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
+        let Some((Builtin::List(method), arguments)) = self.builtin_call(expr) else {
+            return Ok(false);
+        };
+        let (site, span) = (expr.site, self.span(expr.site));
+        match method {
+            ListMethod::Push => self.push(&arguments[0], &arguments[1], span)?,
+            ListMethod::Clear => {
+                let list = self.list(&arguments[0])?;
+                self.emit(list.set_length(Expr::usize(0, span)), span);
+            }
+            ListMethod::Truncate => {
+                let list = self.list(&arguments[0])?;
+                let length = self.length_argument(&arguments[1])?;
+                let less =
+                    Expr::compare(CompareOp::Lt, length.clone(), list.length.load()).at(span);
+                self.emit_if(less, Block::of(list.set_length(length), span), span);
+            }
+            ListMethod::Resize => self.resize(arguments, span)?,
+            ListMethod::Pop => {
+                let list = self.list(&arguments[0])?;
+                let shorter = list.moved_length(Intrinsic::WrappingSub, span);
+                let some_left = list.length_is(CompareOp::Gt, 0, span);
+                self.emit_if(some_left, Block::of(shorter, span), span);
+            }
+            ListMethod::New | ListMethod::Len | ListMethod::IsEmpty | ListMethod::Capacity => {
+                return problem(site, "the value of this is not used", "leave it out");
+            }
+        }
+        Ok(true)
+    }
+
+    /// An argument, computed once.
+    fn length_argument(&mut self, argument: &tree::Expr) -> Result<Expr> {
+        let length = self.value(argument, Some(&Type::USIZE))?;
+        Ok(self.temporary_unless(length.is_literal(), "length", length))
+    }
+
+    fn push(&mut self, list: &tree::Expr, element: &tree::Expr, span: Span) -> Result<()> {
+        let list = self.list(list)?;
+        let value = self.value(element, Some(&list.element))?;
+        self.agree(&value.ty, &list.element, element.site)?;
+        // Rust computes the element before it looks for room.
+        let value = self.temporary_unless(is_free(&value), "element", value);
+        self.check(list.length_is(CompareOp::Lt, list.capacity, span), Fault::Capacity, span);
+        let place = list.at([list.length.load()]);
+        self.emit(StmtKind::Assign { place, value }, span);
+        self.emit(list.moved_length(Intrinsic::WrappingAdd, span), span);
+        Ok(())
+    }
+
+    fn resize(&mut self, arguments: &[tree::Expr], span: Span) -> Result<()> {
+        let list = self.list(&arguments[0])?;
+        let length = self.length_argument(&arguments[1])?;
+        let value = self.value(&arguments[2], Some(&list.element))?;
+        let value = self.temporary_unless(value.is_literal(), "element", value);
+        let capacity = Expr::usize(u64::from(list.capacity), span);
+        let room = Expr::compare(CompareOp::Le, length.clone(), capacity).at(span);
+        self.check(room, Fault::Capacity, span);
+        let before = self.temporary("before", list.length.load());
+        let variable = self.counter("i", span);
+        let place = list.at([Expr::local(variable, &Type::USIZE, span)]);
+        let body = Block::of(StmtKind::Assign { place, value }, span);
+        self.emit(StmtKind::for_range(variable, before, length.clone(), body), span);
+        self.emit(list.set_length(length), span);
+        Ok(())
+    }
+
+    /// `==` of two lists: as long, and the same elements.
+    pub(super) fn equal_lists(
+        &mut self,
+        (left, right): (&Place, &Place),
+        site: Site,
+        span: Span,
+    ) -> Result<Expr> {
+        let lists = (self.list_at(left), self.list_at(right));
+        let (Some(left), Some(right)) = lists else {
+            return problem(site, "this is not a `List`", OUR_FAULT);
+        };
+        let (one, other) = (left.length.load(), right.length.load());
+        let as_long = Expr::compare(CompareOp::Eq, one.clone(), other).at(span);
+        self.and_then(as_long, |inner| {
+            let count = lesser(one, Expr::usize(u64::from(left.capacity), span));
+            inner.all_equal(count, span, |inner, index| {
+                inner.equal(&left.at([index.clone()]), &right.at([index]), site, span)
+            })
+        })
     }
 }

@@ -7,8 +7,6 @@
 //!
 //! Must not know: which methods end an iterator.
 
-use std::rc::Rc;
-
 use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Order, Pattern, Site, Stmt};
 use bessemer_ir::{
@@ -16,12 +14,10 @@ use bessemer_ir::{
 };
 
 use super::items::handing;
-use super::loops::breaks_in;
 use super::lowering::{Closure, Hand, Lowering};
-use super::syntax::generates;
+use super::syntax::{generates, some_of};
 use super::value::Value;
 use super::{Result, problem};
-use crate::termination;
 
 /// The function that takes the next item of an iterator.
 const NEXT: &str = "bessemer::iterate::next";
@@ -79,7 +75,7 @@ impl<'a> Lowering<'a, '_> {
         let counted = self.closures.len();
         for mut closure in both {
             closure.scope.names.push(vec![(taken.to_owned(), Value::Local(local))]);
-            self.closures.push(Rc::new(closure));
+            self.closure(closure);
         }
         let again = counted + 1;
         self.hands.insert(counted, Hand { again, taken: (taken.to_owned(), local) });
@@ -100,8 +96,8 @@ impl<'a> Lowering<'a, '_> {
             return None;
         };
         let (Made { kind: StmtKind::Break, .. }, pass) = body.0.split_last()? else { return None };
-        let leaves = |stmt: &Made| breaks_in(stmt) || termination::continues(stmt);
-        if !self.is_taken(from) || pass.iter().any(leaves) {
+        let leaves = |kind: &StmtKind| matches!(kind, StmtKind::Break | StmtKind::Continue);
+        if !self.is_taken(from) || pass.iter().any(|stmt| stmt.any_branch(&leaves)) {
             return None;
         }
         let mut then =
@@ -122,13 +118,13 @@ impl<'a> Lowering<'a, '_> {
             && let Some((function, _)) = self.expansion(&part.array).filter(|(it, _)| generates(it))
         {
             let plain = index.is_none() && cuts.is_empty() && part.group.is_none();
-            let at = function.tree.params.iter().position(|param| param.items);
-            let (Tree::Call(_, arguments), Some(at)) = (&mut part.array.kind, at) else {
+            let mut params = function.tree.params.iter();
+            let Some(at) = params.position(|it| it.items && plain && is_for_each(function)) else {
                 return false;
             };
+            let Tree::Call(_, arguments) = &mut part.array.kind else { return false };
             let mut inner = handing(&arguments[at]);
-            let counted =
-                plain && is_for_each(function) && self.count(&mut inner.body, taken, counts);
+            let counted = self.count(&mut inner.body, taken, counts);
             arguments[at].kind = Tree::Closure(inner);
             return counted;
         }
@@ -156,15 +152,11 @@ impl<'a> Lowering<'a, '_> {
     /// `while let Some(x) = bytes.next()`, as a loop through the rest of them: what goes through it in the body is another
     /// loop's.
     pub(super) fn rest_of(&self, condition: &tree::Expr, body: &tree::Block) -> Option<tree::Part> {
-        let Tree::Let(pattern, value) = &condition.kind else { return None };
-        let Pattern::Constructor(some, parts) = &**pattern else { return None };
-        let (function, arguments) = self.called(value)?;
-        let ([pattern], [array]) = (parts.as_slice(), arguments) else { return None };
+        let ([pattern], value) = some_of(condition)? else { return None };
+        let (function, [array]) = self.called(value)? else { return None };
         let Tree::Local(name) = &array.kind else { return None };
-        let takes = some == "Some"
-            && format!("{}::{}", function.module, function.tree.name) == NEXT
-            && takes_all(pattern);
-        if !takes || Mentions::of(name, body) > 0 {
+        let is_next = format!("{}::{}", function.module, function.tree.name) == NEXT;
+        if !is_next || !takes_all(pattern) || Mentions::of(name, body) > 0 {
             return None;
         }
         Some(tree::Part::of(pattern.clone(), array.clone(), false))

@@ -37,30 +37,28 @@ impl<'a> Lowering<'a, '_> {
 
     /// The closure that an argument is, and what it uses.
     fn handed(&mut self, argument: &tree::Expr) -> Result<Closure<'a>> {
-        if let tree::ExprKind::Local(name) = &argument.kind
-            && let Some(closure) = self.closure_named(name)
-        {
-            let known = (*self.closures[closure]).clone();
-            if known.scope.locals.is_none() {
-                return Ok(known);
-            }
-            let Closure { text, source, scope, .. } = known;
-            // It leaves the function that it was written in: what it uses goes with it.
-            let scopes = std::mem::replace(&mut self.scopes, scope.names);
-            let captured =
-                self.from(source, argument.site, |inner| inner.captured(text, argument.site));
-            self.scopes = scopes;
-            return captured;
+        let closure = self.closure_given(argument)?;
+        let known = (*self.closures[closure]).clone();
+        if known.scope.locals.is_none() {
+            return Ok(known);
         }
-        let text = self.closure_of(argument)?;
-        self.captured(text, argument.site)
+        // It leaves the function that it was written in: what it uses goes with it.
+        self.in_scope_of(&known, None, argument.site, |inner| {
+            inner.captured(known.text.clone(), argument.site)
+        })
     }
 
-    /// The closure that is written as an argument.
-    pub(super) fn closure_of(&self, argument: &tree::Expr) -> Result<tree::Closure> {
+    /// The closure that an argument names, or that is written there.
+    pub(super) fn closure_given(&mut self, argument: &tree::Expr) -> Result<usize> {
         match &argument.kind {
-            tree::ExprKind::Closure(closure) => Ok(closure.clone()),
-            tree::ExprKind::Local(_) => problem(argument.site, "this is not a closure", OUR_FAULT),
+            tree::ExprKind::Closure(closure) => {
+                let closure = self.written_here(closure.clone());
+                Ok(self.closure(closure))
+            }
+            tree::ExprKind::Local(name) => match self.closure_named(name) {
+                Some(closure) => Ok(closure),
+                None => problem(argument.site, "this is not a closure", OUR_FAULT),
+            },
             _ => problem(
                 argument.site,
                 "a function that takes a closure is given one in the DSL",
@@ -122,22 +120,20 @@ impl<'a> Lowering<'a, '_> {
             span: place.span,
         }));
         let params = inner.locals.len();
-        let mut own = (first as u32..).map(LocalId);
+        let mut next = first as u32;
         for (param, mut closure) in closures {
             for (_, meaning) in closure.scope.names.iter_mut().flatten() {
-                let is_local = matches!(meaning, Value::Local(_));
-                if !(is_local || matches!(meaning, Value::Place(_))) {
-                    continue;
+                match meaning {
+                    Value::Local(local) => *local = LocalId(next),
+                    Value::Place(place) => {
+                        *place = Place::local(LocalId(next), place.ty.clone(), place.span);
+                    }
+                    _ => continue,
                 }
-                let Some(root) = own.next() else { continue };
-                let Local { ty, span, .. } = inner.locals[root.index()].clone();
-                *meaning = match is_local {
-                    true => Value::Local(root),
-                    false => Value::Place(Place::local(root, ty, span)),
-                };
+                next += 1;
             }
             let closure = inner.closure(closure);
-            inner.bind(param, closure);
+            inner.bind(param, Value::Closure(closure));
         }
         inner.body(&template.tree.body)?;
         let mut lowered = inner.finished(params, span)?;
@@ -237,68 +233,13 @@ impl<'a> Lowering<'a, '_> {
         let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);
-        let (mut subjects, mut computed) = (Vec::new(), None);
-        let parameters = closure.parameters.iter().map(Some).chain(std::iter::repeat(None));
-        for (argument, parameter) in arguments.iter().zip(parameters) {
-            let taken = match parameter {
-                Some(tree::Pattern::Name { slot, .. }) => handed.source.slots.get(*slot as usize),
-                _ => None,
-            };
-            // An item is what it is where it comes from; but a pair that has one name is a value.
-            let whole = matches!(parameter, Some(tree::Pattern::Name { name, .. }) if !is_hidden(name))
-                && matches!(argument.kind, tree::ExprKind::Tuple(_))
-                && handed.source.tree.role != tree::Role::Expanded;
-            if name == tree::EACH && !whole {
-                let before = self.locals.len();
-                let item = self.item(argument, parameter)?;
-                if let (Some(locals), Some(parameter)) = (handed.scope.locals, parameter)
-                    && handed.source.tree.role != tree::Role::Expanded
-                {
-                    self.name_own(parameter, &item, Some(locals));
-                }
-                if let Some(tree::Pattern::Name { name, slot: NO_SLOT, .. }) = parameter
-                    && let Some(value) = self.just_computed(&item, before)
-                {
-                    computed = Some((name.clone(), value));
-                }
-                subjects.push(item);
-                continue;
-            }
-            if let (Some(tree::Pattern::Tuple(_)), Some(parts)) =
-                (parameter, self.parts_named(argument))
-            {
-                subjects.push(parts);
-                continue;
-            }
-            if let Some(slice) = self.slice_named(argument)? {
-                subjects.push(slice);
-                continue;
-            }
-            let (lent, expected) = match taken {
-                Some(ty) => (matches!(ty, Ty::Ref(..)), Some(self.cx.pointee(ty, site)?)),
-                None => (false, None),
-            };
-            let mut value = self.value(argument, expected.as_ref())?;
-            if let (Some(_), ExprKind::Load(place)) = (stays, &value.kind)
-                && value.ty != Type::Unit
-            {
-                let mut place = place.clone();
-                // Its indices are checked also where the body does not read it.
-                self.fix(&mut place);
-                subjects.push(Value::Place(place));
-                continue;
-            }
-            if !lent && value.ty != Type::Unit {
-                // In a place of its own: the body may write to what it was computed from.
-                value = self.named_argument(parameter, value);
-            }
-            subjects.push(self.value_subject(value));
-        }
+        let pairs = closure.parameters.iter().zip(arguments);
+        let subjects = pairs.map(|(parameter, argument)| {
+            self.argument_for(parameter, argument, &handed, (name == tree::EACH, site))
+        });
+        let subjects = subjects.collect::<Result<Vec<_>>>()?;
         self.in_scope_of(&handed, None, site, |inner| {
-            match computed {
-                Some((name, value)) => inner.bind(&name, Value::Word(Box::new(value))),
-                None => inner.bind_arguments(closure, &subjects, stays)?,
-            }
+            inner.bind_arguments(closure, &subjects, stays)?;
             match &handed.outermost {
                 Some((label, outermost)) => {
                     inner.pass_of(label.as_deref(), *outermost, |inner| end(inner, closure))
@@ -306,6 +247,65 @@ impl<'a> Lowering<'a, '_> {
                 None => end(inner, closure),
             }
         })
+    }
+
+    /// What an argument is to the parameter of a closure; `each`: it is an item that is handed on.
+    fn argument_for(
+        &mut self,
+        parameter: &tree::Pattern,
+        argument: &tree::Expr,
+        handed: &Closure<'a>,
+        (each, site): (bool, Site),
+    ) -> Result<Value> {
+        let name = match parameter {
+            tree::Pattern::Name { name, slot, .. } => Some((name, *slot)),
+            _ => None,
+        };
+        let written = handed.source.tree.role != tree::Role::Expanded;
+        // An item is what it is where it comes from; but a pair that has one name is a value.
+        let whole = name.is_some_and(|(name, _)| !is_hidden(name))
+            && matches!(argument.kind, tree::ExprKind::Tuple(_))
+            && written;
+        if each && !whole {
+            let before = self.locals.len();
+            let item = self.item(argument, Some(parameter))?;
+            self.name_own(parameter, &item, handed.scope.locals.filter(|_| written));
+            let computed = match name {
+                Some((_, NO_SLOT)) => self.just_computed(&item, before),
+                _ => None,
+            };
+            return Ok(computed.map_or(item, |value| Value::Word(Box::new(value))));
+        }
+        if let tree::Pattern::Tuple(_) = parameter
+            && let Some(parts) = self.parts_named(argument)
+        {
+            return Ok(parts);
+        }
+        if let Some(slice) = self.slice_named(argument)? {
+            return Ok(slice);
+        }
+        let taken = name.and_then(|(_, slot)| handed.source.slots.get(slot as usize));
+        let expected = taken.map(|ty| self.cx.pointee(ty, site)).transpose()?;
+        let value = self.value(argument, expected.as_ref())?;
+        if value.ty == Type::Unit {
+            return Ok(self.value_subject(value));
+        }
+        if let ExprKind::Load(place) = &value.kind
+            && !each
+            && handed.scope.locals.is_some()
+        {
+            let mut place = place.clone();
+            // Its indices are checked also where the body does not read it.
+            self.fix(&mut place);
+            return Ok(Value::Place(place));
+        }
+        // In a place of its own: the body may write to what it was computed from.
+        let value = match name {
+            _ if matches!(taken, Some(Ty::Ref(..))) => value,
+            Some((name, _)) => self.naming_as("", |inner| inner.temporary(name, value)),
+            None => self.temporary(words::ARGUMENT, value),
+        };
+        Ok(self.value_subject(value))
     }
 
     /// The slice that an argument names.
@@ -332,20 +332,7 @@ impl<'a> Lowering<'a, '_> {
         let each = each.map(|each| (tree::EACH.to_owned(), each));
         let names = names.iter().cloned().chain([each.into_iter().collect()]).collect();
         let expanding = if locals.is_some() { expanding } else { &self.expanding }.clone();
-        let expanding = std::mem::replace(&mut self.expanding, expanding);
-        let scopes = std::mem::replace(&mut self.scopes, names);
-        let done = self.from(closure.source, site, lower);
-        self.scopes = scopes;
-        self.expanding = expanding;
-        done
-    }
-
-    /// The arguments of a closure, under the closure's names.
-    fn named_argument(&mut self, parameter: Option<&tree::Pattern>, value: Expr) -> Expr {
-        let Some(tree::Pattern::Name { name, .. }) = parameter else {
-            return self.temporary(words::ARGUMENT, value);
-        };
-        self.naming_as("", |inner| inner.temporary(name, value))
+        self.from(closure.source, Scope { names, expanding, locals: *locals }, site, lower)
     }
 
     /// Binds the parameters of a closure; to the places themselves where they stay what they are. A local of what calls
@@ -358,25 +345,32 @@ impl<'a> Lowering<'a, '_> {
     ) -> Result<()> {
         let mut names = Vec::new();
         for (pattern, subject) in closure.parameters.iter().zip(subjects) {
-            let place = match (stays, subject) {
-                (Some(_), Value::Place(place)) => Some(place.clone()),
-                _ => self.counted(subject),
-            };
-            if let (tree::Pattern::Name { name, mutable: false, inner: None, .. }, Some(place)) =
-                (pattern, place)
-            {
-                self.name_own(pattern, &Value::Place(place.clone()), stays);
-                self.bind(name, Value::Place(place));
-                continue;
-            }
             self.name_own(pattern, subject, stays);
-            self.test(pattern, subject, closure.body.site, &mut names)?;
+            // Nothing but its loop changes a counter that is handed on.
+            let counter =
+                |place: &Place| place.steps.is_empty() && self.steady.contains(&place.root);
+            match (pattern, subject) {
+                (
+                    tree::Pattern::Name { name, mutable: false, inner: None, .. },
+                    Value::Place(place),
+                ) if stays.is_some() || counter(place) => self.bind(name, subject.clone()),
+                // What was just computed for a name that no author gave.
+                (tree::Pattern::Name { name, slot: NO_SLOT, .. }, Value::Word(_)) => {
+                    self.bind(name, subject.clone());
+                }
+                _ => drop(self.test(pattern, subject, closure.body.site, &mut names)?),
+            }
         }
         self.bind_names(&names)
     }
 
     /// Gives locals of what calls a closure the names that the closure's author gives them.
-    fn name_own(&mut self, pattern: &tree::Pattern, subject: &Value, stays: Option<usize>) {
+    pub(super) fn name_own(
+        &mut self,
+        pattern: &tree::Pattern,
+        subject: &Value,
+        stays: Option<usize>,
+    ) {
         match (pattern, subject) {
             (tree::Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
                 for (pattern, part) in patterns.iter().zip(parts) {
@@ -397,10 +391,8 @@ impl<'a> Lowering<'a, '_> {
     }
 
     fn body_value(&mut self, closure: &tree::Closure) -> Result<Expr> {
-        let ty = match closure.body.slot {
-            Some(slot) => Some(self.slot(slot, closure.body.site)?),
-            None => None,
-        };
+        let slot = closure.body.slot;
+        let ty = slot.map(|slot| self.slot(slot, closure.body.site)).transpose()?;
         let unit = match &ty {
             Some(ty) => *ty == Type::Unit,
             // The body of a loop.

@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, Builtin, OptionMethod, Site};
 use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, StmtKind, Type};
 
 use super::conditions::{decided, has_let};
+use super::each::Each;
 use super::expr::Call;
 use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
@@ -58,15 +59,15 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             (tree::ExprKind::Labelled(label, body), _) => self.labelled(label, body, target, expr),
-            (tree::ExprKind::While { label, condition: None, bound, body }, _) => {
-                self.loop_stmt(expr.site, label.as_deref(), bound.as_deref(), body, target)
+            (tree::ExprKind::While { label, condition, bound, body }, _) => {
+                let asked = (condition.as_deref(), bound.as_deref());
+                self.while_stmt(expr.site, label.as_deref(), asked, body, target)
             }
             (
                 tree::ExprKind::Return(_)
                 | tree::ExprKind::Break(..)
                 | tree::ExprKind::Continue(_)
-                | tree::ExprKind::Assert(..)
-                | tree::ExprKind::While { .. },
+                | tree::ExprKind::Assert(..),
                 _,
             )
             | (_, None) => self.statement(expr),
@@ -240,10 +241,12 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
             tree::ExprKind::AssignEach(places, value) => self.assign_each(places, value),
-            tree::ExprKind::For { .. } | tree::ExprKind::Each { .. } => self.through(expr),
-            tree::ExprKind::While { label, condition: Some(condition), bound, body } => {
-                let bound = bound.as_deref();
-                self.while_stmt(expr.site, label.as_deref(), condition, bound, body)
+            tree::ExprKind::For { label, name, slot, range, body } => {
+                self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
+            }
+            tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
+                let (site, label, index) = (expr.site, label.as_deref(), index.as_deref());
+                self.each_stmt(parts, Each { site, label, index, order: *order, cuts, body })
             }
             tree::ExprKind::Unroll(count, inner) => {
                 let mark = self.out.len();

@@ -3,7 +3,7 @@
 //! A name for a reference is another name for the element; a name for a value is a local of its own.
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Order, Pattern, Site, Ty};
-use bessemer_ir::{Block, Expr, ExprKind, Place, Span, Step, Stmt, StmtKind, Type};
+use bessemer_ir::{Block, Expr, ExprKind, Span, Stmt, StmtKind, Type};
 
 use super::lengths::{is_number, least, minus, plus};
 use super::lowering::{Frame, Lowering};
@@ -92,32 +92,11 @@ impl Lowering<'_, '_> {
             })?;
             copies = inner.copy_written(&seqs, &mut body, span);
             inner.counters.pop();
-            let (to, inclusive, reversed) = (end, numbered.over, order == Order::Down);
-            let (unroll, ended) = (None, false);
-            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
+            let way = (numbered.over, order == Order::Down);
+            Ok(StmtKind::for_way(variable, [from, end], way, body))
         })?;
         self.out.splice(mark..mark, copies);
         Ok(())
-    }
-
-    /// Computes the indices on the way to an array once.
-    pub(super) fn held_still(&mut self, mut place: Place) -> Place {
-        for step in &mut place.steps {
-            if let Step::Index(index) = step
-                && !index.is_literal()
-                && !self.is_counter(index)
-                && !self.is_steady(index)
-            {
-                *index = self.temporary(words::INDEX, index.clone());
-            }
-        }
-        place
-    }
-
-    /// Whether a value is that of a counter, which only its loop changes.
-    fn is_counter(&self, index: &Expr) -> bool {
-        matches!(&index.kind, ExprKind::Load(place)
-            if place.steps.is_empty() && self.counters.contains(&place.root))
     }
 
     /// The name for the counter of a loop whose author has none.
@@ -158,19 +137,16 @@ impl Lowering<'_, '_> {
         Ok((from, to))
     }
 
-    /// Whether the elements are references, whatever they are gone through by: those of a slice with a name.
-    fn refers(&self, part: &tree::Part) -> bool {
-        let Pattern::Name { slot, .. } = &part.pattern else { return false };
-        matches!(self.source.slots.get(*slot as usize), Some(Ty::Ref(..)))
-    }
-
     /// A loop over a value does not see what its body writes: then it goes through a copy. Gives the
     /// declarations of the copies.
     fn copy_written(&mut self, seqs: &[Seq], body: &mut Block, span: Span) -> Vec<Stmt> {
         let mut copies = Vec::new();
         for Seq { part, slice, .. } in seqs {
             let place = &slice.base;
-            if !part.owned || self.refers(part) || !effects::writes_local(body, place.root) {
+            // Elements that are references, whatever they are gone through by: those of a slice with a name.
+            let refers = |slot| matches!(self.source.slots.get(slot as usize), Some(Ty::Ref(..)));
+            let refers = matches!(part.pattern, Pattern::Name { slot, .. } if refers(slot));
+            if !part.owned || refers || !effects::writes_local(body, place.root) {
                 continue;
             }
             let local = self.local(words::ELEMENTS, place.ty.clone(), span);

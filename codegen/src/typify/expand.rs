@@ -8,12 +8,12 @@
 //!
 //! Must not know: what any such function computes.
 
-use bessemer_ir::tree::{self, ExprKind as Tree, Role, Site, Ty};
+use bessemer_ir::tree::{self, Role, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Type};
 
 use super::call::Called;
 use super::items::begins_at_once;
-use super::lowering::Lowering;
+use super::lowering::{Lowering, Scope};
 use super::syntax::generates;
 use super::value::Value;
 use super::{Problem, Result, diagnostic, problem};
@@ -91,40 +91,21 @@ impl<'a> Lowering<'a, '_> {
         param: &tree::Param,
         argument: &tree::Expr,
     ) -> Result<(String, Value)> {
-        let given = match param.closure {
-            true => self.closure_given(function, param, argument)?,
-            false => {
+        let given = match (param.items, param.mutable) {
+            (true, true) => {
+                let given = self.gone_through(argument)?;
+                self.by_hand(&param.name, given, &function.tree.body, argument.site)?
+            }
+            (true, false) if begins_at_once(function) => self.gone_through_at_once(argument),
+            (true, false) => self.gone_through(argument)?,
+            // In the scope that it was written in.
+            _ if param.closure => Value::Closure(self.closure_given(argument)?),
+            _ => {
                 let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
                 self.given((&param.name, param.mutable), &ty, argument)?
             }
         };
         Ok((param.name.clone(), given))
-    }
-
-    /// The closure that an argument is, in the scope that it was written in.
-    fn closure_given(
-        &mut self,
-        function: &tree::Function,
-        param: &tree::Param,
-        argument: &tree::Expr,
-    ) -> Result<Value> {
-        if param.items {
-            let given = match begins_at_once(function) && !param.mutable {
-                true => self.gone_through_at_once(argument),
-                false => self.gone_through(argument)?,
-            };
-            return match param.mutable {
-                true => self.by_hand(&param.name, given, &function.tree.body, argument.site),
-                false => Ok(given),
-            };
-        }
-        if let Tree::Local(name) = &argument.kind
-            && let Some(closure) = self.closure_named(name)
-        {
-            return Ok(Value::Closure(closure));
-        }
-        let text = self.closure_of(argument)?;
-        Ok(self.closure_here(text))
     }
 
     /// Lowers what belongs to another function, in which names have these meanings.
@@ -138,27 +119,27 @@ impl<'a> Lowering<'a, '_> {
         if self.expanding.contains(&function.path.as_str()) {
             return problem(site, "this calls itself where it stands", "write a loop over a range");
         }
-        self.expanding.push(&function.path);
-        let scopes = std::mem::replace(&mut self.scopes, vec![bound]);
-        let done = self.from(function, site, lower);
-        self.scopes = scopes;
-        self.expanding.pop();
-        done
+        let expanding = [&self.expanding[..], &[&function.path]].concat();
+        self.from(function, Scope { names: vec![bound], expanding, locals: None }, site, lower)
     }
 
-    /// Lowers what stands in another function. What is wrong there is told in that function's file, once; at `site`
-    /// nothing is left to say. What is wrong in a function of the DSL's is told where the author calls it.
+    /// Lowers what stands in another function, in which names have these meanings and these functions are expanded. What
+    /// is wrong there is told in that function's file, once; at `site` nothing is left to say. What is wrong in a function
+    /// of the DSL's is told where the author calls it.
     pub(super) fn from<T>(
         &mut self,
         function: &'a tree::Function,
+        Scope { names, expanding, .. }: Scope<'a>,
         site: Site,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
         let source = std::mem::replace(&mut self.source, function);
+        let scopes = std::mem::replace(&mut self.scopes, names);
+        let expanding = std::mem::replace(&mut self.expanding, expanding);
         let told = self.cx.told.len();
         let had = self.lenders.problem.is_some();
         let done = lower(self);
-        self.source = source;
+        (self.source, self.scopes, self.expanding) = (source, scopes, expanding);
         if let Some(problem) = self.lenders.problem.as_mut().filter(|_| !had && is_ours(function)) {
             problem.site = site;
         }

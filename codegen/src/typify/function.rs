@@ -224,7 +224,7 @@ impl Lowering<'_, '_> {
         self.give_values(&mut stmts);
         let mut body = Block(stmts);
         self.leave_unasked(&mut body);
-        super::unreached::leave_out(&mut body);
+        super::labelled::leave_out(&mut body);
         self.out = body.0;
         Ok(())
     }
@@ -534,6 +534,11 @@ impl Lowering<'_, '_> {
     /// A temporary that holds `value`; named for what it is part of.
     pub(super) fn temporary(&mut self, role: &str, value: Expr) -> Expr {
         self.temporary_place(role, value).load()
+    }
+
+    /// The same, unless the value stays what it is.
+    pub(super) fn temporary_unless(&mut self, stays: bool, role: &str, value: Expr) -> Expr {
+        if stays { value } else { self.temporary(role, value) }
     }
 
     /// Its place.

@@ -1,18 +1,42 @@
-//! Loops that gather: sums, products and folds, and arrays that are filled element by element.
+//! Loops that gather: sums, products and folds, and arrays that are filled element by element, `array.map(|x| …)`. Methods
+//! that stand for such a loop become one in the tree.
+//!
+//! Methods that stand for a `match` are functions of the library ([`rewrite`](super::rewrite)).
 
-use bessemer_ir::tree::{self, Start};
+use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
+use bessemer_ir::tree::{
+    self, Builtin, Desugared, EACH, ExprKind as Tree, Pattern, Start, Together,
+};
 use bessemer_ir::{Expr, ExprKind, Float, LocalId, Scalar, Stmt, StmtKind, Type};
 
+use super::items::handing;
 use super::lowering::Lowering;
 use super::order::{is_free, is_settled};
+use super::rewrite::rewritten;
 use super::value::Value;
 use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
+    /// What a call stands for; none if `expr` is something else.
+    pub(super) fn in_place(&self, expr: &tree::Expr) -> Option<tree::Expr> {
+        if let Some((rule, arguments)) = self.rule(expr) {
+            return Some(rewritten(rule, arguments, expr));
+        }
+        let (Builtin::Desugared(method), arguments) = self.builtin_call(expr)? else { return None };
+        let (first, rest) = arguments.split_first()?;
+        match method {
+            Desugared::Together(Together::Tried) => tried(first, rest, expr),
+            Desugared::Together(how) => Some(together(how, first, expr)),
+            Desugared::ArrayMap => mapped(first, rest.first()?, expr),
+            // What is lent stands where it stands.
+            Desugared::AsRef | Desugared::ByRef => Some(first.clone()),
+        }
+    }
+
     /// The local that holds what is gathered in the end; called as the author calls it, if he does.
     pub(super) fn fold(&mut self, expr: &tree::Expr, called: Option<&str>) -> Result<LocalId> {
-        let tree::ExprKind::Fold { name, start, each } = &expr.kind else {
+        let Tree::Fold { name, start, each } = &expr.kind else {
             return problem(expr.site, "this gathers nothing", OUR_FAULT);
         };
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
@@ -68,7 +92,7 @@ impl Lowering<'_, '_> {
                 "let its closure give one",
             );
         };
-        let kind = tree::ExprKind::Constructor(case.to_owned(), vec![value.clone()]);
+        let kind = Tree::Constructor(case.to_owned(), vec![value.clone()]);
         self.value(&tree::Expr { kind, site: value.site, slot: expr.slot }, None)
     }
 
@@ -76,9 +100,7 @@ impl Lowering<'_, '_> {
     fn settle_bounds(&mut self, passes: Option<&mut Stmt>) {
         let Some(Stmt { kind: StmtKind::For { from, to, .. }, .. }) = passes else { return };
         for (bound, role) in [from, to].into_iter().zip(words::BOUNDS) {
-            if !is_free(bound) {
-                *bound = self.temporary(role, bound.clone());
-            }
+            *bound = self.temporary_unless(is_free(bound), role, bound.clone());
         }
     }
 
@@ -111,5 +133,85 @@ fn beginning(begun: &[Stmt]) -> Option<&Expr> {
     match begun {
         [Stmt { kind: StmtKind::Let { value: Some(value), .. }, .. }] => Some(value),
         _ => None,
+    }
+}
+
+/// `array.map(|x| …)`: a loop that assigns each element.
+fn mapped(array: &tree::Expr, closure: &tree::Expr, expr: &tree::Expr) -> Option<tree::Expr> {
+    let Tree::Closure(closure) = &closure.kind else { return None };
+    let pattern = closure.parameters.first().cloned().unwrap_or(Pattern::Any);
+    let plain = |kind| tree::Expr::plain(kind, expr.site);
+    let local = |name: &str| Box::new(tree::Expr::local(name, expr.site));
+    let (name, index) = ("%mapped", "%i");
+    let element = Box::new(plain(Tree::Index(local(name), local(index))));
+    let assign = plain(Tree::Assign(None, element, closure.body.clone()));
+    let part = tree::Part::of(pattern, array.clone(), true);
+    let each = Box::new(plain(Tree::each(Some(index), part, assign)));
+    let kind = Tree::Fold { name: name.into(), start: Start::Elements, each };
+    Some(tree::Expr { kind, ..*expr })
+}
+
+/// `items.sum()`, `items.product()`: a loop that adds each item to what it has so far, or multiplies by it.
+fn together(how: Together, items: &tree::Expr, expr: &tree::Expr) -> tree::Expr {
+    let (name, start, op) = match how {
+        Together::Product => ("%product", Start::Product, tree::BinaryOp::Mul),
+        _ => ("%sum", Start::Sum, tree::BinaryOp::Add),
+    };
+    gathered(items, (name, start), expr, &|so_far, item| {
+        Tree::Assign(Some(op), Box::new(so_far), Box::new(item))
+    })
+}
+
+/// `items.try_fold(start, |so_far, item| …)`: what comes of what was gathered so far and of the item, until nothing does.
+fn tried(items: &tree::Expr, rest: &[tree::Expr], expr: &tree::Expr) -> Option<tree::Expr> {
+    let [start, tree::Expr { kind: Tree::Closure(closure), .. }] = rest else { return None };
+    let [so_far, taken] = closure.parameters.as_slice() else { return None };
+    let site = expr.site;
+    let plain = |kind| tree::Stmt::Expr(tree::Expr::plain(kind, site));
+    let goes_on = |part| Box::new(Pattern::Constructor(tree::GOES_ON.into(), vec![part]));
+    let stop = tree::Block { stmts: vec![plain(Tree::Break(None, None))], tail: None };
+    let apart = |pattern, value, otherwise| tree::Stmt::Apart { pattern, value, otherwise, site };
+    let start = ("%tried", Start::Tried(Box::new(start.clone())));
+    Some(gathered(items, start, expr, &|gathered, item| {
+        let next = Tree::Assign(None, Box::new(gathered.clone()), closure.body.clone());
+        let stmts = vec![
+            apart(goes_on(so_far.clone()), gathered.clone(), None),
+            apart(Box::new(taken.clone()), item, None),
+            plain(next),
+            apart(goes_on(Pattern::Any), gathered, Some(stop.clone())),
+        ];
+        Tree::Block(tree::Block { stmts, tail: None })
+    }))
+}
+
+/// A loop through items that gathers under a name, in the place of `expr`: what it has so far, and what is done with that
+/// and an item.
+fn gathered(
+    items: &tree::Expr,
+    (name, start): (&str, Start),
+    expr: &tree::Expr,
+    pass: &dyn Fn(tree::Expr, tree::Expr) -> Tree,
+) -> tree::Expr {
+    let mut each = handing(items).body;
+    Taken(&|item| pass(tree::Expr::local(name, expr.site), item)).expr(&mut each);
+    let kind = Tree::Fold { name: name.into(), start, each };
+    tree::Expr { kind, ..*expr }
+}
+
+/// Puts what is done with an item in the place of handing it on.
+struct Taken<'f>(&'f dyn Fn(tree::Expr) -> Tree);
+
+impl VisitMut for Taken<'_> {
+    fn expr(&mut self, expr: &mut tree::Expr) {
+        match &mut expr.kind {
+            Tree::Apply(name, items) if name == EACH => {
+                if let Some(item) = items.pop() {
+                    expr.kind = (self.0)(item);
+                }
+            }
+            // What another iterator hands on.
+            Tree::Closure(_) => {}
+            _ => walk_expr_mut(self, expr),
+        }
     }
 }

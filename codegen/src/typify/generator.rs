@@ -13,10 +13,9 @@ use bessemer_ir::tree::visit::{Visit, walk_expr};
 use bessemer_ir::tree::{
     self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt, Ty,
 };
-use bessemer_ir::{Expr, Int, Place, Scalar, StmtKind, Type};
+use bessemer_ir::{Expr, Int, Scalar, StmtKind, Type};
 
 use super::call::Called;
-use super::closure_args::is_hidden;
 use super::each::Each;
 use super::items::handing;
 use super::lowering::{Closure, Lowering};
@@ -25,16 +24,8 @@ use super::syntax::generates;
 use super::value::Value;
 use super::{Result, problem};
 
-/// A loop through what a function gives.
-pub(super) struct Generated<'a, 'e> {
-    by: By<'a, 'e>,
-    pattern: &'e tree::Pattern,
-    /// Whether it is gone through one by one, as it comes.
-    straight: bool,
-}
-
 /// What gives the items.
-enum By<'a, 'e> {
+pub(super) enum By<'a, 'e> {
     /// A call of a function.
     Call(Called<'a, 'e>),
     /// An iterator that is an argument.
@@ -58,29 +49,29 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn generated<'e>(
         &mut self,
         parts: &'e [tree::Part],
-    ) -> Result<Option<Generated<'a, 'e>>> {
+    ) -> Result<Option<(By<'a, 'e>, &'e tree::Part)>> {
         let mut found = None;
         for part in parts {
-            let called = self.expansion(&part.array).filter(|(it, _)| generates(it));
-            let by = match called {
-                Some(called) => Some(By::Call(called)),
-                None if let Tree::Apply(name, arguments) = &part.array.kind => {
-                    Some(By::Closure(name, arguments))
+            let by = if let Some(called) = self.expansion(&part.array).filter(|it| generates(it.0))
+            {
+                By::Call(called)
+            } else if let Tree::Apply(name, arguments) = &part.array.kind {
+                By::Closure(name, arguments)
+            } else if let Some(closure) = self.iterator_named(&part.array) {
+                let through = Rc::clone(&self.closures[closure]);
+                // Elements stand beside others.
+                if parts.len() > 1 && elements_through(&through.text).is_some() {
+                    continue;
                 }
-                None if let Some(closure) = self.iterator_named(&part.array) => {
-                    let through = Rc::clone(&self.closures[closure]);
-                    // Elements stand beside others.
-                    let beside = parts.len() > 1 && elements_through(&through.text).is_some();
-                    (!beside).then_some(By::Argument(through))
-                }
+                By::Argument(through)
+            } else if !part.owned
                 // What is gone through by value is what `into_iter` gives, which may be something else.
-                None if part.owned => None,
-                None => {
-                    let own = self.own_items(&part.array)?;
-                    own.map(By::Call)
-                }
+                && let Some(own) = self.own_items(&part.array)?
+            {
+                By::Call(own)
+            } else {
+                continue;
             };
-            let Some(by) = by else { continue };
             if parts.len() > 1 {
                 return problem(
                     part.array.site,
@@ -88,8 +79,7 @@ impl<'a> Lowering<'a, '_> {
                     "go through it alone, and count: `.enumerate()`, and index the other",
                 );
             }
-            let straight = part.group.is_none() && !part.reversed;
-            found = Some(Generated { by, pattern: &part.pattern, straight });
+            found = Some((by, part));
         }
         Ok(found)
     }
@@ -111,10 +101,9 @@ impl<'a> Lowering<'a, '_> {
     /// `for pattern in function(arguments)`.
     pub(super) fn generated_stmt(
         &mut self,
-        generated: Generated<'a, '_>,
+        (by, part): (By<'a, '_>, &tree::Part),
         Each { site, label, index, order, cuts, body }: Each,
     ) -> Result<()> {
-        let Generated { by, pattern, straight } = generated;
         let text = match &by {
             By::Argument(through) => Some(&*through.text.body),
             // What is counted before a loop is counted from the first item on.
@@ -124,21 +113,22 @@ impl<'a> Lowering<'a, '_> {
             },
             By::Closure(..) => None,
         };
-        let going = |way: Way| match (&by, text?) {
-            (By::Call((function, _)), it @ tree::Expr { kind: Tree::For { slot, .. }, .. }) => {
+        let indices = match (&by, text.map(|text| &text.kind)) {
+            (By::Call((function, _)), Some(Tree::For { slot, .. })) => {
                 let ty = function.slots.get(*slot as usize);
-                let counts = matches!(ty, Some(Ty::Scalar(Scalar::Int(Int::Usize))));
-                counts.then(|| way.of_range(it))?
+                matches!(ty, Some(Ty::Scalar(Scalar::Int(Int::Usize))))
             }
-            (_, it) => way.of(it),
+            _ => false,
         };
-        let counted = going(Way { order, counted: index.is_some() });
+        let going = |way: Way| going(way, text?, indices);
+        let counted = going((order, index.is_some()));
         let indexed = counted.is_some();
         // From the last on with an index that goes up, a number beside it is the index.
         let itself = counted.or_else(|| match (order, index) {
-            (Order::Mirrored, Some(_)) => going(Way { order: Order::Down, counted: false }),
+            (Order::Mirrored, Some(_)) => going((Order::Down, false)),
             _ => None,
         });
+        let straight = part.group.is_none() && !part.reversed;
         if !straight || (order != Order::Up && itself.is_none()) || !cuts.is_empty() {
             return problem(
                 site,
@@ -148,7 +138,7 @@ impl<'a> Lowering<'a, '_> {
         }
         self.naming_scope(|inner| {
             let mut body = body.clone();
-            let mut pattern = pattern.clone();
+            let mut pattern = part.pattern.clone();
             if let Some(index) = index {
                 match indexed {
                     true => {
@@ -162,7 +152,7 @@ impl<'a> Lowering<'a, '_> {
             let closure = tree::Closure { name, parameters, body };
             let outermost = Some((label.map(str::to_owned), inner.frames.len()));
             let each = Closure { outermost, ..inner.written_here(closure) };
-            let each = inner.closure(each);
+            let each = Value::Closure(inner.closure(each));
             match by {
                 By::Call((function, arguments)) => {
                     let mut bound = inner.given_to(function, arguments)?;
@@ -171,10 +161,7 @@ impl<'a> Lowering<'a, '_> {
                     if let (Some(itself), Some(last)) = (itself, text.stmts.last_mut()) {
                         *last = Stmt::Expr(itself);
                     }
-                    inner.inside(function, bound, site, |inner| {
-                        inner.stmts(&text)?;
-                        text.tail.as_ref().map_or(Ok(()), |tail| inner.effect(tail))
-                    })
+                    inner.inside(function, bound, site, |inner| inner.statements(&text))
                 }
                 By::Argument(handed) => {
                     let text = itself.unwrap_or_else(|| (*handed.text.body).clone());
@@ -203,19 +190,16 @@ impl<'a> Lowering<'a, '_> {
                 Ok(Value::Tuple(parts.collect::<Result<_>>()?, None))
             }
             Tree::Local(name) => match self.lookup(name, expr.site)? {
-                Value::Place(place) => Ok(Value::Place(place)),
+                known @ (Value::Place(_) | Value::Slice(_)) => Ok(known),
                 Value::Local(local) if !self.steady.contains(&local) => {
                     // Nothing else writes to it: it was made to be handed on.
                     self.held.insert(local);
-                    if let Some(tree::Pattern::Name { name, mutable: false, inner: None, .. }) =
-                        taken
-                        && !is_hidden(name)
-                    {
-                        self.locals[local.index()].name.clone_from(name);
+                    let item = self.subject(expr)?;
+                    if let Some(taken) = taken {
+                        self.name_own(taken, &item, Some(0));
                     }
-                    self.subject(expr)
+                    Ok(item)
                 }
-                Value::Slice(slice) => Ok(Value::Slice(slice)),
                 _ => self.subject(expr),
             },
             _ => {
@@ -237,24 +221,13 @@ impl<'a> Lowering<'a, '_> {
     /// What a subject holds that was computed last, where it is read once, and next.
     pub(super) fn just_computed(&mut self, subject: &Value, before: usize) -> Option<Expr> {
         let Value::Place(place) = subject else { return None };
-        let last = self.out.last()?;
-        match &last.kind {
-            StmtKind::Let { local, value: Some(_) }
-                if *local == place.root && place.steps.is_empty() && local.index() >= before => {}
-            _ => return None,
-        }
-        match self.out.pop()?.kind {
+        let own = place.steps.is_empty() && place.root.index() >= before;
+        let is_it = |last: &mut bessemer_ir::Stmt| match &last.kind {
+            StmtKind::Let { local, value: Some(_) } => own && *local == place.root,
+            _ => false,
+        };
+        match self.out.pop_if(is_it)?.kind {
             StmtKind::Let { value, .. } => value,
-            _ => None,
-        }
-    }
-
-    /// The counter of a loop, if that is what is handed on: nothing else changes it.
-    pub(super) fn counted(&self, subject: &Value) -> Option<Place> {
-        match subject {
-            Value::Place(place) if place.steps.is_empty() && self.steady.contains(&place.root) => {
-                Some(place.clone())
-            }
             _ => None,
         }
     }
@@ -276,66 +249,61 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// How a loop goes through an iterator that is an argument.
-struct Way {
-    order: Order,
-    counted: bool,
+/// How a loop goes through what a loop hands on: in an order, each item with its index if they are counted.
+type Way = (Order, bool);
+
+/// A loop that hands on each element, going that way itself; none if that cannot be said of it. A range is one of indices,
+/// if that is what its numbers may be.
+fn going((order, counted): Way, through: &tree::Expr, indices: bool) -> Option<tree::Expr> {
+    let mut text = through.clone();
+    match &mut text.kind {
+        Tree::Each { index: own, order: way, cuts, body, .. } => {
+            // Its own numbers go the way that it goes.
+            if own.is_some() && (counted || *way != Order::Up || !cuts.is_empty()) {
+                return None;
+            }
+            *way = turned(*way, (order, counted), body).filter(|_| !counted || cuts.is_empty())?;
+            if counted {
+                with_number(body, COUNTER)?;
+                *own = Some(COUNTER.into());
+            }
+        }
+        // Of a range from zero on the counter is the index. One that begins with `_` is none that could be read.
+        Tree::For { name, range, body, .. }
+            if indices
+                && matches!(&range.from.kind, Tree::Int(digits, _) if digits == "0")
+                && !name.starts_with('_')
+                && range.step.is_none()
+                && !range.inclusive
+                && range.to.is_some() =>
+        {
+            let own = if range.reversed { Order::Down } else { Order::Up };
+            let way = turned(own, (order, counted), body).filter(|it| *it != Order::Mirrored)?;
+            range.reversed = way == Order::Down;
+            if counted {
+                with_number(body, name)?;
+            }
+        }
+        _ => return None,
+    }
+    Some(text)
 }
 
-impl Way {
-    /// A loop that hands on each element, going that way itself, each element with its index if they are counted; none if
-    /// that cannot be said of it.
-    fn of(&self, through: &tree::Expr) -> Option<tree::Expr> {
-        let mut text = through.clone();
-        let Tree::Each { index: own, order, cuts, body, .. } = &mut text.kind else {
-            return None;
-        };
-        // Its own numbers go the way that it goes.
-        if own.is_some() && (self.counted || *order != Order::Up || !cuts.is_empty()) {
-            return None;
-        }
-        *order = self.turned(*order, body).filter(|_| !self.counted || cuts.is_empty())?;
-        if self.counted {
-            with_number(body, COUNTER)?;
-            *own = Some(COUNTER.into());
-        }
-        Some(text)
+/// The order in which a loop that goes one way itself goes another.
+fn turned(own: Order, (order, counted): Way, body: &tree::Block) -> Option<Order> {
+    let mut hands = Hands { each: 0, ends: false };
+    hands.block(body);
+    // What ends early, or hands on in loops of its own, has no other way.
+    if hands.each != 1 || (hands.ends && order != Order::Up) {
+        return None;
     }
-
-    /// The order in which a loop that goes one way itself goes this way.
-    fn turned(&self, own: Order, body: &tree::Block) -> Option<Order> {
-        let mut hands = Hands { each: 0, ends: false };
-        hands.block(body);
-        // What ends early, or hands on in loops of its own, has no other way.
-        if hands.each != 1 || (hands.ends && self.order != Order::Up) {
-            return None;
-        }
-        match (own, self.order, self.counted) {
-            (own, Order::Up, false) => Some(own),
-            (Order::Up, Order::Down, false) => Some(Order::Down),
-            (Order::Down, Order::Down, false) => Some(Order::Up),
-            (Order::Up, Order::Up | Order::Down, true) => Some(self.order),
-            (Order::Down, Order::Up, true) => Some(Order::Mirrored),
-            _ => None,
-        }
-    }
-
-    /// The same of a loop over a range from zero on, whose counter is the index.
-    fn of_range(&self, through: &tree::Expr) -> Option<tree::Expr> {
-        let mut text = through.clone();
-        let Tree::For { name, range, body, .. } = &mut text.kind else { return None };
-        let from_zero = matches!(&range.from.kind, Tree::Int(digits, _) if digits == "0");
-        // One that begins with `_` is none that could be read.
-        let named = !name.starts_with('_');
-        let plain =
-            from_zero && named && range.step.is_none() && !range.inclusive && range.to.is_some();
-        let own = if range.reversed { Order::Down } else { Order::Up };
-        let turned = self.turned(own, body).filter(|it| plain && *it != Order::Mirrored)?;
-        range.reversed = turned == Order::Down;
-        if self.counted {
-            with_number(body, name)?;
-        }
-        Some(text)
+    match (own, order, counted) {
+        (own, Order::Up, false) => Some(own),
+        (Order::Up, Order::Down, false) => Some(Order::Down),
+        (Order::Down, Order::Down, false) => Some(Order::Up),
+        (Order::Up, Order::Up | Order::Down, true) => Some(order),
+        (Order::Down, Order::Up, true) => Some(Order::Mirrored),
+        _ => None,
     }
 }
 

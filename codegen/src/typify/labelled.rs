@@ -2,12 +2,17 @@
 //!
 //! `'found: { if a { break 'found x; } rest }` is `if a { x } else { rest }`. Where both branches may come to
 //! what follows, or a loop is left, a flag says whether the block has been left.
+//!
+//! Statements behind a `return`, `break` or `continue`, which nothing reaches (MISRA C:2012, rule 2.1), are left out. They
+//! come about where the sizes of an instance or the length of a slice decide a condition.
 
 use bessemer_ir::tree;
+use bessemer_ir::visit::{VisitMut, Walk, walk_block_mut};
 use bessemer_ir::{Arm, Block, Expr, LocalId, Place, Span, Stmt, StmtKind, Type};
 
 use super::Result;
 use super::lowering::{Frame, Lowering, Target};
+use crate::effects;
 
 /// A stand-in for the `break` of a block until all of the block is known.
 pub(super) fn left(mark: LocalId) -> StmtKind {
@@ -42,28 +47,24 @@ impl Lowering<'_, '_> {
         let marks = self.frames.iter().filter_map(|frame| frame.mark).collect();
         self.frames.pop();
         let lowered = lowered?;
-        let flagged = lowered.0.iter().any(|it| raises(it, mark));
+        let flagged = effects::writes_local(&lowered, mark);
         let mut leaving = Leaving { mark, marks, flagged };
         let Block(stmts) = leaving.without_marks(lowered, false);
         if leaving.flagged {
             let no = Expr::bool(false, span);
             self.emit(StmtKind::Let { local: mark, value: Some(no) }, span);
             // Behind a flag no compiler sees that something has been assigned.
-            stmts.iter().for_each(|stmt| self.needs_values(stmt));
+            stmts.each_stmt(|stmt| {
+                if let StmtKind::Let { local, value: None } = &stmt.kind {
+                    self.valued.insert(*local);
+                }
+            });
             if let Some(Target::Place(place)) = target {
                 self.valued.insert(place.root);
             }
         }
         self.out.extend(stmts);
         Ok(())
-    }
-
-    /// Notes what is declared without a value.
-    fn needs_values(&mut self, stmt: &Stmt) {
-        if let StmtKind::Let { local, value: None } = &stmt.kind {
-            self.valued.insert(*local);
-        }
-        blocks(stmt).flat_map(|block| &block.0).for_each(|it| self.needs_values(it));
     }
 
     /// Gives what was noted a value where it is declared.
@@ -100,13 +101,13 @@ impl Leaving {
         let mut done = Vec::new();
         let mut rest = block.0.into_iter();
         while let Some(next) = rest.next() {
-            if is_mark(&next, self.mark) {
+            if is_mark(&next.kind, self.mark) {
                 if followed {
                     done.push(Stmt { kind: self.raise(next.span), ..next });
                 }
                 break;
             }
-            if !self.is_left_in(&next) {
+            if !next.any_branch(&|kind| is_mark(kind, self.mark)) {
                 done.push(next);
                 continue;
             }
@@ -140,7 +141,7 @@ impl Leaving {
         let mut done = vec![turned(next)];
         // Nothing comes behind it that the flag could keep from being done.
         if told {
-            done.retain(|stmt| branches(stmt).any(|it| !it.0.is_empty()));
+            done.retain(|stmt| stmt.branches().any(|it| !it.0.is_empty()));
         }
         if let Some(behind) = shared {
             self.flagged = true;
@@ -160,28 +161,13 @@ impl Leaving {
         let place = Place::local(self.mark, Type::BOOL, span);
         StmtKind::Assign { place, value: Expr::bool(true, span) }
     }
-
-    fn is_left_in(&self, stmt: &Stmt) -> bool {
-        let mut inner = branches(stmt).flat_map(|block| &block.0);
-        inner.any(|stmt| is_mark(stmt, self.mark) || self.is_left_in(stmt))
-    }
 }
 
-fn is_mark(stmt: &Stmt, mark: LocalId) -> bool {
-    matches!(&stmt.kind, StmtKind::Let { local, value: None } if *local == mark)
+fn is_mark(kind: &StmtKind, mark: LocalId) -> bool {
+    matches!(kind, StmtKind::Let { local, value: None } if *local == mark)
 }
 
-/// The branches of a statement, an `else` that is not there among them.
-pub(super) fn branches(stmt: &Stmt) -> impl Iterator<Item = &Block> {
-    let (pair, arms, otherwise) = match &stmt.kind {
-        StmtKind::If { then, otherwise, .. } => (Some([then, otherwise]), &[][..], &None),
-        StmtKind::Match { arms, otherwise, .. } => (None, &arms[..], otherwise),
-        _ => (None, &[][..], &None),
-    };
-    pair.into_iter().flatten().chain(arms.iter().map(|arm| &arm.body)).chain(otherwise)
-}
-
-/// The same, to change them.
+/// The branches of a statement, to change them.
 fn branches_mut(stmt: &mut Stmt) -> Vec<&mut Block> {
     match &mut stmt.kind {
         StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
@@ -197,9 +183,9 @@ fn falls_through(block: &Block, marks: &[LocalId]) -> bool {
     !block.0.iter().any(|stmt| match &stmt.kind {
         StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => true,
         StmtKind::If { .. } | StmtKind::Match { .. } => {
-            !branches(stmt).any(|block| falls_through(block, marks))
+            !stmt.branches().any(|block| falls_through(block, marks))
         }
-        _ => marks.iter().any(|mark| is_mark(stmt, *mark)),
+        _ => marks.iter().any(|mark| is_mark(&stmt.kind, *mark)),
     })
 }
 
@@ -215,17 +201,31 @@ fn turned(mut stmt: Stmt) -> Stmt {
     stmt
 }
 
-/// The blocks of a statement.
-fn blocks(stmt: &Stmt) -> impl Iterator<Item = &Block> {
-    let body = match &stmt.kind {
-        StmtKind::For { body, .. } => Some(body),
-        _ => None,
-    };
-    branches(stmt).chain(body)
+/// Takes what nothing reaches out of a body.
+pub(super) fn leave_out(body: &mut Block) {
+    Unreached.block(body);
 }
 
-/// Whether a loop in a statement raises the flag of a block.
-fn raises(stmt: &Stmt, flag: LocalId) -> bool {
-    matches!(&stmt.kind, StmtKind::Assign { place, .. } if place.root == flag)
-        || blocks(stmt).flat_map(|block| &block.0).any(|it| raises(it, flag))
+struct Unreached;
+
+impl VisitMut for Unreached {
+    fn block(&mut self, block: &mut Block) {
+        walk_block_mut(self, block);
+        if let Some(last) = block.0.iter().position(leaves) {
+            block.0.truncate(last + 1);
+        }
+    }
+}
+
+/// Whether control leaves the block by this statement, whatever the input; the blocks in it have lost what nothing reaches.
+fn leaves(stmt: &Stmt) -> bool {
+    let left = |block: &Block| block.0.last().is_some_and(leaves);
+    match &stmt.kind {
+        StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
+        StmtKind::If { then, otherwise, .. } => left(then) && left(otherwise),
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter().all(|arm| left(&arm.body)) && otherwise.as_ref().is_some_and(left)
+        }
+        _ => false,
+    }
 }

@@ -15,25 +15,12 @@ use crate::termination::{self, Loop, Proof};
 use super::conditions::has_let;
 use super::each::Each;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
+use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
 use super::{OUR_FAULT, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
-    /// A loop through a range, or through elements.
-    pub(super) fn through(&mut self, expr: &tree::Expr) -> Result<()> {
-        match &expr.kind {
-            tree::ExprKind::For { label, name, slot, range, body } => {
-                self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
-            }
-            tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
-                let (site, label, index) = (expr.site, label.as_deref(), index.as_deref());
-                self.each_stmt(parts, Each { site, label, index, order: *order, cuts, body })
-            }
-            _ => self.effect(expr),
-        }
-    }
-
     pub(super) fn for_stmt(
         &mut self,
         site: Site,
@@ -44,117 +31,114 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let (ty, span) = (self.slot(slot, site)?, self.span(site));
         let [from, to] = self.ends(range, &ty, site)?;
-        let open = range.to.is_none();
         let name = if name.starts_with('_') { words::PASS } else { name };
-        if range.step.is_some() {
-            return self.stepped(site, label, (name, ty), range, [from, to], body);
-        }
+        let steps = self.steps(name, (&ty, site), range, [&from, &to])?;
+        let open = range.to.is_none() && steps.is_none();
+        let (ends, inclusive) = match &steps {
+            Some(steps) => (steps.ends(), false),
+            None => ([from, to], range.inclusive || open),
+        };
         self.repeated(label, None, span, |inner| {
             let mut variable = LocalId(0);
             let body = inner.scoped(|inner| {
-                variable = inner.declare(name, ty, Mode::Value, span);
-                inner.steady.insert(variable);
+                let pass =
+                    steps.as_ref().map(|_| inner.local(words::PASS, ends[1].ty.clone(), span));
+                let local = inner.declare(name, ty.clone(), Mode::Value, span);
+                variable = pass.unwrap_or(local);
+                if let Some(steps) = &steps {
+                    let pass = Expr::local(variable, &ends[1].ty, span);
+                    let value = Some(steps.number(pass, &ty));
+                    inner.emit(StmtKind::Let { local, value }, span);
+                } else {
+                    inner.steady.insert(local);
+                }
                 if open {
-                    inner.ask_open(variable, &to, span);
+                    inner.ask_open(local, &ends[1], span);
                 }
                 inner.statements(body)
             })?;
-            let (inclusive, reversed) = (range.inclusive || open, range.reversed);
-            let (unroll, ended) = (None, false);
-            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
+            Ok(StmtKind::for_way(variable, ends, (inclusive, range.reversed), body))
         })
     }
 
-    /// `while`: one pass more than the bound comes to the condition, and not beyond.
+    /// `while`, of which the condition is asked once more than the bound says, and not beyond; without a condition `loop`,
+    /// the value of its `break` to `target` if it has one.
     pub(super) fn while_stmt(
         &mut self,
         site: Site,
         label: Option<&str>,
-        condition: &tree::Expr,
-        bound: Option<&tree::Expr>,
+        (condition, bound): (Option<&tree::Expr>, Option<&tree::Expr>),
         body: &tree::Block,
+        target: Option<&Target>,
     ) -> Result<()> {
-        if let (None, Some(rest)) = (bound, self.rest_of(condition, body)) {
+        if let (Some(condition), None) = (condition, bound)
+            && let Some(rest) = self.rest_of(condition, body)
+        {
             let (index, order, cuts) = (None, tree::Order::Up, &[][..]);
             return self.each_stmt(&[rest], Each { site, label, index, order, cuts, body });
         }
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
-        let length = self.popped_length(condition)?;
-        self.repeated(label, None, span, |inner| {
-            let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
+        let popped = condition.map(|it| self.popped_length(it)).transpose()?.flatten();
+        let (mut endless, mut behind) = (false, Vec::new());
+        self.repeated(label, target, span, |inner| {
+            let declared =
+                bound.map(|bound| (inner.local(words::PASS, bound.ty.clone(), span), bound));
             let mut heads = Vec::new();
-            let body = inner.scoped(|inner| {
+            let mut body = inner.scoped(|inner| {
                 let mut names = Vec::new();
-                heads = inner.heads(condition, &mut names, span)?;
+                if let Some(condition) = condition {
+                    heads = inner.heads(condition, &mut names, span)?;
+                }
                 if let Some((pass, bound)) = &declared {
-                    inner.emit(begun(*pass, bound, span), span);
+                    let pass = Expr::local(*pass, &bound.ty, span);
+                    let begins = Expr::compare(CompareOp::Lt, pass, bound.clone());
+                    inner.check(begins, Fault::Bound, span);
                 }
                 inner.bind_names(&names)?;
                 inner.statements(body)
             })?;
-            match (declared, length) {
-                (Some((pass, bound)), _) => Ok(passes(pass, bound, true, body)),
-                (None, Some(length)) => {
-                    let name = |place: &Place| inner.place_name(place);
-                    let rest = &body.0[heads[0] + 1..];
-                    let shown = termination::popped(&inner.cx.module, name, &length, rest);
-                    inner.ended(site, shown, body)
-                }
-                (None, None) => {
-                    let shown = inner.shown(&body, &heads);
-                    inner.ended(site, shown, body)
-                }
-            }
-        })
-    }
-
-    /// `loop`, the value of its `break` to `target` if it has one.
-    pub(super) fn loop_stmt(
-        &mut self,
-        site: Site,
-        label: Option<&str>,
-        bound: Option<&tree::Expr>,
-        body: &tree::Block,
-        target: Option<&Target>,
-    ) -> Result<()> {
-        let span = self.span(site);
-        let bound = bound.map(|bound| self.passes(bound)).transpose()?;
-        let (mut endless, mut behind) = (false, Vec::new());
-        self.repeated(label, target, span, |inner| {
-            let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
-            let mut body = inner.scoped(|inner| inner.statements(body))?;
             let Some((pass, bound)) = declared else {
-                behind = last_breath(&mut body);
-                return inner.ended_loop(site, body);
+                let shown = match popped {
+                    _ if condition.is_none() => {
+                        behind = last_breath(&mut body);
+                        return inner.ended_loop(site, body);
+                    }
+                    Some(length) => {
+                        let name = |place: &Place| inner.place_name(place);
+                        let rest = &body.0[heads[0] + 1..];
+                        termination::popped(&inner.cx.module, name, &length, rest)
+                    }
+                    None => inner.shown(&body, &heads),
+                };
+                return inner.ended(site, shown, body);
             };
-            endless = !breaks(&body);
-            if !endless {
-                body.0.insert(0, Stmt::new(begun(pass, &bound, span), span));
+            endless = !body.0.iter().any(breaks_in);
+            if endless {
+                body.0.remove(0);
             }
-            Ok(passes(pass, bound, !endless, body))
+            // Another pass than the bound says begins, for its check to tell.
+            let bounds = [Expr::literal_like(0, &bound), bound];
+            Ok(StmtKind::for_way(pass, bounds, (!endless, false), body))
         })?;
         self.out.extend(behind);
         if endless {
             // Behind the last pass there is nothing but the fault.
-            let condition = Expr::bool(false, span);
-            self.emit(StmtKind::Check { condition, fault: Fault::Bound }, span);
+            self.check(Expr::bool(false, span), Fault::Bound, span);
         }
         Ok(())
     }
 
     /// The length of the list that `while let Some(…) = list.pop()` takes from.
     fn popped_length(&mut self, condition: &tree::Expr) -> Result<Option<Expr>> {
-        let tree::ExprKind::Let(pattern, value) = &condition.kind else { return Ok(None) };
-        let tree::Pattern::Constructor(variant, _) = &**pattern else { return Ok(None) };
-        let Some((Builtin::List(ListMethod::Pop), arguments)) = self.builtin_call(value) else {
-            return Ok(None);
-        };
-        if variant != "Some" || !is_named(&arguments[0]) {
-            return Ok(None);
+        if let Some((_, value)) = some_of(condition)
+            && let Some((Builtin::List(ListMethod::Pop), [list])) = self.builtin_call(value)
+            && is_named(list, false)
+        {
+            let list = self.base(list)?;
+            return Ok(self.list_items(&list).map(|(length, _)| length.load()));
         }
-        let list = self.base(&arguments[0])?;
-        Ok(self.list_items(&list).map(|(length, _)| length.load()))
+        Ok(None)
     }
 
     /// Leaves a loop where its condition does not hold; gives the places of the `if`s that do. There is one for all
@@ -171,13 +155,8 @@ impl Lowering<'_, '_> {
             Stmt::new(StmtKind::if_then(condition.negated(), then), span)
         };
         let is_true = |condition: &Expr| condition.kind == ExprKind::Literal(1);
-        let mut parts = conjuncts(condition).into_iter();
-        let mut holds = match parts.next() {
-            Some(first) => self.pattern_condition(first, names)?,
-            None => Expr::bool(true, span),
-        };
-        let mut heads = Vec::new();
-        for part in parts {
+        let (mut holds, mut heads) = (Expr::bool(true, span), Vec::new());
+        for part in conjuncts(condition) {
             let at = self.out.len();
             if has_let(condition) {
                 self.keep_changeable(names)?;
@@ -216,32 +195,25 @@ impl Lowering<'_, '_> {
 
     /// A `loop` without a declared bound: one of its `if … { break; }` has to show that it ends.
     fn ended_loop(&mut self, site: Site, body: Block) -> Result<StmtKind> {
-        let (mut shown, span) = (Err(no_end()), self.span(site));
+        let mut shown = Err(no_end());
         for head in 0..body.0.len() {
             let Some(of) = left_at(&body.0, head, &self.out) else { continue };
             let name = |place: &Place| self.place_name(place);
             match termination::proof(&self.cx.module, name, &of) {
                 Ok(proof) => return self.ended(site, Ok(proof), body),
                 Err(reason) => match termination::turned(&self.cx.module, name, &of) {
-                    Ok(()) => return Ok(self.turned(body, span)),
+                    // Nothing is known of its first pass, but that it ends: any number of passes is enough.
+                    Ok(()) => {
+                        let (span, ty) = (self.span(site), Type::Scalar(Scalar::Int(Int::U64)));
+                        let [low, high] =
+                            [0, u64::MAX].map(|word| Expr::literal(word, ty.clone(), span));
+                        return self.ended(site, Ok(Proof { low, high, inclusive: false }), body);
+                    }
                     Err(turned) => shown = Err(if head == 0 { reason } else { turned }),
                 },
             }
         }
         self.ended(site, shown, body)
-    }
-
-    /// A loop that ends, though nothing is known of its first pass: any number of passes is enough.
-    fn turned(&mut self, body: Block, span: Span) -> StmtKind {
-        let ty = Type::Scalar(Scalar::Int(Int::U64));
-        let bound = |word| Expr::literal(word, ty.clone(), span);
-        self.ended_within(bound(0), bound(u64::MAX), body, span)
-    }
-
-    fn ended_within(&mut self, from: Expr, to: Expr, body: Block, span: Span) -> StmtKind {
-        let variable = self.pass(&from, span);
-        let (inclusive, reversed, unroll, ended) = (true, false, None, true);
-        StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
     }
 
     /// A loop that its body ends, within a bound that shows.
@@ -268,7 +240,9 @@ impl Lowering<'_, '_> {
         let limit = |value: i128| Expr::literal_like(value as u64, &low);
         let from = if is_calm(&low) { low.clone() } else { limit(int.min()) };
         let to = if is_calm(&high) && !inclusive { high } else { limit(int.max()) };
-        Ok(self.ended_within(from, to, body, span))
+        let variable = self.local(words::PASS, from.ty.clone(), span);
+        let (inclusive, reversed, unroll, ended) = (true, false, None, true);
+        Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
     }
 
     /// A place as its author names it.
@@ -283,11 +257,6 @@ impl Lowering<'_, '_> {
             }
         }
         name
-    }
-
-    /// The counter of the passes of a loop with a bound; the author has no name for it.
-    fn pass(&mut self, bound: &Expr, span: Span) -> LocalId {
-        self.local(words::PASS, bound.ty.clone(), span)
     }
 
     /// The bound of a loop.
@@ -338,14 +307,28 @@ impl Lowering<'_, '_> {
         }
         for Behind { flag, left, leaving } in behind {
             // What this loop stands in ends as well, unless it is the one that goes on.
-            let kind = match (leaving, self.frames[left].mark) {
-                (Leaving::Continue, None) if self.is_outermost(left, depth) => StmtKind::Continue,
-                (_, Some(mark)) if self.is_outermost(left, depth) => labelled::left(mark),
-                _ => StmtKind::Break,
-            };
+            let kind = self.way_out(left, leaving, depth).unwrap_or(StmtKind::Break);
             self.emit_if(Expr::local(flag, &Type::BOOL, span), Block::of(kind, span), span);
         }
         Ok(())
+    }
+
+    /// A loop below an end, whose author has no name for its counter.
+    pub(super) fn below(
+        &mut self,
+        name: &str,
+        end: Expr,
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
+    ) -> Result<()> {
+        self.repeated(None, None, span, |inner| {
+            let variable = inner.counter(name, span);
+            inner.counters.push(variable);
+            let at = Expr::local(variable, &Type::USIZE, span);
+            let body = inner.scoped(|inner| body(inner, at));
+            inner.counters.pop();
+            Ok(StmtKind::for_below(variable, end, body?))
+        })
     }
 
     /// Lowers a pass of a loop that several are, the outermost of them at `outermost`.
@@ -369,15 +352,10 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         if let Some(value) = value {
-            let depth = self.depth(label, site)?;
-            match self.frames[depth].target.clone() {
-                Some(target) => {
-                    self.into(value, &target)?;
-                    if matches!(target, Target::Return) {
-                        return Ok(());
-                    }
-                }
-                None => self.effect(value)?,
+            let target = self.frames[self.depth(label, site)?].target.clone();
+            self.lowered(value, target.as_ref())?;
+            if matches!(target, Some(Target::Return)) {
+                return Ok(());
             }
         }
         self.leave(label, Leaving::Break, site)
@@ -411,12 +389,7 @@ impl Lowering<'_, '_> {
                 Leaving::Continue => innermost.unwrap_or(outermost),
             };
         }
-        if self.is_outermost(depth, self.frames.len()) {
-            let kind = match (leaving, self.frames[depth].mark) {
-                (_, Some(mark)) => labelled::left(mark),
-                (Leaving::Break, None) => StmtKind::Break,
-                (Leaving::Continue, None) => StmtKind::Continue,
-            };
+        if let Some(kind) = self.way_out(depth, leaving, self.frames.len()) {
             self.emit(kind, span);
             return Ok(());
         }
@@ -431,6 +404,16 @@ impl Lowering<'_, '_> {
     /// Whether no loop stands between the frame that is left and the one at `depth`.
     fn is_outermost(&self, left: usize, depth: usize) -> bool {
         !self.frames[left + 1..depth].iter().any(Frame::is_loop)
+    }
+
+    /// What leaves the frame at `left` from `depth`; none if a loop stands between.
+    fn way_out(&self, left: usize, leaving: Leaving, depth: usize) -> Option<StmtKind> {
+        let direct = self.is_outermost(left, depth);
+        direct.then(|| match (leaving, self.frames[left].mark) {
+            (_, Some(mark)) => labelled::left(mark),
+            (Leaving::Break, None) => StmtKind::Break,
+            (Leaving::Continue, None) => StmtKind::Continue,
+        })
     }
 
     fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
@@ -517,29 +500,6 @@ fn conjuncts(condition: &tree::Expr) -> Vec<&tree::Expr> {
     }
 }
 
-/// Whether an expression is a variable or a part of one, so that to name it does nothing.
-fn is_named(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Local(_) => true,
-        tree::ExprKind::Field(base, _) | tree::ExprKind::Deref(base) => is_named(base),
-        _ => false,
-    }
-}
-
-/// The check that a pass may begin.
-fn begun(pass: LocalId, bound: &Expr, span: Span) -> StmtKind {
-    let pass = Expr::local(pass, &bound.ty, span);
-    let condition = Expr::compare(CompareOp::Lt, pass, bound.clone());
-    StmtKind::Check { condition, fault: Fault::Bound }
-}
-
-/// The passes of a loop with a bound; `over`: one more begins, for its check to tell.
-fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
-    let (from, to) = (Expr::literal_like(0, &bound), bound);
-    let (inclusive, reversed, unroll, ended) = (over, false, None, false);
-    StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
-}
-
 /// Whether an expression is nothing to evaluate once more.
 fn is_calm(expr: &Expr) -> bool {
     match &expr.kind {
@@ -548,11 +508,7 @@ fn is_calm(expr: &Expr) -> bool {
     }
 }
 
-/// Whether something in the body of a loop ends it.
-fn breaks(body: &Block) -> bool {
-    body.0.iter().any(breaks_in)
-}
-
-pub(super) fn breaks_in(stmt: &Stmt) -> bool {
-    matches!(stmt.kind, StmtKind::Break) || labelled::branches(stmt).any(breaks)
+/// Whether a statement of the body of a loop ends it.
+fn breaks_in(stmt: &Stmt) -> bool {
+    stmt.any_branch(&|kind| matches!(kind, StmtKind::Break))
 }

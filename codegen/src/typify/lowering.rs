@@ -80,7 +80,7 @@ impl<'a> Lowering<'a, '_> {
     /// A closure that is written here.
     pub(super) fn closure_here(&mut self, text: tree::Closure) -> Value {
         let closure = self.written_here(text);
-        self.closure(closure)
+        Value::Closure(self.closure(closure))
     }
 
     /// The same, before a name means it.
@@ -103,9 +103,9 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// A closure that a name can mean.
-    pub(super) fn closure(&mut self, closure: Closure<'a>) -> Value {
+    pub(super) fn closure(&mut self, closure: Closure<'a>) -> usize {
         self.closures.push(Rc::new(closure));
-        Value::Closure(self.closures.len() - 1)
+        self.closures.len() - 1
     }
 }
 

@@ -166,14 +166,8 @@ impl Lowering<'_, '_> {
             Type::Matrix { element, rows, cols } => {
                 (self.matrix_step(index, rows, cols, span)?, Type::Scalar(element))
             }
-            ref bounded if self.bounded_type(bounded).is_some() => {
+            ref bounded if self.contained(bounded).is_some() => {
                 return self.bounded_element(base, index, span);
-            }
-            ref list if self.list_type(list).is_some() => {
-                let index = self.value(index, Some(&Type::USIZE))?;
-                self.settle_since(mark, &mut base);
-                self.keep_indices(&mut base, |index| !index.is_literal());
-                return Ok(self.list_element(base, index, span));
             }
             _ => {
                 return problem(
@@ -254,9 +248,9 @@ impl Lowering<'_, '_> {
                     other if let Some((_, slice)) = self.cx.as_borrowed(&other) => {
                         Ok(slice.element.clone())
                     }
-                    other => Ok(match (self.list_type(&other), self.bounded_type(&other)) {
-                        (Some((_, element, _)), _) | (_, Some((element, ..))) => element,
-                        _ => other,
+                    other => Ok(match self.contained(&other) {
+                        Some((element, ..)) => element,
+                        None => other,
                     }),
                 }
             }

@@ -121,52 +121,36 @@ impl Walk<'_> {
             _ => return,
         };
         let (path, given, home) = at;
-        let outside =
-            words.iter().map(|word| Number::of(scalar, *word)).find(|it| !it.is_in(range));
-        if let Some(number) = outside {
+        let (low, high) = (range.low(), range.high());
+        let single = scalar == Scalar::Float(Float::F32);
+        // The ends are rounded as the number is. NaN is in no range.
+        let [first, last] = [low, high].map(|end| if single { f64::from(end as f32) } else { end });
+        let mut numbers = words.iter().map(|word| number(scalar, *word));
+        let outside = numbers.find(|(it, _)| !(first <= *it && *it <= last));
+        if let Some((_, shown)) = outside {
             let what = if many { format!("an element of `{path}`") } else { format!("`{path}`") };
-            let (low, high) = (range.low(), range.high());
-            let message = format!("{what} is {}, outside of {low:?}..={high:?}", number.shown);
-            self.tell(
-                given,
-                home,
-                message,
-                "let the default lie within the range, or widen the range",
-            );
+            let message = format!("{what} is {shown}, outside of {low:?}..={high:?}");
+            let help = "let the default lie within the range, or widen the range";
+            self.tell(given, home, message, help);
         }
     }
 }
 
-/// A number of a default.
-struct Number {
-    value: f64,
-    /// Of an `f32`, whose ends are rounded as it is.
-    single: bool,
-    shown: String,
-}
-
-impl Number {
-    fn of(scalar: Scalar, word: u64) -> Number {
-        match scalar {
-            Scalar::Float(Float::F32) => {
-                let value = f32::from_bits(word as u32);
-                Number { value: f64::from(value), single: true, shown: format!("{value:?}") }
-            }
-            Scalar::Float(Float::F64) => {
-                let value = f64::from_bits(word);
-                Number { value, single: false, shown: format!("{value:?}") }
-            }
-            Scalar::Int(int) => {
-                let value = int.from_word(word);
-                Number { value: value as f64, single: false, shown: value.to_string() }
-            }
-            Scalar::Bool => Number { value: word as f64, single: false, shown: word.to_string() },
+/// A number of a default, and how it is shown.
+fn number(scalar: Scalar, word: u64) -> (f64, String) {
+    match scalar {
+        Scalar::Float(Float::F32) => {
+            let value = f32::from_bits(word as u32);
+            (f64::from(value), format!("{value:?}"))
         }
-    }
-
-    /// NaN is in no range.
-    fn is_in(&self, range: Range) -> bool {
-        let end = |end: f64| if self.single { f64::from(end as f32) } else { end };
-        end(range.low()) <= self.value && self.value <= end(range.high())
+        Scalar::Float(Float::F64) => {
+            let value = f64::from_bits(word);
+            (value, format!("{value:?}"))
+        }
+        Scalar::Int(int) => {
+            let value = int.from_word(word);
+            (value as f64, value.to_string())
+        }
+        Scalar::Bool => (word as f64, word.to_string()),
     }
 }

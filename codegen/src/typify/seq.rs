@@ -95,7 +95,7 @@ impl Lowering<'_, '_> {
         let mut place = self.base(expr)?;
         // Whether there is a pass or not.
         self.fix(&mut place);
-        let bounded = self.bounded_type(&place.ty).is_some();
+        let bounded = self.contained(&place.ty).is_some();
         match self.all_of(place) {
             Some(slice) => Ok(slice),
             None if bounded => problem(
@@ -134,8 +134,8 @@ impl Lowering<'_, '_> {
             (_, None) => {
                 let span = size.span;
                 let size = self.steady("size", size);
-                let condition = Expr::compare(CompareOp::Ne, size.clone(), Expr::usize(0, span));
-                self.emit(StmtKind::Check { condition, fault: Fault::Assertion }, span);
+                let some = Expr::compare(CompareOp::Ne, size.clone(), Expr::usize(0, span));
+                self.check(some, Fault::Assertion, span);
                 size
             }
         };
@@ -224,15 +224,10 @@ impl Lowering<'_, '_> {
             cases.push((condition, Block::of(assign, span)));
             index = minus(index, slice.length.clone());
         }
-        let chosen =
-            cases.into_iter().rfold(
-                Block::default(),
-                |otherwise, (condition, then)| match otherwise.0.is_empty() {
-                    true => then,
-                    false => Block::of(StmtKind::If { condition, then, otherwise }, span),
-                },
-            );
-        self.out.extend(chosen.0);
+        let chosen = cases.into_iter().rev().reduce(|(last, otherwise), (condition, then)| {
+            (last, Block::of(StmtKind::If { condition, then, otherwise }, span))
+        });
+        self.out.extend(chosen.into_iter().flat_map(|(_, chosen)| chosen.0));
         place
     }
 }

@@ -224,10 +224,7 @@ impl Lowering<'_, '_> {
 
     /// A value that is computed once, and written down again as it is where nothing changes it.
     pub(super) fn steady(&mut self, role: &str, value: Expr) -> Expr {
-        match self.is_steady(&value) {
-            true => value,
-            false => self.temporary(role, value),
-        }
+        self.temporary_unless(self.is_steady(&value), role, value)
     }
 
     /// Whether nothing writes to what a value is read from.
@@ -252,10 +249,7 @@ impl Lowering<'_, '_> {
         if slice.whole {
             return Ok(Place { span, ..slice.at(index) });
         }
-        let index = match super::order::is_free(&index) {
-            true => index,
-            false => self.temporary(words::INDEX, index),
-        };
+        let index = self.temporary_unless(super::order::is_free(&index), words::INDEX, index);
         self.check_index(&index, CompareOp::Lt, &slice.length, span);
         Ok(Place { span, ..slice.nth(index) })
     }

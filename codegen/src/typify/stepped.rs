@@ -1,16 +1,14 @@
 //! `for i in (a..b).step_by(n)`: a loop over its passes, and the number of each.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Mode, Scalar, StmtKind, Type,
-};
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Scalar, Type};
 
+use super::lengths;
 use super::lowering::Lowering;
-use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 /// Where a stepped range begins, and what it takes to get on.
-struct Steps {
+pub(super) struct Steps {
     from: Expr,
     step: Expr,
     passes: Expr,
@@ -19,48 +17,28 @@ struct Steps {
 }
 
 impl Lowering<'_, '_> {
-    pub(super) fn stepped(
+    /// The steps of a range that has some; what it takes to get on is named for the number.
+    pub(super) fn steps(
         &mut self,
-        site: Site,
-        label: Option<&str>,
-        (name, ty): (&str, Type),
+        name: &str,
+        (ty, site): (&Type, Site),
         range: &tree::Range,
-        bounds: [Expr; 2],
-        body: &tree::Block,
-    ) -> Result<()> {
-        let span = self.span(site);
+        [from, to]: [&Expr; 2],
+    ) -> Result<Option<Steps>> {
+        let Some(step) = &range.step else { return Ok(None) };
         let Some(int) = ty.as_int() else {
             return problem(site, "only integers are stepped through", OUR_FAULT);
         };
-        // What it takes to get on is named for the number.
-        let steps = self.naming_as(name, |inner| inner.steps(site, int, range, bounds))?;
-        self.repeated(label, None, span, |inner| {
-            let passes = steps.passes.clone();
-            let variable = inner.local(words::PASS, passes.ty.clone(), span);
-            let body = inner.scoped(|inner| {
-                let pass = Expr::local(variable, &passes.ty, span);
-                let local = inner.declare(name, ty.clone(), Mode::Value, span);
-                let value = Some(number(&steps, pass, &ty));
-                inner.emit(StmtKind::Let { local, value }, span);
-                inner.statements(body)
-            })?;
-            let from = Expr::literal_like(0, &passes);
-            let (to, inclusive, reversed) = (passes, false, range.reversed);
-            let (unroll, ended) = (None, false);
-            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
-        })
+        let ends = [from.clone(), to.clone()];
+        self.naming_as(name, |inner| inner.steps_of(int, (step, range.inclusive), ends)).map(Some)
     }
 
-    fn steps(
+    fn steps_of(
         &mut self,
-        site: Site,
         int: Int,
-        range: &tree::Range,
+        (step, inclusive): (&tree::Expr, bool),
         [from, to]: [Expr; 2],
     ) -> Result<Steps> {
-        let Some(step) = &range.step else {
-            return problem(site, "this range has no step", OUR_FAULT);
-        };
         // The ends are read before the step is computed, which may change what they are.
         let [from, to] = match step.kind {
             tree::ExprKind::Int(..) | tree::ExprKind::Path(..) | tree::ExprKind::Local(_) => {
@@ -71,22 +49,19 @@ impl Lowering<'_, '_> {
         let step = self.value(step, Some(&Type::USIZE))?;
         let by = self.known(&step).filter(|by| (1..=u64::from(u16::MAX)).contains(by));
         let by = by.filter(|by| i128::from(*by) <= int.max());
-        let Some(by) = by else {
-            return Ok(self.any_steps(int, range.inclusive, [from, to], step));
-        };
-        if let (Some(first), Some(last)) = (self.known(&from), self.known(&to)) {
+        if let (Some(by), Some(first), Some(last)) = (by, self.known(&from), self.known(&to)) {
             let (first, last) = (int.from_word(first), int.from_word(last));
-            let end = last + i128::from(range.inclusive);
+            let end = last + i128::from(inclusive);
             let passes = ((end - first).max(0) + i128::from(by) - 1) / i128::from(by);
             let constant = int.min() == 0 || passes == 0 || first >= 0;
             let from = if constant { from } else { from.cast(&Type::USIZE) };
             let [step, passes] = [by, passes as u64].map(|word| Expr::literal_like(word, &from));
             return Ok(Steps { from, step, passes, constant });
         }
-        if int.min() < 0 || range.inclusive && by == 1 {
-            return Ok(self.any_steps(int, range.inclusive, [from, to], step));
-        }
-        Ok(self.unsigned_steps(range.inclusive, [from, to], by))
+        Ok(match by.filter(|by| int.min() == 0 && !(inclusive && *by == 1)) {
+            Some(by) => self.unsigned_steps(inclusive, [from, to], by),
+            None => self.any_steps(int, inclusive, [from, to], step),
+        })
     }
 
     /// The word of a number that generation knows.
@@ -100,10 +75,7 @@ impl Lowering<'_, '_> {
 
     /// An end that is computed once.
     fn once(&mut self, role: &str, end: Expr) -> Expr {
-        match end.kind {
-            ExprKind::Literal(_) => end,
-            _ => self.temporary(role, end),
-        }
+        self.temporary_unless(lengths::number(&end).is_some(), role, end)
     }
 
     /// Steps of a constant through unsigned numbers, which count the passes, too.
@@ -114,24 +86,14 @@ impl Lowering<'_, '_> {
         // The last number that there may be is one more than those behind the steps.
         let last = inclusive.then(|| self.temporary("last", to.clone()));
         let to = last.clone().unwrap_or(to);
-        let length = match from_zero {
-            true => to,
-            false => Expr::intrinsic(Intrinsic::SaturatingSub, vec![to, held.clone()]),
-        };
-        let length = match (&last, from_zero) {
-            (Some(_), true) => length,
-            _ => self.temporary("length", length),
-        };
-        let whole = Expr::binary(BinaryOp::Div, length.clone(), step.clone());
-        let more = match last {
-            // A step of at least 2 leaves room for it.
-            Some(_) if from_zero => Expr::literal_like(1, &held),
-            Some(last) => Expr::compare(CompareOp::Le, held.clone(), last).cast(&held.ty),
-            // A step of 1 leaves no rest, so this cannot leave the type.
-            None => leaves_rest(length, step.clone()).cast(&held.ty),
-        };
-        let passes =
-            self.temporary("passes", Expr::intrinsic(Intrinsic::WrappingAdd, vec![whole, more]));
+        let named = inclusive && from_zero;
+        let length = self.temporary_unless(named, "length", distance(&held, to));
+        // A step of at least 2 leaves room for the last number, and a step of 1 no rest: this cannot leave the type.
+        let more = last.map(|last| match from_zero {
+            true => Expr::literal_like(1, &held),
+            false => Expr::compare(CompareOp::Le, held.clone(), last),
+        });
+        let passes = self.passes_of(length, &step, more, Intrinsic::WrappingAdd);
         Steps { from: held, step, passes, constant: false }
     }
 
@@ -141,15 +103,11 @@ impl Lowering<'_, '_> {
         let span = step.span;
         let step = self.once("step", step);
         let there = Expr::compare(CompareOp::Ne, step.clone(), Expr::literal_like(0, &step));
-        self.emit(StmtKind::Check { condition: there, fault: Fault::Assertion }, span);
-        let wide = int.bits() == 64;
+        self.check(there, Fault::Assertion, span);
         let length = match int {
             Int::U64 | Int::Usize => {
                 let [first, last] = [&from, &to].map(|end| end.clone().cast(&Type::USIZE));
-                match first.kind {
-                    ExprKind::Literal(0) => last,
-                    _ => Expr::intrinsic(Intrinsic::SaturatingSub, vec![last, first]),
-                }
+                distance(&first, last)
             }
             // What lies between two numbers of 64 bits with a sign fits without it.
             Int::I64 | Int::Isize => {
@@ -166,43 +124,58 @@ impl Lowering<'_, '_> {
                 Expr::intrinsic(Intrinsic::Max, vec![length, none]).cast(&Type::USIZE)
             }
         };
-        let length = match length.kind {
-            ExprKind::Load(_) => length,
-            _ => self.temporary("length", length),
-        };
-        let whole = Expr::binary(BinaryOp::Div, length.clone(), step.clone());
-        let more = match inclusive {
-            true => Expr::compare(CompareOp::Le, from.clone(), to),
-            false => leaves_rest(length, step.clone()),
-        };
-        let more = more.cast(&Type::USIZE);
+        let named = matches!(length.kind, ExprKind::Load(_));
+        let length = self.temporary_unless(named, "length", length);
+        let more = inclusive.then(|| Expr::compare(CompareOp::Le, from.clone(), to));
         // All numbers of 64 bits are one more than `usize` counts to, and nobody gets that far.
-        let add = if wide && inclusive { Intrinsic::SaturatingAdd } else { Intrinsic::WrappingAdd };
-        let passes = self.temporary("passes", Expr::intrinsic(add, vec![whole, more]));
+        let add = match int.bits() {
+            64 if inclusive => Intrinsic::SaturatingAdd,
+            _ => Intrinsic::WrappingAdd,
+        };
+        let passes = self.passes_of(length, &step, more, add);
         Steps { from: from.cast(&Type::USIZE), step, passes, constant: false }
     }
-}
 
-/// Whether the last step is a shorter one.
-fn leaves_rest(length: Expr, step: Expr) -> Expr {
-    let rest = Expr::binary(BinaryOp::Rem, length, step);
-    let none = Expr::literal_like(0, &rest);
-    Expr::compare(CompareOp::Ne, rest, none)
-}
-
-/// The number of a pass.
-fn number(steps: &Steps, pass: Expr, ty: &Type) -> Expr {
-    let (from, step) = (steps.from.clone(), steps.step.clone());
-    let from_zero = from.kind == ExprKind::Literal(0);
-    if !steps.constant {
-        let way = Expr::intrinsic(Intrinsic::WrappingMul, vec![pass, step]);
-        let number =
-            if from_zero { way } else { Expr::intrinsic(Intrinsic::WrappingAdd, vec![from, way]) };
-        return number.cast(ty);
+    /// The steps that a length has room for, and one `more`; without that, one where the length leaves a rest.
+    fn passes_of(&mut self, length: Expr, step: &Expr, more: Option<Expr>, add: Intrinsic) -> Expr {
+        let [whole, rest] =
+            [BinaryOp::Div, BinaryOp::Rem].map(|op| Expr::binary(op, length.clone(), step.clone()));
+        let none = Expr::literal_like(0, &rest);
+        let more = more.unwrap_or_else(|| Expr::compare(CompareOp::Ne, rest, none));
+        let more = more.cast(&whole.ty);
+        self.temporary("passes", Expr::intrinsic(add, vec![whole, more]))
     }
-    let way = match step.kind {
-        ExprKind::Literal(1) => pass,
-        _ => Expr::binary(BinaryOp::Mul, pass, step),
-    };
-    if from_zero { way } else { Expr::binary(BinaryOp::Add, from, way) }
+}
+
+/// How far it is from one number to another, which may lie before it.
+fn distance(from: &Expr, to: Expr) -> Expr {
+    match from.kind {
+        ExprKind::Literal(0) => to,
+        _ => Expr::intrinsic(Intrinsic::SaturatingSub, vec![to, from.clone()]),
+    }
+}
+
+impl Steps {
+    /// The passes.
+    pub(super) fn ends(&self) -> [Expr; 2] {
+        [Expr::literal_like(0, &self.passes), self.passes.clone()]
+    }
+
+    /// The number of a pass.
+    pub(super) fn number(&self, pass: Expr, ty: &Type) -> Expr {
+        let (from, step) = (self.from.clone(), self.step.clone());
+        let from_zero = from.kind == ExprKind::Literal(0);
+        if !self.constant {
+            let way = Expr::intrinsic(Intrinsic::WrappingMul, vec![pass, step]);
+            return match from_zero {
+                true => way.cast(ty),
+                false => Expr::intrinsic(Intrinsic::WrappingAdd, vec![from, way]).cast(ty),
+            };
+        }
+        let way = match step.kind {
+            ExprKind::Literal(1) => pass,
+            _ => Expr::binary(BinaryOp::Mul, pass, step),
+        };
+        if from_zero { way } else { Expr::binary(BinaryOp::Add, from, way) }
+    }
 }

@@ -49,6 +49,25 @@ pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
     }
 }
 
+/// Whether an expression is a variable, a part of one or, if `lent`, a reference to that, so that to name it does nothing.
+pub(super) fn is_named(expr: &tree::Expr, lent: bool) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Local(_) => true,
+        tree::ExprKind::Field(base, _) | tree::ExprKind::Deref(base) => is_named(base, lent),
+        tree::ExprKind::Ref(_, base) => lent && is_named(base, lent),
+        _ => false,
+    }
+}
+
+/// The patterns and the value of `let Some(…) = value`.
+pub(super) fn some_of(condition: &tree::Expr) -> Option<(&[tree::Pattern], &tree::Expr)> {
+    let tree::ExprKind::Let(pattern, value) = &condition.kind else { return None };
+    match &**pattern {
+        tree::Pattern::Constructor(some, parts) if some == "Some" => Some((parts, value)),
+        _ => None,
+    }
+}
+
 /// `..`, or `name @ ..`.
 pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
     match pattern {

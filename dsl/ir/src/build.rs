@@ -148,7 +148,17 @@ impl StmtKind {
 
     /// `for variable in from..to`.
     pub fn for_range(variable: LocalId, from: Expr, to: Expr, body: Block) -> StmtKind {
-        let (inclusive, reversed, unroll, ended) = (false, false, None, false);
+        StmtKind::for_way(variable, [from, to], (false, false), body)
+    }
+
+    /// The same, `inclusive` of the end or not, and from the last on where it is `reversed`.
+    pub fn for_way(
+        variable: LocalId,
+        [from, to]: [Expr; 2],
+        (inclusive, reversed): (bool, bool),
+        body: Block,
+    ) -> StmtKind {
+        let (unroll, ended) = (None, false);
         StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
     }
 

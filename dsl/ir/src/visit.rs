@@ -158,6 +158,24 @@ visitor! {
     VisitMut(mut) => walk_block_mut walk_stmt_mut walk_expr_mut walk_place_mut
 }
 
+impl Stmt {
+    /// The branches of a statement, an `else` that is not there among them; the body of a loop is none.
+    pub fn branches(&self) -> impl Iterator<Item = &Block> {
+        let (pair, arms, otherwise) = match &self.kind {
+            StmtKind::If { then, otherwise, .. } => (Some([then, otherwise]), &[][..], &None),
+            StmtKind::Match { arms, otherwise, .. } => (None, &arms[..], otherwise),
+            _ => (None, &[][..], &None),
+        };
+        pair.into_iter().flatten().chain(arms.iter().map(|arm| &arm.body)).chain(otherwise)
+    }
+
+    /// Whether this holds of it, or of a statement in its branches.
+    pub fn any_branch(&self, test: &impl Fn(&StmtKind) -> bool) -> bool {
+        let any = |block: &Block| block.0.iter().any(|stmt| stmt.any_branch(test));
+        test(&self.kind) || self.branches().any(any)
+    }
+}
+
 /// A node in which something is looked for: what one closure can tell needs no visitor of its own.
 ///
 /// The walks are [`Visit`]'s, the node itself included; of a place, the indices.
