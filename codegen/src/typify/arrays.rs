@@ -6,6 +6,7 @@ use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, Str
 
 use super::lowering::Lowering;
 use super::value::{SMALL, Slice};
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -94,7 +95,7 @@ impl Lowering<'_, '_> {
         if let (Type::Matrix { element, .. }, Some(elements)) = (&ty, leaves(from))
             && self.are_numbers(&elements)?
         {
-            let elements = self.uniform(&elements, Some(Type::Scalar(*element)))?;
+            let elements = self.alike(&elements, Some(Type::Scalar(*element)), &words::OPERANDS)?;
             return self.node(ExprKind::Matrix(elements), ty, expr.site);
         }
         let mut source = self.base(from)?;

@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, Builtin, MatrixMethod};
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
-use super::expr::{Call, Operand};
+use super::expr::Call;
 use super::lowering::Lowering;
 use super::numbers::number;
 use super::words;
@@ -88,14 +88,11 @@ impl Lowering<'_, '_> {
 
     /// `vector![a, b]`, `matrix![a, b; c, d]`.
     fn by_rows(&mut self, rows: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
-        let mut elements = Vec::new();
-        if let tree::ExprKind::Array(rows) = &rows.kind {
-            for row in rows {
-                if let tree::ExprKind::Array(row) = &row.kind {
-                    elements.extend(row.iter().cloned());
-                }
-            }
-        }
+        let inside = |expr: &tree::Expr| match &expr.kind {
+            tree::ExprKind::Array(elements) => elements.clone(),
+            _ => Vec::new(),
+        };
+        let elements: Vec<_> = inside(rows).iter().flat_map(inside).collect();
         self.constructor(MatrixMethod::New, Call { arguments: &elements, expr })
     }
 
@@ -143,7 +140,7 @@ impl Lowering<'_, '_> {
             // Of references it gives what is read.
             _ => expr.slot.map(|slot| self.seen(slot, expr.site)).transpose()?,
         };
-        let values = self.uniform(arguments, expected)?;
+        let values = self.alike(arguments, expected, &words::OPERANDS)?;
         let ty = match values.first().map(|first| &first.ty) {
             Some(Type::Scalar(scalar)) => op.result(*scalar).map(Type::Scalar),
             _ => None,
@@ -152,23 +149,6 @@ impl Lowering<'_, '_> {
             return problem(expr.site, "this does not take that type", OUR_FAULT);
         };
         self.node(ExprKind::Intrinsic(op, values), ty, expr.site)
-    }
-
-    pub(super) fn uniform(
-        &mut self,
-        arguments: &[tree::Expr],
-        expected: Option<Type>,
-    ) -> Result<Vec<Expr>> {
-        let operands: Vec<_> = arguments
-            .iter()
-            .enumerate()
-            .map(|(index, expr)| Operand {
-                expr,
-                expected: expected.clone(),
-                role: words::OPERANDS.get(index).copied().unwrap_or(words::ELEMENT),
-            })
-            .collect();
-        self.operands(&operands)
     }
 
     fn routine(&mut self, routine: Routine, call: Call<'_>) -> Result<Expr> {
@@ -180,7 +160,7 @@ impl Lowering<'_, '_> {
             Some(Type::Matrix { element, .. }) => Some(Type::Scalar(element)),
             _ => None,
         };
-        let values = self.uniform(arguments, factor)?;
+        let values = self.alike(arguments, factor, &words::OPERANDS)?;
         let shape = |index: usize| match values.get(index).map(|value| &value.ty) {
             Some(Type::Matrix { element, rows, cols }) => Some((*element, *rows, *cols)),
             _ => None,
@@ -221,7 +201,7 @@ impl Lowering<'_, '_> {
             // The unit vector along this axis.
             MatrixMethod::Axis(axis) => numbers(&|index| index == axis),
             MatrixMethod::FromElement => {
-                let value = self.uniform(arguments, Some(scalar))?;
+                let value = self.alike(arguments, Some(scalar), &words::OPERANDS)?;
                 match value.into_iter().next() {
                     Some(value) => ExprKind::Splat(Box::new(value)),
                     None => return problem(expr.site, "this takes an element", OUR_FAULT),
@@ -229,7 +209,7 @@ impl Lowering<'_, '_> {
             }
             _ => {
                 // The author writes rows; the IR, as nalgebra, stores columns.
-                let mut by_rows = self.uniform(arguments, Some(scalar))?;
+                let mut by_rows = self.alike(arguments, Some(scalar), &words::OPERANDS)?;
                 if rows > 1 && cols > 1 {
                     self.keep_order(&mut by_rows);
                 }

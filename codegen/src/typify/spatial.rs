@@ -6,7 +6,7 @@ use bessemer_ir::{
     CompareOp, Expr, ExprKind, LogicOp, Place, Routine, Span, StructId, Type, UnaryOp,
 };
 
-use super::expr::{Call, Operand, two};
+use super::expr::{Call, two};
 use super::lowering::Lowering;
 use super::words;
 use super::{OUR_FAULT, Result, problem, struct_of};
@@ -77,10 +77,7 @@ impl Lowering<'_, '_> {
     /// An operator of matrices for what is a matrix in the C.
     fn matrix_operation(&mut self, method: SpatialMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
-        let operands = arguments.iter().zip(words::SIDES);
-        let operands: Vec<_> =
-            operands.map(|(expr, role)| Operand { expr, expected: None, role }).collect();
-        let [left, mut right] = two(self.operands(&operands)?, expr.site)?;
+        let [left, mut right] = two(self.alike(arguments, None, &words::SIDES)?, expr.site)?;
         let op = match method {
             SpatialMethod::Plus => tree::BinaryOp::Add,
             SpatialMethod::Minus => tree::BinaryOp::Sub,
