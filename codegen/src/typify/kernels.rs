@@ -50,19 +50,9 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let mut shapes = Vec::new();
-        for argument in arguments {
-            shapes.push(self.type_alone(argument)?);
-        }
-        let kernel = match (routine, shapes.as_slice()) {
-            (_, [a, b]) => of(routine, a, |rows, _| match *b {
-                Type::Matrix { cols, .. } => vec![rows, cols],
-                _ => Vec::new(),
-            }),
-            (_, [a]) => of(routine, a, |rows, _| vec![rows]),
-            _ => None,
-        };
-        let Some(kernel) = kernel else {
+        let types = arguments.iter().map(|argument| self.type_alone(argument));
+        let types = types.collect::<Result<Vec<_>>>()?;
+        let Some(kernel) = kernel_of(routine, &types) else {
             return problem(expr.site, "this takes matrices of `f64` or `f32`", OUR_FAULT);
         };
         let id = self.cx.kernel(&kernel);
@@ -139,17 +129,14 @@ impl Lowering<'_, '_> {
         };
         let element = Type::Scalar(element);
         let at = |root| Expr::local(root, &Type::USIZE, span);
-        let [rows, cols] = [rows, cols].map(|it| Expr::usize(u64::from(it), span));
         let column = self.counter("column", span);
         let row = self.counter("row", span);
-        let start = Expr::binary(BinaryOp::Mul, rows.clone(), at(column));
+        let start = Expr::binary(BinaryOp::Mul, Expr::usize(rows.into(), span), at(column));
         let index = Expr::binary(BinaryOp::Add, at(row), start);
         let cell = matrix.inside(Step::Element(at(row), at(column)), element.clone());
         let part = columns.inside(Step::Index(index), element);
         let (place, value) = if to_columns { (part, cell.load()) } else { (cell, part.load()) };
-        let assign = Block::of(StmtKind::Assign { place, value }, span);
-        let inner = Block::of(StmtKind::for_below(row, rows, assign), span);
-        self.emit(StmtKind::for_below(column, cols, inner), span);
+        self.assign_looping(place, value, [(Some(row), rows), (Some(column), cols)], span);
         Ok(())
     }
 
@@ -232,15 +219,26 @@ impl Lowering<'_, '_> {
                 elements.joined(BinaryOp::Add, place.load(), term)
             }
         };
-        let mut body = Block::of(StmtKind::Assign { place, value }, span);
+        self.assign_looping(place, value, counters, span);
+        Ok(result.load())
+    }
+
+    /// Assigns in a loop for each counter, innermost first.
+    fn assign_looping(
+        &mut self,
+        place: Place,
+        value: Expr,
+        counters: impl IntoIterator<Item = (Option<LocalId>, u32)>,
+        span: Span,
+    ) {
+        let mut stmt = StmtKind::Assign { place, value };
         for (counter, count) in counters {
             if let Some(counter) = counter {
-                let count = Expr::usize(u64::from(count), span);
-                body = Block::of(StmtKind::for_below(counter, count, body), span);
+                let count = Expr::usize(count.into(), span);
+                stmt = StmtKind::for_below(counter, count, Block::of(stmt, span));
             }
         }
-        self.out.extend(body.0);
-        Ok(result.load())
+        self.emit(stmt, span);
     }
 
     /// A counter, unless there is one row or column.
@@ -307,25 +305,25 @@ fn product(routine: Routine, values: &[Expr]) -> Option<(Kernel, Vec<Expr>)> {
         (Routine::Product, None, None) => (KernelRoutine::Product, left.clone(), right.clone()),
         _ => return None,
     };
-    let Type::Matrix { rows: first, cols: second, .. } = right.ty else { return None };
-    let kernel = of(which, &left.ty, |rows, cols| match which {
-        KernelRoutine::ProductTr => vec![rows, cols, first],
-        KernelRoutine::TrProduct => vec![cols, rows, second],
-        _ => vec![rows, cols, second],
-    })?;
+    let kernel = kernel_of(which, &[left.ty.clone(), right.ty.clone()])?;
     kernel.is_function().then(|| (kernel, vec![left, right]))
 }
 
-/// The kernel of a routine for its first operand's type.
-fn of(
-    routine: KernelRoutine,
-    first: &Type,
-    dims: impl FnOnce(u32, u32) -> Vec<u32>,
-) -> Option<Kernel> {
-    match *first {
-        Type::Matrix { element: Scalar::Float(element), rows, cols } => {
-            Kernel::new(routine, element, &dims(rows, cols))
-        }
+/// The kernel of a routine for operands of these types: its dimensions, as [`KernelRoutine`] says.
+fn kernel_of(routine: KernelRoutine, types: &[Type]) -> Option<Kernel> {
+    use KernelRoutine as R;
+    let shape = |ty: &Type| match *ty {
+        Type::Matrix { element, rows, cols } => Some((element, rows, cols)),
         _ => None,
-    }
+    };
+    let (Scalar::Float(element), rows, cols) = shape(types.first()?)? else { return None };
+    let dims = match (routine, types) {
+        (_, [_]) => vec![rows],
+        (R::ProductTr, [_, right]) => vec![rows, cols, shape(right)?.1],
+        (R::TrProduct, [_, right]) => vec![cols, rows, shape(right)?.2],
+        (R::Product | R::TrMul, [_, right]) => vec![rows, cols, shape(right)?.2],
+        (_, [_, right]) => vec![rows, shape(right)?.2],
+        _ => return None,
+    };
+    Kernel::new(routine, element, &dims)
 }

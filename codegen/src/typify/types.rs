@@ -196,10 +196,7 @@ impl<'a> Context<'a> {
     /// The type of a value; references are refused.
     pub(super) fn value_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
-            Ty::Ref(inner, mutable) if let Ty::Slice(element) = &**inner => {
-                self.borrowed(element, *mutable, site)
-            }
-            Ty::Ref(..) => problem(
+            Ty::Ref(inner, _) if !matches!(**inner, Ty::Slice(_)) => problem(
                 site,
                 "a reference is not a value in the DSL",
                 "copy what it refers to, or pass the reference as an argument",
