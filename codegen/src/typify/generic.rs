@@ -273,8 +273,8 @@ impl Context<'_> {
     /// The name of an author's type; with its module where two have the same, and with the modules around that where
     /// these are named alike, too.
     fn qualified(&self, name: &str, module: &str) -> String {
-        let homes = self.declared.iter().filter(|(declared, _)| declared == name);
-        let homes: Vec<&str> = homes.map(|(_, home)| home.as_str()).collect();
+        let homes = self.package.types.iter().filter(|it| it.name == name);
+        let homes: Vec<&str> = homes.map(|it| it.module.as_str()).collect();
         if homes.len() < 2 {
             return name.to_owned();
         }
@@ -394,7 +394,7 @@ impl Context<'_> {
 
     /// A name that no author's type has.
     fn free_name(&self, mut name: String) -> String {
-        while self.declared.iter().any(|(declared, _)| *declared == name) {
+        while self.package.types.iter().any(|it| it.name == name) {
             name.push_str("Of");
         }
         name

@@ -29,19 +29,6 @@ impl Context<'_> {
     }
 }
 
-/// The operation of a routine on two elements, on an element and a number, or on one.
-enum Each {
-    Negated,
-    Joined(BinaryOp),
-    Terms,
-}
-
-impl Each {
-    fn operands(&self) -> usize {
-        if matches!(self, Each::Negated) { 1 } else { 2 }
-    }
-}
-
 impl Lowering<'_, '_> {
     /// The call of a kernel.
     pub(super) fn kernel_call(
@@ -169,22 +156,20 @@ impl Lowering<'_, '_> {
         ty: Type,
         site: Site,
     ) -> Result<Expr> {
-        let (name, each) = match routine {
-            Routine::Neg => (words::NEGATIVE, Each::Negated),
-            Routine::Add => (words::SUM, Each::Joined(BinaryOp::Add)),
-            Routine::Sub => (words::DIFFERENCE, Each::Joined(BinaryOp::Sub)),
-            Routine::ComponentMul => (words::PRODUCT, Each::Joined(BinaryOp::Mul)),
-            Routine::ComponentDiv => (words::QUOTIENT, Each::Joined(BinaryOp::Div)),
-            Routine::Scale => (words::SCALED, Each::Joined(BinaryOp::Mul)),
-            Routine::Unscale => (words::QUOTIENT, Each::Joined(BinaryOp::Div)),
-            Routine::Product => (words::PRODUCT, Each::Terms),
+        // The operation on two elements, or on an element and a number.
+        let (name, op) = match routine {
+            Routine::Neg => (words::NEGATIVE, None),
+            Routine::Add => (words::SUM, Some(BinaryOp::Add)),
+            Routine::Sub => (words::DIFFERENCE, Some(BinaryOp::Sub)),
+            Routine::ComponentMul | Routine::Product => (words::PRODUCT, Some(BinaryOp::Mul)),
+            Routine::ComponentDiv | Routine::Unscale => (words::QUOTIENT, Some(BinaryOp::Div)),
+            Routine::Scale => (words::SCALED, Some(BinaryOp::Mul)),
             _ => {
                 let remedy = "write a loop over their elements";
                 return problem(site, "this takes matrices of `f64` or `f32`", remedy);
             }
         };
-        let (Type::Matrix { element, rows, cols }, true) = (&ty, values.len() == each.operands())
-        else {
+        let Type::Matrix { element, rows, cols } = ty else {
             return problem(site, "this is no matrix", OUR_FAULT);
         };
         let mut operands = Vec::new();
@@ -199,25 +184,38 @@ impl Lowering<'_, '_> {
             });
         }
         let span = self.span(site);
-        let elements = Elements { operands, scalar: Type::Scalar(*element), span };
         let result = self.temporary_place(name, self.zero(&ty, span));
-        let row = self.counter_of(*rows, "row", span);
-        let col = self.counter_of(*cols, "col", span);
-        let mut counters = vec![(row, *rows), (col, *cols)];
-        let at = (elements.index(row), elements.index(col));
-        let place = elements.cell(&result, at.clone());
-        let value = match each {
-            Each::Negated => Expr::unary(UnaryOp::Neg, elements.at(0, at)).at(span),
-            Each::Joined(op) => elements.joined(op, elements.at(0, at.clone()), elements.at(1, at)),
-            Each::Terms => {
-                let terms = elements.terms();
-                let k = self.counter_of(terms, "k", span);
-                counters.insert(0, (k, terms));
-                let ((row, col), k) = (at, elements.index(k));
-                let factors = (elements.at(0, (row, k.clone())), elements.at(1, (k, col)));
-                let term = elements.joined(BinaryOp::Mul, factors.0, factors.1);
-                elements.joined(BinaryOp::Add, place.load(), term)
+        let row = self.counter_of(rows, "row", span);
+        let col = self.counter_of(cols, "col", span);
+        let mut counters = vec![(row, rows), (col, cols)];
+        let index = |counter: Option<LocalId>| match counter {
+            Some(counter) => Expr::local(counter, &Type::USIZE, span),
+            None => Expr::usize(0, span),
+        };
+        let cell = |matrix: &Place, row, col| {
+            matrix.inside(Step::Element(index(row), index(col)), Type::Scalar(element))
+        };
+        // A number is the same at each row and column.
+        let at = |operand: &Expr, row, col| match &operand.kind {
+            ExprKind::Load(matrix) if matches!(matrix.ty, Type::Matrix { .. }) => {
+                cell(matrix, row, col).load()
             }
+            _ => operand.clone(),
+        };
+        let joined = |op, one, other| Expr::binary(op, one, other).at(span);
+        let place = cell(&result, row, col);
+        let value = match (op, operands.as_slice()) {
+            (Some(op), [one @ Expr { ty: Type::Matrix { cols: terms, .. }, .. }, other])
+                if routine == Routine::Product =>
+            {
+                let k = self.counter_of(*terms, "k", span);
+                counters.insert(0, (k, *terms));
+                let term = joined(op, at(one, row, k), at(other, k, col));
+                joined(BinaryOp::Add, place.load(), term)
+            }
+            (Some(op), [one, other]) => joined(op, at(one, row, col), at(other, row, col)),
+            (None, [one]) => Expr::unary(UnaryOp::Neg, at(one, row, col)).at(span),
+            _ => return problem(site, "this is no matrix", OUR_FAULT),
         };
         self.assign_looping(place, value, counters, span);
         Ok(result.load())
@@ -244,49 +242,6 @@ impl Lowering<'_, '_> {
     /// A counter, unless there is one row or column.
     fn counter_of(&mut self, count: u32, name: &str, span: Span) -> Option<LocalId> {
         (count > 1).then(|| self.counter(name, span))
-    }
-}
-
-/// The operands, element by element.
-struct Elements {
-    operands: Vec<Expr>,
-    scalar: Type,
-    span: Span,
-}
-
-impl Elements {
-    fn index(&self, counter: Option<LocalId>) -> Expr {
-        match counter {
-            Some(counter) => Expr::local(counter, &Type::USIZE, self.span),
-            None => Expr::usize(0, self.span),
-        }
-    }
-
-    fn cell(&self, matrix: &Place, (row, col): (Expr, Expr)) -> Place {
-        matrix.inside(Step::Element(row, col), self.scalar.clone())
-    }
-
-    /// An operand at a row and a column; a number is the same at each.
-    fn at(&self, operand: usize, at: (Expr, Expr)) -> Expr {
-        let operand = &self.operands[operand];
-        match &operand.kind {
-            ExprKind::Load(place) if matches!(place.ty, Type::Matrix { .. }) => {
-                self.cell(place, at).load()
-            }
-            _ => operand.clone(),
-        }
-    }
-
-    /// How many terms an element of the product has.
-    fn terms(&self) -> u32 {
-        match self.operands[0].ty {
-            Type::Matrix { cols, .. } => cols,
-            _ => 0,
-        }
-    }
-
-    fn joined(&self, op: BinaryOp, one: Expr, other: Expr) -> Expr {
-        Expr::binary(op, one, other).at(self.span)
     }
 }
 

@@ -15,6 +15,7 @@ use crate::termination::{self, Loop, Proof};
 use super::conditions::has_let;
 use super::each::Each;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
+use super::order::is_light;
 use super::value::Named;
 use super::words;
 use super::{OUR_FAULT, Result, labelled, problem};
@@ -266,8 +267,8 @@ impl Lowering<'_, '_> {
         // The last pass comes no further than the condition, so there is one more than the proof says.
         let Some(int) = low.ty.as_int() else { return problem(site, "no integers", OUR_FAULT) };
         let limit = |value: i128| Expr::literal_like(value as u64, &low);
-        let from = if is_calm(&low) { low.clone() } else { limit(int.min()) };
-        let to = if is_calm(&high) && !inclusive { high } else { limit(int.max()) };
+        let from = if is_light(&low) { low.clone() } else { limit(int.min()) };
+        let to = if is_light(&high) && !inclusive { high } else { limit(int.max()) };
         Ok(self.ended_within(from, to, body, span))
     }
 
@@ -538,14 +539,6 @@ fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
     let (from, to) = (Expr::literal_like(0, &bound), bound);
     let (inclusive, reversed, unroll, ended) = (over, false, None, false);
     StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
-}
-
-/// Whether an expression is nothing to evaluate once more.
-fn is_calm(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Load(place) => place.steps.iter().all(|step| matches!(step, Step::Field(_))),
-        kind => matches!(kind, ExprKind::Literal(_) | ExprKind::Const(_)),
-    }
 }
 
 /// Whether something in the body of a loop ends it.

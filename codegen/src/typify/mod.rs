@@ -213,9 +213,7 @@ fn authored(package: &Package) -> HashSet<String> {
         .collect()
 }
 
-/// The name that a method would have, and how many methods of its owner would have it.
-type Claims<'a> = HashMap<(Option<&'a str>, &'a str, &'a [tree::Argument]), u32>;
-
+/// The name that a method would have, in its owner.
 fn claim(function: &tree::Function) -> (Option<&str>, &str, &[tree::Argument]) {
     (function.owner.as_deref(), &function.tree.name, &function.suffix)
 }
@@ -256,6 +254,7 @@ struct Context<'a> {
     module: Module,
     typed: Typed,
     by_columns: bool,
+    package: &'a Package,
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, Type>,
@@ -265,15 +264,10 @@ struct Context<'a> {
     leaves_out: bool,
     /// The authors' types with which something is wrong, which has been told.
     undefined: HashSet<&'a str>,
-    /// The constants of which their author says more than their value.
-    tables: &'a [tree::Table],
     /// The names of instances, by their paths.
     aliases: HashMap<&'a str, &'a tree::Alias>,
     /// The names that authors gave, in snake case behind their module or type.
     authored: HashSet<String>,
-    claims: Claims<'a>,
-    /// The names of the authors' types, and their modules.
-    declared: Vec<(String, String)>,
     /// The structs that stand for types of Rust's own.
     generics: HashMap<tree::Ty, Type>,
     /// What is known of each type, and of one of which nothing is.
@@ -311,25 +305,19 @@ struct Context<'a> {
 impl<'a> Context<'a> {
     fn new(package: &'a Package, sources: &'a Sources) -> Context<'a> {
         let module = Module { name: package.name.clone(), ..Module::default() };
-        let mut claims = Claims::new();
-        for function in &package.functions {
-            *claims.entry(claim(function)).or_default() += 1;
-        }
         Context {
             module,
             typed: Typed::default(),
             by_columns: true,
+            package,
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
             nothings: HashMap::new(),
             leaves_out: false,
             undefined: HashSet::new(),
-            tables: &package.tables,
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
-            claims,
-            declared: package.types.iter().map(|it| (it.name.clone(), it.module.clone())).collect(),
             generics: HashMap::new(),
             known: HashMap::new(),
             unknown: Known::default(),
@@ -367,7 +355,8 @@ impl<'a> Context<'a> {
 
     /// Whether another function of its owner wants its name, too.
     fn is_claimed_twice(&self, function: &tree::Function) -> bool {
-        self.claims.get(&claim(function)).is_some_and(|claims| *claims > 1)
+        let all = self.package.functions.iter();
+        all.filter(|other| claim(other) == claim(function)).nth(1).is_some()
     }
 
     fn span(&mut self, file: &str, Site(line, column): Site) -> Span {

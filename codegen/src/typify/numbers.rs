@@ -14,6 +14,7 @@ use bessemer_ir::{
 use super::conditions::within;
 use super::expr::{Call, Operand};
 use super::lowering::Lowering;
+use super::order::is_light;
 use super::words;
 use super::{OUR_FAULT, Result, problem, struct_of};
 
@@ -140,12 +141,6 @@ fn negative(n: Expr, span: Span) -> Expr {
         ExprKind::Literal(word) => Expr::literal_like(word.wrapping_neg(), &n),
         _ => Expr::intrinsic(Intrinsic::WrappingSub, vec![Expr::literal(0, U32, span), n]),
     }
-}
-
-/// Whether a value may be written more than once: it is a literal, or lies where only fields lead.
-fn is_light(value: &Expr) -> bool {
-    let fields = |place: &Place| place.steps.iter().all(|step| matches!(step, Step::Field(_)));
-    value.is_literal() || matches!(&value.kind, ExprKind::Load(place) if fields(place))
 }
 
 fn of(int: Int) -> Type {

@@ -293,7 +293,7 @@ impl<'a> Context<'a> {
         words: &[u64],
     ) -> Option<&'a Table> {
         let same = |it: &&Table| it.name == name && it.value.words == words;
-        let mut tables: Vec<&'a Table> = self.tables.iter().filter(same).collect();
+        let mut tables: Vec<&'a Table> = self.package.tables.iter().filter(same).collect();
         tables.sort_by_key(|it| it.module != module);
         tables
             .into_iter()
