@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, Builtin, MatrixMethod};
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
 use super::expr::Call;
+use super::kernels::shape;
 use super::lowering::Lowering;
 use super::numbers::number;
 use super::words;
@@ -161,24 +162,18 @@ impl Lowering<'_, '_> {
             _ => None,
         };
         let values = self.alike(arguments, factor, &words::OPERANDS)?;
-        let shape = |index: usize| match values.get(index).map(|value| &value.ty) {
-            Some(Type::Matrix { element, rows, cols }) => Some((*element, *rows, *cols)),
-            _ => None,
-        };
-        let ty = match (routine, shape(0), shape(1)) {
-            (_, None, _) | (Routine::TrMul, _, None) => {
-                return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
-            }
-            (Routine::Transpose, Some((element, rows, cols)), _) => {
-                Type::Matrix { element, rows: cols, cols: rows }
-            }
-            (Routine::Dot | Routine::Norm | Routine::NormSquared, Some((element, ..)), _) => {
-                Type::Scalar(element)
-            }
-            (Routine::TrMul, Some((element, _, cols)), Some((.., right))) => {
-                Type::Matrix { element, rows: cols, cols: right }
-            }
-            (_, Some((element, rows, cols)), _) => Type::Matrix { element, rows, cols },
+        let shape = |at: usize| values.get(at).and_then(|value| shape(&value.ty));
+        let ty = shape(0).and_then(|(element, rows, cols)| {
+            let matrix = |rows, cols| Type::Matrix { element, rows, cols };
+            Some(match routine {
+                Routine::Transpose => matrix(cols, rows),
+                Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
+                Routine::TrMul => matrix(cols, shape(1)?.2),
+                _ => matrix(rows, cols),
+            })
+        });
+        let Some(ty) = ty else {
+            return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
         };
         self.routine_node(routine, values, ty, expr.site)
     }
@@ -187,7 +182,7 @@ impl Lowering<'_, '_> {
     fn constructor(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
-        let Type::Matrix { element, rows, cols } = ty else {
+        let Some((element, rows, cols)) = shape(&ty) else {
             return problem(expr.site, "this is not a matrix", OUR_FAULT);
         };
         let (scalar, span) = (Type::Scalar(element), self.span(expr.site));

@@ -373,10 +373,8 @@ impl Context<'_> {
         fields: &[tree::Field],
         site: Site,
     ) -> Result<(Vec<Field>, Vec<bool>)> {
-        let mut types = Vec::new();
-        for field in fields {
-            types.push(self.held_type(&field.ty, site)?);
-        }
+        let types = fields.iter().map(|field| self.held_type(&field.ty, site));
+        let types = types.collect::<Result<Vec<_>>>()?;
         let kept: Vec<bool> = types.iter().map(|ty| *ty != Type::Unit).collect();
         let count = kept.iter().filter(|kept| **kept).count();
         let all = fields.iter().zip(types).filter(|(_, ty)| *ty != Type::Unit).enumerate();

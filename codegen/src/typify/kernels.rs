@@ -264,13 +264,17 @@ fn product(routine: Routine, values: &[Expr]) -> Option<(Kernel, Vec<Expr>)> {
     kernel.is_function().then(|| (kernel, vec![left, right]))
 }
 
+/// The elements, rows and columns of a matrix.
+pub(super) fn shape(ty: &Type) -> Option<(Scalar, u32, u32)> {
+    match *ty {
+        Type::Matrix { element, rows, cols } => Some((element, rows, cols)),
+        _ => None,
+    }
+}
+
 /// The kernel of a routine for operands of these types: its dimensions, as [`KernelRoutine`] says.
 fn kernel_of(routine: KernelRoutine, types: &[Type]) -> Option<Kernel> {
     use KernelRoutine as R;
-    let shape = |ty: &Type| match *ty {
-        Type::Matrix { element, rows, cols } => Some((element, rows, cols)),
-        _ => None,
-    };
     let (Scalar::Float(element), rows, cols) = shape(types.first()?)? else { return None };
     let dims = match (routine, types) {
         (_, [_]) => vec![rows],

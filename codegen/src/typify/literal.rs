@@ -54,15 +54,10 @@ pub(super) fn folded(op: BinaryOp, left: &Expr, right: &Expr) -> Option<u64> {
 pub(super) fn float(digits: &str, scalar: Scalar, site: Site) -> Result<u64> {
     let word = match scalar {
         Scalar::Float(Float::F64) => digits.parse::<f64>().ok().map(f64::to_bits),
-        Scalar::Float(Float::F32) => {
-            digits.parse::<f32>().ok().map(|value| u64::from(value.to_bits()))
-        }
+        Scalar::Float(Float::F32) => digits.parse::<f32>().ok().map(|it| it.to_bits().into()),
         _ => None,
     };
-    match word {
-        Some(word) => Ok(word),
-        None => problem(site, "this literal is not a float here", OUR_FAULT),
-    }
+    word.map_or_else(|| problem(site, "this literal is not a float here", OUR_FAULT), Ok)
 }
 
 /// The type of a literal: its suffix, or what is expected, or Rust's default. A float may be expected of an integer's digits.

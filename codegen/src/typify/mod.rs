@@ -43,7 +43,6 @@ mod list;
 mod literal;
 mod loops;
 mod lowering;
-mod named;
 mod names;
 mod numbered;
 mod numbers;
@@ -144,8 +143,6 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<regions::Jo
             cx.told.push(diagnostic(&table.file, problem));
         }
     }
-    cx.own_iterators = generator::own_iterators(package);
-    cx.all = package.functions.iter().map(|it| (it.path.as_str(), it)).collect();
     let whole = |it: &&tree::Function| {
         it.tree.role != tree::Role::Rewritten && !function::takes_closures(it)
     };
@@ -327,8 +324,8 @@ impl<'a> Context<'a> {
             absent: HashMap::new(),
             given_back: HashMap::new(),
             functions: HashMap::new(),
-            all: HashMap::new(),
-            own_iterators: Vec::new(),
+            all: package.functions.iter().map(|it| (it.path.as_str(), it)).collect(),
+            own_iterators: generator::own_iterators(package),
             lending: HashSet::new(),
             indexing: Vec::new(),
             waiting: HashMap::new(),
