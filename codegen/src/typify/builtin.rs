@@ -8,7 +8,7 @@ use super::kernels::shape;
 use super::lowering::Lowering;
 use super::numbers::number;
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 
 /// `N as f64`, where `N` is what an instance is made of, as a literal.
 fn whole(value: Expr) -> Expr {
@@ -76,9 +76,8 @@ impl Lowering<'_, '_> {
     /// How many rows, columns or elements a matrix has.
     fn size(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
-        let Type::Matrix { rows, cols, .. } = self.type_alone(&arguments[0])? else {
-            return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
-        };
+        let shape = shape(&self.type_alone(&arguments[0])?);
+        let (_, rows, cols) = shape.needed(expr.site, "this takes a matrix or vector")?;
         let count = match method {
             MatrixMethod::Rows => rows,
             MatrixMethod::Cols => cols,
@@ -146,9 +145,7 @@ impl Lowering<'_, '_> {
             Some(Type::Scalar(scalar)) => op.result(*scalar).map(Type::Scalar),
             _ => None,
         };
-        let Some(ty) = ty else {
-            return problem(expr.site, "this does not take that type", OUR_FAULT);
-        };
+        let ty = ty.needed(expr.site, "this does not take that type")?;
         self.node(ExprKind::Intrinsic(op, values), ty, expr.site)
     }
 
@@ -172,9 +169,7 @@ impl Lowering<'_, '_> {
                 _ => matrix(rows, cols),
             })
         });
-        let Some(ty) = ty else {
-            return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
-        };
+        let ty = ty.needed(expr.site, "this takes a matrix or vector")?;
         self.routine_node(routine, values, ty, expr.site)
     }
 
@@ -182,9 +177,7 @@ impl Lowering<'_, '_> {
     fn constructor(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
-        let Some((element, rows, cols)) = shape(&ty) else {
-            return problem(expr.site, "this is not a matrix", OUR_FAULT);
-        };
+        let (element, rows, cols) = shape(&ty).needed(expr.site, "this is not a matrix")?;
         let (scalar, span) = (Type::Scalar(element), self.span(expr.site));
         let numbers = |is_one: &dyn Fn(u32) -> bool| {
             let number = |index| number(u8::from(is_one(index)), &scalar, span);
@@ -197,10 +190,8 @@ impl Lowering<'_, '_> {
             MatrixMethod::Axis(axis) => numbers(&|index| index == axis),
             MatrixMethod::FromElement => {
                 let value = self.alike(arguments, Some(scalar), &words::OPERANDS)?;
-                match value.into_iter().next() {
-                    Some(value) => ExprKind::Splat(Box::new(value)),
-                    None => return problem(expr.site, "this takes an element", OUR_FAULT),
-                }
+                let first = value.into_iter().next();
+                ExprKind::Splat(Box::new(first.needed(expr.site, "this takes an element")?))
             }
             _ => {
                 // The author writes rows; the IR, as nalgebra, stores columns.

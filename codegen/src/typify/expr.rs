@@ -11,7 +11,7 @@ use super::lengths::plus;
 use super::lowering::{Lowering, Target};
 use super::syntax::{control_with_value, is_question, numbered};
 use super::words;
-use super::{OUR_FAULT, Result, literal, order, problem};
+use super::{Needed, OUR_FAULT, Result, literal, order, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
 pub(super) struct Operand<'e> {
@@ -164,10 +164,8 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn slot_of(&mut self, expr: &tree::Expr) -> Result<Type> {
-        match expr.slot {
-            Some(slot) => self.seen(slot, expr.site),
-            None => problem(expr.site, "rustc was not asked for this type", OUR_FAULT),
-        }
+        let slot = expr.slot.needed(expr.site, "rustc was not asked for this type")?;
+        self.seen(slot, expr.site)
     }
 
     fn integer(
@@ -187,7 +185,7 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
     }
 
-    fn unary(
+    pub(super) fn unary(
         &mut self,
         op: tree::UnaryOp,
         operand: &tree::Expr,
@@ -482,11 +480,9 @@ impl Lowering<'_, '_> {
     }
 
     fn call(&mut self, callee: u32, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
-        let source = self.source;
-        match source.callees.get(callee as usize) {
-            Some(callee) => self.call_of(callee, arguments, expr),
-            None => problem(expr.site, "the tree names a callee that is not there", OUR_FAULT),
-        }
+        let callee = self.source.callees.get(callee as usize);
+        let callee = callee.needed(expr.site, "the tree names a callee that is not there")?;
+        self.call_of(callee, arguments, expr)
     }
 
     /// A call of what rustc resolved.

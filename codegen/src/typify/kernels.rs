@@ -11,7 +11,7 @@ use bessemer_ir::{
 
 use super::lowering::Lowering;
 use super::words;
-use super::{Context, OUR_FAULT, Result, problem};
+use super::{Context, Needed, OUR_FAULT, Result, problem};
 
 impl Context<'_> {
     /// The function that stands for a kernel; of the module once it is asked for.
@@ -39,9 +39,8 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let types = arguments.iter().map(|argument| self.type_alone(argument));
         let types = types.collect::<Result<Vec<_>>>()?;
-        let Some(kernel) = kernel_of(routine, &types) else {
-            return problem(expr.site, "this takes matrices of `f64` or `f32`", OUR_FAULT);
-        };
+        let kernel = kernel_of(routine, &types);
+        let kernel = kernel.needed(expr.site, "this takes matrices of `f64` or `f32`")?;
         let id = self.cx.kernel(&kernel);
         match self.cx.by_columns {
             true => self.call_function(id, arguments, expr),
@@ -169,9 +168,7 @@ impl Lowering<'_, '_> {
                 return problem(site, "this takes matrices of `f64` or `f32`", remedy);
             }
         };
-        let Type::Matrix { element, rows, cols } = ty else {
-            return problem(site, "this is no matrix", OUR_FAULT);
-        };
+        let (element, rows, cols) = shape(&ty).needed(site, "this is no matrix")?;
         let mut operands = Vec::new();
         for value in values {
             operands.push(match value.is_literal() {

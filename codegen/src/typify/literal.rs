@@ -6,7 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type};
 
 use super::lowering::Lowering;
 use super::value::Value;
-use super::{OUR_FAULT, Result, names, problem};
+use super::{Needed, OUR_FAULT, Result, names, problem};
 
 /// The word of an integer literal as a value of `scalar`.
 pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) -> Result<u64> {
@@ -14,9 +14,7 @@ pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) 
         Some(digits) => i128::from_str_radix(digits, 16),
         None => digits.parse::<i128>(),
     };
-    let Ok(value) = value else {
-        return problem(site, "this literal is out of range", OUR_FAULT);
-    };
+    let value = value.ok().needed(site, "this literal is out of range")?;
     let value = if negative { -value } else { value };
     match scalar {
         Scalar::Int(int) if (int.min()..=int.max()).contains(&value) => Ok(value as u64),
@@ -57,7 +55,7 @@ pub(super) fn float(digits: &str, scalar: Scalar, site: Site) -> Result<u64> {
         Scalar::Float(Float::F32) => digits.parse::<f32>().ok().map(|it| it.to_bits().into()),
         _ => None,
     };
-    word.map_or_else(|| problem(site, "this literal is not a float here", OUR_FAULT), Ok)
+    word.needed(site, "this literal is not a float here")
 }
 
 /// The type of a literal: its suffix, or what is expected, or Rust's default. A float may be expected of an integer's digits.
@@ -97,9 +95,8 @@ impl Lowering<'_, '_> {
     /// A path that rustc evaluated: a constant, a variant, a default.
     pub(super) fn path(&mut self, index: u32, name: &str, site: Site) -> Result<Expr> {
         let source = self.source;
-        let Some(constant) = source.constants.get(index as usize) else {
-            return problem(site, "the tree names a constant that is not there", OUR_FAULT);
-        };
+        let constant = source.constants.get(index as usize);
+        let constant = constant.needed(site, "the tree names a constant that is not there")?;
         let ty = self.cx.value_type(&constant.ty, site)?;
         if let (Type::Enum(_), [word]) = (&ty, constant.words.as_slice()) {
             return self.node(ExprKind::Literal(*word), ty, site);

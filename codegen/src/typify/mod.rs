@@ -90,6 +90,17 @@ fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -
     Err(Problem { site, message: message.into(), help: help.into() })
 }
 
+/// What is there, unless the compiler is wrong.
+trait Needed<T> {
+    fn needed(self, site: Site, message: &str) -> Result<T>;
+}
+
+impl<T> Needed<T> for Option<T> {
+    fn needed(self, site: Site, message: &str) -> Result<T> {
+        self.map_or_else(|| problem(site, message, OUR_FAULT), Ok)
+    }
+}
+
 /// The struct that a type is, where it has to be one.
 fn struct_of(ty: &Type, site: Site, wanted: &str) -> Result<StructId> {
     match ty {

@@ -56,11 +56,7 @@ impl Lowering<'_, '_> {
             (M::Plus | M::Minus | M::Times | M::TimesTransposed, _) => {
                 self.matrix_operation(method, call)
             }
-            (M::Negative, [matrix]) => {
-                let matrix = self.value(matrix, None)?;
-                let ty = matrix.ty.clone();
-                self.node(ExprKind::Routine(Routine::Neg, vec![matrix]), ty, expr.site)
-            }
+            (M::Negative, [matrix]) => self.unary(tree::UnaryOp::Neg, matrix, None, expr.site),
             _ => problem(expr.site, format!("{method:?} takes other operands"), OUR_FAULT),
         }
     }
