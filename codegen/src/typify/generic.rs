@@ -312,11 +312,9 @@ impl Context<'_> {
                 fields.push(Field { name, docs: variant.docs.clone(), ty, given });
                 (fields.len() as u32 - 1, single)
             });
-            cases.push(Case {
-                name: variant.name.clone(),
-                field: held.map(|(field, _)| field),
-                single: held.is_some_and(|(_, single)| single),
-            });
+            let (field, single) = held.unzip();
+            let single = single.unwrap_or_default();
+            cases.push(Case { name: variant.name.clone(), field, single });
         }
         self.module.enums.push(Enum {
             name: self.free_name(format!("{name}Tag")),

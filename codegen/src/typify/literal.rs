@@ -68,28 +68,31 @@ pub(super) fn type_of(suffix: Option<Scalar>, expected: Option<&Type>, default: 
     }
 }
 
-impl Lowering<'_, '_> {
+impl<'a> Lowering<'a, '_> {
     /// Whether a number is made of those that an instance of something generic is made with, of the size of a matrix, or of
     /// those that an expanded function is called with.
     pub(super) fn is_of_instance(&self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             tree::ExprKind::Path(_, name) => {
-                self.source.generics.iter().any(|(known, argument)| {
-                    known == name && matches!(argument, tree::Argument::Number(..))
-                })
+                matches!(self.generic(name), Some(tree::Argument::Number(..)))
             }
-            tree::ExprKind::Call(callee, _) => matches!(
-                self.builtin_of(*callee),
-                Some(Builtin::Matrix(
-                    MatrixMethod::Rows | MatrixMethod::Cols | MatrixMethod::Elements
-                ))
-            ),
+            tree::ExprKind::Call(callee, _) => {
+                use MatrixMethod::{Cols, Elements, Rows};
+                let builtin = self.builtin_of(*callee);
+                matches!(builtin, Some(Builtin::Matrix(Rows | Cols | Elements)))
+            }
             tree::ExprKind::Local(name) if !self.expanding.is_empty() => {
                 matches!(self.lookup(name, expr.site), Ok(Value::Word(it)) if it.is_literal())
             }
             tree::ExprKind::Binary(_, a, b) => self.is_of_instance(a) || self.is_of_instance(b),
             _ => false,
         }
+    }
+
+    /// What an instance has for the parameter of this name.
+    fn generic(&self, wanted: &str) -> Option<&'a tree::Argument> {
+        let mut generics = self.source.generics.iter();
+        generics.find(|(known, _)| known == wanted).map(|(_, argument)| argument)
     }
 
     /// A path that rustc evaluated: a constant, a variant, a default.
@@ -120,10 +123,7 @@ impl Lowering<'_, '_> {
                 "make it here, or in a function, instead of a `const`",
             );
         }
-        let generic = |wanted: &str| {
-            source.generics.iter().find(|(known, _)| known == wanted).map(|(_, argument)| argument)
-        };
-        let number = matches!(generic(name), Some(tree::Argument::Number(..)));
+        let number = matches!(self.generic(name), Some(tree::Argument::Number(..)));
         let plain = ["::ZERO", "::ONE"].iter().any(|end| name.ends_with(end));
         let literal =
             number || plain && ty.as_float().is_some() || last == "DEFAULT" && ty.is_word();
@@ -131,18 +131,19 @@ impl Lowering<'_, '_> {
             return self.node(ExprKind::Literal(*word), ty, site);
         }
         // `T::PI` is `f32::PI` where `T` is `f32`, and `Default::default()` is named for its type.
-        let name = match name.split_once("::").map(|(first, rest)| (first, generic(first), rest)) {
-            Some((_, Some(tree::Argument::Type(tree::Ty::Named(path))), rest)) => {
-                format!("{}::{rest}", self.cx.item_name(path))
-            }
-            Some((_, Some(argument), rest)) => {
-                format!("{}::{rest}", self.cx.argument_name(argument))
-            }
-            Some(("Default", None, rest)) if let Type::Struct(_) = ty => {
-                format!("{}::{rest}", self.cx.name_of(&ty).unwrap_or_default())
-            }
-            _ => name.to_owned(),
-        };
+        let name =
+            match name.split_once("::").map(|(first, rest)| (first, self.generic(first), rest)) {
+                Some((_, Some(tree::Argument::Type(tree::Ty::Named(path))), rest)) => {
+                    format!("{}::{rest}", self.cx.item_name(path))
+                }
+                Some((_, Some(argument), rest)) => {
+                    format!("{}::{rest}", self.cx.argument_name(argument))
+                }
+                Some(("Default", None, rest)) if let Type::Struct(_) = ty => {
+                    format!("{}::{rest}", self.cx.name_of(&ty).unwrap_or_default())
+                }
+                _ => name.to_owned(),
+            };
         let owner = source.owner.as_ref().map(|path| self.cx.item_name(path).to_owned());
         let (module, name) = names::constant(&self.module_path(), owner.as_deref(), &name);
         let id = self.cx.constant(&module, &name, &ty, &words);

@@ -118,13 +118,12 @@ pub struct Typed {
     pub agreed: u32,
 }
 
+/// The typed module, or everything that is wrong.
+pub type Outcome = Result<(Module, Typed), Vec<Diagnostic>>;
+
 /// The typed module of a package, or everything that is wrong with it. `by_columns`: matrices lie in memory as
 /// kernels take them; else kernels are lent copies.
-pub fn typify(
-    package: &Package,
-    sources: &Sources,
-    by_columns: bool,
-) -> Result<(Module, Typed), Vec<Diagnostic>> {
+pub fn typify(package: &Package, sources: &Sources, by_columns: bool) -> Outcome {
     // A function may show that two slices in a struct have one lender, of which those before it have to know.
     let mut joined = Vec::new();
     loop {
@@ -137,9 +136,6 @@ pub fn typify(
         joined = joins;
     }
 }
-
-/// The typed module, or everything that is wrong.
-type Outcome = Result<(Module, Typed), Vec<Diagnostic>>;
 
 /// What of its structs has one lender, as far as it shows; the typed module, or everything that is wrong.
 fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<regions::Joined>, Outcome) {

@@ -258,11 +258,8 @@ impl Lowering<'_, '_> {
         let Type::Array { len, .. } = place.ty else {
             return problem(expr.site, "these are no bytes", OUR_FAULT);
         };
-        let word = match (ty.as_float(), ty.as_int()) {
-            (Some(float), _) => of(float.bits_type()),
-            (_, Some(int)) => of(int.unsigned()),
-            _ => U32,
-        };
+        let int = ty.as_float().map(Float::bits_type).or(ty.as_int().map(Int::unsigned));
+        let word = int.map_or(U32, of);
         let all = (0..len).map(|at| {
             let step = Step::Index(Expr::usize(u64::from(at), span));
             let value = Place { span, ..place.inside(step, byte.clone()) }.load().cast(&word);
