@@ -6,6 +6,7 @@ use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, Str
 
 use super::lowering::Lowering;
 use super::value::{SMALL, Slice};
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -79,7 +80,7 @@ impl Lowering<'_, '_> {
             && let Some(first) = elements.first()
             && matches!(self.type_alone(first)?, Type::Scalar(_))
         {
-            let elements = self.uniform(&elements, Some(Type::Scalar(*element)))?;
+            let elements = self.alike(&elements, Some(Type::Scalar(*element)), &words::OPERANDS)?;
             return self.node(ExprKind::Matrix(elements), ty, expr.site);
         }
         let mut source = self.base(from)?;

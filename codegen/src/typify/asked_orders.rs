@@ -97,11 +97,8 @@ impl Lowering<'_, '_> {
                     Callee::Function(path) if bare(path) == BELOW => Some(path.as_str()),
                     _ => None,
                 });
-                let Some(below) =
-                    below.filter(|_| !turned || self.is_calm(one) && self.is_calm(other))
-                else {
-                    return Ok(None);
-                };
+                let moves = !turned || self.is_calm(one) && self.is_calm(other);
+                let Some(below) = below.filter(|_| moves) else { return Ok(None) };
                 let id = self.function_at(below, site)?;
                 let pair = if turned { [other, one] } else { [one, other] }.map(Clone::clone);
                 let answer = self.call_function(id, &pair, order)?;

@@ -24,8 +24,7 @@ impl Lowering<'_, '_> {
             copies.push((place(LocalId(index as u32)), place(copy)));
         }
         let mut body = Block(std::mem::take(&mut self.out));
-        Moved(&copies).block(&mut body);
-        self.commits(&mut body, &copies);
+        RolledBack { lowering: self, copies: &copies }.block(&mut body);
         let ends = matches!(body.0.last(), Some(Stmt { kind: StmtKind::Return(_), .. }));
         if self.result == Type::Unit && !ends {
             body.0.extend(commit(&copies, span));
@@ -35,35 +34,6 @@ impl Lowering<'_, '_> {
         });
         self.out = first.chain(body.0).collect();
     }
-
-    /// Puts the copies back before each `return`, behind what its value does.
-    fn commits(&mut self, block: &mut Block, copies: &[(Place, Place)]) {
-        for mut each in std::mem::take(&mut block.0) {
-            let span = each.span;
-            match &mut each.kind {
-                StmtKind::Return(value) => {
-                    if let Some(value) = value.as_mut().filter(|value| !is_free(value)) {
-                        let local = self.local(words::OUTCOME, value.ty.clone(), span);
-                        let held = Expr::local(local, &value.ty, span);
-                        let value = Some(std::mem::replace(value, held));
-                        block.0.push(Stmt::new(StmtKind::Let { local, value }, span));
-                    }
-                    block.0.extend(commit(copies, span));
-                }
-                StmtKind::If { then, otherwise, .. } => {
-                    self.commits(then, copies);
-                    self.commits(otherwise, copies);
-                }
-                StmtKind::Match { arms, otherwise, .. } => {
-                    arms.iter_mut().for_each(|arm| self.commits(&mut arm.body, copies));
-                    otherwise.iter_mut().for_each(|block| self.commits(block, copies));
-                }
-                StmtKind::For { body, .. } => self.commits(body, copies),
-                _ => {}
-            }
-            block.0.push(each);
-        }
-    }
 }
 
 fn commit(copies: &[(Place, Place)], span: Span) -> impl Iterator<Item = Stmt> {
@@ -72,12 +42,32 @@ fn commit(copies: &[(Place, Place)], span: Span) -> impl Iterator<Item = Stmt> {
     })
 }
 
-/// The writes that go to the copies in place of the references.
-struct Moved<'c>(&'c [(Place, Place)]);
+/// Writes go to the copies in place of the references; these are put back before each `return`, behind what its value does.
+struct RolledBack<'l, 'a, 'c> {
+    lowering: &'l mut Lowering<'a, 'c>,
+    copies: &'l [(Place, Place)],
+}
 
-impl VisitMut for Moved<'_> {
+impl VisitMut for RolledBack<'_, '_, '_> {
+    fn block(&mut self, block: &mut Block) {
+        for mut each in std::mem::take(&mut block.0) {
+            self.stmt(&mut each);
+            let span = each.span;
+            if let StmtKind::Return(value) = &mut each.kind {
+                if let Some(value) = value.as_mut().filter(|value| !is_free(value)) {
+                    let local = self.lowering.local(words::OUTCOME, value.ty.clone(), span);
+                    let held = Expr::local(local, &value.ty, span);
+                    let value = Some(std::mem::replace(value, held));
+                    block.0.push(Stmt::new(StmtKind::Let { local, value }, span));
+                }
+                block.0.extend(commit(self.copies, span));
+            }
+            block.0.push(each);
+        }
+    }
+
     fn place(&mut self, place: &mut Place, _: Access) {
-        if let Some((_, copy)) = self.0.iter().find(|(from, _)| from.root == place.root) {
+        if let Some((_, copy)) = self.copies.iter().find(|(from, _)| from.root == place.root) {
             place.root = copy.root;
         }
         visit::walk_place_mut(self, place);

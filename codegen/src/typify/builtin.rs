@@ -3,12 +3,13 @@
 use bessemer_ir::tree::{self, Builtin, MatrixMethod};
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
-use super::expr::{Call, Operand};
+use super::expr::Call;
+use super::kernels::shape;
 use super::lengths::size;
 use super::lowering::Lowering;
 use super::numbers::number;
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 
 /// `N as f64`, where `N` is what an instance is made of, as a literal.
 fn whole(value: Expr) -> Expr {
@@ -74,9 +75,8 @@ impl Lowering<'_, '_> {
     /// How many rows, columns or elements a matrix has.
     fn size(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
-        let Type::Matrix { rows, cols, .. } = self.type_alone(&arguments[0])? else {
-            return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
-        };
+        let shape = shape(&self.type_alone(&arguments[0])?);
+        let (_, rows, cols) = shape.needed(expr.site, "this takes a matrix or vector")?;
         let count = match method {
             MatrixMethod::Rows => rows,
             MatrixMethod::Cols => cols,
@@ -87,14 +87,11 @@ impl Lowering<'_, '_> {
 
     /// `vector![a, b]`, `matrix![a, b; c, d]`.
     fn by_rows(&mut self, rows: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
-        let mut elements = Vec::new();
-        if let tree::ExprKind::Array(rows) = &rows.kind {
-            for row in rows {
-                if let tree::ExprKind::Array(row) = &row.kind {
-                    elements.extend(row.iter().cloned());
-                }
-            }
-        }
+        let inside = |expr: &tree::Expr| match &expr.kind {
+            tree::ExprKind::Array(elements) => elements.clone(),
+            _ => Vec::new(),
+        };
+        let elements: Vec<_> = inside(rows).iter().flat_map(inside).collect();
         self.constructor(MatrixMethod::New, Call { arguments: &elements, expr })
     }
 
@@ -142,32 +139,13 @@ impl Lowering<'_, '_> {
             // Of references it gives what is read.
             _ => expr.slot.map(|slot| self.seen(slot, expr.site)).transpose()?,
         };
-        let values = self.uniform(arguments, expected)?;
+        let values = self.alike(arguments, expected, &words::OPERANDS)?;
         let ty = match values.first().map(|first| &first.ty) {
             Some(Type::Scalar(scalar)) => op.result(*scalar).map(Type::Scalar),
             _ => None,
         };
-        let Some(ty) = ty else {
-            return problem(expr.site, "this does not take that type", OUR_FAULT);
-        };
+        let ty = ty.needed(expr.site, "this does not take that type")?;
         self.node(ExprKind::Intrinsic(op, values), ty, expr.site)
-    }
-
-    pub(super) fn uniform(
-        &mut self,
-        arguments: &[tree::Expr],
-        expected: Option<Type>,
-    ) -> Result<Vec<Expr>> {
-        let operands: Vec<_> = arguments
-            .iter()
-            .enumerate()
-            .map(|(index, expr)| Operand {
-                expr,
-                expected: expected.clone(),
-                role: words::OPERANDS.get(index).copied().unwrap_or(words::ELEMENT),
-            })
-            .collect();
-        self.operands(&operands)
     }
 
     fn routine(&mut self, routine: Routine, call: Call<'_>) -> Result<Expr> {
@@ -179,26 +157,18 @@ impl Lowering<'_, '_> {
             Some(Type::Matrix { element, .. }) => Some(Type::Scalar(element)),
             _ => None,
         };
-        let values = self.uniform(arguments, factor)?;
-        let shape = |index: usize| match values.get(index).map(|value| &value.ty) {
-            Some(Type::Matrix { element, rows, cols }) => Some((*element, *rows, *cols)),
-            _ => None,
-        };
-        let ty = match (routine, shape(0), shape(1)) {
-            (_, None, _) | (Routine::TrMul, _, None) => {
-                return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
-            }
-            (Routine::Transpose, Some((element, rows, cols)), _) => {
-                Type::Matrix { element, rows: cols, cols: rows }
-            }
-            (Routine::Dot | Routine::Norm | Routine::NormSquared, Some((element, ..)), _) => {
-                Type::Scalar(element)
-            }
-            (Routine::TrMul, Some((element, _, cols)), Some((.., right))) => {
-                Type::Matrix { element, rows: cols, cols: right }
-            }
-            (_, Some((element, rows, cols)), _) => Type::Matrix { element, rows, cols },
-        };
+        let values = self.alike(arguments, factor, &words::OPERANDS)?;
+        let shape = |at: usize| values.get(at).and_then(|value| shape(&value.ty));
+        let ty = shape(0).and_then(|(element, rows, cols)| {
+            let matrix = |rows, cols| Type::Matrix { element, rows, cols };
+            Some(match routine {
+                Routine::Transpose => matrix(cols, rows),
+                Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
+                Routine::TrMul => matrix(cols, shape(1)?.2),
+                _ => matrix(rows, cols),
+            })
+        });
+        let ty = ty.needed(expr.site, "this takes a matrix or vector")?;
         self.routine_node(routine, values, ty, expr.site)
     }
 
@@ -206,9 +176,7 @@ impl Lowering<'_, '_> {
     fn constructor(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
-        let Type::Matrix { element, rows, cols } = ty else {
-            return problem(expr.site, "this is not a matrix", OUR_FAULT);
-        };
+        let (element, rows, cols) = shape(&ty).needed(expr.site, "this is not a matrix")?;
         let (scalar, span) = (Type::Scalar(element), self.span(expr.site));
         let numbers = |is_one: &dyn Fn(u32) -> bool| {
             let number = |index| number(u8::from(is_one(index)), &scalar, span);
@@ -220,15 +188,13 @@ impl Lowering<'_, '_> {
             // The unit vector along this axis.
             MatrixMethod::Axis(axis) => numbers(&|index| index == axis),
             MatrixMethod::FromElement => {
-                let value = self.uniform(arguments, Some(scalar))?;
-                match value.into_iter().next() {
-                    Some(value) => ExprKind::Splat(Box::new(value)),
-                    None => return problem(expr.site, "this takes an element", OUR_FAULT),
-                }
+                let value = self.alike(arguments, Some(scalar), &words::OPERANDS)?;
+                let first = value.into_iter().next();
+                ExprKind::Splat(Box::new(first.needed(expr.site, "this takes an element")?))
             }
             _ => {
                 // The author writes rows; the IR, as nalgebra, stores columns.
-                let mut by_rows = self.uniform(arguments, Some(scalar))?;
+                let mut by_rows = self.alike(arguments, Some(scalar), &words::OPERANDS)?;
                 if rows > 1 && cols > 1 {
                     self.keep_order(&mut by_rows);
                 }

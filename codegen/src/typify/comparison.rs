@@ -8,7 +8,7 @@
 //! false, as in Rust: it neither comes first nor is it equal. A variant's word is its index; Rust compares and converts the
 //! numbers of an enum, which the author may choose.
 
-use bessemer_ir::tree::{BinaryOp as Op, Site};
+use bessemer_ir::tree::Site;
 use bessemer_ir::{
     Argument, Attributes, Block, CompareOp, EnumId, Expr, ExprKind, Form, Function, FunctionId,
     Int, LocalId, LogicOp, Mode, Owner, Place, Role, Scalar, Span, Step, Stmt, StmtKind, StructId,
@@ -362,7 +362,13 @@ impl Lowering<'_, '_> {
     }
 
     /// `left < right` and the like of two values of several words.
-    pub(super) fn lexical(&mut self, op: Op, left: Expr, right: Expr, site: Site) -> Result<Expr> {
+    pub(super) fn lexical(
+        &mut self,
+        op: CompareOp,
+        left: Expr,
+        right: Expr,
+        site: Site,
+    ) -> Result<Expr> {
         let [mut left, mut right] = [left, right].map(|operand| self.compared(operand));
         if self.cx.known(&left.ty).reversed {
             std::mem::swap(&mut left, &mut right);
@@ -375,8 +381,8 @@ impl Lowering<'_, '_> {
             );
         };
         let strict = match op {
-            Op::Le => Op::Lt,
-            Op::Ge => Op::Gt,
+            CompareOp::Le => CompareOp::Lt,
+            CompareOp::Ge => CompareOp::Gt,
             op => op,
         };
         let mut decided: Option<Expr> = None;
@@ -384,10 +390,10 @@ impl Lowering<'_, '_> {
             let [one, other] =
                 [&left, &right].map(|whole| whole.inside(step.clone(), ty.clone()).load());
             decided = Some(match decided {
-                None => self.binary_node(op, one, other, site)?,
+                None => self.compare_node(op, one, other, site)?,
                 Some(rest) => {
-                    let first = self.binary_node(strict, one.clone(), other.clone(), site)?;
-                    let same = self.binary_node(Op::Eq, one, other, site)?;
+                    let first = self.compare_node(strict, one.clone(), other.clone(), site)?;
+                    let same = self.compare_node(CompareOp::Eq, one, other, site)?;
                     Expr::logic(LogicOp::Or, first, Expr::logic(LogicOp::And, same, rest))
                 }
             });

@@ -11,7 +11,7 @@ use super::lengths::plus;
 use super::lowering::{Lowering, Target};
 use super::syntax::{control_with_value, is_question, numbered};
 use super::words;
-use super::{OUR_FAULT, Result, literal, order, problem};
+use super::{Needed, OUR_FAULT, Result, literal, order, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
 pub(super) struct Operand<'e> {
@@ -78,12 +78,9 @@ impl Lowering<'_, '_> {
                 self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
             }
             tree::ExprKind::Bytes(bytes) => {
-                let element = Type::Scalar(Scalar::Int(Int::U8));
-                let mut items = Vec::new();
-                for byte in bytes {
-                    let kind = ExprKind::Literal(u64::from(*byte));
-                    items.push(self.node(kind, element.clone(), site)?);
-                }
+                let (element, span) = (Type::Scalar(Scalar::Int(Int::U8)), self.span(site));
+                let item = |byte: &u8| Expr::literal((*byte).into(), element.clone(), span);
+                let items = bytes.iter().map(item).collect();
                 let ty = Type::Array { element: Box::new(element), len: bytes.len() as u32 };
                 self.node(ExprKind::Array(items), ty, site)
             }
@@ -136,9 +133,8 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Fold { .. } => {
                 let local = self.fold(expr, None)?;
-                let (ty, span) = (self.locals[local.index()].ty.clone(), self.span(site));
-                let place = Place::local(local, ty.clone(), span);
-                self.node(ExprKind::Load(place), ty, site)
+                let span = self.span(site);
+                Ok(Expr::local(local, &self.locals[local.index()].ty, span))
             }
             tree::ExprKind::Ref(false, part) | tree::ExprKind::Deref(part)
                 if self.is_submatrix(part) =>
@@ -150,10 +146,7 @@ impl Lowering<'_, '_> {
             }
             _ if control_with_value(expr) => self.control_value(expr, expected),
             _ => match self.place(expr)? {
-                Some(place) => {
-                    let ty = place.ty.clone();
-                    self.node(ExprKind::Load(place), ty, site)
-                }
+                Some(place) => Ok(place.load().at(self.span(site))),
                 None => match &expr.kind {
                     tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
                         self.value(inner, expected)
@@ -170,17 +163,15 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn slot_of(&mut self, expr: &tree::Expr) -> Result<Type> {
-        match expr.slot {
-            Some(slot) => self.seen(slot, expr.site),
-            None => problem(expr.site, "rustc was not asked for this type", OUR_FAULT),
-        }
+        let slot = expr.slot.needed(expr.site, "rustc was not asked for this type")?;
+        self.seen(slot, expr.site)
     }
 
     fn integer(
         &mut self,
         digits: &str,
         negative: bool,
-        suffix: Option<bessemer_ir::Scalar>,
+        suffix: Option<Scalar>,
         expected: Option<&Type>,
         site: Site,
     ) -> Result<Expr> {
@@ -193,7 +184,7 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
     }
 
-    fn unary(
+    pub(super) fn unary(
         &mut self,
         op: tree::UnaryOp,
         operand: &tree::Expr,
@@ -204,20 +195,19 @@ impl Lowering<'_, '_> {
             return self.integer(digits, true, *suffix, expected, site);
         }
         let operand = self.value(operand, expected)?;
-        let ty = operand.ty.clone();
-        let kind = match (op, &ty) {
+        let (ty, span) = (operand.ty.clone(), self.span(site));
+        match (op, &ty) {
             (tree::UnaryOp::Neg, Type::Matrix { .. }) => {
-                return self.routine_node(Routine::Neg, vec![operand], ty, site);
+                self.routine_node(Routine::Neg, vec![operand], ty, site)
             }
             (tree::UnaryOp::Neg, Type::Scalar(_)) => {
-                ExprKind::Unary(UnaryOp::Neg, Box::new(operand))
+                Ok(Expr::unary(UnaryOp::Neg, operand).at(span))
             }
             (tree::UnaryOp::Not, Type::Scalar(_)) => {
-                ExprKind::Unary(UnaryOp::Not, Box::new(operand))
+                Ok(Expr::unary(UnaryOp::Not, operand).at(span))
             }
-            _ => return problem(site, "this operator does not take that type", OPERATOR),
-        };
-        self.node(kind, ty, site)
+            _ => problem(site, "this operator does not take that type", OPERATOR),
+        }
     }
 
     fn binary(
@@ -227,8 +217,9 @@ impl Lowering<'_, '_> {
         right: &tree::Expr,
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        if let Some(op) = logic(op) {
-            return self.logic(op, left, right, expr.site);
+        if let Plain::Logic(op) = plain(op) {
+            let left = self.value(left, Some(&Type::BOOL))?;
+            return self.short_circuit(op, left, right, expr.site);
         }
         if let Some(callee) = self.operator(expr.slot).cloned() {
             return self.call_of(&callee, &[left.clone(), right.clone()], expr);
@@ -236,15 +227,10 @@ impl Lowering<'_, '_> {
         if let Some(equal) = self.slices_compared(op, (left, right), expr.site)? {
             return Ok(equal);
         }
-        let (for_left, for_right) = match (compare(op), expr.slot) {
-            (None, Some(slot)) => {
+        let (for_left, for_right) = match (plain(op), expr.slot) {
+            (Plain::Arithmetic(_), Some(slot)) => {
                 let result = self.slot(slot, expr.site)?;
-                let element = self.compound_operand(op, &result);
-                let left = match &result {
-                    Type::Matrix { element, .. } => Some(Type::Scalar(*element)),
-                    other => Some(other.clone()),
-                };
-                (left, element)
+                (Some(of_elements(&result)), self.compound_operand(op, &result))
             }
             _ => {
                 let common = self.literal_partner(left, right)?;
@@ -290,11 +276,7 @@ impl Lowering<'_, '_> {
 
     /// The expected type of the right operand of an arithmetic operator.
     pub(super) fn compound_operand(&self, op: Op, result: &Type) -> Option<Type> {
-        match (op, result) {
-            (Op::Shl | Op::Shr, _) => None,
-            (_, Type::Matrix { element, .. }) => Some(Type::Scalar(*element)),
-            (_, other) => Some(other.clone()),
-        }
+        (!matches!(op, Op::Shl | Op::Shr)).then(|| of_elements(result))
     }
 
     pub(super) fn binary_node(
@@ -304,61 +286,64 @@ impl Lowering<'_, '_> {
         right: Expr,
         site: Site,
     ) -> Result<Expr> {
-        let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
-        let tree_op = op;
-        if let Some(op) = compare(op) {
-            if left_ty == Type::Unit {
-                return problem(
-                    site,
-                    "values that hold nothing are not compared in the DSL",
-                    "leave the comparison out: there is one value alone",
-                );
+        match (plain(op), &left.ty, &right.ty) {
+            (Plain::Logic(_), ..) => problem(site, "this operator is not in the DSL", OUR_FAULT),
+            (Plain::Compare(op), ..) => self.compare_node(op, left, right, site),
+            (Plain::Arithmetic(plain), Type::Scalar(_), Type::Scalar(_)) => {
+                Ok(Expr::binary(plain, left, right).at(self.span(site)))
             }
-            if left_ty != right_ty {
-                // rustc compares numbers of one type only.
-                let numbers = left_ty.is_word() && right_ty.is_word();
-                let remedy = if numbers { OUR_FAULT } else { "convert one of them" };
-                return problem(site, "values of two types are not compared", remedy);
+            (_, Type::Matrix { .. }, _) | (.., Type::Matrix { .. }) => {
+                self.matrix_binary(op, left, right, site)
             }
-            let equality = matches!(op, CompareOp::Eq | CompareOp::Ne);
-            let known = self.cx.known(&left_ty);
-            if !equality && known.own_equality.is_some() {
-                return problem(
-                    site,
-                    "an order that was derived and a `==` of its author's own may contradict each other",
-                    "derive `PartialEq` too, or compare parts",
-                );
-            }
-            // A word too, where its author says what `==` is.
-            let own = equality && (known.own_equality.is_some() || known.unequal);
-            if !left_ty.is_word() || own {
-                let equal = match op {
-                    CompareOp::Eq | CompareOp::Ne => self.equality(left, right, site)?,
-                    _ => return self.lexical(tree_op, left, right, site),
-                };
-                return Ok(if op == CompareOp::Ne { equal.negated() } else { equal });
-            }
-            let (left, right) = match (&left_ty, op) {
-                (Type::Enum(_), CompareOp::Eq | CompareOp::Ne) => (left, right),
-                (Type::Enum(id), _) => (self.rank(*id, left, site)?, self.rank(*id, right, site)?),
-                _ => (left, right),
-            };
-            let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
-            return self.node(kind, Type::BOOL, site);
+            _ => problem(site, "this operator does not take these types", OPERATOR),
         }
-        let Some(plain) = arithmetic(op) else {
-            return problem(site, "this operator is not in the DSL", OUR_FAULT);
-        };
-        let (kind, ty) = match (&left_ty, &right_ty) {
-            (Type::Scalar(_), Type::Scalar(_)) => {
-                (ExprKind::Binary(plain, Box::new(left), Box::new(right)), left_ty)
+    }
+
+    pub(super) fn compare_node(
+        &mut self,
+        op: CompareOp,
+        left: Expr,
+        right: Expr,
+        site: Site,
+    ) -> Result<Expr> {
+        let ty = left.ty.clone();
+        if ty == Type::Unit {
+            return problem(
+                site,
+                "values that hold nothing are not compared in the DSL",
+                "leave the comparison out: there is one value alone",
+            );
+        }
+        if ty != right.ty {
+            // rustc compares numbers of one type only.
+            let numbers = ty.is_word() && right.ty.is_word();
+            let remedy = if numbers { OUR_FAULT } else { "convert one of them" };
+            return problem(site, "values of two types are not compared", remedy);
+        }
+        let equality = matches!(op, CompareOp::Eq | CompareOp::Ne);
+        let known = self.cx.known(&ty);
+        if !equality && known.own_equality.is_some() {
+            return problem(
+                site,
+                "an order that was derived and a `==` of its author's own may contradict each other",
+                "derive `PartialEq` too, or compare parts",
+            );
+        }
+        // A word too, where its author says what `==` is.
+        if equality && (!ty.is_word() || known.own_equality.is_some() || known.unequal) {
+            let equal = self.equality(left, right, site)?;
+            return Ok(if op == CompareOp::Ne { equal.negated() } else { equal });
+        }
+        if !ty.is_word() {
+            return self.lexical(op, left, right, site);
+        }
+        let (left, right) = match ty {
+            Type::Enum(id) if !equality => {
+                (self.rank(id, left, site)?, self.rank(id, right, site)?)
             }
-            (Type::Matrix { .. }, _) | (_, Type::Matrix { .. }) => {
-                return self.matrix_binary(op, left, right, site);
-            }
-            _ => return problem(site, "this operator does not take these types", OPERATOR),
+            _ => (left, right),
         };
-        self.node(kind, ty, site)
+        Ok(Expr::compare(op, left, right).at(self.span(site)))
     }
 
     fn matrix_binary(&mut self, op: Op, mut left: Expr, right: Expr, site: Site) -> Result<Expr> {
@@ -386,18 +371,6 @@ impl Lowering<'_, '_> {
     }
 
     /// `&&` and `||`: where the right side needs statements, they run only if it does.
-    fn logic(
-        &mut self,
-        op: LogicOp,
-        left: &tree::Expr,
-        right: &tree::Expr,
-        site: Site,
-    ) -> Result<Expr> {
-        let left = self.value(left, Some(&Type::BOOL))?;
-        self.short_circuit(op, left, right, site)
-    }
-
-    /// The same, its left side known.
     pub(super) fn short_circuit(
         &mut self,
         op: LogicOp,
@@ -407,8 +380,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let (right, mut inner) = self.apart(|inner| inner.value(right, Some(&Type::BOOL)))?;
         if inner.is_empty() {
-            let kind = ExprKind::Logic(op, Box::new(left), Box::new(right));
-            return self.node(kind, Type::BOOL, site);
+            return Ok(Expr::logic(op, left, right).at(self.span(site)));
         }
         let place = self.temporary_place("holds", left);
         let (held, span) = (place.load(), place.span);
@@ -429,11 +401,7 @@ impl Lowering<'_, '_> {
         if let Some(moved) = elements.iter().find(|it| self.is_submatrix(it)) {
             return Self::moved_part(moved.site);
         }
-        let operands: Vec<_> = elements
-            .iter()
-            .map(|expr| Operand { expr, expected: Some((**element).clone()), role: "element" })
-            .collect();
-        let elements = self.operands(&operands)?;
+        let elements = self.alike(elements, Some((**element).clone()), &[])?;
         self.node(ExprKind::Array(elements), ty, expr.site)
     }
 
@@ -467,11 +435,8 @@ impl Lowering<'_, '_> {
     /// Control flow as part of an expression: into a local of its own.
     fn control_value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
         let ty = match (expr.slot, expected) {
-            (Some(_), _) => self.slot_of(expr)?,
             (None, Some(ty)) => ty.clone(),
-            (None, None) => {
-                return problem(expr.site, "rustc was not asked for this type", OUR_FAULT);
-            }
+            _ => self.slot_of(expr)?,
         };
         let span = self.span(expr.site);
         let local = self.temporary_local("choice", ty.clone(), span);
@@ -498,12 +463,25 @@ impl Lowering<'_, '_> {
         Ok(values)
     }
 
+    /// The values of operands of one expected type; one without a role of its own is an element.
+    pub(super) fn alike(
+        &mut self,
+        operands: &[tree::Expr],
+        expected: Option<Type>,
+        roles: &[&'static str],
+    ) -> Result<Vec<Expr>> {
+        let roles = roles.iter().copied().chain(std::iter::repeat(words::ELEMENT));
+        let operands = operands.iter().zip(roles);
+        let operands: Vec<_> = operands
+            .map(|(expr, role)| Operand { expr, expected: expected.clone(), role })
+            .collect();
+        self.operands(&operands)
+    }
+
     fn call(&mut self, callee: u32, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
-        let source = self.source;
-        match source.callees.get(callee as usize) {
-            Some(callee) => self.call_of(callee, arguments, expr),
-            None => problem(expr.site, "the tree names a callee that is not there", OUR_FAULT),
-        }
+        let callee = self.source.callees.get(callee as usize);
+        let callee = callee.needed(expr.site, "the tree names a callee that is not there")?;
+        self.call_of(callee, arguments, expr)
     }
 
     /// A call of what rustc resolved.
@@ -556,38 +534,41 @@ fn is_unsuffixed(expr: &tree::Expr) -> bool {
     }
 }
 
-fn logic(op: Op) -> Option<LogicOp> {
-    match op {
-        Op::LogicAnd => Some(LogicOp::And),
-        Op::LogicOr => Some(LogicOp::Or),
-        _ => None,
+/// The type of the elements of a matrix, or of anything else itself.
+fn of_elements(ty: &Type) -> Type {
+    match ty {
+        Type::Matrix { element, .. } => Type::Scalar(*element),
+        other => other.clone(),
     }
 }
 
-fn compare(op: Op) -> Option<CompareOp> {
-    Some(match op {
-        Op::Eq => CompareOp::Eq,
-        Op::Ne => CompareOp::Ne,
-        Op::Lt => CompareOp::Lt,
-        Op::Le => CompareOp::Le,
-        Op::Gt => CompareOp::Gt,
-        Op::Ge => CompareOp::Ge,
-        _ => return None,
-    })
+/// An author's operator as one of the IR's.
+enum Plain {
+    Logic(LogicOp),
+    Compare(CompareOp),
+    Arithmetic(BinaryOp),
 }
 
-fn arithmetic(op: Op) -> Option<BinaryOp> {
-    Some(match op {
-        Op::Add => BinaryOp::Add,
-        Op::Sub => BinaryOp::Sub,
-        Op::Mul => BinaryOp::Mul,
-        Op::Div => BinaryOp::Div,
-        Op::Rem => BinaryOp::Rem,
-        Op::And => BinaryOp::And,
-        Op::Or => BinaryOp::Or,
-        Op::Xor => BinaryOp::Xor,
-        Op::Shl => BinaryOp::Shl,
-        Op::Shr => BinaryOp::Shr,
-        _ => return None,
-    })
+fn plain(op: Op) -> Plain {
+    use Plain::{Arithmetic, Compare, Logic};
+    match op {
+        Op::Add => Arithmetic(BinaryOp::Add),
+        Op::Sub => Arithmetic(BinaryOp::Sub),
+        Op::Mul => Arithmetic(BinaryOp::Mul),
+        Op::Div => Arithmetic(BinaryOp::Div),
+        Op::Rem => Arithmetic(BinaryOp::Rem),
+        Op::And => Arithmetic(BinaryOp::And),
+        Op::Or => Arithmetic(BinaryOp::Or),
+        Op::Xor => Arithmetic(BinaryOp::Xor),
+        Op::Shl => Arithmetic(BinaryOp::Shl),
+        Op::Shr => Arithmetic(BinaryOp::Shr),
+        Op::Eq => Compare(CompareOp::Eq),
+        Op::Ne => Compare(CompareOp::Ne),
+        Op::Lt => Compare(CompareOp::Lt),
+        Op::Le => Compare(CompareOp::Le),
+        Op::Gt => Compare(CompareOp::Gt),
+        Op::Ge => Compare(CompareOp::Ge),
+        Op::LogicAnd => Logic(LogicOp::And),
+        Op::LogicOr => Logic(LogicOp::Or),
+    }
 }

@@ -14,7 +14,7 @@ use super::lowering::{Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
 use super::syntax::{Writes, control_with_value, ends_in_loop};
 use super::value::Value;
-use super::{Context, Result, names, problem};
+use super::{Context, Needed, Result, names, problem};
 
 /// A function, and what its callers have to know of it.
 pub(super) struct Lowered {
@@ -98,10 +98,7 @@ fn number_of(source: &tree::Function) -> Option<&str> {
 }
 
 fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
-    match source.slots.get(slot as usize) {
-        Some(ty) => Ok(ty),
-        None => problem(site, "the tree names a slot that is not there", super::OUR_FAULT),
-    }
+    source.slots.get(slot as usize).needed(site, "the tree names a slot that is not there")
 }
 
 impl<'a, 'c> Lowering<'a, 'c> {

@@ -33,39 +33,22 @@ pub(super) struct Home {
     pub span: Span,
 }
 
-impl Case {
-    fn bare(name: &str) -> Case {
-        Case { name: name.to_owned(), field: None, single: false }
-    }
-}
-
-/// `Option<&T>` as `Option<T>`, `(usize, &T)` as `(usize, T)`: nothing writes to what is lent while it is.
-fn without_loans(ty: &Ty) -> Ty {
-    let inside = |ty: &Ty| match ty {
-        Ty::Ref(inner, false) if !matches!(**inner, Ty::Slice(_)) => without_loans(inner),
-        other => without_loans(other),
-    };
-    match ty {
-        Ty::Tuple(parts) => Ty::Tuple(parts.iter().map(inside).collect()),
-        Ty::Option(value) => Ty::Option(Box::new(inside(value))),
-        Ty::Result(value, error) => Ty::Result(Box::new(inside(value)), Box::new(inside(error))),
-        other => other.clone(),
-    }
-}
-
-/// The type with nalgebra's as what they are in the C.
-fn bare(ty: &Ty) -> Ty {
-    let inside = |ty: &Ty| Box::new(bare(ty));
+/// The type with nalgebra's as what they are in the C. What tuples, `Option`s and `Result`s alone lead to is `copied`:
+/// `Option<&T>` is `Option<T>` there, since nothing writes to what is lent while it is.
+fn bare(ty: &Ty, copied: bool) -> Ty {
+    let part = |ty: &Ty| Box::new(bare(ty, copied));
+    let element = |ty: &Ty| Box::new(bare(ty, false));
     match ty {
         Ty::Unit | Ty::Scalar(_) | Ty::Matrix(..) | Ty::Named(_) => ty.clone(),
-        Ty::Array(element, len) => Ty::Array(inside(element), *len),
-        Ty::Tuple(parts) => Ty::Tuple(parts.iter().map(bare).collect()),
-        Ty::List(element, n) => Ty::List(inside(element), *n),
-        Ty::Option(value) => Ty::Option(inside(value)),
-        Ty::Result(value, error) => Ty::Result(inside(value), inside(error)),
-        Ty::Slice(element) => Ty::Slice(inside(element)),
-        Ty::Ref(inner, mutable) => Ty::Ref(inside(inner), *mutable),
-        Ty::Known(_, inner) => bare(inner),
+        Ty::Ref(inner, false) if copied && !matches!(**inner, Ty::Slice(_)) => *part(inner),
+        Ty::Tuple(parts) => Ty::Tuple(parts.iter().map(|ty| *part(ty)).collect()),
+        Ty::Option(value) => Ty::Option(part(value)),
+        Ty::Result(value, error) => Ty::Result(part(value), part(error)),
+        Ty::Array(of, len) => Ty::Array(element(of), *len),
+        Ty::List(of, n) => Ty::List(element(of), *n),
+        Ty::Slice(of) => Ty::Slice(element(of)),
+        Ty::Ref(inner, mutable) => Ty::Ref(element(inner), *mutable),
+        Ty::Known(_, inner) => *element(inner),
     }
 }
 
@@ -97,15 +80,15 @@ fn part(index: usize, count: usize) -> String {
 impl Context<'_> {
     /// The struct that stands for a type of Rust's own.
     pub(super) fn generic(&mut self, ty: &Ty, site: Site) -> Result<Type> {
-        let ty = &bare(&without_loans(ty));
+        let ty = &bare(ty, true);
         if let Some(known) = self.generics.get(ty) {
             return Ok(known.clone());
         }
         let id = match ty {
             Ty::Tuple(parts) => self.tuple(parts, site)?,
             Ty::List(element, n) => self.list(element, *n, site)?,
-            Ty::Option(value) => self.option(value, site)?,
-            Ty::Result(value, error) => self.result(value, error, site)?,
+            Ty::Option(value) => self.outcome(value, None, site)?,
+            Ty::Result(value, error) => self.outcome(value, Some(error), site)?,
             _ => return problem(site, "this type has no struct", OUR_FAULT),
         };
         self.generics.insert(ty.clone(), Type::Struct(id));
@@ -179,36 +162,32 @@ impl Context<'_> {
         self.own_struct(name, shown, fields, Form::Sequence, site)
     }
 
-    fn option(&mut self, ty: &Ty, site: Site) -> Result<StructId> {
-        let value = self.content_type(ty, site)?;
-        let name = format!("Option{}", self.content(ty, &value));
-        let shown = (format!("Option<{}>", self.shown_content(ty, &value)), ": a value, or none");
-        let mut fields = vec![field(words::IS_SOME, "Whether there is a value.", Type::BOOL)];
-        let some = held(&mut fields, words::VALUE, "The value, if there is one.", value);
-        let form = Form::Choice(vec![None, some]);
-        let id = self.own_struct(name, shown, fields, form, site)?;
-        self.note_equality(id, &[ty]);
-        let some = Case { name: "Some".into(), field: some, single: true };
-        self.note(&Type::Struct(id)).cases = vec![Case::bare("None"), some];
-        Ok(id)
-    }
-
-    fn result(&mut self, of: &Ty, or: &Ty, site: Site) -> Result<StructId> {
+    /// An `Option`, or a `Result` with this error: a flag, and room for what each variant holds.
+    fn outcome(&mut self, of: &Ty, or: Option<&Ty>, site: Site) -> Result<StructId> {
         let value = self.content_type(of, site)?;
-        let error = self.value_type(or, site)?;
-        let name = format!("Result{}{}", self.content(of, &value), self.content(or, &error));
-        let shown = (self.shown_content(of, &value), self.shown_content(or, &error));
-        let shown = format!("Result<{}, {}>", shown.0, shown.1);
-        let shown = (shown, ": a value, or why there is none");
-        let mut fields = vec![field(words::IS_OK, "Whether there is a value.", Type::BOOL)];
-        let ok = held(&mut fields, words::VALUE, "The value, if there is one.", value);
-        let err = held(&mut fields, words::ERROR, "Why there is none.", error);
-        let id = self.own_struct(name, shown, fields, Form::Choice(vec![err, ok]), site)?;
-        self.note_equality(id, &[of, or]);
-        let case = |name: &str, field| Case { name: name.into(), field, single: true };
+        let error = or.map(|or| self.value_type(or, site)).transpose()?;
+        let (mut name, mut shown) = (self.content(of, &value), self.shown_content(of, &value));
+        if let (Some(or), Some(error)) = (or, &error) {
+            name += &self.content(or, error);
+            shown = format!("{shown}, {}", self.shown_content(or, error));
+        }
+        let (kind, meaning, flag, [missing, there]) = match or {
+            None => ("Option", ": a value, or none", words::IS_SOME, ["None", "Some"]),
+            Some(_) => ("Result", ": a value, or why there is none", words::IS_OK, ["Err", "Ok"]),
+        };
+        let shown = (format!("{kind}<{shown}>"), meaning);
+        let mut fields = vec![field(flag, "Whether there is a value.", Type::BOOL)];
+        let value = held(&mut fields, words::VALUE, "The value, if there is one.", value);
+        let error = error.and_then(|ty| held(&mut fields, words::ERROR, "Why there is none.", ty));
+        let form = Form::Choice(vec![error, value]);
+        let id = self.own_struct(format!("{kind}{name}"), shown, fields, form, site)?;
+        // Values may be unequal though nothing tells them apart.
+        let unequal = self.may_differ(of) || or.is_some_and(|or| self.may_differ(or));
+        let case = |name: &str, field, single| Case { name: name.into(), field, single };
         let known = self.note(&Type::Struct(id));
-        known.error = Some(or.clone());
-        known.cases = vec![case("Err", err), case("Ok", ok)];
+        known.unequal |= unequal;
+        known.error = or.cloned();
+        known.cases = vec![case(missing, error, or.is_some()), case(there, value, true)];
         Ok(id)
     }
 
@@ -269,13 +248,6 @@ impl Context<'_> {
         self.nothing_of(ty).map_or_else(|| self.show(lowered), |it| it.name.clone())
     }
 
-    /// Refuses `==` of what may hold values that are unequal though nothing tells them apart.
-    fn note_equality(&mut self, id: StructId, parts: &[&Ty]) {
-        if parts.iter().any(|ty| self.may_differ(ty)) {
-            self.note(&Type::Struct(id)).unequal = true;
-        }
-    }
-
     /// A type as part of a name.
     fn word(&self, ty: &Type) -> String {
         let scalar = |scalar: Scalar| capitalised(scalar.name());
@@ -301,8 +273,8 @@ impl Context<'_> {
     /// The name of an author's type; with its module where two have the same, and with the modules around that where
     /// these are named alike, too.
     fn qualified(&self, name: &str, module: &str) -> String {
-        let homes = self.declared.iter().filter(|(declared, _)| declared == name);
-        let homes: Vec<&str> = homes.map(|(_, home)| home.as_str()).collect();
+        let homes = self.package.types.iter().filter(|it| it.name == name);
+        let homes: Vec<&str> = homes.map(|it| it.module.as_str()).collect();
         if homes.len() < 2 {
             return name.to_owned();
         }
@@ -340,11 +312,9 @@ impl Context<'_> {
                 fields.push(Field { name, docs: variant.docs.clone(), ty, given });
                 (fields.len() as u32 - 1, single)
             });
-            cases.push(Case {
-                name: variant.name.clone(),
-                field: held.map(|(field, _)| field),
-                single: held.is_some_and(|(_, single)| single),
-            });
+            let (field, single) = held.unzip();
+            let single = single.unwrap_or_default();
+            cases.push(Case { name: variant.name.clone(), field, single });
         }
         self.module.enums.push(Enum {
             name: self.free_name(format!("{name}Tag")),
@@ -401,10 +371,8 @@ impl Context<'_> {
         fields: &[tree::Field],
         site: Site,
     ) -> Result<(Vec<Field>, Vec<bool>)> {
-        let mut types = Vec::new();
-        for field in fields {
-            types.push(self.held_type(&field.ty, site)?);
-        }
+        let types = fields.iter().map(|field| self.held_type(&field.ty, site));
+        let types = types.collect::<Result<Vec<_>>>()?;
         let kept: Vec<bool> = types.iter().map(|ty| *ty != Type::Unit).collect();
         let count = kept.iter().filter(|kept| **kept).count();
         let all = fields.iter().zip(types).filter(|(_, ty)| *ty != Type::Unit).enumerate();
@@ -422,7 +390,7 @@ impl Context<'_> {
 
     /// A name that no author's type has.
     fn free_name(&self, mut name: String) -> String {
-        while self.declared.iter().any(|(declared, _)| *declared == name) {
+        while self.package.types.iter().any(|it| it.name == name) {
             name.push_str("Of");
         }
         name

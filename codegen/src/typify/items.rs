@@ -5,7 +5,9 @@
 //!
 //! Must not know: how an iterator is gone through ([`generator`](super::generator)).
 
-use bessemer_ir::tree::{self, Builtin, Desugared, EACH, ExprKind as Tree, NO_SLOT, Stmt, Ty};
+use bessemer_ir::tree::{
+    self, Builtin, Desugared, EACH, ExprKind as Tree, NO_SLOT, Site, Stmt, Ty,
+};
 use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
@@ -206,15 +208,9 @@ impl<'a> Lowering<'a, '_> {
 
     /// Whether a name is that of a value which may be written to.
     fn is_changeable(&self, name: &str) -> bool {
-        let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
-        match found.find(|(known, _)| known == name) {
-            Some((_, Value::Local(root))) => {
-                self.locals[root.index()].mode == Mode::Value
-                    && !self.steady.contains(root)
-                    && !self.held.contains(root)
-            }
-            _ => false,
-        }
+        let Ok(Value::Local(root)) = self.lookup(name, Site::default()) else { return false };
+        let stays = self.steady.contains(&root) || self.held.contains(&root);
+        self.locals[root.index()].mode == Mode::Value && !stays
     }
 
     /// Puts a name in the place of an expression: one that nothing else has here, since a loop goes through several parts.

@@ -11,7 +11,7 @@ use bessemer_ir::{
 
 use super::lowering::Lowering;
 use super::words;
-use super::{Context, OUR_FAULT, Result, problem};
+use super::{Context, Needed, OUR_FAULT, Result, problem};
 
 impl Context<'_> {
     /// The function that stands for a kernel; of the module once it is asked for.
@@ -29,19 +29,6 @@ impl Context<'_> {
     }
 }
 
-/// The operation of a routine on two elements, on an element and a number, or on one.
-enum Each {
-    Negated,
-    Joined(BinaryOp),
-    Terms,
-}
-
-impl Each {
-    fn operands(&self) -> usize {
-        if matches!(self, Each::Negated) { 1 } else { 2 }
-    }
-}
-
 impl Lowering<'_, '_> {
     /// The call of a kernel.
     pub(super) fn kernel_call(
@@ -50,21 +37,10 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let mut shapes = Vec::new();
-        for argument in arguments {
-            shapes.push(self.type_alone(argument)?);
-        }
-        let kernel = match (routine, shapes.as_slice()) {
-            (_, [a, b]) => of(routine, a, |rows, _| match *b {
-                Type::Matrix { cols, .. } => vec![rows, cols],
-                _ => Vec::new(),
-            }),
-            (_, [a]) => of(routine, a, |rows, _| vec![rows]),
-            _ => None,
-        };
-        let Some(kernel) = kernel else {
-            return problem(expr.site, "this takes matrices of `f64` or `f32`", OUR_FAULT);
-        };
+        let types = arguments.iter().map(|argument| self.type_alone(argument));
+        let types = types.collect::<Result<Vec<_>>>()?;
+        let kernel = kernel_of(routine, &types);
+        let kernel = kernel.needed(expr.site, "this takes matrices of `f64` or `f32`")?;
         let id = self.cx.kernel(&kernel);
         match self.cx.by_columns {
             true => self.call_function(id, arguments, expr),
@@ -139,17 +115,14 @@ impl Lowering<'_, '_> {
         };
         let element = Type::Scalar(element);
         let at = |root| Expr::local(root, &Type::USIZE, span);
-        let [rows, cols] = [rows, cols].map(|it| Expr::usize(u64::from(it), span));
         let column = self.counter("column", span);
         let row = self.counter("row", span);
-        let start = Expr::binary(BinaryOp::Mul, rows.clone(), at(column));
+        let start = Expr::binary(BinaryOp::Mul, Expr::usize(rows.into(), span), at(column));
         let index = Expr::binary(BinaryOp::Add, at(row), start);
         let cell = matrix.inside(Step::Element(at(row), at(column)), element.clone());
         let part = columns.inside(Step::Index(index), element);
         let (place, value) = if to_columns { (part, cell.load()) } else { (cell, part.load()) };
-        let assign = Block::of(StmtKind::Assign { place, value }, span);
-        let inner = Block::of(StmtKind::for_below(row, rows, assign), span);
-        self.emit(StmtKind::for_below(column, cols, inner), span);
+        self.assign_looping(place, value, [(Some(row), rows), (Some(column), cols)], span);
         Ok(())
     }
 
@@ -182,24 +155,20 @@ impl Lowering<'_, '_> {
         ty: Type,
         site: Site,
     ) -> Result<Expr> {
-        let (name, each) = match routine {
-            Routine::Neg => (words::NEGATIVE, Each::Negated),
-            Routine::Add => (words::SUM, Each::Joined(BinaryOp::Add)),
-            Routine::Sub => (words::DIFFERENCE, Each::Joined(BinaryOp::Sub)),
-            Routine::ComponentMul => (words::PRODUCT, Each::Joined(BinaryOp::Mul)),
-            Routine::ComponentDiv => (words::QUOTIENT, Each::Joined(BinaryOp::Div)),
-            Routine::Scale => (words::SCALED, Each::Joined(BinaryOp::Mul)),
-            Routine::Unscale => (words::QUOTIENT, Each::Joined(BinaryOp::Div)),
-            Routine::Product => (words::PRODUCT, Each::Terms),
+        // The operation on two elements, or on an element and a number.
+        let (name, op) = match routine {
+            Routine::Neg => (words::NEGATIVE, None),
+            Routine::Add => (words::SUM, Some(BinaryOp::Add)),
+            Routine::Sub => (words::DIFFERENCE, Some(BinaryOp::Sub)),
+            Routine::ComponentMul | Routine::Product => (words::PRODUCT, Some(BinaryOp::Mul)),
+            Routine::ComponentDiv | Routine::Unscale => (words::QUOTIENT, Some(BinaryOp::Div)),
+            Routine::Scale => (words::SCALED, Some(BinaryOp::Mul)),
             _ => {
                 let remedy = "write a loop over their elements";
                 return problem(site, "this takes matrices of `f64` or `f32`", remedy);
             }
         };
-        let (Type::Matrix { element, rows, cols }, true) = (&ty, values.len() == each.operands())
-        else {
-            return problem(site, "this is no matrix", OUR_FAULT);
-        };
+        let (element, rows, cols) = shape(&ty).needed(site, "this is no matrix")?;
         let mut operands = Vec::new();
         for value in values {
             operands.push(match value.is_literal() {
@@ -212,83 +181,64 @@ impl Lowering<'_, '_> {
             });
         }
         let span = self.span(site);
-        let elements = Elements { operands, scalar: Type::Scalar(*element), span };
         let result = self.temporary_place(name, self.zero(&ty, span));
-        let row = self.counter_of(*rows, "row", span);
-        let col = self.counter_of(*cols, "col", span);
-        let mut counters = vec![(row, *rows), (col, *cols)];
-        let at = (elements.index(row), elements.index(col));
-        let place = elements.cell(&result, at.clone());
-        let value = match each {
-            Each::Negated => Expr::unary(UnaryOp::Neg, elements.at(0, at)).at(span),
-            Each::Joined(op) => elements.joined(op, elements.at(0, at.clone()), elements.at(1, at)),
-            Each::Terms => {
-                let terms = elements.terms();
-                let k = self.counter_of(terms, "k", span);
-                counters.insert(0, (k, terms));
-                let ((row, col), k) = (at, elements.index(k));
-                let factors = (elements.at(0, (row, k.clone())), elements.at(1, (k, col)));
-                let term = elements.joined(BinaryOp::Mul, factors.0, factors.1);
-                elements.joined(BinaryOp::Add, place.load(), term)
-            }
+        let row = self.counter_of(rows, "row", span);
+        let col = self.counter_of(cols, "col", span);
+        let mut counters = vec![(row, rows), (col, cols)];
+        let index = |counter: Option<LocalId>| match counter {
+            Some(counter) => Expr::local(counter, &Type::USIZE, span),
+            None => Expr::usize(0, span),
         };
-        let mut body = Block::of(StmtKind::Assign { place, value }, span);
+        let cell = |matrix: &Place, row, col| {
+            matrix.inside(Step::Element(index(row), index(col)), Type::Scalar(element))
+        };
+        // A number is the same at each row and column.
+        let at = |operand: &Expr, row, col| match &operand.kind {
+            ExprKind::Load(matrix) if matches!(matrix.ty, Type::Matrix { .. }) => {
+                cell(matrix, row, col).load()
+            }
+            _ => operand.clone(),
+        };
+        let joined = |op, one, other| Expr::binary(op, one, other).at(span);
+        let place = cell(&result, row, col);
+        let value = match (op, operands.as_slice()) {
+            (Some(op), [one @ Expr { ty: Type::Matrix { cols: terms, .. }, .. }, other])
+                if routine == Routine::Product =>
+            {
+                let k = self.counter_of(*terms, "k", span);
+                counters.insert(0, (k, *terms));
+                let term = joined(op, at(one, row, k), at(other, k, col));
+                joined(BinaryOp::Add, place.load(), term)
+            }
+            (Some(op), [one, other]) => joined(op, at(one, row, col), at(other, row, col)),
+            (None, [one]) => Expr::unary(UnaryOp::Neg, at(one, row, col)).at(span),
+            _ => return problem(site, "this is no matrix", OUR_FAULT),
+        };
+        self.assign_looping(place, value, counters, span);
+        Ok(result.load())
+    }
+
+    /// Assigns in a loop for each counter, innermost first.
+    fn assign_looping(
+        &mut self,
+        place: Place,
+        value: Expr,
+        counters: impl IntoIterator<Item = (Option<LocalId>, u32)>,
+        span: Span,
+    ) {
+        let mut stmt = StmtKind::Assign { place, value };
         for (counter, count) in counters {
             if let Some(counter) = counter {
-                let count = Expr::usize(u64::from(count), span);
-                body = Block::of(StmtKind::for_below(counter, count, body), span);
+                let count = Expr::usize(count.into(), span);
+                stmt = StmtKind::for_below(counter, count, Block::of(stmt, span));
             }
         }
-        self.out.extend(body.0);
-        Ok(result.load())
+        self.emit(stmt, span);
     }
 
     /// A counter, unless there is one row or column.
     fn counter_of(&mut self, count: u32, name: &str, span: Span) -> Option<LocalId> {
         (count > 1).then(|| self.counter(name, span))
-    }
-}
-
-/// The operands, element by element.
-struct Elements {
-    operands: Vec<Expr>,
-    scalar: Type,
-    span: Span,
-}
-
-impl Elements {
-    fn index(&self, counter: Option<LocalId>) -> Expr {
-        match counter {
-            Some(counter) => Expr::local(counter, &Type::USIZE, self.span),
-            None => Expr::usize(0, self.span),
-        }
-    }
-
-    fn cell(&self, matrix: &Place, (row, col): (Expr, Expr)) -> Place {
-        matrix.inside(Step::Element(row, col), self.scalar.clone())
-    }
-
-    /// An operand at a row and a column; a number is the same at each.
-    fn at(&self, operand: usize, at: (Expr, Expr)) -> Expr {
-        let operand = &self.operands[operand];
-        match &operand.kind {
-            ExprKind::Load(place) if matches!(place.ty, Type::Matrix { .. }) => {
-                self.cell(place, at).load()
-            }
-            _ => operand.clone(),
-        }
-    }
-
-    /// How many terms an element of the product has.
-    fn terms(&self) -> u32 {
-        match self.operands[0].ty {
-            Type::Matrix { cols, .. } => cols,
-            _ => 0,
-        }
-    }
-
-    fn joined(&self, op: BinaryOp, one: Expr, other: Expr) -> Expr {
-        Expr::binary(op, one, other).at(self.span)
     }
 }
 
@@ -307,25 +257,29 @@ fn product(routine: Routine, values: &[Expr]) -> Option<(Kernel, Vec<Expr>)> {
         (Routine::Product, None, None) => (KernelRoutine::Product, left.clone(), right.clone()),
         _ => return None,
     };
-    let Type::Matrix { rows: first, cols: second, .. } = right.ty else { return None };
-    let kernel = of(which, &left.ty, |rows, cols| match which {
-        KernelRoutine::ProductTr => vec![rows, cols, first],
-        KernelRoutine::TrProduct => vec![cols, rows, second],
-        _ => vec![rows, cols, second],
-    })?;
+    let kernel = kernel_of(which, &[left.ty.clone(), right.ty.clone()])?;
     kernel.is_function().then(|| (kernel, vec![left, right]))
 }
 
-/// The kernel of a routine for its first operand's type.
-fn of(
-    routine: KernelRoutine,
-    first: &Type,
-    dims: impl FnOnce(u32, u32) -> Vec<u32>,
-) -> Option<Kernel> {
-    match *first {
-        Type::Matrix { element: Scalar::Float(element), rows, cols } => {
-            Kernel::new(routine, element, &dims(rows, cols))
-        }
+/// The elements, rows and columns of a matrix.
+pub(super) fn shape(ty: &Type) -> Option<(Scalar, u32, u32)> {
+    match *ty {
+        Type::Matrix { element, rows, cols } => Some((element, rows, cols)),
         _ => None,
     }
+}
+
+/// The kernel of a routine for operands of these types: its dimensions, as [`KernelRoutine`] says.
+fn kernel_of(routine: KernelRoutine, types: &[Type]) -> Option<Kernel> {
+    use KernelRoutine as R;
+    let (Scalar::Float(element), rows, cols) = shape(types.first()?)? else { return None };
+    let dims = match (routine, types) {
+        (_, [_]) => vec![rows],
+        (R::ProductTr, [_, right]) => vec![rows, cols, shape(right)?.1],
+        (R::TrProduct, [_, right]) => vec![cols, rows, shape(right)?.2],
+        (R::Product | R::TrMul, [_, right]) => vec![rows, cols, shape(right)?.2],
+        (_, [_, right]) => vec![rows, shape(right)?.2],
+        _ => return None,
+    };
+    Kernel::new(routine, element, &dims)
 }

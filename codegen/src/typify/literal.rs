@@ -6,7 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type};
 
 use super::lowering::Lowering;
 use super::value::Value;
-use super::{OUR_FAULT, Result, names, problem};
+use super::{Needed, OUR_FAULT, Result, names, problem};
 
 /// The word of an integer literal as a value of `scalar`.
 pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) -> Result<u64> {
@@ -14,9 +14,7 @@ pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) 
         Some(digits) => i128::from_str_radix(digits, 16),
         None => digits.parse::<i128>(),
     };
-    let Ok(value) = value else {
-        return problem(site, "this literal is out of range", OUR_FAULT);
-    };
+    let value = value.ok().needed(site, "this literal is out of range")?;
     let value = if negative { -value } else { value };
     match scalar {
         Scalar::Int(int) if (int.min()..=int.max()).contains(&value) => Ok(value as u64),
@@ -54,15 +52,10 @@ pub(super) fn folded(op: BinaryOp, left: &Expr, right: &Expr) -> Option<u64> {
 pub(super) fn float(digits: &str, scalar: Scalar, site: Site) -> Result<u64> {
     let word = match scalar {
         Scalar::Float(Float::F64) => digits.parse::<f64>().ok().map(f64::to_bits),
-        Scalar::Float(Float::F32) => {
-            digits.parse::<f32>().ok().map(|value| u64::from(value.to_bits()))
-        }
+        Scalar::Float(Float::F32) => digits.parse::<f32>().ok().map(|it| it.to_bits().into()),
         _ => None,
     };
-    match word {
-        Some(word) => Ok(word),
-        None => problem(site, "this literal is not a float here", OUR_FAULT),
-    }
+    word.needed(site, "this literal is not a float here")
 }
 
 /// The type of a literal: its suffix, or what is expected, or Rust's default. A float may be expected of an integer's digits.
@@ -75,22 +68,19 @@ pub(super) fn type_of(suffix: Option<Scalar>, expected: Option<&Type>, default: 
     }
 }
 
-impl Lowering<'_, '_> {
+impl<'a> Lowering<'a, '_> {
     /// Whether a number is made of those that an instance of something generic is made with, of the size of a matrix, or of
     /// those that an expanded function is called with.
     pub(super) fn is_of_instance(&self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             tree::ExprKind::Path(_, name) => {
-                self.source.generics.iter().any(|(known, argument)| {
-                    known == name && matches!(argument, tree::Argument::Number(..))
-                })
+                matches!(self.generic(name), Some(tree::Argument::Number(..)))
             }
-            tree::ExprKind::Call(callee, _) => matches!(
-                self.builtin_of(*callee),
-                Some(Builtin::Matrix(
-                    MatrixMethod::Rows | MatrixMethod::Cols | MatrixMethod::Elements
-                ))
-            ),
+            tree::ExprKind::Call(callee, _) => {
+                use MatrixMethod::{Cols, Elements, Rows};
+                let builtin = self.builtin_of(*callee);
+                matches!(builtin, Some(Builtin::Matrix(Rows | Cols | Elements)))
+            }
             tree::ExprKind::Local(name) if !self.expanding.is_empty() => {
                 matches!(self.lookup(name, expr.site), Ok(Value::Word(it)) if it.is_literal())
             }
@@ -99,12 +89,17 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// What an instance has for the parameter of this name.
+    fn generic(&self, wanted: &str) -> Option<&'a tree::Argument> {
+        let mut generics = self.source.generics.iter();
+        generics.find(|(known, _)| known == wanted).map(|(_, argument)| argument)
+    }
+
     /// A path that rustc evaluated: a constant, a variant, a default.
     pub(super) fn path(&mut self, index: u32, name: &str, site: Site) -> Result<Expr> {
         let source = self.source;
-        let Some(constant) = source.constants.get(index as usize) else {
-            return problem(site, "the tree names a constant that is not there", OUR_FAULT);
-        };
+        let constant = source.constants.get(index as usize);
+        let constant = constant.needed(site, "the tree names a constant that is not there")?;
         let ty = self.cx.value_type(&constant.ty, site)?;
         if let (Type::Enum(_), [word]) = (&ty, constant.words.as_slice()) {
             return self.node(ExprKind::Literal(*word), ty, site);
@@ -128,10 +123,7 @@ impl Lowering<'_, '_> {
                 "make it here, or in a function, instead of a `const`",
             );
         }
-        let generic = |wanted: &str| {
-            source.generics.iter().find(|(known, _)| known == wanted).map(|(_, argument)| argument)
-        };
-        let number = matches!(generic(name), Some(tree::Argument::Number(..)));
+        let number = matches!(self.generic(name), Some(tree::Argument::Number(..)));
         let plain = ["::ZERO", "::ONE"].iter().any(|end| name.ends_with(end));
         let literal =
             number || plain && ty.as_float().is_some() || last == "DEFAULT" && ty.is_word();
@@ -139,18 +131,19 @@ impl Lowering<'_, '_> {
             return self.node(ExprKind::Literal(*word), ty, site);
         }
         // `T::PI` is `f32::PI` where `T` is `f32`, and `Default::default()` is named for its type.
-        let name = match name.split_once("::").map(|(first, rest)| (first, generic(first), rest)) {
-            Some((_, Some(tree::Argument::Type(tree::Ty::Named(path))), rest)) => {
-                format!("{}::{rest}", self.cx.item_name(path))
-            }
-            Some((_, Some(argument), rest)) => {
-                format!("{}::{rest}", self.cx.argument_name(argument))
-            }
-            Some(("Default", None, rest)) if let Type::Struct(_) = ty => {
-                format!("{}::{rest}", self.cx.name_of(&ty).unwrap_or_default())
-            }
-            _ => name.to_owned(),
-        };
+        let name =
+            match name.split_once("::").map(|(first, rest)| (first, self.generic(first), rest)) {
+                Some((_, Some(tree::Argument::Type(tree::Ty::Named(path))), rest)) => {
+                    format!("{}::{rest}", self.cx.item_name(path))
+                }
+                Some((_, Some(argument), rest)) => {
+                    format!("{}::{rest}", self.cx.argument_name(argument))
+                }
+                Some(("Default", None, rest)) if let Type::Struct(_) = ty => {
+                    format!("{}::{rest}", self.cx.name_of(&ty).unwrap_or_default())
+                }
+                _ => name.to_owned(),
+            };
         let owner = source.owner.as_ref().map(|path| self.cx.item_name(path).to_owned());
         let (module, name) = names::constant(&self.module_path(), owner.as_deref(), &name);
         let id = self.cx.constant(&module, &name, &ty, &words);

@@ -15,6 +15,7 @@ use crate::termination::{self, Loop, Proof};
 use super::conditions::has_let;
 use super::each::Each;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
+use super::order::is_light;
 use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
@@ -238,8 +239,8 @@ impl Lowering<'_, '_> {
         // The last pass comes no further than the condition, so there is one more than the proof says.
         let Some(int) = low.ty.as_int() else { return problem(site, "no integers", OUR_FAULT) };
         let limit = |value: i128| Expr::literal_like(value as u64, &low);
-        let from = if is_calm(&low) { low.clone() } else { limit(int.min()) };
-        let to = if is_calm(&high) && !inclusive { high } else { limit(int.max()) };
+        let from = if is_light(&low) { low.clone() } else { limit(int.min()) };
+        let to = if is_light(&high) && !inclusive { high } else { limit(int.max()) };
         let variable = self.local(words::PASS, from.ty.clone(), span);
         let (inclusive, reversed, unroll, ended) = (true, false, None, true);
         Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
@@ -497,14 +498,6 @@ fn conjuncts(condition: &tree::Expr) -> Vec<&tree::Expr> {
             [conjuncts(left), conjuncts(right)].concat()
         }
         _ => vec![condition],
-    }
-}
-
-/// Whether an expression is nothing to evaluate once more.
-fn is_calm(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Load(place) => place.steps.iter().all(|step| matches!(step, Step::Field(_))),
-        kind => matches!(kind, ExprKind::Literal(_) | ExprKind::Const(_)),
     }
 }
 

@@ -41,7 +41,6 @@ mod lengths;
 mod literal;
 mod loops;
 mod lowering;
-mod named;
 mod names;
 mod numbered;
 mod numbers;
@@ -87,6 +86,17 @@ fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -
     Err(Problem { site, message: message.into(), help: help.into() })
 }
 
+/// What is there, unless the compiler is wrong.
+trait Needed<T> {
+    fn needed(self, site: Site, message: &str) -> Result<T>;
+}
+
+impl<T> Needed<T> for Option<T> {
+    fn needed(self, site: Site, message: &str) -> Result<T> {
+        self.map_or_else(|| problem(site, message, OUR_FAULT), Ok)
+    }
+}
+
 /// The struct that a type is, where it has to be one.
 fn struct_of(ty: &Type, site: Site, wanted: &str) -> Result<StructId> {
     match ty {
@@ -104,13 +114,12 @@ pub struct Typed {
     pub agreed: u32,
 }
 
+/// The typed module, or everything that is wrong.
+pub type Outcome = Result<(Module, Typed), Vec<Diagnostic>>;
+
 /// The typed module of a package, or everything that is wrong with it. `by_columns`: matrices lie in memory as
 /// kernels take them; else kernels are lent copies.
-pub fn typify(
-    package: &Package,
-    sources: &Sources,
-    by_columns: bool,
-) -> Result<(Module, Typed), Vec<Diagnostic>> {
+pub fn typify(package: &Package, sources: &Sources, by_columns: bool) -> Outcome {
     // A function may show that two slices in a struct have one lender, of which those before it have to know.
     let mut joined = Vec::new();
     loop {
@@ -123,9 +132,6 @@ pub fn typify(
         joined = joins;
     }
 }
-
-/// The typed module, or everything that is wrong.
-type Outcome = Result<(Module, Typed), Vec<Diagnostic>>;
 
 /// What of its structs has one lender, as far as it shows; the typed module, or everything that is wrong.
 fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::Joined>, Outcome) {
@@ -140,8 +146,6 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
             cx.told.push(diagnostic(&table.file, problem));
         }
     }
-    cx.own_iterators = generator::own_iterators(package);
-    cx.all = package.functions.iter().map(|it| (it.path.as_str(), it)).collect();
     let whole = |it: &&tree::Function| {
         it.tree.role != tree::Role::Rewritten && !function::takes_closures(it)
     };
@@ -209,9 +213,7 @@ fn authored(package: &Package) -> HashSet<String> {
         .collect()
 }
 
-/// The name that a method would have, and how many methods of its owner would have it.
-type Claims<'a> = HashMap<(Option<&'a str>, &'a str, &'a [tree::Argument]), u32>;
-
+/// The name that a method would have, in its owner.
 fn claim(function: &tree::Function) -> (Option<&str>, &str, &[tree::Argument]) {
     (function.owner.as_deref(), &function.tree.name, &function.suffix)
 }
@@ -252,6 +254,7 @@ struct Context<'a> {
     module: Module,
     typed: Typed,
     by_columns: bool,
+    package: &'a Package,
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, Type>,
@@ -261,15 +264,10 @@ struct Context<'a> {
     leaves_out: bool,
     /// The authors' types with which something is wrong, which has been told.
     undefined: HashSet<&'a str>,
-    /// The constants of which their author says more than their value.
-    tables: &'a [tree::Table],
     /// The names of instances, by their paths.
     aliases: HashMap<&'a str, &'a tree::Alias>,
     /// The names that authors gave, in snake case behind their module or type.
     authored: HashSet<String>,
-    claims: Claims<'a>,
-    /// The names of the authors' types, and their modules.
-    declared: Vec<(String, String)>,
     /// The structs that stand for types of Rust's own.
     generics: HashMap<tree::Ty, Type>,
     /// What is known of each type, and of one of which nothing is.
@@ -307,25 +305,19 @@ struct Context<'a> {
 impl<'a> Context<'a> {
     fn new(package: &'a Package, sources: &'a Sources) -> Context<'a> {
         let module = Module { name: package.name.clone(), ..Module::default() };
-        let mut claims = Claims::new();
-        for function in &package.functions {
-            *claims.entry(claim(function)).or_default() += 1;
-        }
         Context {
             module,
             typed: Typed::default(),
             by_columns: true,
+            package,
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
             nothings: HashMap::new(),
             leaves_out: false,
             undefined: HashSet::new(),
-            tables: &package.tables,
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
-            claims,
-            declared: package.types.iter().map(|it| (it.name.clone(), it.module.clone())).collect(),
             generics: HashMap::new(),
             known: HashMap::new(),
             unknown: Known::default(),
@@ -335,8 +327,8 @@ impl<'a> Context<'a> {
             absent: HashMap::new(),
             given_back: HashMap::new(),
             functions: HashMap::new(),
-            all: HashMap::new(),
-            own_iterators: Vec::new(),
+            all: package.functions.iter().map(|it| (it.path.as_str(), it)).collect(),
+            own_iterators: generator::own_iterators(package),
             lending: HashSet::new(),
             indexing: Vec::new(),
             waiting: HashMap::new(),
@@ -363,7 +355,8 @@ impl<'a> Context<'a> {
 
     /// Whether another function of its owner wants its name, too.
     fn is_claimed_twice(&self, function: &tree::Function) -> bool {
-        self.claims.get(&claim(function)).is_some_and(|claims| *claims > 1)
+        let all = self.package.functions.iter();
+        all.filter(|other| claim(other) == claim(function)).nth(1).is_some()
     }
 
     fn span(&mut self, file: &str, Site(line, column): Site) -> Span {

@@ -14,6 +14,7 @@ use bessemer_ir::{
 use super::conditions::within;
 use super::expr::{Call, Operand};
 use super::lowering::Lowering;
+use super::order::is_light;
 use super::words;
 use super::{OUR_FAULT, Result, problem, struct_of};
 
@@ -142,12 +143,6 @@ fn negative(n: Expr, span: Span) -> Expr {
     }
 }
 
-/// Whether a value may be written more than once: it is a literal, or lies where only fields lead.
-fn is_light(value: &Expr) -> bool {
-    let fields = |place: &Place| place.steps.iter().all(|step| matches!(step, Step::Field(_)));
-    value.is_literal() || matches!(&value.kind, ExprKind::Load(place) if fields(place))
-}
-
 fn of(int: Int) -> Type {
     Type::Scalar(Scalar::Int(int))
 }
@@ -263,11 +258,8 @@ impl Lowering<'_, '_> {
         let Type::Array { len, .. } = place.ty else {
             return problem(expr.site, "these are no bytes", OUR_FAULT);
         };
-        let word = match (ty.as_float(), ty.as_int()) {
-            (Some(float), _) => of(float.bits_type()),
-            (_, Some(int)) => of(int.unsigned()),
-            _ => U32,
-        };
+        let int = ty.as_float().map(Float::bits_type).or(ty.as_int().map(Int::unsigned));
+        let word = int.map_or(U32, of);
         let all = (0..len).map(|at| {
             let step = Step::Index(Expr::usize(u64::from(at), span));
             let value = Place { span, ..place.inside(step, byte.clone()) }.load().cast(&word);

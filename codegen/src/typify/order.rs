@@ -302,6 +302,12 @@ pub(super) fn value_of(argument: &mut Argument) -> Result<&mut Expr, &mut Place>
     }
 }
 
+/// Whether a value may be written more than once: it is a literal, or lies where only fields lead.
+pub(super) fn is_light(value: &Expr) -> bool {
+    let fields = |place: &Place| place.steps.iter().all(|step| matches!(step, Step::Field(_)));
+    value.is_literal() || matches!(&value.kind, ExprKind::Load(place) if fields(place))
+}
+
 /// Whether a step never depends on a value that is computed.
 pub(super) fn is_fixed(step: &Step) -> bool {
     match step {

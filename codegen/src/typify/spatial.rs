@@ -6,7 +6,7 @@ use bessemer_ir::{
     CompareOp, Expr, ExprKind, LogicOp, Place, Routine, Span, StructId, Type, UnaryOp,
 };
 
-use super::expr::{Call, Operand, two};
+use super::expr::{Call, two};
 use super::lowering::Lowering;
 use super::words;
 use super::{OUR_FAULT, Result, problem, struct_of};
@@ -56,11 +56,7 @@ impl Lowering<'_, '_> {
             (M::Plus | M::Minus | M::Times | M::TimesTransposed, _) => {
                 self.matrix_operation(method, call)
             }
-            (M::Negative, [matrix]) => {
-                let matrix = self.value(matrix, None)?;
-                let ty = matrix.ty.clone();
-                self.node(ExprKind::Routine(Routine::Neg, vec![matrix]), ty, expr.site)
-            }
+            (M::Negative, [matrix]) => self.unary(tree::UnaryOp::Neg, matrix, None, expr.site),
             _ => problem(expr.site, format!("{method:?} takes other operands"), OUR_FAULT),
         }
     }
@@ -77,10 +73,7 @@ impl Lowering<'_, '_> {
     /// An operator of matrices for what is a matrix in the C.
     fn matrix_operation(&mut self, method: SpatialMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
-        let operands = arguments.iter().zip(words::SIDES);
-        let operands: Vec<_> =
-            operands.map(|(expr, role)| Operand { expr, expected: None, role }).collect();
-        let [left, mut right] = two(self.operands(&operands)?, expr.site)?;
+        let [left, mut right] = two(self.alike(arguments, None, &words::SIDES)?, expr.site)?;
         let op = match method {
             SpatialMethod::Plus => tree::BinaryOp::Add,
             SpatialMethod::Minus => tree::BinaryOp::Sub,

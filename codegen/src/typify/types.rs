@@ -6,7 +6,7 @@
 
 use bessemer_ir::tree::{self, Argument, Definition, DefinitionKind, Field, Site, Table, Ty};
 use bessemer_ir::{
-    Attributes, Const, ConstId, Enum, Form, Given, Local, Scalar, Span, Struct, StructId, Type,
+    Attributes, Const, ConstId, Enum, Given, Local, Scalar, Span, Struct, StructId, Type,
 };
 
 use super::generic::Home;
@@ -64,29 +64,25 @@ impl<'a> Context<'a> {
     }
 
     pub(super) fn define(&mut self, definition: &Definition) -> Result<()> {
-        let span = self.span(&definition.file, definition.site);
-        let alias = self.aliases.get(definition.path.as_str()).copied();
-        let mut given = definition.given.clone();
-        let (module, name, docs) = match alias {
-            // The author named this instance.
-            Some(alias) => {
-                let docs = if alias.docs.is_empty() { &definition.docs } else { &alias.docs };
-                given = alias.given.clone();
-                if alias.file != definition.file {
-                    given.site = Site::default();
-                }
-                (alias.module.clone(), alias.name.clone(), docs.clone())
+        let (span, site) = (self.span(&definition.file, definition.site), definition.site);
+        let suffix = self.suffix(&definition.arguments);
+        let mut name = self.instance_name(&definition.module, &definition.name, &suffix);
+        let Definition { module, docs, given, .. } = definition;
+        let (mut module, mut docs, mut given) = (module.clone(), docs.clone(), given.clone());
+        // The author named this instance.
+        if let Some(alias) = self.aliases.get(definition.path.as_str()).copied() {
+            (module, name, given) = (alias.module.clone(), alias.name.clone(), alias.given.clone());
+            if !alias.docs.is_empty() {
+                docs.clone_from(&alias.docs);
             }
-            None => {
-                let suffix = self.suffix(&definition.arguments);
-                let name = self.instance_name(&definition.module, &definition.name, &suffix);
-                (definition.module.clone(), name, definition.docs.clone())
+            if alias.file != definition.file {
+                given.site = Site::default();
             }
-        };
+        }
         let home = module.clone();
         let ty = match &definition.kind {
             DefinitionKind::Struct { fields, initial, defaults } => {
-                let (all, site) = (fields, definition.site);
+                let all = fields;
                 let (mut fields, kept) = self.kept_fields(&definition.module, all, site)?;
                 if fields.is_empty() {
                     return self.define_nothing(definition, name);
@@ -95,32 +91,22 @@ impl<'a> Context<'a> {
                 if initial.is_some() || defaults.is_some() {
                     self.tell_defaults(definition, &mut fields);
                 }
-                let form = Form::Record;
-                let id = self.add_struct(Struct {
-                    name,
-                    module,
-                    docs,
-                    fields,
-                    form,
-                    initial,
-                    defaults,
-                    given,
-                    span,
-                });
+                let item = Struct { name, module, docs, given, span, ..Struct::default() };
+                let id = self.add_struct(Struct { fields, initial, defaults, ..item });
                 self.note_fields(id, all, &kept);
                 Type::Struct(id)
             }
             DefinitionKind::Enum(variants) => {
-                let named = super::generic::numbered(variants, definition.site)?;
+                let named = super::generic::numbered(variants, site)?;
                 let named = Enum { name, module, docs, variants: named, given, span };
-                self.define_enum(variants, named, definition.site)?
+                self.define_enum(variants, named, site)?
             }
         };
-        let parts: Vec<&Field> = match &definition.kind {
-            DefinitionKind::Struct { fields, .. } => fields.iter().collect(),
-            DefinitionKind::Enum(variants) => variants.iter().flat_map(|it| &it.fields).collect(),
+        let differ = |fields: &[Field]| fields.iter().any(|field| self.may_differ(&field.ty));
+        let may_differ = match &definition.kind {
+            DefinitionKind::Struct { fields, .. } => differ(fields),
+            DefinitionKind::Enum(variants) => variants.iter().any(|it| differ(&it.fields)),
         };
-        let may_differ = parts.iter().any(|field| self.may_differ(&field.ty));
         let (path, order) = (definition.path.as_str(), self.types.len());
         let known = self.note(&ty);
         known.home = Some(Home { order, module: home, span });
@@ -196,10 +182,7 @@ impl<'a> Context<'a> {
     /// The type of a value; references are refused.
     pub(super) fn value_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
-            Ty::Ref(inner, mutable) if let Ty::Slice(element) = &**inner => {
-                self.borrowed(element, *mutable, site)
-            }
-            Ty::Ref(..) => problem(
+            Ty::Ref(inner, _) if !matches!(**inner, Ty::Slice(_)) => problem(
                 site,
                 "a reference is not a value in the DSL",
                 "copy what it refers to, or pass the reference as an argument",
@@ -310,7 +293,7 @@ impl<'a> Context<'a> {
         words: &[u64],
     ) -> Option<&'a Table> {
         let same = |it: &&Table| it.name == name && it.value.words == words;
-        let mut tables: Vec<&'a Table> = self.tables.iter().filter(same).collect();
+        let mut tables: Vec<&'a Table> = self.package.tables.iter().filter(same).collect();
         tables.sort_by_key(|it| it.module != module);
         tables
             .into_iter()
