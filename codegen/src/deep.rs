@@ -3,10 +3,32 @@
 //! A sum of two thousand terms is a tree of two thousand levels, and each stage calls itself once for a level. Whoever
 //! hands a tree, or a module, to a stage does it here.
 
+use std::cell::Cell;
+use std::{panic, thread};
+
 /// Bytes, of which only those that are used take memory: some ten kilobytes a level, in builds that are not optimised.
 const STACK: usize = 1 << 30;
 
-/// Does the work on a stack of its own, unless it is on one.
-pub fn deep<T>(work: impl FnOnce() -> T) -> T {
-    stacker::maybe_grow(STACK / 2, STACK, work)
+thread_local! {
+    static IS_DEEP: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Does the work on a stack of its own, unless it is on one: that of a thread, since what grows the stack of this one takes
+/// longer to build than most of the compiler's dependencies.
+///
+/// # Panics
+/// If the machine has no room for a thread; where the work does.
+pub fn deep<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    if IS_DEEP.get() {
+        return work();
+    }
+    let within = || {
+        IS_DEEP.set(true);
+        work()
+    };
+    thread::scope(|scope| {
+        let spawned = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, within);
+        let done = spawned.expect("a machine has room for a thread").join();
+        done.unwrap_or_else(|panic| panic::resume_unwind(panic))
+    })
 }

@@ -2,39 +2,38 @@
 
 mod defaults;
 
-use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Source files below a root, each read once.
 pub struct Sources {
     root: PathBuf,
-    files: RefCell<HashMap<String, Rc<File>>>,
+    files: Mutex<HashMap<String, Arc<File>>>,
 }
 
 /// A file, and what is asked of it for name after name.
 struct File {
     lines: Vec<String>,
     /// The names that its `use`s give to something else.
-    renamed: OnceCell<BTreeSet<String>>,
+    renamed: OnceLock<BTreeSet<String>>,
 }
 
 impl Sources {
     /// Files named relative to `root`.
     pub fn new(root: impl Into<PathBuf>) -> Sources {
-        Sources { root: root.into(), files: RefCell::default() }
+        Sources { root: root.into(), files: Mutex::default() }
     }
 
     /// A file; without lines if it cannot be read.
-    fn file(&self, file: &str) -> Rc<File> {
-        let mut files = self.files.borrow_mut();
+    fn file(&self, file: &str) -> Arc<File> {
+        let mut files = self.files.lock().unwrap_or_else(PoisonError::into_inner);
         files
             .entry(file.to_owned())
             .or_insert_with(|| {
                 let text = std::fs::read_to_string(self.root.join(file)).unwrap_or_default();
                 let lines = text.lines().map(str::to_owned).collect();
-                Rc::new(File { lines, renamed: OnceCell::new() })
+                Arc::new(File { lines, renamed: OnceLock::new() })
             })
             .clone()
     }

@@ -121,7 +121,7 @@ fn read(stored: &Path) -> Option<Outcome<Package, Vec<Diagnostic>>> {
     deep(|| bessemer_ir::tree::read(&text)).ok()
 }
 
-fn write(outcome: &impl Serialize, stored: &Path) -> std::io::Result<()> {
+fn write(outcome: &(impl Serialize + Sync), stored: &Path) -> std::io::Result<()> {
     let made = tempfile::NamedTempFile::new()?;
     std::fs::write(made.path(), deep(|| serde_json::to_string(outcome))?)?;
     store::store(made.path(), stored)

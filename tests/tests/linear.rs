@@ -18,7 +18,7 @@ use linear::{CASES, OTHER_SIZES};
 const CALLS: usize = 24;
 
 /// Of so many sizes that follow one another a leg takes one, unless the run is full.
-const SHARED: usize = 16;
+const SHARED: usize = 24;
 
 /// Calls of each routine of the other sizes: one of each kind.
 const FEWER_CALLS: usize = 6;

@@ -157,7 +157,7 @@ impl Plan {
             let folder = tools::python();
             let pip = folder.join("bin/pip").display().to_string();
             let create = words("python3 -m venv", &[&folder.display().to_string()]);
-            let install = [vec![pip], words("install --quiet", &self.python)].concat();
+            let install = [vec![pip], words("install --quiet --no-compile", &self.python)].concat();
             steps.push(Step { name: "python3 -m venv", words: create, as_root: false });
             steps.push(Step { name: "pip install", words: install, as_root: false });
         }

@@ -17,6 +17,9 @@ use sim::voyage::{fly, follow};
 /// What is flown of a flight, s: the longest takes three minutes, and `cargo xtask sim all --c` flies it whole.
 const LONGEST: f64 = 75.0;
 
+/// A run that is not full flies one flight of so many, others at each turn.
+const SHARED: usize = 5;
+
 /// Bits, save that any NaN is any NaN.
 fn plain(words: &[u64]) -> impl Iterator<Item = u64> + '_ {
     words.iter().map(|word| if f64::from_bits(*word).is_nan() { u64::MAX } else { *word })
@@ -58,7 +61,7 @@ fn the_c_flies_every_flight_to_the_same_bits() {
 }
 
 fn fly_in_c(toolchain: &Toolchain) {
-    let flights = turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(3));
+    let flights = turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(SHARED));
     let left = Mutex::new(flights.into_iter());
     std::thread::scope(|scope| {
         for _ in 0..2 {
@@ -101,7 +104,7 @@ fn move_the_plant(step: FunctionId) {
                 .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()))
         })
         .collect();
-    for flight in turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(3)) {
+    for flight in turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(SHARED)) {
         let mut scenario = (flight.scenario)(1);
         scenario.duration = scenario.duration.min(15.0);
         let period = scenario.settings.parameters.period;

@@ -47,11 +47,11 @@ use writer::Program;
 
 /// Programs in a batch of a full run, and of any other.
 const PROGRAMS: usize = 36;
-const FEWER: usize = 20;
+const FEWER: usize = 12;
 /// Texts that aim at the proofs, of a seed that stays and of one that does not, and the instances of each.
 const AIMED: usize = 4;
 /// Small bodies of a seed whose operands write.
-const BESIDE: usize = 40;
+const BESIDE: usize = 24;
 const INSTANCES: usize = 4;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];

@@ -45,8 +45,9 @@ const MISSING: &str =
 
 type Entries = Vec<(FunctionId, u32)>;
 
-/// The checks of a program that fail for all that Eva sees: the file, and what is asked of it.
-fn unseen(compiled: &Compiled, entries: &Entries) -> Vec<String> {
+/// The checks of a program that fail for all that Eva sees: the file, and what is asked of it. Where some are known, a glance
+/// would be in vain.
+fn unseen(compiled: &Compiled, entries: &Entries, some_are_known: bool) -> Vec<String> {
     let main = harness::programs_with(&compiled.explicit, entries, &kept_options());
     let folder = lay_out_needed(&compiled.files, &main).expect("the C");
     let has_checks =
@@ -56,8 +57,8 @@ fn unseen(compiled: &Compiled, entries: &Entries) -> Vec<String> {
     }
     std::fs::write(folder.path().join("eva_main.c"), main).expect("a file");
     std::fs::write(folder.path().join("never.h"), NEVER).expect("a file");
-    let unseen = alarms(&folder, GLANCE);
-    if unseen.is_empty() { unseen } else { alarms(&folder, LOOK) }
+    let in_vain = some_are_known || !alarms(&folder, GLANCE).is_empty();
+    if in_vain { alarms(&folder, LOOK) } else { Vec::new() }
 }
 
 fn alarms(folder: &Folder, settings: &[&str]) -> Vec<String> {
@@ -135,8 +136,8 @@ fn look_at_some(kept: &Compiled) {
     let (next, wrong) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let work = || {
         while let Some((name, entries)) = programs.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let unseen = unseen(kept, entries);
             let known = known.get(name).cloned().unwrap_or_default();
+            let unseen = unseen(kept, entries, !known.is_empty());
             let mut wrong = wrong.lock().expect("no worker stops");
             wrong.extend(
                 without(&unseen, &known).map(|it| format!("not seen to hold: {name}\t{it}")),
