@@ -9,8 +9,8 @@ use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
 use crate::generics::{Floats, Scope};
-use crate::lower::macros::{by_rows, in_every_build, matching};
-use crate::lower::{bound, sort, unroll};
+use crate::lower::macros::{expanded, in_every_build};
+use crate::lower::{loops, sort};
 use crate::owned::{associated, of_libm, of_path, owned};
 
 /// Rewrites every call in `block`, and brings the DSL's traits into its scope; those of floats that are parameters,
@@ -41,36 +41,21 @@ struct Redirect {
 
 impl VisitMut for Redirect {
     fn visit_local_mut(&mut self, it: &mut syn::Local) {
-        bound::hand_on(it);
+        loops::hand_on(it);
         visit_mut::visit_local_mut(self, it);
     }
 
     fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
-        // The macro hides a pattern, and its value may hold calls.
-        if let syn::Expr::Macro(it) = expr
-            && it.mac.path.is_ident("matches")
-            && let Some(matching) = matching(&it.mac)
-        {
-            *expr = syn::Expr::Match(matching);
-        }
-        // So may that of a matrix, between semicolons.
-        if let syn::Expr::Macro(it) = expr
-            && let Some(matrix) = by_rows(&it.mac)
-        {
-            *expr = matrix;
-        }
-        if let syn::Expr::MethodCall(it) = expr
-            && let Some(call) = sort::sorted(it, sort::Leg::Native)
-        {
-            *expr = call;
+        let stands_for = match expr {
+            syn::Expr::Macro(it) => expanded(&it.mac),
+            syn::Expr::MethodCall(it) => sort::sorted(it, sort::Leg::Native),
+            _ => None,
+        };
+        if let Some(other) = stands_for {
+            *expr = other;
         }
         visit_mut::visit_expr_mut(self, expr);
-        bound::count(expr);
-    }
-
-    fn visit_expr_for_loop_mut(&mut self, it: &mut syn::ExprForLoop) {
-        unroll::strip(&mut it.attrs);
-        visit_mut::visit_expr_for_loop_mut(self, it);
+        loops::native(expr);
     }
 
     fn visit_expr_method_call_mut(&mut self, call: &mut syn::ExprMethodCall) {

@@ -12,11 +12,10 @@ use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
 use super::link::is_range;
-use super::made::{UNIT, plain};
-use super::names::{GENERATING, callee_name, text};
-use super::syntax::last_segment;
+use super::names::{GENERATING, UNIT, callee_name, plain, text};
+use super::refuse;
+use super::syntax::{is_constructor_name, last_segment};
 use super::walk::Lowering;
-use super::{absent, refuse};
 use crate::owned::{associated, of_libm, of_nalgebra, of_turns};
 
 impl Lowering<'_> {
@@ -71,7 +70,7 @@ impl Lowering<'_> {
         if function.qself.is_none() && self.is_itself(&function.path) {
             return Some(refuse::RECURSION);
         }
-        absent::function(function)
+        out_of_reach(function)
     }
 
     /// `T::default()`: a constant, since it depends on nothing.
@@ -127,6 +126,20 @@ impl Lowering<'_> {
         }
         callee
     }
+}
+
+/// The reason for a function that its path shows to be out of reach, by the crate or the type in it.
+fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
+    let names: Vec<_> = function.path.segments.iter().map(|segment| text(&segment.ident)).collect();
+    let [.., owner, last] = names.as_slice() else { return None };
+    // What is made of its parts has a type, of which rustc knows whether the DSL has it.
+    if is_constructor_name(last) {
+        return None;
+    }
+    let of_type = refuse::named_type(&syn::Ident::new(owner, function.span()).into());
+    // A companion of a number's type answers.
+    let answered = bessemer_ir::Scalar::from_name(owner).is_some();
+    of_type.or_else(|| refuse::library(&function.path).filter(|_| !answered))
 }
 
 /// Whether an expression is a call of a method, or what `?` gives of one: its value may refer to an element.

@@ -2,15 +2,15 @@
 //!
 //! The tree has a closure's body where it is called; the witness copy keeps the closure.
 
-use bessemer_ir::tree::{self, ExprKind};
+use bessemer_ir::tree::{self, ExprKind, Start};
 use proc_macro2::Span;
 use quote::quote;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 use super::handed::is_of_type;
-use super::made::plain;
-use super::names::{site, text};
+use super::names::{plain, site, text};
+use super::pattern::alone;
 use super::refuse::Refusals;
 use super::syntax::names;
 use super::walk::{Closure, Lowering};
@@ -29,7 +29,7 @@ impl Lowering<'_> {
         let body = self.scoped(|walk| {
             let mut looks = Vec::new();
             for input in &closure.inputs {
-                let Some(name) = closure_parameter(input) else {
+                let Some(name) = alone(input).map(|it| it.ident.clone()) else {
                     let outer = walk.apart.replace("%");
                     parameters.push(walk.pattern(input, &mut looks));
                     walk.apart = outer;
@@ -87,6 +87,37 @@ impl Lowering<'_> {
             self.refusals.add(span, refuse::CLOSURE_SHADOWED);
         }
         Some(ExprKind::Block(block))
+    }
+
+    /// `core::array::from_fn(|i| …)`: a loop through the array, whose elements the closure gives by their indices.
+    pub(super) fn array_from_fn(&mut self, it: &mut syn::ExprCall) -> Option<ExprKind> {
+        let syn::Expr::Path(function) = &*it.func else { return None };
+        let mut segments = function.path.segments.iter().rev();
+        let last = segments.next()?.ident.clone();
+        if last != "from_fn" || segments.next()?.ident != "array" || it.args.len() != 1 {
+            return None;
+        }
+        let syn::Expr::Closure(closure) = &mut it.args[0] else { return None };
+        self.scoped(|walk| {
+            let (index, looks) = match closure.inputs.first()? {
+                syn::Pat::Wild(_) => (walk.hidden("i"), Vec::new()),
+                other => {
+                    let (name, slot) = (alone(other)?.ident.clone(), walk.slot());
+                    (walk.bind_apart(&text(&name)), vec![walk.look(slot, &name)])
+                }
+            };
+            let value = Box::new(walk.closure_body(closure, looks));
+            let (name, site) = (walk.hidden("elements"), site(&last));
+            let [array, index_of] = [&name, &index].map(|name| tree::Expr::local(name, site));
+            let element = ExprKind::Index(Box::new(array.clone()), Box::new(index_of));
+            let element = Box::new(tree::Expr::plain(element, site));
+            let pass = tree::Expr::plain(ExprKind::Assign(None, element, value), site);
+            let pattern = tree::Pattern::Any;
+            let part = tree::Part { pattern, array, owned: false, group: None, reversed: false };
+            let each = ExprKind::each(Some(&index), part, pass);
+            let each = Box::new(tree::Expr::plain(each, site));
+            Some(ExprKind::Fold { name, start: Start::Elements, each })
+        })
     }
 
     /// An argument of a call: a closure, or a value.
@@ -161,7 +192,8 @@ impl Lowering<'_> {
         // Slots are no part of what it moves.
         closure.capture = None;
         // What leaves the closure leaves its body, which stands where the closure is called.
-        let label = (!Returns::of(&closure.body).is_empty()).then(|| self.hidden("answer"));
+        let label = (!Returns::of(|it| it.visit_expr(&closure.body)).is_empty())
+            .then(|| self.hidden("answer"));
         let outer = std::mem::replace(&mut self.leaves, label.clone());
         let mut body = self.value(&mut closure.body);
         self.leaves = outer;
@@ -182,9 +214,7 @@ impl Lowering<'_> {
         body: &mut syn::Block,
         (signature, result): (&syn::Signature, u32),
     ) -> tree::Block {
-        let mut returns = Returns(Vec::new());
-        returns.visit_block(body);
-        if returns.0.is_empty() {
+        if Returns::of(|it| it.visit_block(body)).is_empty() {
             return self.block(body);
         }
         let label = self.hidden("answer");
@@ -231,27 +261,8 @@ pub fn mutable_names(signature: &syn::Signature, body: &syn::Block) -> Vec<Strin
 
 /// Refuses what would leave the caller of a function that stands where it is called.
 pub fn without_returns(body: &syn::Block, refusals: &mut Refusals) {
-    let mut returns = Returns(Vec::new());
-    returns.visit_block(body);
-    for span in returns.0 {
+    for span in Returns::of(|it| it.visit_block(body)) {
         refusals.add(span, refuse::EXPANDED_RETURN);
-    }
-}
-
-/// The name of a parameter, if it is one.
-pub(super) fn closure_parameter(pattern: &syn::Pat) -> Option<syn::Ident> {
-    match pattern {
-        syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => Some(it.ident.clone()),
-        syn::Pat::Type(it) => closure_parameter(&it.pat),
-        _ => None,
-    }
-}
-
-/// The closure that stands as an argument.
-pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosure> {
-    match argument {
-        syn::Expr::Closure(it) => Some(it),
-        _ => None,
     }
 }
 
@@ -259,9 +270,9 @@ pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosu
 struct Returns(Vec<Span>);
 
 impl Returns {
-    fn of(body: &syn::Expr) -> Vec<Span> {
+    fn of(visit: impl FnOnce(&mut Returns)) -> Vec<Span> {
         let mut returns = Returns(Vec::new());
-        returns.visit_expr(body);
+        visit(&mut returns);
         returns.0
     }
 }

@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 use super::link::{Link, is_range};
 use super::names::{GENERATING, place, site, span, text};
 use super::walk::Lowering;
-use super::{bound, each, pattern, refuse};
+use super::{each, loops, pattern, refuse};
 
 impl Lowering<'_> {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
@@ -104,7 +104,7 @@ impl Lowering<'_> {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let limits = it.expr.span();
         let range = self.range(&mut it.expr);
-        if range.as_ref().is_some_and(|it| it.to.is_none()) && !bound::is_left(&it.body) {
+        if range.as_ref().is_some_and(|it| it.to.is_none()) && !loops::is_left(&it.body) {
             self.refusals.add(limits, refuse::OPEN_RANGE);
         }
         self.scoped(|walk| {
@@ -190,7 +190,7 @@ impl Lowering<'_> {
 
     /// Takes `#[bound(…)]` off a loop; nothing where it is no bound. Without one the bound has to show.
     fn bound(&mut self, attributes: &mut Vec<syn::Attribute>) -> Option<Option<Box<tree::Expr>>> {
-        let Some(attribute) = bound::take(attributes) else { return Some(None) };
+        let Some(attribute) = loops::take(attributes, loops::BOUND) else { return Some(None) };
         let span = attribute.path().span();
         let Ok(mut bound) = attribute.parse_args::<syn::Expr>() else {
             self.refusals.add(span, refuse::BOUND);
@@ -201,6 +201,22 @@ impl Lowering<'_> {
             self.refusals.add(span, refuse::BOUND);
         }
         Some(Some(Box::new(bound)))
+    }
+
+    /// Takes `#[unroll(…)]` or `#[keep]` off a loop; gives how many passes are to be written out at once.
+    pub(super) fn unrolled(&mut self, attributes: &mut Vec<syn::Attribute>) -> Option<u32> {
+        let attribute = loops::take(attributes, loops::HINTS)?;
+        let count = match (&attribute.meta, attribute.path().is_ident("keep")) {
+            (syn::Meta::Path(_), true) => Some(1),
+            (syn::Meta::List(list), false) => {
+                list.parse_args::<syn::LitInt>().ok().and_then(|count| count.base10_parse().ok())
+            }
+            _ => None,
+        };
+        if !count.is_some_and(|count| (1..=64).contains(&count)) {
+            self.refusals.add(attribute.path().span(), refuse::UNROLL);
+        }
+        count
     }
 
     pub(super) fn break_expr(&mut self, it: &mut syn::ExprBreak) -> ExprKind {

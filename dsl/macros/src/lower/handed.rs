@@ -9,8 +9,7 @@ use syn::parse_quote;
 use syn::spanned::Spanned;
 
 use super::call::companion;
-use super::made::{UNIT, plain};
-use super::names::{GENERATING, callee_name, site, slot_name, text};
+use super::names::{GENERATING, UNIT, callee_name, plain, site, slot_name, text};
 use super::syntax::{is_constructor_name, last_segment};
 use super::walk::{Constant, Lowering};
 use crate::owned::{associated, of_path};

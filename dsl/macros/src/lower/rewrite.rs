@@ -8,10 +8,11 @@ use quote::{format_ident, quote_spanned};
 use syn::parse_quote;
 
 use super::names::text;
+use super::pattern::by_let;
 use super::sort::Leg;
-use super::syntax::{bare, is_plain, library, names};
+use super::syntax::{bare, is_plain, names};
 use super::walk::Lowering;
-use super::{refuse, sort};
+use super::{macros, refuse, sort};
 
 /// The modules of core whose functions have companions, and these functions.
 const OF_CORE: [(&str, [&str; 2]); 2] = [("mem", ["swap", "replace"]), ("cmp", ["max", "min"])];
@@ -21,10 +22,17 @@ impl Lowering<'_> {
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
-            syn::Expr::Call(it) => {
-                return self.of_core(it);
-            }
+            syn::Expr::Call(it) => return self.of_core(it),
             syn::Expr::Range(it) => return held(it),
+            syn::Expr::Assign(it) => return by_let(it),
+            // rustc has computed it in the original.
+            syn::Expr::Const(syn::ExprConst { block, .. }) => return Some(parse_quote! { #block }),
+            syn::Expr::Macro(it) => {
+                if it.mac.path.is_ident(macros::MATCHES) {
+                    self.is_rusts(&it.mac.path);
+                }
+                return macros::expanded(&it.mac);
+            }
             _ => return None,
         };
         match (text(&it.method).as_str(), it.args.len()) {
@@ -70,7 +78,7 @@ impl Lowering<'_> {
         let names: Vec<_> = segments.iter().map(|part| text(&part.ident)).collect();
         let names: Vec<_> = names.iter().map(String::as_str).collect();
         let (home, name) = match names.as_slice() {
-            [_, home, name] if library(&function.path).is_some() => (home, name),
+            [_, home, name] if refuse::library(&function.path).is_some() => (home, name),
             [home, name] => (home, name),
             _ => return None,
         };

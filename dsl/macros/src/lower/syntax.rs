@@ -49,22 +49,6 @@ pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
     count(quote! { #expr }, name)
 }
 
-/// A library of Rust's own.
-pub(super) enum Library {
-    Std,
-    Core,
-}
-
-/// The library of Rust's that a path begins with.
-pub(super) fn library(path: &syn::Path) -> Option<Library> {
-    let first = path.segments.first().filter(|_| path.segments.len() > 1)?;
-    match text(&first.ident).as_str() {
-        "std" => Some(Library::Std),
-        "core" | "alloc" => Some(Library::Core),
-        _ => None,
-    }
-}
-
 /// Whether a path is that of a variant.
 pub(super) fn is_variant(path: &syn::Path) -> bool {
     path.segments.len() > 1 && is_constructor_name(&last_segment(path))

@@ -6,8 +6,8 @@ use bessemer_ir::tree;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
-use super::names::{GENERATING, slot_name, span, text};
-use super::refuse::Refusals;
+use super::names::{GENERATING, UNIT, slot_name, span, text};
+use super::refuse::{Place, Reason, Refusals};
 
 /// The walk over one function.
 pub struct Lowering<'a> {
@@ -110,6 +110,12 @@ impl<'a> Lowering<'a> {
             leaves: None,
             mutable: Vec::new(),
         }
+    }
+
+    /// Refuses what stands at `place`; gives what stands for it.
+    pub(super) fn refused(&mut self, place: impl Place, reason: Reason) -> tree::ExprKind {
+        self.refusals.add(place, reason);
+        UNIT
     }
 
     /// Where what comes next begins, behind so many statements of the witness copy.
