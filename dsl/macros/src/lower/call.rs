@@ -12,7 +12,7 @@ use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
 use super::link::is_range;
-use super::names::{GENERATING, UNIT, callee_name, plain, text};
+use super::names::{GENERATING, callee_name, plain, text};
 use super::refuse;
 use super::syntax::{is_constructor_name, last_segment};
 use super::walk::Lowering;
@@ -30,8 +30,7 @@ impl Lowering<'_> {
         let arguments: Vec<_> =
             it.args.iter_mut().map(|argument| self.argument(argument)).collect();
         let syn::Expr::Path(function) = &mut *it.func else {
-            self.refusals.add(&it.func, refuse::FUNCTION_VALUE);
-            return UNIT;
+            return self.refused(&it.func, refuse::FUNCTION_VALUE);
         };
         if arguments.is_empty() && is_default(function) {
             return self.default_value(function);
@@ -51,8 +50,7 @@ impl Lowering<'_> {
             false => self.redirected(function),
         };
         if let Some(reason) = reason {
-            self.refusals.add(&function, reason);
-            return UNIT;
+            return self.refused(&function, reason);
         }
         let Some(companion) = companion(function) else {
             return ExprKind::Constructor(last_segment(&function.path), arguments);
@@ -91,13 +89,11 @@ impl Lowering<'_> {
             arguments.extend(it.args.iter_mut().map(|argument| self.handed(argument)));
         }
         let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == "self");
-        let itself = own && self.method && it.method == self.name;
-        if itself {
-            self.refusals.add(&it.method, refuse::RECURSION);
-            return UNIT;
+        if own && self.method && it.method == self.name {
+            return self.refused(&it.method, refuse::RECURSION);
         }
         it.method = companion_name(&it.method);
-        ExprKind::Call(self.take(it), arguments)
+        ExprKind::Call(self.take_method(it), arguments)
     }
 
     /// The receiver of a method: a range is gone through there.
@@ -118,11 +114,26 @@ impl Lowering<'_> {
         }
     }
 
-    /// Wraps a call of a companion so that a slot learns which function it is.
-    pub(super) fn take<T: WitnessCall + Spanned>(&mut self, call: &mut T) -> u32 {
+    /// Writes `__take(&callee, call)` for a call of a companion, so that a slot learns which function it is.
+    fn take(&mut self, it: &mut syn::ExprCall) -> u32 {
         let callee = self.callee();
         if GENERATING {
-            call.wrap(call.span(), &callee_name(callee));
+            let (name, call) = (callee_name(callee), it.clone());
+            *it.func = syn::Expr::Verbatim(quote_spanned! { call.span() => __take });
+            it.args = syn::parse_quote! { &#name, #call };
+        }
+        callee
+    }
+
+    /// Writes `callee.__take(call)`, so that the expression stays a method call.
+    fn take_method(&mut self, it: &mut syn::ExprMethodCall) -> u32 {
+        let callee = self.callee();
+        if GENERATING {
+            let (name, call) = (callee_name(callee), it.clone());
+            *it.receiver = syn::Expr::Verbatim(quote_spanned! { call.span() => #name });
+            it.method = syn::Ident::new("__take", call.method.span());
+            it.turbofish = None;
+            it.args = syn::parse_quote! { #call };
         }
         callee
     }
@@ -184,28 +195,4 @@ pub(super) fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
         path.segments.push(call);
     }
     Some(path)
-}
-
-/// A call that can be wrapped where it stands.
-pub(super) trait WitnessCall {
-    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident);
-}
-
-impl WitnessCall for syn::ExprCall {
-    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident) {
-        let call = self.clone();
-        *self.func = syn::Expr::Verbatim(quote_spanned! { span => __take });
-        self.args = syn::parse_quote! { &#callee, #call };
-    }
-}
-
-impl WitnessCall for syn::ExprMethodCall {
-    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident) {
-        // `slot.__take(call)`, so that the expression stays a method call.
-        let call = self.clone();
-        *self.receiver = syn::Expr::Verbatim(quote_spanned! { span => #callee });
-        self.method = syn::Ident::new("__take", call.method.span());
-        self.turbofish = None;
-        self.args = syn::parse_quote! { #call };
-    }
 }

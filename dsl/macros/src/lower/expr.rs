@@ -1,6 +1,6 @@
 //! Expressions: which are values (seen by a slot), which are places, which the DSL does not take.
 
-use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
+use bessemer_ir::tree::{self, ExprKind, UnaryOp};
 use bessemer_ir::{Int, Scalar};
 use quote::ToTokens;
 
@@ -9,7 +9,7 @@ use super::names::{UNIT, place, site, text};
 use super::operator::Side;
 use super::pattern::gives_several;
 use super::syntax::{is_variant, last_segment};
-use super::walk::Lowering;
+use super::walk::{Lowering, see_in};
 use super::{call, loops, macros, operator, pattern, refuse, signature};
 
 impl Lowering<'_> {
@@ -32,7 +32,7 @@ impl Lowering<'_> {
             (ExprKind::Path(index, _), _) => {
                 let slot = self.constants.get(*index as usize).map(|(slot, ..)| *slot);
                 if let (true, Some(slot)) = (seen, slot) {
-                    self.see_in(slot, expr);
+                    see_in(slot, expr);
                 }
                 slot
             }
@@ -262,14 +262,14 @@ impl Lowering<'_> {
     }
 
     fn binary(&mut self, it: &mut syn::ExprBinary) -> (ExprKind, bool) {
-        if let Some(op) = compound(&it.op) {
+        let Some((op, assigns)) = operator::written(&it.op) else {
+            return (self.refused(&it.op, refuse::SYNTAX), false);
+        };
+        if assigns {
             let place = self.value(&mut it.left);
             let value = self.assigned(op, &place, &mut it.right);
             return (ExprKind::Assign(Some(op), Box::new(place), Box::new(value)), false);
         }
-        let Some(op) = operator::infix(&it.op) else {
-            return (self.refused(&it.op, refuse::SYNTAX), false);
-        };
         self.chained = operator::sign(op).is_some() && operator::is_operator(&it.left);
         let (left, first) = self.operand(op, &mut it.left, Side::Left);
         let before = std::mem::take(&mut self.before);
@@ -296,23 +296,6 @@ impl Lowering<'_> {
     }
 }
 
-/// The operator behind `+=` and the like.
-pub(super) fn compound(op: &syn::BinOp) -> Option<BinaryOp> {
-    Some(match op {
-        syn::BinOp::AddAssign(_) => BinaryOp::Add,
-        syn::BinOp::SubAssign(_) => BinaryOp::Sub,
-        syn::BinOp::MulAssign(_) => BinaryOp::Mul,
-        syn::BinOp::DivAssign(_) => BinaryOp::Div,
-        syn::BinOp::RemAssign(_) => BinaryOp::Rem,
-        syn::BinOp::BitAndAssign(_) => BinaryOp::And,
-        syn::BinOp::BitOrAssign(_) => BinaryOp::Or,
-        syn::BinOp::BitXorAssign(_) => BinaryOp::Xor,
-        syn::BinOp::ShlAssign(_) => BinaryOp::Shl,
-        syn::BinOp::ShrAssign(_) => BinaryOp::Shr,
-        _ => return None,
-    })
-}
-
 /// Whether an expression at the end of a block is a statement all the same: loops, `if` without
 /// `else`, assignments.
 pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
@@ -323,7 +306,7 @@ pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
         | syn::Expr::Return(_) => true,
         syn::Expr::Loop(it) => !loops::gives_value(it) && !loops::is_endless(it),
         syn::Expr::If(it) => it.else_branch.is_none(),
-        syn::Expr::Binary(it) => compound(&it.op).is_some(),
+        syn::Expr::Binary(it) => matches!(operator::written(&it.op), Some((_, true))),
         _ => false,
     }
 }

@@ -49,6 +49,15 @@ pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
     count(quote! { #expr }, name)
 }
 
+/// A name that is not taken: `name`, or one that begins with it.
+pub(super) fn fresh(name: &str, is_taken: impl Fn(&str) -> bool) -> syn::Ident {
+    let mut fresh = name.to_owned();
+    while is_taken(&fresh) {
+        fresh.push('_');
+    }
+    syn::Ident::new(&fresh, proc_macro2::Span::call_site())
+}
+
 /// Whether a path is that of a variant.
 pub(super) fn is_variant(path: &syn::Path) -> bool {
     path.segments.len() > 1 && is_constructor_name(&last_segment(path))

@@ -143,9 +143,7 @@ impl<'a> Lowering<'a> {
 
     /// Makes `name` a local of the innermost scope.
     pub fn bind(&mut self, name: &str) {
-        if let Some(scope) = self.scopes.last_mut() {
-            scope.push((name.to_owned(), name.to_owned()));
-        }
+        self.bind_as(name, name);
     }
 
     /// The same under a name in the tree that hides none there, and that none of the author's hides: what is lowered out of
@@ -210,29 +208,15 @@ impl<'a> Lowering<'a> {
     /// Turns `expr` into `see(&slot, expr)` and gives the slot.
     pub(super) fn see(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
-        self.see_in(slot, expr);
+        see_in(slot, expr);
         slot
     }
 
     /// The same for a value with references in it, of which a slot holds the type without their lifetime.
     pub(super) fn glance(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
-        self.glance_in(slot, expr);
+        glance_in(slot, expr);
         slot
-    }
-
-    pub(super) fn glance_in(&self, slot: u32, expr: &mut syn::Expr) {
-        if GENERATING {
-            let name = slot_name(slot);
-            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __glance(&#name, #expr) });
-        }
-    }
-
-    pub(super) fn see_in(&self, slot: u32, expr: &mut syn::Expr) {
-        if GENERATING {
-            let name = slot_name(slot);
-            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __see(&#name, #expr) });
-        }
     }
 
     /// The statement `look(&slot, &place);`.
@@ -242,5 +226,21 @@ impl<'a> Lowering<'a> {
             syn::Expr::Verbatim(quote_spanned! { place.span() => __look(&#name, &#place) }),
             Some(Default::default()),
         )
+    }
+}
+
+pub(super) fn see_in(slot: u32, expr: &mut syn::Expr) {
+    wrap(expr, "__see", [slot].into_iter().map(slot_name));
+}
+
+pub(super) fn glance_in(slot: u32, expr: &mut syn::Expr) {
+    wrap(expr, "__glance", [slot].into_iter().map(slot_name));
+}
+
+/// Writes `function(&slot, …, expr)` for `expr`, in the witness copy alone.
+pub(super) fn wrap(expr: &mut syn::Expr, function: &str, slots: impl Iterator<Item = syn::Ident>) {
+    if GENERATING {
+        let (function, span) = (syn::Ident::new(function, span(expr)), span(expr));
+        *expr = syn::Expr::Verbatim(quote_spanned! { span => #function(#(&#slots,)* #expr) });
     }
 }
