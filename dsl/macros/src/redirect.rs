@@ -10,12 +10,26 @@ use syn::visit_mut::{self, VisitMut};
 
 use crate::generics::{Floats, Scope};
 use crate::lower::macros::{expanded, in_every_build};
-use crate::lower::{loops, sort};
+use crate::lower::{Refusals, loops, sort};
 use crate::owned::{associated, of_libm, of_path, owned};
+
+/// The body as Rust runs it; or the errors in its place: rustc has nothing to add to what was refused, and callers still
+/// find the function.
+pub fn native(
+    (attributes, body): (&mut Vec<syn::Attribute>, &mut syn::Block),
+    scope: Scope<'_>,
+    refusals: Refusals,
+) {
+    if refusals.is_empty() {
+        return block(body, scope);
+    }
+    attributes.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
+    body.stmts = vec![syn::Stmt::Expr(syn::Expr::Verbatim(refusals.into_tokens()), None)];
+}
 
 /// Rewrites every call in `block`, and brings the DSL's traits into its scope; those of floats that are parameters,
 /// where `scope` has any.
-pub fn block(block: &mut syn::Block, scope: Scope<'_>) {
+fn block(block: &mut syn::Block, scope: Scope<'_>) {
     let mut redirect = Redirect { used: false };
     redirect.visit_block_mut(block);
     if redirect.used {
