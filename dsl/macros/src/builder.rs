@@ -3,7 +3,7 @@
 //! A builder holds the witness copy of the body ([`crate::witness`]), and hands on the tree with the types that its slots
 //! were given. It is emitted in generation builds only; the refusals come in every build.
 
-use bessemer_ir::tree::{FunctionTree, Param, Role};
+use bessemer_ir::tree::{FunctionTree, Role};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 
@@ -234,35 +234,27 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     if is_entry && scope.own().is_generic() {
         refusals.add(&subject.signature.generics, refuse::ENTRY_GENERIC);
     }
-    let parameters = lower::parameters(signature, refusals);
-    let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
+    let mut parameters = lower::parameters(signature, refusals);
+    let mut walk = Lowering::new(&signature.ident, subject.is_method(), std::mem::take(refusals));
     walk.mutable = lower::mutable_names(signature, &copy);
-    let mut params = Vec::new();
-    for parameter in &parameters {
-        if parameter.items && outside {
-            walk.refusals.add(parameter.place, refuse::ITERATOR_OUTSIDE);
-        } else if open && parameter.closure {
-            walk.refusals.add(&parameter.ident, refuse::INTERFACE_CLOSURE);
-        } else if is_entry && parameter.closure {
-            walk.refusals.add(parameter.place, refuse::ENTRY_CLOSURE);
+    for Parameter { param, ident, place, .. } in &mut parameters {
+        if param.items && outside {
+            walk.refusals.add(*place, refuse::ITERATOR_OUTSIDE);
+        } else if open && param.closure {
+            walk.refusals.add(&*ident, refuse::INTERFACE_CLOSURE);
+        } else if is_entry && param.closure {
+            walk.refusals.add(*place, refuse::ENTRY_CLOSURE);
         }
-        walk.bind(&parameter.name);
-        walk.called.extend(parameter.closure.then(|| parameter.name.clone()));
-        params.push(Param {
-            name: parameter.name.clone(),
-            slot: walk.slot(),
-            site: parameter.site,
-            closure: parameter.closure,
-            items: parameter.items,
-            mutable: parameter.mutable,
-        });
+        walk.bind(&param.name);
+        walk.called.extend(param.closure.then(|| param.name.clone()));
+        param.slot = walk.slot();
     }
     if lower::gives_reference(signature) {
-        check_lending(subject, &parameters, walk.refusals);
+        check_lending(subject, &parameters, &mut walk.refusals);
     }
     let result = walk.slot();
     let signature_refused = walk.refusals.len();
-    let expands = generates || parameters.iter().any(|parameter| parameter.items);
+    let expands = generates || parameters.iter().any(|it| it.param.items);
     let body = match expands && !generates {
         true => walk.expanded_body(&mut copy, (signature, result)),
         false => walk.block(&mut copy),
@@ -277,7 +269,8 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         // What the signature does not take, the body goes on with.
         walk.refusals.forget_since(signature_refused);
     }
-    if !walk.refusals.is_empty() || !lower::GENERATING {
+    *refusals = std::mem::take(&mut walk.refusals);
+    if !refusals.is_empty() || !lower::GENERATING {
         return None;
     }
     let tree = FunctionTree {
@@ -286,7 +279,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         docs: docs::lines(subject.attributes),
         role: if expands { Role::Expanded } else { subject.asked.role },
         attributes: subject.asked.attributes.clone(),
-        params,
+        params: parameters.iter().map(|it| it.param.clone()).collect(),
         result,
         body,
         operators: std::mem::take(&mut walk.operators),
@@ -312,7 +305,7 @@ fn check_lending(subject: &Subject<'_>, parameters: &[Parameter], refusals: &mut
     if !lower::lends(subject.signature) {
         return;
     }
-    if parameters.iter().any(|parameter| parameter.closure) {
+    if parameters.iter().any(|it| it.param.closure) {
         refusals.add(ty, refuse::LENT_CLOSURE);
     }
 }
@@ -328,11 +321,10 @@ fn builder(
     scope: Scope<'_>,
     tree: &FunctionTree,
     parameters: &[Parameter],
-    walk: &Lowering<'_>,
+    walk: &Lowering,
     (signature, copy): (&syn::Signature, &syn::Block),
 ) -> TokenStream {
-    let witness =
-        Copy { parameters, params: &tree.params, result: tree.result, signature, body: copy };
+    let witness = Copy { parameters, result: tree.result, signature, body: copy };
     let rewritten = subject.asked.role == Role::Rewritten;
     let parts = (!rewritten).then(|| witness.parts(walk));
     let items = &walk.items;

@@ -18,7 +18,7 @@ use super::syntax::{is_constructor_name, last_segment};
 use super::walk::Lowering;
 use crate::owned::{associated, of_libm, of_nalgebra, of_turns};
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
         if let Some(kind) = self.array_from_fn(it) {
             return kind;

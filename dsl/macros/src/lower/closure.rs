@@ -16,12 +16,14 @@ use super::syntax::names;
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
 
-impl Lowering<'_> {
+impl Lowering {
     /// `let f = |x| …;`: the closure is known by its name from here on.
     pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> bool {
         let Some(init) = &mut local.init else { return false };
         let syn::Expr::Closure(closure) = &mut *init.expr else { return false };
-        let Some(ident) = pattern::simple_name(&local.pat, self.refusals) else { return true };
+        let Some(ident) = pattern::simple_name(&mut local.pat, &mut self.refusals) else {
+            return true;
+        };
         let known: std::collections::BTreeSet<_> =
             self.scopes.iter().flatten().map(|(known, _)| known.clone()).collect();
         let uses: Vec<_> = known.into_iter().map(|known| (self.bindings(&known), known)).collect();
@@ -65,28 +67,19 @@ impl Lowering<'_> {
         arguments: &[tree::Expr],
         span: Span,
     ) -> Option<ExprKind> {
-        let closure = self.closure_named(name)?;
-        let shadowed = self.is_shadowed(closure);
-        let parameters = closure.parameters.iter().zip(arguments);
-        let stmts = parameters.map(|(parameter, argument)| {
+        let (parameters, body) = self.closure_named(name, span)?;
+        let stmts = parameters.into_iter().zip(arguments).map(|(parameter, argument)| {
             let (value, site) = (argument.clone(), argument.site);
             match parameter {
                 tree::Pattern::Name { name, slot, inner: None, .. } => {
-                    let (name, slot, value) = (name.clone(), *slot, Some(value));
-                    tree::Stmt::Let { name, slot, value, site, mutable: false }
+                    tree::Stmt::Let { name, slot, value: Some(value), site, mutable: false }
                 }
                 pattern => {
-                    let (pattern, otherwise) = (Box::new(pattern.clone()), None);
-                    tree::Stmt::Apart { pattern, value, otherwise, site }
+                    tree::Stmt::Apart { pattern: Box::new(pattern), value, otherwise: None, site }
                 }
             }
         });
-        let stmts = stmts.collect();
-        let block = tree::Block { stmts, tail: Some(Box::new(closure.body.clone())) };
-        if shadowed {
-            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
-        }
-        Some(ExprKind::Block(block))
+        Some(ExprKind::Block(tree::Block { stmts: stmts.collect(), tail: Some(body) }))
     }
 
     /// `core::array::from_fn(|i| …)`: a loop through the array, whose elements the closure gives by their indices.
@@ -161,25 +154,26 @@ impl Lowering<'_> {
             && self.local_name(name) == Some(name)
     }
 
-    /// A closure by its name.
+    /// A closure by its name, as an argument.
     fn closure_value(&mut self, name: &str, span: Span) -> Option<ExprKind> {
-        let closure = self.closure_named(name)?;
-        let (parameters, body) = (closure.parameters.clone(), closure.body.clone());
-        if self.is_shadowed(closure) {
-            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
-        }
-        let body = Box::new(body);
+        let (parameters, body) = self.closure_named(name, span)?;
         Some(ExprKind::Closure(tree::Closure { name: Some(name.to_owned()), parameters, body }))
     }
 
-    fn closure_named(&self, name: &str) -> Option<&Closure> {
+    /// The parameters and the body of a closure, which is used at `span`.
+    fn closure_named(
+        &mut self,
+        name: &str,
+        span: Span,
+    ) -> Option<(Vec<tree::Pattern>, Box<tree::Expr>)> {
         let in_tree = self.local_name(name)?;
-        self.closures.iter().rev().find(|closure| closure.name == in_tree)
-    }
-
-    /// Whether a name that the closure uses means something else by now.
-    fn is_shadowed(&self, closure: &Closure) -> bool {
-        !closure.uses.iter().all(|(count, known)| self.bindings(known) == *count)
+        let closure = self.closures.iter().rev().find(|closure| closure.name == in_tree)?;
+        let found = (closure.parameters.clone(), Box::new(closure.body.clone()));
+        // A name that the closure uses may mean something else by now.
+        if closure.uses.iter().any(|(count, known)| self.bindings(known) != *count) {
+            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
+        }
+        Some(found)
     }
 
     /// The value of a closure's body; `looks` at its parameters come first in the copy.

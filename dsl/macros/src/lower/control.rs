@@ -9,7 +9,7 @@ use super::names::{GENERATING, place, site, span, text};
 use super::walk::Lowering;
 use super::{each, loops, pattern, refuse};
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
         let mut looks = Vec::new();
         let (condition, then) = self.scoped(|walk| {
@@ -108,7 +108,7 @@ impl Lowering<'_> {
             self.refusals.add(limits, refuse::OPEN_RANGE);
         }
         self.scoped(|walk| {
-            let Some(ident) = pattern::simple_name(&it.pat, walk.refusals) else {
+            let Some(ident) = pattern::simple_name(&mut it.pat, &mut walk.refusals) else {
                 walk.block(&mut it.body);
                 return None;
             };
@@ -118,7 +118,6 @@ impl Lowering<'_> {
             if each::is_mutable(&it.pat) {
                 body.stmts.insert(0, each::copied(name.clone(), &name, slot, &ident));
             }
-            pattern::name_wild(&mut it.pat);
             it.body.stmts.insert(0, walk.look(slot, &ident));
             Some(ExprKind::For { label, name, slot, range: Box::new(range?), body })
         })

@@ -16,7 +16,7 @@ use super::names::text;
 use super::syntax::{bare, is_plain, names};
 use super::walk::Lowering;
 
-impl Lowering<'_> {
+impl Lowering {
     /// Puts the ranges that have names in a block where they are gone through.
     pub(super) fn ranges_with_names(&self, stmts: &mut Vec<syn::Stmt>) {
         let mut at = 0;

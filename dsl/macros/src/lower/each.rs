@@ -44,7 +44,7 @@ struct Way {
     cuts: Vec<tree::Cut>,
 }
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn each_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let before = self.refusals.len();

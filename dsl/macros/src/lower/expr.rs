@@ -12,7 +12,7 @@ use super::syntax::{is_variant, last_segment};
 use super::walk::{Lowering, see_in};
 use super::{call, loops, macros, operator, pattern, refuse, signature};
 
-impl Lowering<'_> {
+impl Lowering {
     /// An expression whose value is wanted.
     pub(super) fn value(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         self.lower(expr, true)
@@ -106,7 +106,7 @@ impl Lowering<'_> {
                 (ExprKind::Ref(it.mutability.is_some(), Box::new(inner)), false)
             }
             syn::Expr::Cast(it) => {
-                signature::check_type(&it.ty, self.refusals);
+                signature::check_type(&it.ty, &mut self.refusals);
                 (ExprKind::Cast(Box::new(self.value(&mut it.expr))), true)
             }
             _ => self.control(expr, value),

@@ -47,7 +47,7 @@ pub fn hand_on(
     true
 }
 
-impl Lowering<'_> {
+impl Lowering {
     /// The closure that hands on each item.
     pub(super) fn handing(&mut self, expr: &mut syn::Expr) -> ExprKind {
         let (whole, (pattern, item)) = (expr.clone(), named_item(expr));

@@ -14,7 +14,7 @@ use super::syntax::{is_constructor_name, last_segment};
 use super::walk::{Constant, Lowering, wrap};
 use crate::owned::{associated, of_path};
 
-impl Lowering<'_> {
+impl Lowering {
     /// An argument of a method. There is no telling a constant of small letters from a function: it is taken for one.
     pub(super) fn handed(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         match expr {

@@ -13,7 +13,7 @@ use super::walk::Lowering;
 /// `matches!`, which is a `match`.
 pub(super) const MATCHES: &str = "matches";
 
-impl Lowering<'_> {
+impl Lowering {
     /// Whether a path may be that of a macro of Rust's; where it stands alone, rustc is asked.
     pub(super) fn is_rusts(&mut self, path: &syn::Path) -> bool {
         let Some(ident) = path.get_ident() else {

@@ -15,7 +15,7 @@ use quote::quote_spanned;
 use super::names::{GENERATING, own_name, slot_name, span};
 use super::walk::{Lowering, glance_in, wrap};
 
-impl Lowering<'_> {
+impl Lowering {
     /// An operand: a slot sees its type, unless it is a name, of which the type can be asked as well.
     pub(super) fn operand(
         &mut self,

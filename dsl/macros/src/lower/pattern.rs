@@ -24,25 +24,20 @@ pub(super) fn alone(pattern: &syn::Pat) -> Option<&syn::PatIdent> {
     }
 }
 
-/// The name that a pattern binds, if that is all it does.
-pub fn simple_name(pattern: &syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
+/// The name that a pattern binds, if that is all it does; `_` gets one.
+pub fn simple_name(pattern: &mut syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
     match pattern {
-        syn::Pat::Ident(_) if let Some(it) = alone(pattern) => Some(it.ident.clone()),
-        syn::Pat::Type(it) => simple_name(&it.pat, refusals),
-        syn::Pat::Wild(it) => Some(syn::Ident::new("_unused", it.underscore_token.span)),
+        syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => Some(it.ident.clone()),
+        syn::Pat::Type(it) => simple_name(&mut it.pat, refusals),
+        syn::Pat::Wild(it) => {
+            let name = syn::Ident::new("_unused", it.underscore_token.span);
+            *pattern = parse_quote!(_unused);
+            Some(name)
+        }
         other => {
-            refusals.add(other, refuse::DESTRUCTURING);
+            refusals.add(&*other, refuse::DESTRUCTURING);
             None
         }
-    }
-}
-
-/// Gives `_` the name that [`simple_name`] has for it.
-pub fn name_wild(pattern: &mut syn::Pat) {
-    match pattern {
-        syn::Pat::Wild(_) => *pattern = syn::parse_quote!(_unused),
-        syn::Pat::Type(it) => name_wild(&mut it.pat),
-        _ => {}
     }
 }
 
@@ -83,7 +78,7 @@ pub(super) fn brace_variants(pattern: &mut syn::Pat) {
     Braces.visit_pat_mut(pattern);
 }
 
-impl Lowering<'_> {
+impl Lowering {
     /// Whether an expression names a place, as far as its syntax shows: no copy is matched in its stead.
     pub(super) fn is_place(&self, expr: &syn::Expr) -> bool {
         match expr {

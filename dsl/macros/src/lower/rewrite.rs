@@ -17,7 +17,7 @@ use super::{macros, refuse, sort};
 /// The modules of core whose functions have companions, and these functions.
 const OF_CORE: [(&str, [&str; 2]); 2] = [("mem", ["swap", "replace"]), ("cmp", ["max", "min"])];
 
-impl Lowering<'_> {
+impl Lowering {
     /// The expansion of an expression; none if it stands for itself.
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
@@ -91,18 +91,20 @@ impl Lowering<'_> {
         // An end is read before the value is computed, which may change it.
         let stays = |end: &syn::Expr| is_plain(end) && !may_change(&value, end);
         let all_plain = ends.iter().flatten().all(stays);
-        let mut named = |name: &str, expr: syn::Expr| -> syn::Expr {
-            let name = fresh(name);
+        let mut named = |name: syn::Ident, expr: syn::Expr| -> syn::Expr {
             names.push(parse_quote! { let #name = #expr; });
             parse_quote! { #name }
         };
         let [low, high] = match ends {
             ends if all_plain => ends,
-            [low, high] => [low.map(|it| named("low", it)), high.map(|it| named("high", it))],
+            [low, high] => [
+                low.map(|low| named(fresh("low"), low)),
+                high.map(|high| named(fresh("high"), high)),
+            ],
         };
         let value = match low.is_none() || high.is_none() || is_plain(&value) {
             true => value,
-            false => named("value", value),
+            false => named(fresh("value"), value),
         };
         let below = match range.limits {
             syn::RangeLimits::HalfOpen(_) => quote! { < },

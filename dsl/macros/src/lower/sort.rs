@@ -67,7 +67,8 @@ fn sorting(it: &syn::ExprMethodCall) -> Option<(By, syn::ExprClosure)> {
 
 /// Names for two elements that stand nowhere in what they are put beside.
 fn two_beside(beside: &impl ToTokens) -> [syn::Ident; 2] {
-    ["one", "other"].map(|name| fresh(name, |name| names(beside, name)))
+    let is_taken = |name: &str| names(beside, name);
+    [fresh("one", is_taken), fresh("other", is_taken)]
 }
 
 fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {

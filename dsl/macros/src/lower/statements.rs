@@ -11,7 +11,7 @@ use super::syntax::bare;
 use super::walk::Lowering;
 use super::{pattern, refuse, signature};
 
-impl Lowering<'_> {
+impl Lowering {
     /// Lowers a block; its locals end with it.
     pub fn block(&mut self, block: &mut syn::Block) -> tree::Block {
         self.scoped(|walk| walk.statements(&mut block.stmts))
@@ -86,7 +86,7 @@ impl Lowering<'_> {
             return None;
         }
         if let syn::Pat::Type(typed) = &local.pat {
-            signature::check_type(&typed.ty, self.refusals);
+            signature::check_type(&typed.ty, &mut self.refusals);
         }
         match apart {
             true => self.apart(local, looks),
@@ -105,9 +105,8 @@ impl Lowering<'_> {
             self.refusals.add(&init.expr, refuse::RANGE_VALUE);
         }
         let value = local.init.as_mut().map(|init| self.value(&mut init.expr));
-        let ident = pattern::simple_name(&local.pat, self.refusals)?;
+        let ident = pattern::simple_name(&mut local.pat, &mut self.refusals)?;
         let (slot, mutable) = (self.slot(), is_mutable(&local.pat));
-        pattern::name_wild(&mut local.pat);
         let name = self.bind_here(&text(&ident));
         if value.is_some() {
             looks.push(self.look(slot, &ident));

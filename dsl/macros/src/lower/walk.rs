@@ -10,9 +10,10 @@ use super::names::{GENERATING, UNIT, slot_name, span, text};
 use super::refuse::{Place, Reason, Refusals};
 
 /// The walk over one function.
-pub struct Lowering<'a> {
+#[derive(Default)]
+pub struct Lowering {
     /// The refusals so far.
-    pub refusals: &'a mut Refusals,
+    pub refusals: Refusals,
     /// The locals in scope: the author's name, and that in the tree.
     pub(super) scopes: Vec<Vec<(String, String)>>,
     /// The closures that have a name, by it.
@@ -85,31 +86,11 @@ pub struct Closure {
     pub(super) uses: Vec<(usize, String)>,
 }
 
-impl<'a> Lowering<'a> {
+impl Lowering {
     /// A walk over the function or method called `name`, with nothing seen yet.
-    pub fn new(name: &syn::Ident, method: bool, refusals: &'a mut Refusals) -> Lowering<'a> {
-        Lowering {
-            refusals,
-            scopes: vec![Vec::new()],
-            closures: Vec::new(),
-            called: Vec::new(),
-            apart: None,
-            slots: 0,
-            callees: 0,
-            operators: Vec::new(),
-            chained: false,
-            sides: [None, None],
-            before: Vec::new(),
-            begins: Vec::new(),
-            constants: Vec::new(),
-            macros: Vec::new(),
-            items: Vec::new(),
-            name: text(name),
-            method,
-            lent: false,
-            leaves: None,
-            mutable: Vec::new(),
-        }
+    pub fn new(name: &syn::Ident, method: bool, refusals: Refusals) -> Lowering {
+        let (scopes, name) = (vec![Vec::new()], text(name));
+        Lowering { refusals, scopes, name, method, ..Lowering::default() }
     }
 
     /// Refuses what stands at `place`; gives what stands for it.
