@@ -3,9 +3,9 @@
 //! A builder holds the witness copy of the body ([`crate::witness`]), and hands on the tree with the types that its slots
 //! were given. It is emitted in generation builds only; the refusals come in every build.
 
-use bessemer_ir::tree::{FunctionTree, Param, Role};
+use bessemer_ir::tree::{FunctionTree, Role};
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use crate::attributes::{self, Asked};
 use crate::closures;
@@ -13,7 +13,7 @@ use crate::docs;
 use crate::generics::Scope;
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 use crate::owned;
-use crate::place::place;
+use crate::place::{named, registered};
 use crate::witness::{Copy, result_type};
 
 /// A function as the author wrote it.
@@ -30,6 +30,16 @@ pub struct Subject<'a> {
     pub asked: Asked,
     /// Where it stands.
     pub home: Home<'a>,
+}
+
+impl<'a> Subject<'a> {
+    /// A method, of which `asked` is asked.
+    pub fn of(method: &'a syn::ImplItemFn, asked: Asked, home: Home<'a>) -> Subject<'a> {
+        let syn::ImplItemFn {
+            attrs: attributes, vis: visibility, sig: signature, block: body, ..
+        } = method;
+        Subject { attributes, visibility, signature, body, asked, home }
+    }
 }
 
 /// Where a function stands.
@@ -62,7 +72,9 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let call = format_ident!("__call", span = name.span());
     let marker = &function_marker(name, scope);
     let declared = scope.is_generic().then(|| declare_marker(marker, scope));
-    let companion = companion(subject, &call, marker, scope, &parts);
+    let arguments = scope.arguments();
+    let bounds = subject.signature.generics.where_clause.to_token_stream();
+    let companion = companion(subject, &call, (&quote! { #marker #arguments }, &bounds), &parts);
     let callee = callee(&quote! { #name }, marker, scope, None, &subject.signature.ident);
     let register = (!rewritten).then(|| register(name, marker, scope));
     let builder = parts.builder;
@@ -94,10 +106,13 @@ pub fn method(
     let declared = declare_marker(&marker, scope);
     // A function of which calls are redirected by its type's name has a companion of the other name as well.
     let turns = lower::last_ident(owner).and_then(|owner| owned::of_turns(owner, name));
+    let arguments = scope.arguments();
+    let called = quote! { #marker #arguments };
+    let bounds = subject.signature.generics.where_clause.to_token_stream();
     let companions = [Some(name.clone()), turns]
         .into_iter()
         .flatten()
-        .map(|name| companion(subject, &lower::companion_name(&name), &marker, scope, &parts));
+        .map(|name| companion(subject, &lower::companion_name(&name), (&called, &bounds), &parts));
     let bound = owner_bound(scope, &quote! { #owner });
     let callee = callee(&quote! { <#owner> }, &marker, scope, bound, name);
     let register = register(name, &marker, scope);
@@ -125,7 +140,7 @@ pub fn function_marker(name: &syn::Ident, scope: Scope<'_>) -> syn::Ident {
 }
 
 /// The type that stands for the function in slots.
-fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
+pub fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     let (parameters, types) = (scope.unbounded(), scope.types());
     quote! {
         #[doc(hidden)]
@@ -134,22 +149,19 @@ fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     }
 }
 
-/// The companion that callers' witness copies call.
-fn companion(
+/// The companion that callers' witness copies call, of a function that `marker` stands for.
+pub fn companion(
     subject: &Subject<'_>,
     name: &syn::Ident,
-    marker: &syn::Ident,
-    scope: Scope<'_>,
+    (marker, bounds): (&TokenStream, &TokenStream),
     parts: &Parts,
 ) -> TokenStream {
     let Parts { parameters, result, .. } = parts;
-    let generics = &subject.signature.generics;
-    let (arguments, bounds) = (scope.arguments(), &generics.where_clause);
-    let visibility = subject.visibility;
+    let (generics, visibility) = (&subject.signature.generics, subject.visibility);
     quote! {
         #[doc(hidden)]
         #[allow(clippy::too_many_arguments, unused_variables, non_snake_case)]
-        #visibility fn #name #generics(#(#parameters),*) -> ::bessemer::generate::Called<#marker #arguments, #result>
+        #visibility fn #name #generics(#(#parameters),*) -> ::bessemer::generate::Called<#marker, #result>
         #bounds
         {
             ::core::unreachable!()
@@ -158,7 +170,7 @@ fn companion(
 }
 
 /// How a marker builds its function.
-fn callee(
+pub fn callee(
     owner: &TokenStream,
     marker: &syn::Ident,
     scope: Scope<'_>,
@@ -169,6 +181,7 @@ fn callee(
     let bounds = scope.value_bounds(bound);
     let (build, own) = (build_name(name), scope.own().turbofish());
     quote! {
+        #[allow(private_bounds)]
         impl #declared ::bessemer::generate::Callee for #marker #arguments #bounds {
             fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
                 #owner::#build #own(cx)
@@ -183,13 +196,7 @@ fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenSt
     if scope.is_generic() {
         return TokenStream::new();
     }
-    let lower::Site(line, column) = lower::site(name);
-    let place = place();
-    quote! {
-        ::bessemer::generate::register! {
-            ::bessemer::generate::Registered::new(#place, (#line, #column), ::bessemer::generate::function::<#marker>)
-        }
-    }
+    registered(name, &quote! { ::bessemer::generate::function::<#marker> })
 }
 
 /// The parts of a companion.
@@ -227,35 +234,27 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     if is_entry && scope.own().is_generic() {
         refusals.add(&subject.signature.generics, refuse::ENTRY_GENERIC);
     }
-    let parameters = lower::parameters(signature, refusals);
-    let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
+    let mut parameters = lower::parameters(signature, refusals);
+    let mut walk = Lowering::new(&signature.ident, subject.is_method(), std::mem::take(refusals));
     walk.mutable = lower::mutable_names(signature, &copy);
-    let mut params = Vec::new();
-    for parameter in &parameters {
-        if parameter.items && outside {
-            walk.refusals.add(parameter.place, refuse::ITERATOR_OUTSIDE);
-        } else if open && parameter.closure {
-            walk.refusals.add(&parameter.ident, refuse::INTERFACE_CLOSURE);
-        } else if is_entry && parameter.closure {
-            walk.refusals.add(parameter.place, refuse::ENTRY_CLOSURE);
+    for Parameter { param, ident, place, .. } in &mut parameters {
+        if param.items && outside {
+            walk.refusals.add(*place, refuse::ITERATOR_OUTSIDE);
+        } else if open && param.closure {
+            walk.refusals.add(&*ident, refuse::INTERFACE_CLOSURE);
+        } else if is_entry && param.closure {
+            walk.refusals.add(*place, refuse::ENTRY_CLOSURE);
         }
-        walk.bind(&parameter.name);
-        walk.called.extend(parameter.closure.then(|| parameter.name.clone()));
-        params.push(Param {
-            name: parameter.name.clone(),
-            slot: walk.slot(),
-            site: parameter.site,
-            closure: parameter.closure,
-            items: parameter.items,
-            mutable: parameter.mutable,
-        });
+        walk.bind(&param.name);
+        walk.called.extend(param.closure.then(|| param.name.clone()));
+        param.slot = walk.slot();
     }
     if lower::gives_reference(signature) {
-        check_lending(subject, &parameters, walk.refusals);
+        check_lending(subject, &parameters, &mut walk.refusals);
     }
     let result = walk.slot();
     let signature_refused = walk.refusals.len();
-    let expands = generates || parameters.iter().any(|parameter| parameter.items);
+    let expands = generates || parameters.iter().any(|it| it.param.items);
     let body = match expands && !generates {
         true => walk.expanded_body(&mut copy, (signature, result)),
         false => walk.block(&mut copy),
@@ -270,7 +269,8 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         // What the signature does not take, the body goes on with.
         walk.refusals.forget_since(signature_refused);
     }
-    if !walk.refusals.is_empty() || !lower::GENERATING {
+    *refusals = std::mem::take(&mut walk.refusals);
+    if !refusals.is_empty() || !lower::GENERATING {
         return None;
     }
     let tree = FunctionTree {
@@ -279,7 +279,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         docs: docs::lines(subject.attributes),
         role: if expands { Role::Expanded } else { subject.asked.role },
         attributes: subject.asked.attributes.clone(),
-        params,
+        params: parameters.iter().map(|it| it.param.clone()).collect(),
         result,
         body,
         operators: std::mem::take(&mut walk.operators),
@@ -305,7 +305,7 @@ fn check_lending(subject: &Subject<'_>, parameters: &[Parameter], refusals: &mut
     if !lower::lends(subject.signature) {
         return;
     }
-    if parameters.iter().any(|parameter| parameter.closure) {
+    if parameters.iter().any(|it| it.param.closure) {
         refusals.add(ty, refuse::LENT_CLOSURE);
     }
 }
@@ -321,11 +321,10 @@ fn builder(
     scope: Scope<'_>,
     tree: &FunctionTree,
     parameters: &[Parameter],
-    walk: &Lowering<'_>,
+    walk: &Lowering,
     (signature, copy): (&syn::Signature, &syn::Block),
 ) -> TokenStream {
-    let witness =
-        Copy { parameters, params: &tree.params, result: tree.result, signature, body: copy };
+    let witness = Copy { parameters, result: tree.result, signature, body: copy };
     let rewritten = subject.asked.role == Role::Rewritten;
     let parts = (!rewritten).then(|| witness.parts(walk));
     let items = &walk.items;
@@ -333,7 +332,7 @@ fn builder(
     // The tree is plain data: writing it cannot fail.
     let text = serde_json::to_string(tree).unwrap_or_default();
     let build = build_name(&subject.signature.ident);
-    let name = lower::text(&subject.signature.ident);
+    let named = named(&subject.signature.ident);
     let owner = if subject.is_method() {
         quote! { ::core::option::Option::Some(<Self as ::bessemer::generate::DslType>::ty(cx)) }
     } else {
@@ -367,8 +366,7 @@ fn builder(
             let owner = #owner;
             let generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface };
             cx.function(
-                ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #name },
-                owner, generics, #text, &witness,
+                #named, owner, generics, #text, &witness,
             )
         }
     }

@@ -56,7 +56,7 @@ pub fn without(generics: &syn::Generics) -> syn::Generics {
 }
 
 /// The bounds on the type called `name`.
-fn bounds_of<'g>(
+pub fn bounds_of<'g>(
     generics: &'g syn::Generics,
     name: &'g syn::Ident,
 ) -> impl Iterator<Item = &'g TypeParamBound> {
@@ -66,17 +66,17 @@ fn bounds_of<'g>(
     });
     let clause = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
     let further = clause.filter_map(move |predicate| match predicate {
-        WherePredicate::Type(it) if bounded(predicate) == Some(name) => Some(&it.bounds),
+        WherePredicate::Type(it) if bounded(predicate)?.is_ident(name) => Some(&it.bounds),
         _ => None,
     });
     own.chain(further).flatten()
 }
 
-/// The name that a predicate is about.
-fn bounded(predicate: &WherePredicate) -> Option<&syn::Ident> {
+/// The type that a predicate bounds.
+fn bounded(predicate: &WherePredicate) -> Option<&syn::Path> {
     match predicate {
         WherePredicate::Type(it) => match &it.bounded_ty {
-            syn::Type::Path(it) => it.path.get_ident(),
+            syn::Type::Path(it) => Some(&it.path),
             _ => None,
         },
         _ => None,
@@ -85,13 +85,7 @@ fn bounded(predicate: &WherePredicate) -> Option<&syn::Ident> {
 
 /// The name that a predicate is about, or about a part of: `I::IntoIter: Clone` is about `I`.
 fn about(predicate: &WherePredicate) -> Option<&syn::Ident> {
-    match predicate {
-        WherePredicate::Type(it) => match &it.bounded_ty {
-            syn::Type::Path(it) => it.path.segments.first().map(|first| &first.ident),
-            _ => None,
-        },
-        _ => None,
-    }
+    bounded(predicate)?.segments.first().map(|first| &first.ident)
 }
 
 fn of_bound(bound: &TypeParamBound) -> Option<StandsFor> {

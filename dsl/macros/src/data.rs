@@ -13,7 +13,6 @@ use crate::attributes;
 use crate::builder::{self, Home, Subject};
 use crate::closures;
 use crate::docs;
-use crate::function::refuse_body;
 use crate::generics::Scope;
 use crate::given::{self, On};
 use crate::instance;
@@ -21,7 +20,7 @@ use crate::interface;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::owned;
-use crate::place::place;
+use crate::place;
 use crate::redirect;
 use crate::sizes;
 use crate::table;
@@ -237,21 +236,9 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
 
 /// A generic component announces itself: without an instance it has no C, of which its author is told.
 fn template(name: &syn::Ident) -> TokenStream {
-    let lower::Site(line, column) = lower::site(name);
-    let text = lower::text(name);
-    let place = place();
-    quote! {
-        ::bessemer::generate::register! {
-            ::bessemer::generate::Registered::new(
-                #place,
-                (#line, #column),
-                |cx: &mut ::bessemer::generate::Builder| cx.template(
-                    ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                    (#line, #column),
-                ),
-            )
-        }
-    }
+    let (named, site) = (place::named(name), place::site(name));
+    let build = quote! { |cx: &mut ::bessemer::generate::Builder| cx.template(#named, #site) };
+    place::registered(name, &build)
 }
 
 /// A type that has an order by its parts, or by its number.
@@ -313,20 +300,13 @@ fn definition(
     let docs = docs::lines(attributes);
     let (equal, ordered) = (derives("PartialEq", attributes), derives("PartialOrd", attributes));
     let given = said(attributes, On::Type);
-    let lower::Site(line, column) = lower::site(name);
-    let text = lower::text(name);
+    let (named, site) = (place::named(name), place::site(name));
     let (declared, arguments, told) = (scope.declared(), scope.applied(), scope.told());
     let lasting = scope.lasting();
     let held = scope.types().filter(|_| scope.lifetimes().next().is_some());
     let outer = scope.bounds(held.map(|name| quote! { #name: 'static }));
-    let registered = (!scope.is_generic()).then(|| {
-        let place = place();
-        quote! {
-            ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(#place, (#line, #column), ::bessemer::generate::data::<#name #lasting>)
-            }
-        }
-    });
+    let registered = (!scope.is_generic())
+        .then(|| place::registered(name, &quote! { ::bessemer::generate::data::<#name #lasting> }));
     quote! {
         const _: () = {
             impl #declared ::bessemer::generate::Seen for #name #arguments #outer {
@@ -337,8 +317,7 @@ fn definition(
                 fn ty(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Ty {
                     let arguments = #told;
                     cx.definition(
-                        ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                        &[#(#docs),*], (#line, #column), arguments, (#equal, #ordered, #given),
+                        #named, &[#(#docs),*], #site, arguments, (#equal, #ordered, #given),
                         &|cx: &mut ::bessemer::generate::Builder| #kind,
                     )
                 }
@@ -525,14 +504,7 @@ fn methods(
         let mut refusals = Refusals::default();
         let asked = attributes::of_own_method(kind, method, &mut refusals);
         let role = asked.role;
-        let subject = Subject {
-            attributes: &method.attrs,
-            visibility: &method.vis,
-            signature: &method.sig,
-            body: &method.block,
-            asked,
-            home: Home::Block,
-        };
+        let subject = Subject::of(method, asked, Home::Block);
         beside.extend(builder::method(&it.self_ty, &it.generics, &subject, &mut refusals));
         let own = closures::without(&method.sig.generics);
         let generic = Scope::of_function(&own).is_generic();
@@ -545,12 +517,8 @@ fn methods(
             faces.push(builder::build_name(&method.sig.ident));
         }
         owned.extend(alias(&it.self_ty, method));
-        if refusals.is_empty() {
-            let scope = Scope::of_type(&it.generics).with_method(&method.sig.generics);
-            redirect::block(&mut method.block, scope);
-        } else {
-            refuse_body(&mut method.attrs, &mut method.block, refusals);
-        }
+        let scope = Scope::of_type(&it.generics).with_method(&method.sig.generics);
+        redirect::native((&mut method.attrs, &mut method.block), scope, refusals);
     }
     it.items.extend(owned);
     if !more {

@@ -87,11 +87,8 @@ fn marked(
         #[allow(non_camel_case_types, dead_code)]
         #visibility struct #name {}
     };
-    if refusals.is_empty() {
-        redirect::block(&mut function.block, Scope::of_function(&function.sig.generics));
-    } else {
-        refuse_body(&mut function.attrs, &mut function.block, refusals);
-    }
+    let scope = Scope::of_function(&function.sig.generics);
+    redirect::native((&mut function.attrs, &mut function.block), scope, refusals);
     let function = function.into_token_stream();
     quote! { #function #carrier #builder }
 }
@@ -99,15 +96,4 @@ fn marked(
 fn with_errors(refusals: Refusals, item: TokenStream) -> TokenStream {
     let errors = refusals.into_tokens();
     quote! { #errors #item }
-}
-
-/// Puts the errors in place of the body: rustc has nothing to add to what was refused, and callers
-/// still find the function.
-pub fn refuse_body(
-    attributes: &mut Vec<syn::Attribute>,
-    body: &mut syn::Block,
-    refusals: Refusals,
-) {
-    attributes.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
-    body.stmts = vec![syn::Stmt::Expr(syn::Expr::Verbatim(refusals.into_tokens()), None)];
 }

@@ -7,6 +7,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::GenericParam;
 
+use crate::closures::bounds_of;
 use crate::lower;
 
 /// The parameters in the scope of a function, or of a type.
@@ -206,20 +207,10 @@ impl<'a> Scope<'a> {
     /// Whether nalgebra's `RealField` is asked of a type, which then is one of the DSL's floats.
     fn is_real(self, name: &syn::Ident) -> bool {
         let real = ["RealField", "ComplexField"].map(str::to_owned);
-        let own = self.params().filter_map(|param| match param {
-            GenericParam::Type(it) if it.ident == *name => Some(it.bounds.to_token_stream()),
-            _ => None,
-        });
-        let both = self.outer.into_iter().chain(self.own);
-        let clauses = both.filter_map(|generics| generics.where_clause.as_ref());
-        let further = clauses.flat_map(|clause| &clause.predicates).filter_map(|it| match it {
-            syn::WherePredicate::Type(it) => {
-                let about = *name == it.bounded_ty.to_token_stream().to_string();
-                about.then(|| it.bounds.to_token_stream())
-            }
-            _ => None,
-        });
-        own.chain(further).any(|bounds| mentions(bounds, &real))
+        let mut both = self.outer.into_iter().chain(self.own);
+        both.any(|generics| {
+            bounds_of(generics, name).any(|bound| mentions(bound.to_token_stream(), &real))
+        })
     }
 
     /// What a generation build asks of a type besides its author.

@@ -8,7 +8,7 @@ use crate::docs;
 use crate::generics::Scope;
 use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
-use crate::place::place;
+use crate::place;
 
 /// The methods that an instance with a name of its own shows to C: those of a generic block, by the names of
 /// their builders. Two such blocks would leave open which.
@@ -49,25 +49,20 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     if !refusals.is_empty() || !lower::GENERATING {
         return TokenStream::new();
     }
-    let (name, text) = (&it.ident, lower::text(&it.ident));
-    let docs = docs::lines(&it.attrs);
-    let lower::Site(line, column) = lower::site(name);
-    let place = place();
-    quote! {
-        const _: () = {
-            ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(#place, (#line, #column), |cx| {
-                    #[allow(unused_imports)]
-                    use ::bessemer::generate::WithoutEntries as _;
-                    cx.alias::<#name>(
-                        ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                        &[#(#docs),*], (#line, #column), #given,
-                    );
-                    let instance = ::bessemer::generate::Instance::<#name>::new();
-                    instance.build_entries(cx);
-                    instance.build_further_entries(cx);
-                })
+    let (name, docs) = (&it.ident, docs::lines(&it.attrs));
+    let (named, site) = (place::named(name), place::site(name));
+    let registered = place::registered(
+        name,
+        &quote! {
+            |cx| {
+                #[allow(unused_imports)]
+                use ::bessemer::generate::WithoutEntries as _;
+                cx.alias::<#name>(#named, &[#(#docs),*], #site, #given);
+                let instance = ::bessemer::generate::Instance::<#name>::new();
+                instance.build_entries(cx);
+                instance.build_further_entries(cx);
             }
-        };
-    }
+        },
+    );
+    quote! { const _: () = { #registered }; }
 }

@@ -10,14 +10,13 @@ use syn::spanned::Spanned;
 
 use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
-use crate::function::refuse_body;
 use crate::generics::Scope;
 use crate::instance;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::operators;
 use crate::owned;
-use crate::place::place;
+use crate::place;
 use crate::redirect;
 
 /// `#[interface]`.
@@ -86,10 +85,10 @@ fn native(
     generics: &syn::Generics,
 ) {
     match &mut method.default {
-        Some(body) if refusals.is_empty() => {
-            redirect::block(body, Scope::of_type(generics).with_method(&method.sig.generics));
+        Some(body) => {
+            let scope = Scope::of_type(generics).with_method(&method.sig.generics);
+            redirect::native((&mut method.attrs, body), scope, refusals);
         }
-        Some(body) => refuse_body(&mut method.attrs, body, refusals),
         None if refusals.is_empty() => {}
         None => {
             let errors = refusals.into_tokens();
@@ -127,19 +126,10 @@ impl Method<'_> {
         let parts = builder::lower(&subject, scope, refusals)?;
         let name = &signature.ident;
         let marker = format_ident!("__{}_{}", interface, lower::text(name));
-        let companion_name = lower::companion_name(name);
-        let (parameters, result) = (&parts.parameters, &parts.result);
-        let (own, clause) = (&signature.generics, scope.own().bounds([quote! { Self: Sized }]));
         let arguments = scope.arguments_of_self();
-        let companion = syn::parse_quote! {
-            #[doc(hidden)]
-            #[allow(clippy::too_many_arguments, unused_variables, non_snake_case)]
-            fn #companion_name #own(#(#parameters),*) -> ::bessemer::generate::Called<#marker #arguments, #result>
-            #clause
-            {
-                ::core::unreachable!()
-            }
-        };
+        let clause = scope.own().bounds([quote! { Self: Sized }]);
+        let called = (&quote! { #marker #arguments }, &clause);
+        let companion = builder::companion(&subject, &lower::companion_name(name), called, &parts);
         let build = builder::build_name(name);
         let build_item = if method.default.is_some() {
             syn::parse2(parts.builder).ok()?
@@ -147,37 +137,24 @@ impl Method<'_> {
             let (declared, bounds) =
                 (scope.own().declared(), builder::build_bounds(&subject, scope));
             let told = format!("{interface}::{}", lower::text(name));
-            let lower::Site(line, column) = lower::site(name);
+            let site = place::site(name);
             syn::parse_quote! {
                 #[doc(hidden)]
                 fn #build #declared(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee
                 #bounds
                 {
-                    cx.unmarked::<Self>(#told, ::core::file!(), (#line, #column))
+                    cx.unmarked::<Self>(#told, ::core::file!(), #site)
                 }
             }
         };
         let trait_arguments = scope.outer().applied();
         let this = syn::parse_quote!(__S: #interface #trait_arguments);
         let open = scope.with_implementor(&this);
-        let (unbounded, types) = (open.unbounded(), open.types());
-        let (declared, arguments, bounds) =
-            (open.declared(), open.arguments(), open.value_bounds([]));
-        let turbofish = scope.own().turbofish();
-        let beside = quote! {
-            #[doc(hidden)]
-            #[allow(non_camel_case_types)]
-            pub struct #marker #unbounded(::core::marker::PhantomData<fn() -> (#(#types,)*)>);
-            const _: () = {
-                #[allow(private_bounds)]
-                impl #declared ::bessemer::generate::Callee for #marker #arguments #bounds {
-                    fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
-                        <__S as #interface #trait_arguments>::#build #turbofish(cx)
-                    }
-                }
-            };
-        };
-        Some((vec![companion, build_item], beside))
+        let declared = builder::declare_marker(&marker, open);
+        let owner = quote! { <__S as #interface #trait_arguments> };
+        let callee = builder::callee(&owner, &marker, open, None, name);
+        let beside = quote! { #declared const _: () = { #callee }; };
+        Some((vec![syn::parse_quote!(#companion), build_item], beside))
     }
 }
 
@@ -213,30 +190,19 @@ pub fn implementation(
         let mut refusals = Refusals::default();
         let asked = attributes::of_method(kind, method, &mut refusals);
         let role = asked.role;
-        let subject = Subject {
-            attributes: &method.attrs,
-            visibility: &method.vis,
-            signature: &method.sig,
-            body: &method.block,
-            asked,
-            home: Home::Implementation(&path),
-        };
+        let subject = Subject::of(method, asked, Home::Implementation(&path));
         let scope = Scope::of_type(&it.generics).with_method(&method.sig.generics);
         let build = builder::build_name(&method.sig.ident);
         if let Some(parts) = builder::lower(&subject, scope, &mut refusals) {
             hidden.extend(syn::parse2(parts.builder).ok());
             if !scope.own().is_generic() {
-                builds.push((lower::site(&method.sig.ident), build.clone()));
+                builds.push((method.sig.ident.clone(), build.clone()));
             }
         }
         if matches!(role, Role::Entry { .. }) && !scope.own().is_generic() {
             faces.push(build);
         }
-        if refusals.is_empty() {
-            redirect::block(&mut method.block, scope);
-        } else {
-            refuse_body(&mut method.attrs, &mut method.block, refusals);
-        }
+        redirect::native((&mut method.attrs, &mut method.block), scope, refusals);
     }
     it.items.extend(hidden);
     let scope = Scope::of_type(&it.generics);
@@ -244,7 +210,11 @@ pub fn implementation(
     beside.extend(instance::one_block(&it, &faces));
     if !scope.is_generic() {
         let (owner, path) = (lower::lasting_type(&it.self_ty), lower::lasting_path(&path));
-        beside.extend(builds.iter().map(|build| register(&owner, &path, build)));
+        beside.extend(builds.iter().map(|(name, build)| {
+            let build = quote! { |cx| { <#owner as #path>::#build(cx); } };
+            let registered = place::registered(name, &build);
+            quote! { const _: () = { #registered }; }
+        }));
     } else if lower::GENERATING {
         let values = scope.types().map(|name| scope.value(name)).map(|it| syn::parse_quote!(#it));
         let values: Vec<syn::WherePredicate> = values.collect();
@@ -265,23 +235,6 @@ fn marked(scope: Scope<'_>, owner: &syn::Type, path: &syn::Path) -> TokenStream 
         const _: () = {
             #[allow(dead_code)]
             fn ask #declared() #bounds { #ask }
-        };
-    }
-}
-
-fn register(
-    owner: &syn::Type,
-    path: &syn::Path,
-    (lower::Site(line, column), build): &(lower::Site, syn::Ident),
-) -> TokenStream {
-    let place = place();
-    quote! {
-        const _: () = {
-            ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(#place, (#line, #column), |cx| {
-                    <#owner as #path>::#build(cx);
-                })
-            }
         };
     }
 }

@@ -11,11 +11,10 @@ use syn::visit_mut::{self, VisitMut};
 
 use crate::attributes;
 use crate::builder::{self, Home, Subject};
-use crate::function::refuse_body;
 use crate::generics::Scope;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
-use crate::place::place;
+use crate::place;
 use crate::redirect;
 
 /// A trait whose implementations are called by something else than their name.
@@ -83,18 +82,10 @@ pub fn implementation(
         let syn::ImplItem::Fn(method) = item else { continue };
         let mut own = Refusals::default();
         let asked = attributes::of_method(kind, method, &mut own);
-        let (mut signature, mut body) = (method.sig.clone(), method.block.clone());
         let mut named = Named(&named);
-        named.visit_signature_mut(&mut signature);
-        named.visit_block_mut(&mut body);
-        let subject = Subject {
-            attributes: &method.attrs,
-            visibility: &method.vis,
-            signature: &signature,
-            body: &body,
-            asked,
-            home: Home::OfRust(&path),
-        };
+        let mut copy = method.clone();
+        named.visit_impl_item_fn_mut(&mut copy);
+        let subject = Subject::of(&copy, asked, Home::OfRust(&path));
         let parts = builder::lower(&subject, Scope::of_type(&it.generics), &mut own);
         if let Some(parts) = parts.filter(|_| refusals.is_empty()) {
             let generics = &it.generics;
@@ -102,11 +93,8 @@ pub fn implementation(
                 Beside { owner: &it.self_ty, path: &path, other: &other, method, generics };
             beside.extend(beside_it.items(known, parts.builder, &named));
         }
-        if own.is_empty() {
-            redirect::block(&mut method.block, Scope::of_type(&it.generics));
-        } else {
-            refuse_body(&mut method.attrs, &mut method.block, own);
-        }
+        let scope = Scope::of_type(&it.generics);
+        redirect::native((&mut method.attrs, &mut method.block), scope, own);
     }
     (it.into_token_stream(), beside)
 }
@@ -187,31 +175,25 @@ impl Beside<'_> {
         let scope = Scope::of_type(generics);
         let (declared, bounds) = (scope.declared(), scope.value_bounds([]));
         let registered = (!scope.is_generic()).then(|| self.registered(&name, &sign));
-        let marker =
-            quote! { type Marker = ::bessemer::generate::Operation<#sign, #owner, #other>; };
-        let called = match known {
-            Known::Conversion => self.companion(&name, &marker, named),
-            Known::Gathering => {
-                let of = format_ident!("{name}Builtin", span = Span::call_site());
-                quote! {
-                    impl #declared ::bessemer::generate::#of<#other> for #owner #bounds {
-                        #marker
-                    }
-                }
-            }
-            Known::Operator => quote! {
-                impl #declared ::bessemer::generate::Operates<#sign, #other> for #owner #bounds {
-                    #marker
-                }
-            },
+        // Of what is converted, the copy also asks for the type of the error.
+        let error = named.0.iter().find(|(it, _)| name == "TryFrom" && it == "Error");
+        let error = error.map(|(_, ty)| quote! { type Error = #ty; });
+        let (found, arguments) = match known {
+            Known::Operator => ("Operates".to_owned(), quote! { #sign, #other }),
+            Known::Conversion if error.is_none() => ("FromBuiltin".to_owned(), quote! { #other }),
+            _ => (format!("{name}Builtin"), quote! { #other }),
         };
+        let found = format_ident!("{found}", span = Span::call_site());
         Some(quote! {
             const _: () = {
                 #[allow(private_bounds)]
                 impl #declared #implements for #owner #bounds {
                     #builder
                 }
-                #called
+                impl #declared ::bessemer::generate::#found<#arguments> for #owner #bounds {
+                    type Marker = ::bessemer::generate::Operation<#sign, #owner, #other>;
+                    #error
+                }
                 #registered
             };
         })
@@ -220,45 +202,20 @@ impl Beside<'_> {
     /// The item that announces it to its package, and to those who know the types only in the end; of something generic, its
     /// instances are built where they are called.
     fn registered(&self, name: &str, sign: &TokenStream) -> TokenStream {
-        let lower::Site(line, column) = lower::site(&self.method.sig.ident);
         let [owner, other] = [self.owner, self.other].map(lower::lasting_type);
-        let implements = quote! { ::bessemer::generate::Implements<#sign, #other> };
-        let place = place();
+        let build = quote! { <#owner as ::bessemer::generate::Implements<#sign, #other>>::build };
+        let registered =
+            place::registered(&self.method.sig.ident, &quote! { |cx| { #build(cx); } });
         quote! {
-            ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(#place, (#line, #column), |cx| {
-                    <#owner as #implements>::build(cx);
-                })
-            }
+            #registered
             ::bessemer::generate::register! {
                 ::bessemer::generate::OwnOperator {
                     name: #name,
                     left: <#owner as ::bessemer::generate::DslType>::ty,
                     right: <#other as ::bessemer::generate::DslType>::ty,
-                    build: <#owner as #implements>::build,
+                    build: #build,
                 }
             }
-        }
-    }
-
-    /// The companions that callers' witness copies call in place of `from` and `try_from`.
-    fn companion(&self, of: &str, marker: &TokenStream, named: &Named<'_>) -> TokenStream {
-        let Beside { owner, other, generics, .. } = self;
-        let scope = Scope::of_type(generics);
-        let (declared, bounds) = (scope.declared(), scope.value_bounds([]));
-        let error = named.0.iter().find(|(name, _)| name == "Error").map(|(_, ty)| ty);
-        match error.filter(|_| of == "TryFrom") {
-            Some(error) => quote! {
-                impl #declared ::bessemer::generate::TryFromBuiltin<#other> for #owner #bounds {
-                    #marker
-                    type Error = #error;
-                }
-            },
-            None => quote! {
-                impl #declared ::bessemer::generate::FromBuiltin<#other> for #owner #bounds {
-                    #marker
-                }
-            },
         }
     }
 }

@@ -9,13 +9,27 @@ use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
 use crate::generics::{Floats, Scope};
-use crate::lower::macros::{by_rows, in_every_build, matching};
-use crate::lower::{bound, sort, unroll};
+use crate::lower::macros::{expanded, in_every_build};
+use crate::lower::{Refusals, loops, sort};
 use crate::owned::{associated, of_libm, of_path, owned};
+
+/// The body as Rust runs it; or the errors in its place: rustc has nothing to add to what was refused, and callers still
+/// find the function.
+pub fn native(
+    (attributes, body): (&mut Vec<syn::Attribute>, &mut syn::Block),
+    scope: Scope<'_>,
+    refusals: Refusals,
+) {
+    if refusals.is_empty() {
+        return block(body, scope);
+    }
+    attributes.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
+    body.stmts = vec![syn::Stmt::Expr(syn::Expr::Verbatim(refusals.into_tokens()), None)];
+}
 
 /// Rewrites every call in `block`, and brings the DSL's traits into its scope; those of floats that are parameters,
 /// where `scope` has any.
-pub fn block(block: &mut syn::Block, scope: Scope<'_>) {
+fn block(block: &mut syn::Block, scope: Scope<'_>) {
     let mut redirect = Redirect { used: false };
     redirect.visit_block_mut(block);
     if redirect.used {
@@ -41,36 +55,21 @@ struct Redirect {
 
 impl VisitMut for Redirect {
     fn visit_local_mut(&mut self, it: &mut syn::Local) {
-        bound::hand_on(it);
+        loops::hand_on(it);
         visit_mut::visit_local_mut(self, it);
     }
 
     fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
-        // The macro hides a pattern, and its value may hold calls.
-        if let syn::Expr::Macro(it) = expr
-            && it.mac.path.is_ident("matches")
-            && let Some(matching) = matching(&it.mac)
-        {
-            *expr = syn::Expr::Match(matching);
-        }
-        // So may that of a matrix, between semicolons.
-        if let syn::Expr::Macro(it) = expr
-            && let Some(matrix) = by_rows(&it.mac)
-        {
-            *expr = matrix;
-        }
-        if let syn::Expr::MethodCall(it) = expr
-            && let Some(call) = sort::sorted(it, sort::Leg::Native)
-        {
-            *expr = call;
+        let stands_for = match expr {
+            syn::Expr::Macro(it) => expanded(&it.mac),
+            syn::Expr::MethodCall(it) => sort::sorted(it, sort::Leg::Native),
+            _ => None,
+        };
+        if let Some(other) = stands_for {
+            *expr = other;
         }
         visit_mut::visit_expr_mut(self, expr);
-        bound::count(expr);
-    }
-
-    fn visit_expr_for_loop_mut(&mut self, it: &mut syn::ExprForLoop) {
-        unroll::strip(&mut it.attrs);
-        visit_mut::visit_expr_for_loop_mut(self, it);
+        loops::native(expr);
     }
 
     fn visit_expr_method_call_mut(&mut self, call: &mut syn::ExprMethodCall) {

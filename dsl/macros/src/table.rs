@@ -9,8 +9,7 @@ use quote::{ToTokens, quote};
 
 use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
-use crate::place::place;
-use crate::{docs, expression};
+use crate::{docs, expression, place};
 
 /// The items beside a `const`.
 pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream {
@@ -41,18 +40,14 @@ fn announced(
     if !refusals.is_empty() || !lower::GENERATING {
         return TokenStream::new();
     }
-    let (docs, text, given) = (docs::lines(attributes), lower::text(name), given::tokens(&given));
-    let lower::Site(line, column) = lower::site(name);
+    let (docs, given) = (docs::lines(attributes), given::tokens(&given));
     let public = matches!(visibility, syn::Visibility::Public(_));
-    let place = place();
+    let (place, named, site) = (place::place(), place::named(name), place::site(name));
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::table(#place, (#line, #column), |cx| {
-                    cx.table(
-                        ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                        &[#(#docs),*], (#line, #column), &#name, #public, #given,
-                    );
+                ::bessemer::generate::Registered::table(#place, #site, |cx| {
+                    cx.table(#named, &[#(#docs),*], #site, &#name, #public, #given);
                 })
             }
         };

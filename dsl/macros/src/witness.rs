@@ -12,7 +12,6 @@
 
 use std::collections::HashMap;
 
-use bessemer_ir::tree::Param;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::visit::{self, Visit};
@@ -27,8 +26,6 @@ const SLOTS: u32 = 256;
 pub struct Copy<'a> {
     /// The parameters.
     pub parameters: &'a [Parameter],
-    /// The same in the tree.
-    pub params: &'a [Param],
     /// The slot of the result.
     pub result: u32,
     /// The signature, in which each parameter has a name.
@@ -39,7 +36,7 @@ pub struct Copy<'a> {
 
 impl Copy<'_> {
     /// The parts, each telling `__told` the types of its slots.
-    pub fn parts(&self, walk: &Lowering<'_>) -> TokenStream {
+    pub fn parts(&self, walk: &Lowering) -> TokenStream {
         let ends = ends(&walk.begins);
         let last = ends.len() - 1;
         let passed: Vec<_> = (0..last).map(|part| format_ident!("__passed{part}")).collect();
@@ -109,9 +106,9 @@ impl Copy<'_> {
 
     /// Tells the slots of the parameters their types. A type that is none of the DSL's is told there.
     fn looks(&self) -> TokenStream {
-        let looks = self.params.iter().zip(self.parameters).map(|(param, parameter)| {
-            let (slot, name) = (lower::slot_name(param.slot), &parameter.ident);
-            match param.closure {
+        let looks = self.parameters.iter().map(|parameter| {
+            let (slot, name) = (lower::slot_name(parameter.param.slot), &parameter.ident);
+            match parameter.param.closure {
                 true => quote! { __result::<()>(&#slot); },
                 false => quote_spanned! { parameter.place => __look(&#slot, &#name); },
             }
@@ -138,7 +135,7 @@ pub fn result_type(signature: &syn::Signature) -> TokenStream {
 }
 
 /// The slots between two places, around the copy of what stands there, and what is told of them.
-fn told(walk: &Lowering<'_>, (begin, end): (Begin, Begin), copy: &TokenStream) -> TokenStream {
+fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> TokenStream {
     let slots: Vec<_> = (begin.slots..end.slots).map(lower::slot_name).collect();
     let callees: Vec<_> = (begin.callees..end.callees).map(lower::callee_name).collect();
     let owned: Vec<_> = (begin.operators..end.operators).map(lower::own_name).collect();

@@ -12,14 +12,13 @@ use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
 use super::link::is_range;
-use super::made::{UNIT, plain};
-use super::names::{GENERATING, callee_name, text};
-use super::syntax::last_segment;
+use super::names::{GENERATING, callee_name, plain, text};
+use super::refuse;
+use super::syntax::{is_constructor_name, last_segment};
 use super::walk::Lowering;
-use super::{absent, refuse};
 use crate::owned::{associated, of_libm, of_nalgebra, of_turns};
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
         if let Some(kind) = self.array_from_fn(it) {
             return kind;
@@ -31,8 +30,7 @@ impl Lowering<'_> {
         let arguments: Vec<_> =
             it.args.iter_mut().map(|argument| self.argument(argument)).collect();
         let syn::Expr::Path(function) = &mut *it.func else {
-            self.refusals.add(&it.func, refuse::FUNCTION_VALUE);
-            return UNIT;
+            return self.refused(&it.func, refuse::FUNCTION_VALUE);
         };
         if arguments.is_empty() && is_default(function) {
             return self.default_value(function);
@@ -52,8 +50,7 @@ impl Lowering<'_> {
             false => self.redirected(function),
         };
         if let Some(reason) = reason {
-            self.refusals.add(&function, reason);
-            return UNIT;
+            return self.refused(&function, reason);
         }
         let Some(companion) = companion(function) else {
             return ExprKind::Constructor(last_segment(&function.path), arguments);
@@ -71,7 +68,7 @@ impl Lowering<'_> {
         if function.qself.is_none() && self.is_itself(&function.path) {
             return Some(refuse::RECURSION);
         }
-        absent::function(function)
+        out_of_reach(function)
     }
 
     /// `T::default()`: a constant, since it depends on nothing.
@@ -92,13 +89,11 @@ impl Lowering<'_> {
             arguments.extend(it.args.iter_mut().map(|argument| self.handed(argument)));
         }
         let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == "self");
-        let itself = own && self.method && it.method == self.name;
-        if itself {
-            self.refusals.add(&it.method, refuse::RECURSION);
-            return UNIT;
+        if own && self.method && it.method == self.name {
+            return self.refused(&it.method, refuse::RECURSION);
         }
         it.method = companion_name(&it.method);
-        ExprKind::Call(self.take(it), arguments)
+        ExprKind::Call(self.take_method(it), arguments)
     }
 
     /// The receiver of a method: a range is gone through there.
@@ -119,14 +114,43 @@ impl Lowering<'_> {
         }
     }
 
-    /// Wraps a call of a companion so that a slot learns which function it is.
-    pub(super) fn take<T: WitnessCall + Spanned>(&mut self, call: &mut T) -> u32 {
+    /// Writes `__take(&callee, call)` for a call of a companion, so that a slot learns which function it is.
+    fn take(&mut self, it: &mut syn::ExprCall) -> u32 {
         let callee = self.callee();
         if GENERATING {
-            call.wrap(call.span(), &callee_name(callee));
+            let (name, call) = (callee_name(callee), it.clone());
+            *it.func = syn::Expr::Verbatim(quote_spanned! { call.span() => __take });
+            it.args = syn::parse_quote! { &#name, #call };
         }
         callee
     }
+
+    /// Writes `callee.__take(call)`, so that the expression stays a method call.
+    fn take_method(&mut self, it: &mut syn::ExprMethodCall) -> u32 {
+        let callee = self.callee();
+        if GENERATING {
+            let (name, call) = (callee_name(callee), it.clone());
+            *it.receiver = syn::Expr::Verbatim(quote_spanned! { call.span() => #name });
+            it.method = syn::Ident::new("__take", call.method.span());
+            it.turbofish = None;
+            it.args = syn::parse_quote! { #call };
+        }
+        callee
+    }
+}
+
+/// The reason for a function that its path shows to be out of reach, by the crate or the type in it.
+fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
+    let names: Vec<_> = function.path.segments.iter().map(|segment| text(&segment.ident)).collect();
+    let [.., owner, last] = names.as_slice() else { return None };
+    // What is made of its parts has a type, of which rustc knows whether the DSL has it.
+    if is_constructor_name(last) {
+        return None;
+    }
+    let of_type = refuse::named_type(&syn::Ident::new(owner, function.span()).into());
+    // A companion of a number's type answers.
+    let answered = bessemer_ir::Scalar::from_name(owner).is_some();
+    of_type.or_else(|| refuse::library(&function.path).filter(|_| !answered))
 }
 
 /// Whether an expression is a call of a method, or what `?` gives of one: its value may refer to an element.
@@ -171,28 +195,4 @@ pub(super) fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
         path.segments.push(call);
     }
     Some(path)
-}
-
-/// A call that can be wrapped where it stands.
-pub(super) trait WitnessCall {
-    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident);
-}
-
-impl WitnessCall for syn::ExprCall {
-    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident) {
-        let call = self.clone();
-        *self.func = syn::Expr::Verbatim(quote_spanned! { span => __take });
-        self.args = syn::parse_quote! { &#callee, #call };
-    }
-}
-
-impl WitnessCall for syn::ExprMethodCall {
-    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident) {
-        // `slot.__take(call)`, so that the expression stays a method call.
-        let call = self.clone();
-        *self.receiver = syn::Expr::Verbatim(quote_spanned! { span => #callee });
-        self.method = syn::Ident::new("__take", call.method.span());
-        self.turbofish = None;
-        self.args = syn::parse_quote! { #call };
-    }
 }

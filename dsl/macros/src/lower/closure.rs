@@ -2,26 +2,28 @@
 //!
 //! The tree has a closure's body where it is called; the witness copy keeps the closure.
 
-use bessemer_ir::tree::{self, ExprKind};
+use bessemer_ir::tree::{self, ExprKind, Start};
 use proc_macro2::Span;
 use quote::quote;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 use super::handed::is_of_type;
-use super::made::plain;
-use super::names::{site, text};
+use super::names::{plain, site, text};
+use super::pattern::alone;
 use super::refuse::Refusals;
 use super::syntax::names;
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
 
-impl Lowering<'_> {
+impl Lowering {
     /// `let f = |x| …;`: the closure is known by its name from here on.
     pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> bool {
         let Some(init) = &mut local.init else { return false };
         let syn::Expr::Closure(closure) = &mut *init.expr else { return false };
-        let Some(ident) = pattern::simple_name(&local.pat, self.refusals) else { return true };
+        let Some(ident) = pattern::simple_name(&mut local.pat, &mut self.refusals) else {
+            return true;
+        };
         let known: std::collections::BTreeSet<_> =
             self.scopes.iter().flatten().map(|(known, _)| known.clone()).collect();
         let uses: Vec<_> = known.into_iter().map(|known| (self.bindings(&known), known)).collect();
@@ -29,7 +31,7 @@ impl Lowering<'_> {
         let body = self.scoped(|walk| {
             let mut looks = Vec::new();
             for input in &closure.inputs {
-                let Some(name) = closure_parameter(input) else {
+                let Some(name) = alone(input).map(|it| it.ident.clone()) else {
                     let outer = walk.apart.replace("%");
                     parameters.push(walk.pattern(input, &mut looks));
                     walk.apart = outer;
@@ -65,28 +67,50 @@ impl Lowering<'_> {
         arguments: &[tree::Expr],
         span: Span,
     ) -> Option<ExprKind> {
-        let closure = self.closure_named(name)?;
-        let shadowed = self.is_shadowed(closure);
-        let parameters = closure.parameters.iter().zip(arguments);
-        let stmts = parameters.map(|(parameter, argument)| {
+        let (parameters, body) = self.closure_named(name, span)?;
+        let stmts = parameters.into_iter().zip(arguments).map(|(parameter, argument)| {
             let (value, site) = (argument.clone(), argument.site);
             match parameter {
                 tree::Pattern::Name { name, slot, inner: None, .. } => {
-                    let (name, slot, value) = (name.clone(), *slot, Some(value));
-                    tree::Stmt::Let { name, slot, value, site, mutable: false }
+                    tree::Stmt::Let { name, slot, value: Some(value), site, mutable: false }
                 }
                 pattern => {
-                    let (pattern, otherwise) = (Box::new(pattern.clone()), None);
-                    tree::Stmt::Apart { pattern, value, otherwise, site }
+                    tree::Stmt::Apart { pattern: Box::new(pattern), value, otherwise: None, site }
                 }
             }
         });
-        let stmts = stmts.collect();
-        let block = tree::Block { stmts, tail: Some(Box::new(closure.body.clone())) };
-        if shadowed {
-            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
+        Some(ExprKind::Block(tree::Block { stmts: stmts.collect(), tail: Some(body) }))
+    }
+
+    /// `core::array::from_fn(|i| …)`: a loop through the array, whose elements the closure gives by their indices.
+    pub(super) fn array_from_fn(&mut self, it: &mut syn::ExprCall) -> Option<ExprKind> {
+        let syn::Expr::Path(function) = &*it.func else { return None };
+        let mut segments = function.path.segments.iter().rev();
+        let last = segments.next()?.ident.clone();
+        if last != "from_fn" || segments.next()?.ident != "array" || it.args.len() != 1 {
+            return None;
         }
-        Some(ExprKind::Block(block))
+        let syn::Expr::Closure(closure) = &mut it.args[0] else { return None };
+        self.scoped(|walk| {
+            let (index, looks) = match closure.inputs.first()? {
+                syn::Pat::Wild(_) => (walk.hidden("i"), Vec::new()),
+                other => {
+                    let (name, slot) = (alone(other)?.ident.clone(), walk.slot());
+                    (walk.bind_apart(&text(&name)), vec![walk.look(slot, &name)])
+                }
+            };
+            let value = Box::new(walk.closure_body(closure, looks));
+            let (name, site) = (walk.hidden("elements"), site(&last));
+            let [array, index_of] = [&name, &index].map(|name| tree::Expr::local(name, site));
+            let element = ExprKind::Index(Box::new(array.clone()), Box::new(index_of));
+            let element = Box::new(tree::Expr::plain(element, site));
+            let pass = tree::Expr::plain(ExprKind::Assign(None, element, value), site);
+            let pattern = tree::Pattern::Any;
+            let part = tree::Part { pattern, array, owned: false, group: None, reversed: false };
+            let each = ExprKind::each(Some(&index), part, pass);
+            let each = Box::new(tree::Expr::plain(each, site));
+            Some(ExprKind::Fold { name, start: Start::Elements, each })
+        })
     }
 
     /// An argument of a call: a closure, or a value.
@@ -130,25 +154,26 @@ impl Lowering<'_> {
             && self.local_name(name) == Some(name)
     }
 
-    /// A closure by its name.
+    /// A closure by its name, as an argument.
     fn closure_value(&mut self, name: &str, span: Span) -> Option<ExprKind> {
-        let closure = self.closure_named(name)?;
-        let (parameters, body) = (closure.parameters.clone(), closure.body.clone());
-        if self.is_shadowed(closure) {
-            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
-        }
-        let body = Box::new(body);
+        let (parameters, body) = self.closure_named(name, span)?;
         Some(ExprKind::Closure(tree::Closure { name: Some(name.to_owned()), parameters, body }))
     }
 
-    fn closure_named(&self, name: &str) -> Option<&Closure> {
+    /// The parameters and the body of a closure, which is used at `span`.
+    fn closure_named(
+        &mut self,
+        name: &str,
+        span: Span,
+    ) -> Option<(Vec<tree::Pattern>, Box<tree::Expr>)> {
         let in_tree = self.local_name(name)?;
-        self.closures.iter().rev().find(|closure| closure.name == in_tree)
-    }
-
-    /// Whether a name that the closure uses means something else by now.
-    fn is_shadowed(&self, closure: &Closure) -> bool {
-        !closure.uses.iter().all(|(count, known)| self.bindings(known) == *count)
+        let closure = self.closures.iter().rev().find(|closure| closure.name == in_tree)?;
+        let found = (closure.parameters.clone(), Box::new(closure.body.clone()));
+        // A name that the closure uses may mean something else by now.
+        if closure.uses.iter().any(|(count, known)| self.bindings(known) != *count) {
+            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
+        }
+        Some(found)
     }
 
     /// The value of a closure's body; `looks` at its parameters come first in the copy.
@@ -161,7 +186,8 @@ impl Lowering<'_> {
         // Slots are no part of what it moves.
         closure.capture = None;
         // What leaves the closure leaves its body, which stands where the closure is called.
-        let label = (!Returns::of(&closure.body).is_empty()).then(|| self.hidden("answer"));
+        let label = (!Returns::of(|it| it.visit_expr(&closure.body)).is_empty())
+            .then(|| self.hidden("answer"));
         let outer = std::mem::replace(&mut self.leaves, label.clone());
         let mut body = self.value(&mut closure.body);
         self.leaves = outer;
@@ -182,9 +208,7 @@ impl Lowering<'_> {
         body: &mut syn::Block,
         (signature, result): (&syn::Signature, u32),
     ) -> tree::Block {
-        let mut returns = Returns(Vec::new());
-        returns.visit_block(body);
-        if returns.0.is_empty() {
+        if Returns::of(|it| it.visit_block(body)).is_empty() {
             return self.block(body);
         }
         let label = self.hidden("answer");
@@ -231,27 +255,8 @@ pub fn mutable_names(signature: &syn::Signature, body: &syn::Block) -> Vec<Strin
 
 /// Refuses what would leave the caller of a function that stands where it is called.
 pub fn without_returns(body: &syn::Block, refusals: &mut Refusals) {
-    let mut returns = Returns(Vec::new());
-    returns.visit_block(body);
-    for span in returns.0 {
+    for span in Returns::of(|it| it.visit_block(body)) {
         refusals.add(span, refuse::EXPANDED_RETURN);
-    }
-}
-
-/// The name of a parameter, if it is one.
-pub(super) fn closure_parameter(pattern: &syn::Pat) -> Option<syn::Ident> {
-    match pattern {
-        syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => Some(it.ident.clone()),
-        syn::Pat::Type(it) => closure_parameter(&it.pat),
-        _ => None,
-    }
-}
-
-/// The closure that stands as an argument.
-pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosure> {
-    match argument {
-        syn::Expr::Closure(it) => Some(it),
-        _ => None,
     }
 }
 
@@ -259,9 +264,9 @@ pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosu
 struct Returns(Vec<Span>);
 
 impl Returns {
-    fn of(body: &syn::Expr) -> Vec<Span> {
+    fn of(visit: impl FnOnce(&mut Returns)) -> Vec<Span> {
         let mut returns = Returns(Vec::new());
-        returns.visit_expr(body);
+        visit(&mut returns);
         returns.0
     }
 }

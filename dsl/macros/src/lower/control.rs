@@ -7,9 +7,9 @@ use syn::spanned::Spanned;
 use super::link::{Link, is_range};
 use super::names::{GENERATING, place, site, span, text};
 use super::walk::Lowering;
-use super::{bound, each, pattern, refuse};
+use super::{each, loops, pattern, refuse};
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
         let mut looks = Vec::new();
         let (condition, then) = self.scoped(|walk| {
@@ -104,11 +104,11 @@ impl Lowering<'_> {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let limits = it.expr.span();
         let range = self.range(&mut it.expr);
-        if range.as_ref().is_some_and(|it| it.to.is_none()) && !bound::is_left(&it.body) {
+        if range.as_ref().is_some_and(|it| it.to.is_none()) && !loops::is_left(&it.body) {
             self.refusals.add(limits, refuse::OPEN_RANGE);
         }
         self.scoped(|walk| {
-            let Some(ident) = pattern::simple_name(&it.pat, walk.refusals) else {
+            let Some(ident) = pattern::simple_name(&mut it.pat, &mut walk.refusals) else {
                 walk.block(&mut it.body);
                 return None;
             };
@@ -118,7 +118,6 @@ impl Lowering<'_> {
             if each::is_mutable(&it.pat) {
                 body.stmts.insert(0, each::copied(name.clone(), &name, slot, &ident));
             }
-            pattern::name_wild(&mut it.pat);
             it.body.stmts.insert(0, walk.look(slot, &ident));
             Some(ExprKind::For { label, name, slot, range: Box::new(range?), body })
         })
@@ -190,7 +189,7 @@ impl Lowering<'_> {
 
     /// Takes `#[bound(…)]` off a loop; nothing where it is no bound. Without one the bound has to show.
     fn bound(&mut self, attributes: &mut Vec<syn::Attribute>) -> Option<Option<Box<tree::Expr>>> {
-        let Some(attribute) = bound::take(attributes) else { return Some(None) };
+        let Some(attribute) = loops::take(attributes, loops::BOUND) else { return Some(None) };
         let span = attribute.path().span();
         let Ok(mut bound) = attribute.parse_args::<syn::Expr>() else {
             self.refusals.add(span, refuse::BOUND);
@@ -201,6 +200,22 @@ impl Lowering<'_> {
             self.refusals.add(span, refuse::BOUND);
         }
         Some(Some(Box::new(bound)))
+    }
+
+    /// Takes `#[unroll(…)]` or `#[keep]` off a loop; gives how many passes are to be written out at once.
+    pub(super) fn unrolled(&mut self, attributes: &mut Vec<syn::Attribute>) -> Option<u32> {
+        let attribute = loops::take(attributes, loops::HINTS)?;
+        let count = match (&attribute.meta, attribute.path().is_ident("keep")) {
+            (syn::Meta::Path(_), true) => Some(1),
+            (syn::Meta::List(list), false) => {
+                list.parse_args::<syn::LitInt>().ok().and_then(|count| count.base10_parse().ok())
+            }
+            _ => None,
+        };
+        if !count.is_some_and(|count| (1..=64).contains(&count)) {
+            self.refusals.add(attribute.path().span(), refuse::UNROLL);
+        }
+        count
     }
 
     pub(super) fn break_expr(&mut self, it: &mut syn::ExprBreak) -> ExprKind {

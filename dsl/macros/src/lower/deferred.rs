@@ -16,26 +16,25 @@ use super::names::text;
 use super::syntax::{bare, is_plain, names};
 use super::walk::Lowering;
 
-impl Lowering<'_> {
-    /// Puts the iterators that have names in a block where they are gone through.
-    pub(super) fn iterators_with_names(&self, stmts: &mut Vec<syn::Stmt>) {
+impl Lowering {
+    /// Puts the ranges that have names in a block where they are gone through.
+    pub(super) fn ranges_with_names(&self, stmts: &mut Vec<syn::Stmt>) {
         let mut at = 0;
         while at < stmts.len() {
             let (before, rest) = stmts.split_at_mut(at + 1);
-            match before.last().and_then(|stmt| self.iterator_with_name(stmt, rest)) {
-                Some((iterator, made)) => {
-                    rest.iter_mut().for_each(|stmt| iterator.clone().visit_stmt_mut(stmt));
-                    let count = made.len();
-                    stmts.splice(at..=at, made);
-                    at += count;
-                }
-                None => at += 1,
-            }
+            let Some((mut named, made)) = self.range_with_name(&before[at], rest) else {
+                at += 1;
+                continue;
+            };
+            rest.iter_mut().for_each(|stmt| named.visit_stmt_mut(stmt));
+            let count = made.len();
+            stmts.splice(at..=at, made);
+            at += count;
         }
     }
 
-    /// The iterator that a statement gives a name, if it can stand in those behind it, and what is computed where it is made.
-    fn iterator_with_name(
+    /// The range that a statement gives a name, if it can stand in those behind it, and what is computed where it is made.
+    fn range_with_name(
         &self,
         stmt: &syn::Stmt,
         rest: &[syn::Stmt],
@@ -44,18 +43,18 @@ impl Lowering<'_> {
         let init = local.init.as_ref().filter(|init| init.diverge.is_none())?;
         let syn::Pat::Ident(name) = &local.pat else { return None };
         let plain = name.mutability.is_none() && name.by_ref.is_none() && name.subpat.is_none();
-        let mut made = Made { name: &name.ident, stmts: Vec::new(), names: Vec::new() };
-        let mut iterator = (*init.expr).clone();
-        if !plain || !is_range(&iterator) {
+        if !plain || !is_range(&init.expr) {
             return None;
         }
-        self.settle(&mut iterator, &mut made);
-        let mut free = Free { bound: Vec::new(), names: vec![text(&name.ident)] };
-        free.visit_expr(&iterator);
-        let mut hides = Hides { name: text(&name.ident), free: free.names, found: false };
+        let mut named = Named { name: name.ident.clone(), range: (*init.expr).clone() };
+        let mut made = Made { name: &name.ident, stmts: Vec::new(), names: Vec::new() };
+        self.settle(&mut named.range, &mut made);
+        let mut hides = Hides { name: text(&name.ident), free: Vec::new(), found: false };
+        hides.free.push(hides.name.clone());
+        Free(&mut hides.free).visit_expr(&named.range);
         rest.iter().for_each(|stmt| hides.visit_stmt(stmt));
         hides.found |= made.names.iter().any(|own| rest.iter().any(|stmt| names(stmt, own)));
-        (!hides.found).then(|| (Named { name: name.ident.clone(), iterator }, made.stmts))
+        (!hides.found).then_some((named, made.stmts))
     }
 
     /// Gives what is copied where a range is made a name there, unless it stays as it is.
@@ -63,36 +62,33 @@ impl Lowering<'_> {
         match range {
             syn::Expr::Paren(it) => self.settle(&mut it.expr, made),
             syn::Expr::Range(it) => {
-                for (end, role) in [(&mut it.start, "start"), (&mut it.end, "end")] {
-                    end.iter_mut().for_each(|end| self.settle_number(end, made, (role, false)));
-                }
+                it.start.iter_mut().for_each(|end| self.settle_number(end, "start", made));
+                it.end.iter_mut().for_each(|end| self.settle_number(end, "end", made));
             }
             syn::Expr::MethodCall(it) => {
                 self.settle(&mut it.receiver, made);
-                it.args.iter_mut().for_each(|it| self.settle_number(it, made, ("count", true)));
+                for count in &mut it.args {
+                    self.settle_number(count, "count", made);
+                    // A step of zero faults there.
+                    if !is_above_zero(count) {
+                        made.stmts.push(parse_quote! { assert!(#count > 0); });
+                    }
+                }
             }
             _ => {}
         }
     }
 
-    /// Gives a number a name where the iterator is made, unless it is the same later. A size of zero `faults` there.
-    fn settle_number(
-        &self,
-        number: &mut syn::Expr,
-        made: &mut Made<'_>,
-        (role, faults): (&str, bool),
-    ) {
+    /// Gives a number a name where the range is made, unless it is the same later.
+    fn settle_number(&self, number: &mut syn::Expr, role: &str, made: &mut Made<'_>) {
         if !self.is_settled(number) {
             let name = made.fresh(role);
             made.stmts.push(parse_quote! { let #name = #number; });
             *number = parse_quote! { #name };
         }
-        if faults && !is_above_zero(number) {
-            made.stmts.push(parse_quote! { assert!(#number > 0); });
-        }
     }
 
-    /// Whether what is copied where an iterator is made stays as it is, and whether that cannot fault. A field may change
+    /// Whether what is copied where a range is made stays as it is, and whether that cannot fault. A field may change
     /// behind a reference, and so may what a method gives; what is borrowed may not.
     fn is_settled(&self, expr: &syn::Expr) -> bool {
         match bare(expr) {
@@ -115,9 +111,9 @@ fn is_above_zero(expr: &syn::Expr) -> bool {
     number.base10_parse::<u64>().is_ok_and(|number| number > 0)
 }
 
-/// What is computed where an iterator is made.
+/// What is computed where a range is made.
 struct Made<'a> {
-    /// The iterator's name.
+    /// The range's name.
     name: &'a syn::Ident,
     /// The statements.
     stmts: Vec<syn::Stmt>,
@@ -126,7 +122,7 @@ struct Made<'a> {
 }
 
 impl Made<'_> {
-    /// A name for a number, after the iterator's.
+    /// A name for a number, after the range's.
     fn fresh(&mut self, role: &str) -> syn::Ident {
         let mut name = format!("{}_{role}", text(self.name));
         while self.names.contains(&name) {
@@ -137,11 +133,10 @@ impl Made<'_> {
     }
 }
 
-/// An iterator, and the name in whose place it stands.
-#[derive(Clone)]
+/// A range, and the name in whose place it stands.
 struct Named {
     name: syn::Ident,
-    iterator: syn::Expr,
+    range: syn::Expr,
 }
 
 impl VisitMut for Named {
@@ -150,11 +145,8 @@ impl VisitMut for Named {
             |expr: &syn::Expr| matches!(expr, syn::Expr::Path(it) if it.path.is_ident(&self.name));
         let again = matches!(expr, syn::Expr::MethodCall(it) if it.method == "clone" && is_it(&it.receiver));
         if again || is_it(expr) {
-            let iterator = &self.iterator;
-            *expr = match is_range(iterator) {
-                true => parse_quote! { (#iterator) },
-                false => iterator.clone(),
-            };
+            let range = &self.range;
+            *expr = parse_quote! { (#range) };
             return;
         }
         visit_mut::visit_expr_mut(self, expr);
@@ -166,41 +158,16 @@ impl VisitMut for Named {
     }
 }
 
-/// The names in an iterator that its closures do not bind.
-struct Free {
-    bound: Vec<Vec<String>>,
-    names: Vec<String>,
-}
+/// The names in a range.
+struct Free<'a>(&'a mut Vec<String>);
 
-impl<'ast> Visit<'ast> for Free {
-    fn visit_expr_closure(&mut self, it: &'ast syn::ExprClosure) {
-        let mut bound = Bound(Vec::new());
-        bound.visit_expr_closure(it);
-        self.bound.push(bound.0);
-        visit::visit_expr(self, &it.body);
-        self.bound.pop();
-    }
-
+impl<'ast> Visit<'ast> for Free<'_> {
     fn visit_expr_path(&mut self, it: &'ast syn::ExprPath) {
-        if let Some(name) = it.path.get_ident().map(text)
-            && !self.bound.iter().flatten().any(|bound| *bound == name)
-        {
-            self.names.push(name);
-        }
+        self.0.extend(it.path.get_ident().map(text));
     }
 }
 
-/// The names that patterns bind.
-struct Bound(Vec<String>);
-
-impl<'ast> Visit<'ast> for Bound {
-    fn visit_pat_ident(&mut self, it: &'ast syn::PatIdent) {
-        self.0.push(text(&it.ident));
-        visit::visit_pat_ident(self, it);
-    }
-}
-
-/// Looks for what gives a name in an iterator, or its own, another meaning; and for its own where no expression is seen.
+/// Looks for what gives a name in a range, or its own, another meaning; and for its own where no expression is seen.
 struct Hides {
     name: String,
     free: Vec<String>,

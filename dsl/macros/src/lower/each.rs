@@ -2,30 +2,35 @@
 //!
 //! The adaptors stay as they are in the witness copy; the names look at the types that they are given.
 
-use bessemer_ir::tree::{self, ExprKind, Order};
+use bessemer_ir::tree::{self, ExprKind, Grouping, Order};
 use bessemer_ir::{Int, Scalar};
 use syn::spanned::Spanned;
 
 use super::link::{Link, gives_references, is_range, is_source};
-use super::made::plain;
-use super::names::{site, text};
+use super::names::{plain, site, text};
 use super::refuse;
 use super::walk::Lowering;
 
 /// The type of a count.
 const SIZE: Option<Scalar> = Some(Scalar::Int(Int::Usize));
 
-/// The sequence of a loop.
+/// The sequence of a loop. What a part's elements are called says the loop's pattern.
 enum Source {
-    One { array: Box<tree::Expr>, owned: bool, group: Option<tree::Group>, reversed: bool },
+    One(Box<tree::Part>),
     Zip(Box<Source>, Box<Source>),
 }
 
 impl Source {
+    /// The elements of an array, from the first on.
+    fn one(array: tree::Expr, owned: bool) -> Source {
+        let pattern = tree::Pattern::Any;
+        Source::One(Box::new(tree::Part { pattern, array, owned, group: None, reversed: false }))
+    }
+
     /// Whether nothing ends it.
     fn is_open(&self) -> bool {
         match self {
-            Source::One { array, .. } => matches!(array.kind, ExprKind::From(_)),
+            Source::One(part) => matches!(part.array.kind, ExprKind::From(_)),
             Source::Zip(left, right) => left.is_open() && right.is_open(),
         }
     }
@@ -39,7 +44,7 @@ struct Way {
     cuts: Vec<tree::Cut>,
 }
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn each_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let before = self.refusals.len();
@@ -101,22 +106,20 @@ impl Lowering<'_> {
                     if way.indexed || !way.cuts.is_empty() {
                         self.refusals.add(&it.method, refuse::ITERATOR);
                     }
+                    way.indexed = true;
                     if way.order == Order::Down {
                         way.order = Order::Mirrored;
                     }
-                    Way { indexed: true, ..way }
+                    way
                 }
                 Some(Link::Rev) => {
-                    let way = self.way(&mut it.receiver);
-                    let order = match way.order {
-                        Order::Up => Order::Down,
-                        Order::Down => Order::Up,
-                        Order::Mirrored => {
-                            self.refusals.add(&it.method, refuse::ITERATOR);
-                            Order::Mirrored
-                        }
-                    };
-                    Way { order, ..way }
+                    let mut way = self.way(&mut it.receiver);
+                    match way.order {
+                        Order::Up => way.order = Order::Down,
+                        Order::Down => way.order = Order::Up,
+                        Order::Mirrored => self.refusals.add(&it.method, refuse::ITERATOR),
+                    }
+                    way
                 }
                 Some(link @ (Link::Skip | Link::Take)) => self.cut(it, link == Link::Skip),
                 _ => self.plain_way(expr),
@@ -132,42 +135,28 @@ impl Lowering<'_> {
 
     fn cut(&mut self, it: &mut syn::ExprMethodCall, skip: bool) -> Way {
         let mut way = self.way(&mut it.receiver);
-        let place = site(&it.method);
         let back = way.order == Order::Down;
         let cut = tree::Cut { skip, back, count: self.value(&mut it.args[0]) };
-        match way.source {
+        let first = !way.indexed && way.cuts.is_empty();
+        way.source = match way.source {
             // An index behind it begins anew.
-            Source::One { array, owned, group: None, reversed: false }
-                if has_elements(&array)
-                    && !way.indexed
-                    && way.order == Order::Up
-                    && way.cuts.is_empty() =>
-            {
-                let kind = ExprKind::Cut(array, Box::new(cut));
-                let array = Box::new(tree::Expr { kind, site: place, slot: None });
-                let source = Source::One { array, owned, group: None, reversed: false };
-                Way { source, ..way }
+            Source::One(part) if first && way.order == Order::Up && is_straight(&part) => {
+                let kind = ExprKind::Cut(Box::new(part.array), Box::new(cut));
+                Source::one(plain(kind, &it.method), part.owned)
             }
             // Begins further on.
-            Source::One {
-                array,
-                owned,
-                group: Some(tree::Group { way: around, size }),
-                reversed,
-            } if around == tree::Grouping::Around
-                && cut.skip
-                && matches!(&size.kind, ExprKind::Int(digits, _) if digits == "0")
-                && !way.indexed
-                && way.cuts.is_empty() =>
+            Source::One(mut part)
+                if first && cut.skip && part.group.as_ref().is_some_and(is_cycle) =>
             {
-                let group = Some(tree::Group { way: around, size: cut.count });
-                Way { source: Source::One { array, owned, group, reversed }, ..way }
+                part.group = Some(tree::Group { way: Grouping::Around, size: cut.count });
+                Source::One(part)
             }
             source => {
                 way.cuts.push(cut);
-                Way { source, ..way }
+                source
             }
-        }
+        };
+        way
     }
 
     fn source(&mut self, expr: &mut syn::Expr) -> Source {
@@ -188,9 +177,12 @@ impl Lowering<'_> {
             }
             Some(Link::Chain) => self.chained(it),
             Some(Link::Group(way)) => {
-                let array = Box::new(self.value(&mut it.receiver));
-                let group = Some(tree::Group { way, size: self.value(&mut it.args[0]) });
-                Source::One { array, owned: false, group, reversed: false }
+                let mut source = Source::one(self.value(&mut it.receiver), false);
+                let size = self.value(&mut it.args[0]);
+                if let Source::One(part) = &mut source {
+                    part.group = Some(tree::Group { way, size });
+                }
+                source
             }
             Some(Link::Skip | Link::Take) => {
                 let Way { source, indexed, order, cuts } = self.way(expr);
@@ -208,53 +200,42 @@ impl Lowering<'_> {
 
     /// A link behind a source: of two that are paired, none but what goes through one alone.
     fn linked(&mut self, link: Link, it: &mut syn::ExprMethodCall) -> Source {
-        match (link, self.source(&mut it.receiver)) {
-            (
-                Link::Iter | Link::IntoIter | Link::Copied,
-                Source::One { array, owned, group, reversed },
-            ) => {
-                let owned = owned && link == Link::IntoIter;
-                Source::One { array, owned, group, reversed }
+        let mut source = self.source(&mut it.receiver);
+        match (link, &mut source) {
+            (Link::Iter | Link::IntoIter | Link::Copied, Source::One(part)) => {
+                part.owned &= link == Link::IntoIter;
             }
             // Behind `zip`, or before it: one of the two is gone through from its end.
-            (Link::Rev, Source::One { array, owned, group: None, reversed }) => {
-                Source::One { array, owned, group: None, reversed: !reversed }
+            (Link::Rev, Source::One(part)) if part.group.is_none() => {
+                part.reversed = !part.reversed;
             }
-            (Link::StepBy, Source::One { array, owned, group: None, reversed })
-                if has_elements(&array) =>
-            {
-                let way = tree::Grouping::First;
-                let group = Some(tree::Group { way, size: self.value(&mut it.args[0]) });
-                Source::One { array, owned, group, reversed }
+            (Link::StepBy, Source::One(part)) if part.group.is_none() && has_elements(part) => {
+                let size = self.value(&mut it.args[0]);
+                part.group = Some(tree::Group { way: Grouping::First, size });
             }
-            (Link::Cycle, Source::One { array, owned: false, group: None, reversed: false })
-                if has_elements(&array) =>
-            {
+            (Link::Cycle, Source::One(part)) if !part.owned && is_straight(part) => {
                 let size = plain(ExprKind::Int("0".into(), SIZE), &it.method);
-                let group = Some(tree::Group { way: tree::Grouping::Around, size });
-                Source::One { array, owned: false, group, reversed: false }
+                part.group = Some(tree::Group { way: Grouping::Around, size });
             }
             (_, other) => {
                 let open = other.is_open();
                 let reason = if open { refuse::LINKED_RANGE } else { refuse::ITERATOR };
                 self.refusals.add(&it.method, reason);
-                other
             }
         }
+        source
     }
 
     /// All that is in an array, or what a call gives.
     fn whole_source(&mut self, expr: &mut syn::Expr) -> Source {
         if let Some(numbers) = self.numbers(expr) {
-            let array = Box::new(numbers);
-            return Source::One { array, owned: true, group: None, reversed: false };
+            return Source::one(numbers, true);
         }
-        let (owned, range) = (!matches!(expr, syn::Expr::Reference(_)), is_range(expr));
-        if range {
+        let owned = !matches!(expr, syn::Expr::Reference(_));
+        if is_range(expr) {
             self.refusals.add(&expr, refuse::LINKED_RANGE);
         }
-        let array = Box::new(self.value(expr));
-        Source::One { array, owned, group: None, reversed: false }
+        Source::one(self.value(expr), owned)
     }
 
     /// The numbers from one on, `1..`, as they stand beside elements.
@@ -277,13 +258,15 @@ impl Lowering<'_> {
         // What stands beside references is one, whatever it is called.
         let lent = gives_references(&it.receiver);
         match (self.source(&mut it.receiver), self.source(&mut it.args[0])) {
-            (
-                Source::One { array: one, owned: false, group: None, reversed: false },
-                Source::One { array: other, owned, group: None, reversed: false },
-            ) if reads && (lent || !owned) => {
-                let (kind, site) = (ExprKind::Chain(one, other), site(&it.method));
-                let array = Box::new(tree::Expr { kind, site, slot: None });
-                Source::One { array, owned: false, group: None, reversed: false }
+            (Source::One(one), Source::One(other))
+                if reads
+                    && !one.owned
+                    && (lent || !other.owned)
+                    && is_all(&one)
+                    && is_all(&other) =>
+            {
+                let kind = ExprKind::Chain(Box::new(one.array), Box::new(other.array));
+                Source::one(plain(kind, &it.method), false)
             }
             (other, _) => {
                 self.refusals.add(&it.method, refuse::CHAINED);
@@ -304,9 +287,9 @@ impl Lowering<'_> {
                 self.elements(&pair.elems[0], *left, parts, looks);
                 self.elements(&pair.elems[1], *right, parts, looks);
             }
-            (pattern, Source::One { array, owned, group, reversed }) => {
-                let pattern = self.pattern(pattern, looks);
-                parts.push(tree::Part { pattern, array: *array, owned, group, reversed });
+            (pattern, Source::One(mut part)) => {
+                part.pattern = self.pattern(pattern, looks);
+                parts.push(*part);
             }
             (other, _) => self.refusals.add(other, refuse::DESTRUCTURING),
         }
@@ -314,8 +297,24 @@ impl Lowering<'_> {
 }
 
 /// Whether a part is one array, which has elements at its indices.
-fn has_elements(array: &tree::Expr) -> bool {
-    !matches!(array.kind, ExprKind::Chain(..) | ExprKind::From(_))
+fn has_elements(part: &tree::Part) -> bool {
+    !matches!(part.array.kind, ExprKind::Chain(..) | ExprKind::From(_))
+}
+
+/// Whether a part is gone through element by element, from the first on.
+fn is_all(part: &tree::Part) -> bool {
+    part.group.is_none() && !part.reversed
+}
+
+/// Whether that part has elements at its indices.
+fn is_straight(part: &tree::Part) -> bool {
+    is_all(part) && has_elements(part)
+}
+
+/// Whether elements come again and again, from the first on.
+fn is_cycle(group: &tree::Group) -> bool {
+    group.way == Grouping::Around
+        && matches!(&group.size.kind, ExprKind::Int(digits, _) if digits == "0")
 }
 
 /// `let name = known;`, where one may be changed and the other is a place or a counter.

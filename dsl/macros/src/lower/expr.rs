@@ -1,18 +1,18 @@
 //! Expressions: which are values (seen by a slot), which are places, which the DSL does not take.
 
-use bessemer_ir::Scalar;
-use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
+use bessemer_ir::tree::{self, ExprKind, UnaryOp};
+use bessemer_ir::{Int, Scalar};
 use quote::ToTokens;
 
 use super::link::is_source;
-use super::made::UNIT;
-use super::names::{place, site, text};
+use super::names::{UNIT, place, site, text};
 use super::operator::Side;
+use super::pattern::gives_several;
 use super::syntax::{is_variant, last_segment};
-use super::walk::Lowering;
-use super::{assigned, bound, call, macros, operator, pattern, refuse, signature, unroll};
+use super::walk::{Lowering, see_in};
+use super::{call, loops, macros, operator, pattern, refuse, signature};
 
-impl Lowering<'_> {
+impl Lowering {
     /// An expression whose value is wanted.
     pub(super) fn value(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         self.lower(expr, true)
@@ -32,7 +32,7 @@ impl Lowering<'_> {
             (ExprKind::Path(index, _), _) => {
                 let slot = self.constants.get(*index as usize).map(|(slot, ..)| *slot);
                 if let (true, Some(slot)) = (seen, slot) {
-                    self.see_in(slot, expr);
+                    see_in(slot, expr);
                 }
                 slot
             }
@@ -69,10 +69,6 @@ impl Lowering<'_> {
             syn::Expr::Unary(it) => self.unary(it),
             syn::Expr::Binary(it) => self.binary(it),
             syn::Expr::Assign(it) if gives_several(&it.left) => {
-                if let Some(apart) = assigned::by_let(it) {
-                    *expr = apart;
-                    return self.kind(expr, value);
-                }
                 let value = Box::new(self.whole(&mut it.right));
                 let places = Box::new(self.places(&mut it.left));
                 (ExprKind::AssignEach(places, value), false)
@@ -110,7 +106,7 @@ impl Lowering<'_> {
                 (ExprKind::Ref(it.mutability.is_some(), Box::new(inner)), false)
             }
             syn::Expr::Cast(it) => {
-                signature::check_type(&it.ty, self.refusals);
+                signature::check_type(&it.ty, &mut self.refusals);
                 (ExprKind::Cast(Box::new(self.value(&mut it.expr))), true)
             }
             _ => self.control(expr, value),
@@ -132,7 +128,7 @@ impl Lowering<'_> {
                 }
             }
             syn::Expr::ForLoop(it) => {
-                let (site, unroll) = (site(it), unroll::take(&mut it.attrs, self.refusals));
+                let (site, unroll) = (site(it), self.unrolled(&mut it.attrs));
                 let kind = self.for_loop(it).unwrap_or(UNIT);
                 let kind = match unroll {
                     Some(count) => {
@@ -144,7 +140,7 @@ impl Lowering<'_> {
             }
             syn::Expr::While(it) => (self.while_loop(it).unwrap_or(UNIT), false),
             syn::Expr::Loop(it) => {
-                let value = value && bound::gives_value(it);
+                let value = value && loops::gives_value(it);
                 (self.endless_loop(it).unwrap_or(UNIT), value)
             }
             syn::Expr::Return(it) => (self.return_expr(it), false),
@@ -156,46 +152,21 @@ impl Lowering<'_> {
                 let operand = Box::new(self.value(&mut it.expr));
                 (ExprKind::Try(self.leaves.clone(), operand), value)
             }
-            syn::Expr::Const(it) => {
-                // rustc has computed it in the original.
-                let block =
-                    syn::ExprBlock { attrs: Vec::new(), label: None, block: it.block.clone() };
-                *expr = syn::Expr::Block(block);
-                self.kind(expr, value)
-            }
             syn::Expr::Macro(it) if it.mac.path.is_ident(macros::MATCHES) => {
-                self.is_rusts(&it.mac.path);
-                match macros::matching(&it.mac) {
-                    Some(matching) => {
-                        *expr = syn::Expr::Match(matching);
-                        self.kind(expr, value)
-                    }
-                    None => {
-                        self.refusals.add(&it.mac.path, refuse::SYNTAX);
-                        (UNIT, false)
-                    }
-                }
+                (self.refused(&it.mac.path, refuse::SYNTAX), false)
             }
-            syn::Expr::Macro(it) => match macros::by_rows(&it.mac) {
-                Some(matrix) => {
-                    *expr = matrix;
-                    self.kind(expr, value)
-                }
-                None => (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false),
-            },
+            syn::Expr::Macro(it) => {
+                (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false)
+            }
             other => {
                 let (place, reason) = refuse::expression(other);
-                self.refusals.add(&place, reason);
-                self.inside(other);
-                (UNIT, false)
+                let kind = self.refused(&place, reason);
+                // There may be more to refuse in it.
+                if let syn::Expr::Unsafe(it) = other {
+                    self.block(&mut it.block);
+                }
+                (kind, false)
             }
-        }
-    }
-
-    /// Looks for more to refuse in what was refused.
-    fn inside(&mut self, refused: &mut syn::Expr) {
-        if let syn::Expr::Unsafe(it) = refused {
-            self.block(&mut it.block);
         }
     }
 
@@ -239,37 +210,22 @@ impl Lowering<'_> {
     }
 
     fn literal(&mut self, literal: &syn::Lit) -> ExprKind {
+        let code = |code: u32, of: Int| ExprKind::Int(code.to_string(), Some(Scalar::Int(of)));
         match literal {
-            syn::Lit::Bool(it) => return ExprKind::Bool(it.value),
-            syn::Lit::Int(it) => {
-                let suffix = Scalar::from_name(it.suffix());
-                if it.suffix().is_empty() || suffix.is_some() {
-                    return match suffix {
-                        Some(Scalar::Float(_)) => {
-                            ExprKind::Float(it.base10_digits().into(), suffix)
-                        }
-                        _ => ExprKind::Int(digits(it), suffix),
-                    };
-                }
-                self.refusals.add(it, refuse::WIDE_INTEGER);
-            }
+            syn::Lit::Bool(it) => ExprKind::Bool(it.value),
+            syn::Lit::Int(it) => match Scalar::from_name(it.suffix()) {
+                None if !it.suffix().is_empty() => self.refused(it, refuse::WIDE_INTEGER),
+                float @ Some(Scalar::Float(_)) => ExprKind::Float(it.base10_digits().into(), float),
+                suffix => ExprKind::Int(digits(it), suffix),
+            },
             syn::Lit::Float(it) => {
-                return ExprKind::Float(it.base10_digits().into(), Scalar::from_name(it.suffix()));
+                ExprKind::Float(it.base10_digits().into(), Scalar::from_name(it.suffix()))
             }
-            syn::Lit::Byte(it) => {
-                return ExprKind::Int(
-                    it.value().to_string(),
-                    Some(Scalar::Int(bessemer_ir::Int::U8)),
-                );
-            }
-            syn::Lit::ByteStr(it) => return ExprKind::Bytes(it.value()),
-            syn::Lit::Char(it) => {
-                let code = Scalar::Int(bessemer_ir::Int::U32);
-                return ExprKind::Int(u32::from(it.value()).to_string(), Some(code));
-            }
-            other => self.refusals.add(other, refuse::STRING),
+            syn::Lit::Byte(it) => code(it.value().into(), Int::U8),
+            syn::Lit::ByteStr(it) => ExprKind::Bytes(it.value()),
+            syn::Lit::Char(it) => code(it.value().into(), Int::U32),
+            other => self.refused(other, refuse::STRING),
         }
-        UNIT
     }
 
     fn path(&mut self, it: &mut syn::ExprPath) -> ExprKind {
@@ -306,15 +262,14 @@ impl Lowering<'_> {
     }
 
     fn binary(&mut self, it: &mut syn::ExprBinary) -> (ExprKind, bool) {
-        if let Some(op) = compound(&it.op) {
+        let Some((op, assigns)) = operator::written(&it.op) else {
+            return (self.refused(&it.op, refuse::SYNTAX), false);
+        };
+        if assigns {
             let place = self.value(&mut it.left);
             let value = self.assigned(op, &place, &mut it.right);
             return (ExprKind::Assign(Some(op), Box::new(place), Box::new(value)), false);
         }
-        let Some(op) = operator::infix(&it.op) else {
-            self.refusals.add(&it.op, refuse::SYNTAX);
-            return (UNIT, false);
-        };
         self.chained = operator::sign(op).is_some() && operator::is_operator(&it.left);
         let (left, first) = self.operand(op, &mut it.left, Side::Left);
         let before = std::mem::take(&mut self.before);
@@ -341,29 +296,6 @@ impl Lowering<'_> {
     }
 }
 
-/// Whether what stands on the left of an assignment takes the value apart.
-fn gives_several(left: &syn::Expr) -> bool {
-    use syn::Expr::{Array, Call, Struct, Tuple};
-    matches!(left, Tuple(_) | Array(_) | Struct(_) | Call(_))
-}
-
-/// The operator behind `+=` and the like.
-pub(super) fn compound(op: &syn::BinOp) -> Option<BinaryOp> {
-    Some(match op {
-        syn::BinOp::AddAssign(_) => BinaryOp::Add,
-        syn::BinOp::SubAssign(_) => BinaryOp::Sub,
-        syn::BinOp::MulAssign(_) => BinaryOp::Mul,
-        syn::BinOp::DivAssign(_) => BinaryOp::Div,
-        syn::BinOp::RemAssign(_) => BinaryOp::Rem,
-        syn::BinOp::BitAndAssign(_) => BinaryOp::And,
-        syn::BinOp::BitOrAssign(_) => BinaryOp::Or,
-        syn::BinOp::BitXorAssign(_) => BinaryOp::Xor,
-        syn::BinOp::ShlAssign(_) => BinaryOp::Shl,
-        syn::BinOp::ShrAssign(_) => BinaryOp::Shr,
-        _ => return None,
-    })
-}
-
 /// Whether an expression at the end of a block is a statement all the same: loops, `if` without
 /// `else`, assignments.
 pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
@@ -372,9 +304,9 @@ pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
         | syn::Expr::While(_)
         | syn::Expr::Assign(_)
         | syn::Expr::Return(_) => true,
-        syn::Expr::Loop(it) => !bound::gives_value(it) && !bound::is_endless(it),
+        syn::Expr::Loop(it) => !loops::gives_value(it) && !loops::is_endless(it),
         syn::Expr::If(it) => it.else_branch.is_none(),
-        syn::Expr::Binary(it) => compound(&it.op).is_some(),
+        syn::Expr::Binary(it) => matches!(operator::written(&it.op), Some((_, true))),
         _ => false,
     }
 }

@@ -1,17 +1,23 @@
-//! Functions that give an iterator, `fn edges(&self) -> impl Iterator<Item = Edge>`.
+//! Iterators that are values: what a function gives, `fn edges(&self) -> impl Iterator<Item = Edge>`; what stands before
+//! `.map(…)`, or as an argument, `mean(values.iter().rev())`.
 //!
-//! In the tree such a function takes a closure, [`EACH`], to which it hands each item in turn: what the iterator gives is
-//! gone through by its own loop, and the body of whoever goes through it stands in the place of the closure.
+//! In the tree both hand each item in turn to a closure, [`EACH`]: a loop, which stands where its taker goes through it, and
+//! whose body takes the closure's place. A function takes that closure; an iterator that stands for itself is one that does.
+//! In the witness copy the latter stays what it is, and its items are looked at on their way, so that their types are known.
 //!
-//! Invariants: the body ends in the iterator, and nothing leaves it before.
+//! Invariants: the body of a function ends in the iterator, and nothing leaves it before.
 
-use bessemer_ir::tree::EACH;
+use bessemer_ir::tree::{self, EACH, ExprKind, NO_SLOT};
 use proc_macro2::Span;
+use quote::quote_spanned;
 use syn::parse_quote;
+use syn::spanned::Spanned;
 
 use super::closure::without_returns;
 use super::link::{is_range, pairs};
+use super::names::{UNIT, plain};
 use super::refuse::{self, Refusals};
+use super::walk::Lowering;
 use crate::closures;
 
 /// The items of the iterator that a function gives; none if it gives something else.
@@ -41,44 +47,57 @@ pub fn hand_on(
     true
 }
 
+impl Lowering {
+    /// The closure that hands on each item.
+    pub(super) fn handing(&mut self, expr: &mut syn::Expr) -> ExprKind {
+        let (whole, (pattern, item)) = (expr.clone(), named_item(expr));
+        let each = syn::Ident::new(EACH, Span::call_site());
+        let mut through: syn::ExprForLoop = parse_quote! { for #pattern in () { #each(#item); } };
+        *through.expr = expr.clone();
+        // Whatever stands in the place of handing it on means other names.
+        let outer = self.apart.replace("");
+        let body = self.scoped(|walk| walk.for_loop(&mut through));
+        self.apart = outer;
+        let syn::ExprForLoop { pat, expr: items, body: mut pass, .. } = through;
+        if let Some(last) = pass.stmts.last_mut()
+            && let syn::Stmt::Expr(syn::Expr::Call(call), _) = last
+        {
+            *last = syn::Stmt::Expr(call.args[0].clone(), None);
+        }
+        let stmts = &pass.stmts;
+        *expr = syn::Expr::Verbatim(quote_spanned! { items.span() =>
+            __items(::core::iter::IntoIterator::into_iter(#items).map(|#pat| { #(#stmts)* }))
+        });
+        let body = Box::new(plain(body.unwrap_or(UNIT), &whole));
+        let (name, slot) = (EACH.to_owned(), NO_SLOT);
+        let each = tree::Pattern::Name { name, slot, mutable: false, inner: None };
+        ExprKind::Closure(tree::Closure { name: None, parameters: vec![each], body })
+    }
+}
+
 /// A pattern for an item of an iterator, and the item by the names in it.
 pub(super) fn named_item(iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
-    Names { given: 0 }.of(iterator)
+    named(iterator, &mut 0)
 }
 
-/// Names for the items of an iterator.
-struct Names {
-    given: usize,
-}
-
-impl Names {
-    /// A pattern for an item, and the item by the names in it: pairs have no name of their own.
-    fn of(&mut self, iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
-        let Some((first, second)) = pairs(iterator) else {
-            return self.one(is_range(iterator));
-        };
-        let left = match first {
-            Some(first) => self.of(first),
-            None => self.one(true),
-        };
-        pair(left, self.of(second))
-    }
-
-    fn one(&mut self, counts: bool) -> (syn::Pat, syn::Expr) {
-        self.given += 1;
-        let name = match (counts, self.given) {
-            (true, _) => "i".to_owned(),
-            (false, 1) => "item".to_owned(),
-            (false, more) => format!("item_{more}"),
-        };
-        let name = syn::Ident::new(&name, Span::mixed_site());
-        (parse_quote! { #name }, parse_quote! { #name })
-    }
-}
-
-fn pair(
-    (left, one): (syn::Pat, syn::Expr),
-    (right, other): (syn::Pat, syn::Expr),
-) -> (syn::Pat, syn::Expr) {
+/// The same beside so many items that have been `given` names: pairs have none of their own.
+fn named(iterator: &syn::Expr, given: &mut usize) -> (syn::Pat, syn::Expr) {
+    let Some((first, second)) = pairs(iterator) else { return one(is_range(iterator), given) };
+    let (left, one) = match first {
+        Some(first) => named(first, given),
+        None => one(true, given),
+    };
+    let (right, other) = named(second, given);
     (parse_quote! { (#left, #right) }, parse_quote! { (#one, #other) })
+}
+
+fn one(counts: bool, given: &mut usize) -> (syn::Pat, syn::Expr) {
+    *given += 1;
+    let name = match (counts, *given) {
+        (true, _) => "i".to_owned(),
+        (false, 1) => "item".to_owned(),
+        (false, more) => format!("item_{more}"),
+    };
+    let name = syn::Ident::new(&name, Span::mixed_site());
+    (parse_quote! { #name }, parse_quote! { #name })
 }

@@ -4,18 +4,17 @@
 //! one. So the witness copy asks it for both, and the builder puts in the closure that calls the function.
 
 use bessemer_ir::tree::{self, ExprKind};
-use quote::quote_spanned;
+use quote::{quote, quote_spanned};
 use syn::parse_quote;
 use syn::spanned::Spanned;
 
 use super::call::companion;
-use super::made::{UNIT, plain};
-use super::names::{GENERATING, callee_name, site, slot_name, text};
+use super::names::{GENERATING, UNIT, callee_name, plain, site, slot_name, text};
 use super::syntax::{is_constructor_name, last_segment};
-use super::walk::{Constant, Lowering};
+use super::walk::{Constant, Lowering, wrap};
 use crate::owned::{associated, of_path};
 
-impl Lowering<'_> {
+impl Lowering {
     /// An argument of a method. There is no telling a constant of small letters from a function: it is taken for one.
     pub(super) fn handed(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         match expr {
@@ -77,11 +76,8 @@ impl Lowering<'_> {
     /// A variant or a struct, or what makes one of its parts.
     fn made_argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         let syn::Expr::Path(path) = &*expr else { return self.value(expr) };
-        let span = path.span();
-        let made = self.evaluated(quote::quote! { #path }, &path.path, Constant::Made);
-        if let (true, Some(slot)) = (GENERATING, made.slot.map(slot_name)) {
-            *expr = syn::Expr::Verbatim(quote_spanned! { span => __made(&#slot, #expr) });
-        }
+        let made = self.evaluated(quote! { #path }, &path.path, Constant::Made);
+        wrap(expr, "__made", made.slot.into_iter().map(slot_name));
         made
     }
 }

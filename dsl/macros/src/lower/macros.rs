@@ -8,17 +8,16 @@ use quote::{format_ident, quote};
 
 use super::names::{site, text};
 use super::refuse;
-use super::syntax::library;
 use super::walk::Lowering;
 
 /// `matches!`, which is a `match`.
-pub const MATCHES: &str = "matches";
+pub(super) const MATCHES: &str = "matches";
 
-impl Lowering<'_> {
+impl Lowering {
     /// Whether a path may be that of a macro of Rust's; where it stands alone, rustc is asked.
     pub(super) fn is_rusts(&mut self, path: &syn::Path) -> bool {
         let Some(ident) = path.get_ident() else {
-            return path.segments.len() == 2 && library(path).is_some();
+            return path.segments.len() == 2 && refuse::library(path).is_some();
         };
         self.ask(ident);
         true
@@ -29,10 +28,6 @@ impl Lowering<'_> {
         if !self.macros.contains(name) {
             self.macros.push(name.clone());
         }
-    }
-
-    pub(super) fn macro_statement(&mut self, mac: &mut syn::StmtMacro) -> Option<tree::Expr> {
-        self.macro_call(&mut mac.mac)
     }
 
     /// Lowers `assert!(condition)` and the like, `panic!()` and the like; every other macro is refused.
@@ -111,8 +106,16 @@ pub fn in_every_build(mac: &mut syn::Macro) {
     }
 }
 
+/// The expression that a macro stands for, whose tokens hide a pattern, or calls; none if they hide nothing.
+pub fn expanded(mac: &syn::Macro) -> Option<syn::Expr> {
+    match mac.path.is_ident(MATCHES) {
+        true => matching(mac).map(syn::Expr::Match),
+        false => by_rows(mac),
+    }
+}
+
 /// `matches!(value, pattern if guard)` as the `match` that it stands for.
-pub fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
+fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
     use syn::parse::ParseStream;
     let parser = |input: ParseStream<'_>| {
         let value: syn::Expr = input.parse()?;
@@ -126,7 +129,7 @@ pub fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
 }
 
 /// `vector![a, b]`, `matrix![a, b; c, d]` as the call that they stand for.
-pub fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
+fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
     use syn::punctuated::Punctuated;
     type Elements = Punctuated<syn::Expr, syn::Token![,]>;
     let name = &mac.path.segments.last()?.ident;

@@ -10,22 +10,17 @@
 //!
 //! Must not know: types, or what a call means.
 
-mod absent;
-mod assigned;
-pub mod bound;
 mod call;
 mod closure;
 mod control;
 mod deferred;
 mod each;
 mod expr;
-mod from_fn;
 mod generator;
 mod handed;
-mod items;
 mod link;
+pub mod loops;
 pub mod macros;
-mod made;
 mod names;
 mod operator;
 mod pattern;
@@ -36,7 +31,6 @@ pub mod sort;
 mod statements;
 mod strip;
 mod syntax;
-pub mod unroll;
 mod walk;
 
 pub use call::companion_name;

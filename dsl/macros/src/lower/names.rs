@@ -1,6 +1,7 @@
 //! Where a node stands, what it is called, and the names that builder and witness copy agree on.
 
 pub use bessemer_ir::tree::Site;
+use bessemer_ir::tree::{Expr, ExprKind};
 use quote::format_ident;
 use syn::ext::IdentExt;
 use syn::spanned::Spanned;
@@ -18,7 +19,15 @@ pub fn site(node: &impl Spanned) -> Site {
     Site(start.line as u32, start.column as u32 + 1)
 }
 
-/// The same of an expression.
+/// The stand-in for an expression that was refused.
+pub(super) const UNIT: ExprKind = ExprKind::Tuple(Vec::new());
+
+/// An expression of the tree that rustc is not asked about.
+pub(super) fn plain(kind: ExprKind, node: &impl Spanned) -> Expr {
+    Expr::plain(kind, site(node))
+}
+
+/// The site of an expression.
 pub fn place(expr: &syn::Expr) -> Site {
     if GENERATING { site(&span(expr)) } else { Site::default() }
 }

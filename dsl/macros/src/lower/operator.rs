@@ -13,9 +13,9 @@ use proc_macro2::Span;
 use quote::quote_spanned;
 
 use super::names::{GENERATING, own_name, slot_name, span};
-use super::walk::Lowering;
+use super::walk::{Lowering, glance_in, wrap};
 
-impl Lowering<'_> {
+impl Lowering {
     /// An operand: a slot sees its type, unless it is a name, of which the type can be asked as well.
     pub(super) fn operand(
         &mut self,
@@ -30,7 +30,7 @@ impl Lowering<'_> {
         let name = name_of(&operand, expr);
         match (&name, glanced) {
             (None, _) => side.sees(glanced, expr),
-            (Some(_), Some(slot)) => self.glance_in(slot, expr),
+            (Some(_), Some(slot)) => glance_in(slot, expr),
             (Some(_), None) => {}
         }
         (operand, name)
@@ -46,7 +46,7 @@ impl Lowering<'_> {
         let (value, glanced) = self.glanced(op, expr);
         match glanced {
             _ if is_named(place) && sign(op).is_some() => Side::Right.sees(glanced, expr),
-            Some(slot) => self.glance_in(slot, expr),
+            Some(slot) => glance_in(slot, expr),
             None => {}
         }
         value
@@ -93,45 +93,39 @@ impl Lowering<'_> {
         };
         if GENERATING {
             let own = own_name(self.operators.len());
-            let of = syn::Ident::new(&of, Span::call_site());
-            let asks = match &names {
-                [None, None] => "__operands",
-                [Some(_), None] => "__named_left",
-                [None, Some(_)] => "__named_right",
-                [Some(_), Some(_)] => "__named",
+            let [named_left, named_right] = names.each_ref().map(Option::is_some);
+            let asks = match (named_left, named_right) {
+                (false, false) => "__operands",
+                (true, false) => "__named_left",
+                (false, true) => "__named_right",
+                (true, true) => "__named",
             };
-            let asks = syn::Ident::new(asks, Span::call_site());
-            let mut sides = Vec::new();
-            let [left, right] = names;
-            let mut side = |name: Option<syn::Ident>, side: Side| {
-                name.unwrap_or_else(|| {
-                    sides.push(side.name());
-                    side.name()
-                })
-            };
-            let first = side(left, Side::Left);
-            let second = match operands.len() {
-                1 => first.clone(),
-                _ => side(right, Side::Right),
-            };
-            let function = quote_spanned! { span(expr) =>
+            let [of, asks] = [&*of, asks].map(|name| syn::Ident::new(name, Span::call_site()));
+            let sides = [Side::Left, Side::Right].map(Side::name);
+            let open = names.iter().zip(&sides).take(operands.len());
+            let open: Vec<_> = open.filter(|(name, _)| name.is_none()).map(|it| it.1).collect();
+            let [left, right] = &names;
+            let first = left.as_ref().unwrap_or(&sides[0]);
+            let second = right.as_ref().unwrap_or(&sides[operands.len() - 1]);
+            let span = span(expr);
+            let function = quote_spanned! { span =>
                 __settled(&#asks::<::bessemer::generate::sign::#of, _, _>(&#first, &#second)).__own()
             };
             let value = if operates {
                 let slot = slot_name(at);
-                quote_spanned! { span(expr) => __computed(&#own, &#slot, #expr, #function) }
+                quote_spanned! { span => __computed(&#own, &#slot, #expr, #function) }
             } else {
-                quote_spanned! { span(expr) => __operated(&#own, #expr, #function) }
+                quote_spanned! { span => __operated(&#own, #expr, #function) }
             };
-            let value = quote_spanned! { span(expr) => #(let #sides = [];)* #value };
+            let value = quote_spanned! { span => #(let #open = [];)* #value };
             *expr = syn::Expr::Verbatim(if chained {
                 let name = syn::Ident::new("__before", Span::mixed_site());
-                self.before.push(quote_spanned! { span(expr) => let #name = { #value }; });
-                quote_spanned! { span(expr) => #name }
+                self.before.push(quote_spanned! { span => let #name = { #value }; });
+                quote_spanned! { span => #name }
             } else {
                 let before = std::mem::take(&mut self.before);
                 // In parentheses: what begins with a brace would be the body of a loop over `0..n + 1`.
-                quote_spanned! { span(expr) => ({ #(#before)* #value }) }
+                quote_spanned! { span => ({ #(#before)* #value }) }
             });
         }
         self.operators.push(tree::Operator { at, of, operands });
@@ -171,23 +165,16 @@ impl Side {
 
     /// Lets the slot see an operand, and one of the function that has not yet.
     fn sees(self, glanced: Option<u32>, expr: &mut syn::Expr) {
-        if GENERATING {
-            let name = self.name();
-            *expr = syn::Expr::Verbatim(match glanced.map(slot_name) {
-                Some(slot) => quote_spanned! { span(expr) => __both(&#name, &#slot, #expr) },
-                None => quote_spanned! { span(expr) => __see(&#name, #expr) },
-            });
-        }
+        let function = if glanced.is_some() { "__both" } else { "__see" };
+        let own = std::iter::once_with(|| self.name());
+        wrap(expr, function, own.chain(glanced.into_iter().map(slot_name)));
     }
 }
 
 /// Lets a slot see what is behind a sign. Rustc expects of that what it expects of the whole, though it may be a
 /// reference.
 pub(super) fn see_signed(expr: &mut syn::Expr) {
-    if GENERATING {
-        let name = Side::Left.name();
-        *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __operand(&#name, #expr) });
-    }
+    wrap(expr, "__operand", std::iter::once_with(|| Side::Left.name()));
 }
 
 /// The trait of an operator whose result is not always `bool`.
@@ -207,27 +194,37 @@ pub(super) fn sign(op: BinaryOp) -> Option<&'static str> {
     })
 }
 
-/// The operator between two operands.
-pub(super) fn infix(op: &syn::BinOp) -> Option<BinaryOp> {
+/// The operator that is written between two operands, and whether it assigns, as `+=` does.
+pub(super) fn written(op: &syn::BinOp) -> Option<(BinaryOp, bool)> {
     Some(match op {
-        syn::BinOp::Add(_) => BinaryOp::Add,
-        syn::BinOp::Sub(_) => BinaryOp::Sub,
-        syn::BinOp::Mul(_) => BinaryOp::Mul,
-        syn::BinOp::Div(_) => BinaryOp::Div,
-        syn::BinOp::Rem(_) => BinaryOp::Rem,
-        syn::BinOp::BitAnd(_) => BinaryOp::And,
-        syn::BinOp::BitOr(_) => BinaryOp::Or,
-        syn::BinOp::BitXor(_) => BinaryOp::Xor,
-        syn::BinOp::Shl(_) => BinaryOp::Shl,
-        syn::BinOp::Shr(_) => BinaryOp::Shr,
-        syn::BinOp::Eq(_) => BinaryOp::Eq,
-        syn::BinOp::Ne(_) => BinaryOp::Ne,
-        syn::BinOp::Lt(_) => BinaryOp::Lt,
-        syn::BinOp::Le(_) => BinaryOp::Le,
-        syn::BinOp::Gt(_) => BinaryOp::Gt,
-        syn::BinOp::Ge(_) => BinaryOp::Ge,
-        syn::BinOp::And(_) => BinaryOp::LogicAnd,
-        syn::BinOp::Or(_) => BinaryOp::LogicOr,
+        syn::BinOp::Add(_) => (BinaryOp::Add, false),
+        syn::BinOp::Sub(_) => (BinaryOp::Sub, false),
+        syn::BinOp::Mul(_) => (BinaryOp::Mul, false),
+        syn::BinOp::Div(_) => (BinaryOp::Div, false),
+        syn::BinOp::Rem(_) => (BinaryOp::Rem, false),
+        syn::BinOp::BitAnd(_) => (BinaryOp::And, false),
+        syn::BinOp::BitOr(_) => (BinaryOp::Or, false),
+        syn::BinOp::BitXor(_) => (BinaryOp::Xor, false),
+        syn::BinOp::Shl(_) => (BinaryOp::Shl, false),
+        syn::BinOp::Shr(_) => (BinaryOp::Shr, false),
+        syn::BinOp::Eq(_) => (BinaryOp::Eq, false),
+        syn::BinOp::Ne(_) => (BinaryOp::Ne, false),
+        syn::BinOp::Lt(_) => (BinaryOp::Lt, false),
+        syn::BinOp::Le(_) => (BinaryOp::Le, false),
+        syn::BinOp::Gt(_) => (BinaryOp::Gt, false),
+        syn::BinOp::Ge(_) => (BinaryOp::Ge, false),
+        syn::BinOp::And(_) => (BinaryOp::LogicAnd, false),
+        syn::BinOp::Or(_) => (BinaryOp::LogicOr, false),
+        syn::BinOp::AddAssign(_) => (BinaryOp::Add, true),
+        syn::BinOp::SubAssign(_) => (BinaryOp::Sub, true),
+        syn::BinOp::MulAssign(_) => (BinaryOp::Mul, true),
+        syn::BinOp::DivAssign(_) => (BinaryOp::Div, true),
+        syn::BinOp::RemAssign(_) => (BinaryOp::Rem, true),
+        syn::BinOp::BitAndAssign(_) => (BinaryOp::And, true),
+        syn::BinOp::BitOrAssign(_) => (BinaryOp::Or, true),
+        syn::BinOp::BitXorAssign(_) => (BinaryOp::Xor, true),
+        syn::BinOp::ShlAssign(_) => (BinaryOp::Shl, true),
+        syn::BinOp::ShrAssign(_) => (BinaryOp::Shr, true),
         _ => return None,
     })
 }
@@ -235,7 +232,9 @@ pub(super) fn infix(op: &syn::BinOp) -> Option<BinaryOp> {
 /// Whether an expression is one of these operators between two operands.
 pub(super) fn is_operator(expr: &syn::Expr) -> bool {
     match expr {
-        syn::Expr::Binary(it) => infix(&it.op).and_then(sign).is_some(),
+        syn::Expr::Binary(it) => {
+            written(&it.op).is_some_and(|(op, assigns)| !assigns && sign(op).is_some())
+        }
         syn::Expr::Paren(it) => is_operator(&it.expr),
         syn::Expr::Group(it) => is_operator(&it.expr),
         _ => false,

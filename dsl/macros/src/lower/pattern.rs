@@ -1,7 +1,10 @@
-//! Patterns: the simple names that parameters and `for` bind, and what `let` and `match` take apart.
+//! Patterns: the simple names that parameters and `for` bind, and what `let`, `match` and assignments take apart.
 
 use bessemer_ir::tree;
+use proc_macro2::Span;
 use quote::{ToTokens, quote_spanned};
+use syn::Expr::{Array, Call, Infer, Paren, Range, Struct, Tuple};
+use syn::parse_quote;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 
@@ -12,25 +15,29 @@ use super::syntax::{is_variant, last_segment};
 use super::walk::{Constant, Lowering};
 use crate::owned::associated;
 
-/// The name that a pattern binds, if that is all it does.
-pub fn simple_name(pattern: &syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
+/// A pattern that is a name, with a type perhaps, and no more.
+pub(super) fn alone(pattern: &syn::Pat) -> Option<&syn::PatIdent> {
     match pattern {
-        syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => Some(it.ident.clone()),
-        syn::Pat::Type(it) => simple_name(&it.pat, refusals),
-        syn::Pat::Wild(it) => Some(syn::Ident::new("_unused", it.underscore_token.span)),
-        other => {
-            refusals.add(other, refuse::DESTRUCTURING);
-            None
-        }
+        syn::Pat::Ident(it) => (it.by_ref.is_none() && it.subpat.is_none()).then_some(it),
+        syn::Pat::Type(it) => alone(&it.pat),
+        _ => None,
     }
 }
 
-/// Gives `_` the name that [`simple_name`] has for it.
-pub fn name_wild(pattern: &mut syn::Pat) {
+/// The name that a pattern binds, if that is all it does; `_` gets one.
+pub fn simple_name(pattern: &mut syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
     match pattern {
-        syn::Pat::Wild(_) => *pattern = syn::parse_quote!(_unused),
-        syn::Pat::Type(it) => name_wild(&mut it.pat),
-        _ => {}
+        syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => Some(it.ident.clone()),
+        syn::Pat::Type(it) => simple_name(&mut it.pat, refusals),
+        syn::Pat::Wild(it) => {
+            let name = syn::Ident::new("_unused", it.underscore_token.span);
+            *pattern = parse_quote!(_unused);
+            Some(name)
+        }
+        other => {
+            refusals.add(&*other, refuse::DESTRUCTURING);
+            None
+        }
     }
 }
 
@@ -71,7 +78,7 @@ pub(super) fn brace_variants(pattern: &mut syn::Pat) {
     Braces.visit_pat_mut(pattern);
 }
 
-impl Lowering<'_> {
+impl Lowering {
     /// Whether an expression names a place, as far as its syntax shows: no copy is matched in its stead.
     pub(super) fn is_place(&self, expr: &syn::Expr) -> bool {
         match expr {
@@ -250,4 +257,59 @@ fn is_of_option(path: &syn::Path) -> bool {
 /// Whether a name in a pattern is that of a constant or a variant: it begins with a capital.
 pub fn is_constant_name(ident: &syn::Ident) -> bool {
     ident.to_string().starts_with(|first: char| first.is_uppercase())
+}
+
+/// Whether what stands on the left of an assignment takes the value apart.
+pub(super) fn gives_several(left: &syn::Expr) -> bool {
+    matches!(left, Tuple(_) | Array(_) | Struct(_) | Call(_))
+}
+
+/// `Point { x, y } = p;`, `(first, ..) = pair;`: a `let` with a name for each part, and an assignment of each, which is what
+/// Rust makes of it. None if the left side is made of tuples and arrays alone.
+pub(super) fn by_let(it: &syn::ExprAssign) -> Option<syn::Expr> {
+    if !gives_several(&it.left) {
+        return None;
+    }
+    let mut parts = Parts { named: Vec::new(), whole: true };
+    let (mut pattern, value) = (it.left.clone(), &it.right);
+    parts.visit_expr_mut(&mut pattern);
+    let assigned = parts.named;
+    (!parts.whole).then(|| parse_quote! { { let #pattern = #value; #(#assigned)* } })
+}
+
+/// Turns the left side of an assignment into a pattern, in which each place has a name.
+struct Parts {
+    /// The assignments of the places.
+    named: Vec<syn::Stmt>,
+    /// Whether tuples and arrays are all, and each part of them.
+    whole: bool,
+}
+
+impl VisitMut for Parts {
+    fn visit_expr_mut(&mut self, left: &mut syn::Expr) {
+        self.whole &= !(matches!(left, Call(_) | Struct(_)) || is_rest(left));
+        match left {
+            Infer(_) => {}
+            rest if is_rest(rest) => {}
+            Paren(_) | Tuple(_) | Array(_) => visit_mut::visit_expr_mut(self, left),
+            Call(it) => it.args.iter_mut().for_each(|part| self.visit_expr_mut(part)),
+            Struct(it) => {
+                for field in &mut it.fields {
+                    field.colon_token.get_or_insert_default();
+                    self.visit_expr_mut(&mut field.expr);
+                }
+            }
+            place => {
+                let name = format!("part_{}", self.named.len() + 1);
+                let name = syn::Ident::new(&name, Span::mixed_site());
+                self.named.push(parse_quote! { #place = #name; });
+                *place = parse_quote! { #name };
+            }
+        }
+    }
+}
+
+/// Whether `..` stands for the parts that nobody wants.
+fn is_rest(left: &syn::Expr) -> bool {
+    matches!(left, Range(it) if it.start.is_none() && it.end.is_none())
 }

@@ -250,6 +250,16 @@ pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     })
 }
 
+/// The reason for what is out of reach in a library of Rust's own, with which a path begins; none if it begins otherwise.
+pub fn library(path: &syn::Path) -> Option<Reason> {
+    let first = path.segments.first().filter(|_| path.segments.len() > 1)?;
+    match first.ident.to_string().as_str() {
+        "std" => Some(STD),
+        "core" | "alloc" => Some(CORE),
+        _ => None,
+    }
+}
+
 /// The reason for a type that its name shows to be out of reach.
 pub fn named_type(path: &syn::Path) -> Option<Reason> {
     let last = path.segments.last()?;

@@ -3,28 +3,36 @@
 //!
 //! Its names are those of nothing in scope, so that no name of the author's changes their meaning.
 
-use proc_macro2::Span;
-use quote::{format_ident, quote_spanned};
+use quote::{format_ident, quote, quote_spanned};
 use syn::parse_quote;
+use syn::spanned::Spanned;
 
 use super::names::text;
+use super::pattern::by_let;
 use super::sort::Leg;
-use super::syntax::{bare, is_plain, library, names};
+use super::syntax::{bare, fresh, is_plain, names};
 use super::walk::Lowering;
-use super::{refuse, sort};
+use super::{macros, refuse, sort};
 
 /// The modules of core whose functions have companions, and these functions.
 const OF_CORE: [(&str, [&str; 2]); 2] = [("mem", ["swap", "replace"]), ("cmp", ["max", "min"])];
 
-impl Lowering<'_> {
+impl Lowering {
     /// The expansion of an expression; none if it stands for itself.
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
-            syn::Expr::Call(it) => {
-                return self.of_core(it);
-            }
+            syn::Expr::Call(it) => return self.of_core(it),
             syn::Expr::Range(it) => return held(it),
+            syn::Expr::Assign(it) => return by_let(it),
+            // rustc has computed it in the original.
+            syn::Expr::Const(syn::ExprConst { block, .. }) => return Some(parse_quote! { #block }),
+            syn::Expr::Macro(it) => {
+                if it.mac.path.is_ident(macros::MATCHES) {
+                    self.is_rusts(&it.mac.path);
+                }
+                return macros::expanded(&it.mac);
+            }
             _ => return None,
         };
         match (text(&it.method).as_str(), it.args.len()) {
@@ -42,63 +50,37 @@ impl Lowering<'_> {
 
     /// `core::mem::swap(&mut a, &mut b)`, `core::cmp::max(a, b)`: by the companions that these have.
     fn of_core(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
-        let span = syn::spanned::Spanned::span(&it.func);
-        let mut arguments = it.args.clone();
-        for (module, names) in OF_CORE {
-            let Some(name) = self.function_of(module, it) else { continue };
-            let name = match name.as_str() {
-                "take" => {
-                    arguments.push(parse_quote! { Default::default() });
-                    "replace"
-                }
-                name => name,
-            };
-            if !names.contains(&name) {
-                return None;
-            }
-            let [module, name] = [module, name].map(|it| syn::Ident::new(it, span));
-            let path = quote_spanned! { span => ::bessemer::generate::#module::#name };
-            return Some(parse_quote! { #path(#arguments) });
-        }
-        None
-    }
-
-    /// The name of what is called, if that is a function of Rust's `module` by its path.
-    fn function_of(&mut self, module: &str, it: &syn::ExprCall) -> Option<String> {
-        let syn::Expr::Path(function) = &*it.func else { return None };
-        let segments = &function.path.segments;
-        let names: Vec<_> = segments.iter().map(|part| text(&part.ident)).collect();
-        let names: Vec<_> = names.iter().map(String::as_str).collect();
+        let syn::Expr::Path(syn::ExprPath { path, .. }) = &*it.func else { return None };
+        let names: Vec<_> = path.segments.iter().map(|part| text(&part.ident)).collect();
         let (home, name) = match names.as_slice() {
-            [_, home, name] if library(&function.path).is_some() => (home, name),
-            [home, name] => (home, name),
+            [_, home, name] if refuse::library(path).is_some() => (home, name.as_str()),
+            [home, name] => (home, name.as_str()),
             _ => return None,
         };
-        if *home != module {
+        let (module, functions) = OF_CORE.into_iter().find(|(module, _)| home == module)?;
+        if names.len() == 2 {
+            self.ask(&path.segments[0].ident);
+        }
+        let mut arguments = it.args.clone();
+        let name = match name {
+            "take" => {
+                arguments.push(parse_quote! { Default::default() });
+                "replace"
+            }
+            name => name,
+        };
+        if !functions.contains(&name) {
             return None;
         }
-        if names.len() == 2 {
-            self.ask(&segments[0].ident);
-        }
-        Some((*name).to_owned())
-    }
-
-    /// A name that nothing has here, nor in `beside`.
-    pub(super) fn fresh_beside(&self, name: &str, beside: &syn::ExprMethodCall) -> syn::Ident {
-        self.fresh_in(name, &syn::Expr::MethodCall(beside.clone()))
-    }
-
-    pub(super) fn fresh_in(&self, name: &str, beside: &syn::Expr) -> syn::Ident {
-        let mut fresh = name.to_owned();
-        while self.is_local(&fresh) || names(beside, &fresh) {
-            fresh.push('_');
-        }
-        syn::Ident::new(&fresh, Span::call_site())
+        let span = it.func.span();
+        let [module, name] = [module, name].map(|it| syn::Ident::new(it, span));
+        let path = quote_spanned! { span => ::bessemer::generate::#module::#name };
+        Some(parse_quote! { #path(#arguments) })
     }
 
     /// `(a..b).contains(&x)`: the comparisons.
     fn contained(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
-        let fresh = |name: &str| self.fresh_beside(name, it);
+        let fresh = |name: &str| fresh(name, |name| self.is_local(name) || names(it, name));
         let syn::Expr::Range(range) = bare(&it.receiver) else { return None };
         let value = match &it.args[0] {
             syn::Expr::Reference(it) if it.mutability.is_none() => (*it.expr).clone(),
@@ -124,22 +106,17 @@ impl Lowering<'_> {
             true => value,
             false => named(fresh("value"), value),
         };
-        let above = low.map(|low| -> syn::Expr {
-            parse_quote! { #low <= #value }
-        });
-        let below = high.map(|high| -> syn::Expr {
-            match range.limits {
-                syn::RangeLimits::HalfOpen(_) => parse_quote! { #value < #high },
-                syn::RangeLimits::Closed(_) => parse_quote! { #value <= #high },
-            }
-        });
-        let inside: syn::Expr = match (above, below) {
-            (Some(above), Some(below)) => parse_quote! { (#above && #below) },
-            (one, other) => one.or(other).map(|it| parse_quote! { (#it) })?,
+        let below = match range.limits {
+            syn::RangeLimits::HalfOpen(_) => quote! { < },
+            syn::RangeLimits::Closed(_) => quote! { <= },
         };
+        let low = low.map(|low| quote! { #low <= #value });
+        let high = high.map(|high| quote! { #value #below #high });
+        let inside: Vec<_> = low.into_iter().chain(high).collect();
         Some(match names.is_empty() {
-            true => inside,
-            false => parse_quote! { { #(#names)* #inside } },
+            _ if inside.is_empty() => return None,
+            true => parse_quote! { (#(#inside)&&*) },
+            false => parse_quote! { { #(#names)* (#(#inside)&&*) } },
         })
     }
 }

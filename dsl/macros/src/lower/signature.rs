@@ -1,6 +1,6 @@
 //! Signatures and types, as far as syntax can tell what the DSL does not take.
 
-use bessemer_ir::tree::Site;
+use bessemer_ir::tree::{NO_SLOT, Param};
 use proc_macro2::Span;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
@@ -16,24 +16,16 @@ pub const RECEIVER: &str = "__self";
 
 /// A parameter as the tree and the companions need it.
 pub struct Parameter {
-    /// The author's name; `self` for the receiver.
-    pub name: String,
+    /// As the tree has it, without its slot.
+    pub param: Param,
     /// The name in the witness copy.
     pub ident: syn::Ident,
     /// The pattern in the witness copy.
     pub pattern: proc_macro2::TokenStream,
-    /// Its type.
+    /// Its type; of a closure or an iterator, what stands for that.
     pub ty: proc_macro2::TokenStream,
-    /// Where it stands.
-    pub site: Site,
     /// Where its type stands.
     pub place: Span,
-    /// Whether its author may assign it.
-    pub mutable: bool,
-    /// Whether it takes a closure or an iterator; then `ty` is what stands for its type.
-    pub closure: bool,
-    /// Whether that is an iterator.
-    pub items: bool,
 }
 
 /// The parameters of a signature, after refusing what the DSL does not take in one.
@@ -63,36 +55,32 @@ fn parameter(
             };
             let receiver = syn::Ident::new(RECEIVER, it.self_token.span);
             let mutability = &it.mutability;
+            let (site, mutable) = (site(&it.self_token), mutability.is_some());
+            let (slot, closure, items) = (NO_SLOT, false, false);
             Some(Parameter {
-                name: "self".into(),
+                param: Param { name: "self".into(), slot, site, closure, items, mutable },
                 pattern: quote! { #mutability #receiver },
                 ident: receiver,
                 ty,
-                site: site(&it.self_token),
                 place: Span::call_site(),
-                mutable: mutability.is_some(),
-                closure: false,
-                items: false,
             })
         }
         syn::FnArg::Typed(it) => {
-            let closure = closures::stands_for(&it.ty, generics);
-            if closure.is_none() {
+            let stands_for = closures::stands_for(&it.ty, generics);
+            if stands_for.is_none() {
                 check_type(&it.ty, refusals);
             }
-            let ident = pattern::simple_name(&it.pat, refusals)?;
-            let items = closure.as_ref().is_some_and(|closure| closure.items);
+            let ident = pattern::simple_name(&mut it.pat.clone(), refusals)?;
+            let (name, slot, site) = (text(&ident), NO_SLOT, site(&ident));
+            let (closure, items) =
+                (stands_for.is_some(), stands_for.as_ref().is_some_and(|it| it.items));
             let mutable = matches!(&*it.pat, syn::Pat::Ident(it) if it.mutability.is_some());
             Some(Parameter {
-                name: text(&ident),
+                param: Param { name, slot, site, closure, items, mutable },
                 pattern: it.pat.to_token_stream(),
-                mutable,
-                closure: closure.is_some(),
-                items,
-                ty: closure.map_or_else(|| it.ty.to_token_stream(), |closure| closure.ty),
-                site: site(&ident),
-                place: named_part(&it.ty),
                 ident,
+                ty: stands_for.map_or_else(|| it.ty.to_token_stream(), |it| it.ty),
+                place: named_part(&it.ty),
             })
         }
     }
@@ -142,7 +130,7 @@ pub fn borrows(signature: &syn::Signature) -> bool {
 /// `(x, y): (f64, f64)` is `x_y`, and `let (x, y) = x_y;`.
 pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
     let mut taken: Vec<String> = Vec::new();
-    signature.inputs.iter().for_each(|input| names_in(input, &mut taken));
+    Names(&mut taken).visit_signature(signature);
     let mut apart = Vec::new();
     for input in &mut signature.inputs {
         let syn::FnArg::Typed(it) = input else { continue };
@@ -161,12 +149,6 @@ pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
         apart.push(syn::parse_quote! { let #pattern = #name; });
     }
     body.stmts.splice(0..0, apart);
-}
-
-fn names_in(input: &syn::FnArg, names: &mut Vec<String>) {
-    if let syn::FnArg::Typed(it) = input {
-        Names(names).visit_pat(&it.pat);
-    }
 }
 
 /// The names that a pattern binds.

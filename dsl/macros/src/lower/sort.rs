@@ -2,11 +2,11 @@
 //! another would put equal elements in another order.
 
 use quote::ToTokens;
-use syn::parse_quote;
 use syn::spanned::Spanned;
+use syn::{parse_quote, parse_quote_spanned};
 
 use super::names::text;
-use super::syntax::names;
+use super::syntax::{fresh, names};
 
 /// Where a comparison stands: in the native item, or in the tree and the copy.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -25,9 +25,8 @@ pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
         (By::Comparison, 2) => by_comparison(&closure),
         _ => return None,
     };
-    let values = &it.receiver;
-    let span = it.method.span();
-    let values: syn::Expr = syn::parse_quote_spanned! { span => &mut #values[..] };
+    let (values, span) = (&it.receiver, it.method.span());
+    let values: syn::Expr = parse_quote_spanned! { span => &mut #values[..] };
     Some(parse_quote! { ::bessemer::sort::sort_by(#values, #below) })
 }
 
@@ -42,53 +41,46 @@ enum By {
     Comparison,
 }
 
+/// The closure that compares, or gives the key; or that calls the function that does.
 fn sorting(it: &syn::ExprMethodCall) -> Option<(By, syn::ExprClosure)> {
     let by = match text(&it.method).as_str() {
         "sort_by_key" | "sort_unstable_by_key" => By::Key,
         "sort_by" | "sort_unstable_by" => By::Comparison,
         _ => return None,
     };
-    let closure = closure(it.args.first().filter(|_| it.args.len() == 1)?, &by)?;
+    let closure = match it.args.first().filter(|_| it.args.len() == 1)? {
+        // A type that is written for the result would be lost.
+        syn::Expr::Closure(closure) if matches!(closure.output, syn::ReturnType::Default) => {
+            closure.clone()
+        }
+        syn::Expr::Path(it) => {
+            let [one, other] = two_beside(it);
+            match by {
+                By::Key => parse_quote! { |#one| #it(#one) },
+                By::Comparison => parse_quote! { |#one, #other| #it(#one, #other) },
+            }
+        }
+        _ => return None,
+    };
     Some((by, closure))
 }
 
-/// The closure that compares, or gives the key; or that calls the function that does.
-fn closure(argument: &syn::Expr, by: &By) -> Option<syn::ExprClosure> {
-    match argument {
-        // A type that is written for the result would be lost.
-        syn::Expr::Closure(closure) if matches!(closure.output, syn::ReturnType::Default) => {
-            Some(closure.clone())
-        }
-        syn::Expr::Path(it) => {
-            let (one, other) = (fresh("one", it), fresh("other", it));
-            Some(match by {
-                By::Key => parse_quote! { |#one| #it(#one) },
-                By::Comparison => parse_quote! { |#one, #other| #it(#one, #other) },
-            })
-        }
-        _ => None,
-    }
-}
-
-/// A name that stands nowhere in what it is put beside.
-fn fresh(name: &str, beside: &impl ToTokens) -> syn::Ident {
-    let mut fresh = name.to_owned();
-    while names(beside, &fresh) {
-        fresh.push('_');
-    }
-    syn::Ident::new(&fresh, proc_macro2::Span::call_site())
+/// Names for two elements that stand nowhere in what they are put beside.
+fn two_beside(beside: &impl ToTokens) -> [syn::Ident; 2] {
+    let is_taken = |name: &str| names(beside, name);
+    [fresh("one", is_taken), fresh("other", is_taken)]
 }
 
 fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
     let (pattern, key) = (&closure.inputs[0], &closure.body);
-    let (one, other) = (fresh("one", closure), fresh("other", closure));
+    let [one, other] = two_beside(closure);
     match leg {
         // What has no order is told where the key stands.
-        Leg::Native => syn::parse_quote_spanned! { key.span() => |#one, #other| {
+        Leg::Native => parse_quote_spanned! { key.span() => |#one, #other| {
             let (#one, #other) = ({ let #pattern = #one; #key }, { let #pattern = #other; #key });
             ::core::cmp::Ord::cmp(&#one, &#other).is_lt()
         } },
-        Leg::Tree => syn::parse_quote_spanned! { key.span() =>
+        Leg::Tree => parse_quote_spanned! { key.span() =>
             |#one, #other| { let #pattern = #one; #key } < { let #pattern = #other; #key }
         },
     }

@@ -6,13 +6,12 @@ use syn::parse_quote;
 
 use super::each::is_mutable;
 use super::expr::is_unit_control;
-use super::made::UNIT;
 use super::names::{site, slot_name, text};
 use super::syntax::bare;
 use super::walk::Lowering;
 use super::{pattern, refuse, signature};
 
-impl Lowering<'_> {
+impl Lowering {
     /// Lowers a block; its locals end with it.
     pub fn block(&mut self, block: &mut syn::Block) -> tree::Block {
         self.scoped(|walk| walk.statements(&mut block.stmts))
@@ -20,7 +19,7 @@ impl Lowering<'_> {
 
     pub(super) fn statements(&mut self, stmts: &mut Vec<syn::Stmt>) -> tree::Block {
         let mut lowered = tree::Block::default();
-        self.iterators_with_names(stmts);
+        self.ranges_with_names(stmts);
         let mut originals = std::mem::take(stmts);
         originals.retain(|stmt| !is_empty(stmt));
         let originals: Vec<_> = originals.into_iter().flat_map(one_by_one).collect();
@@ -30,47 +29,25 @@ impl Lowering<'_> {
             if outermost {
                 self.begins.push(self.here(stmts.len()));
             }
+            let mut looks = Vec::new();
             match &mut stmt {
-                syn::Stmt::Local(local) => {
-                    if self.closure_local(local) {
-                        stmts.push(stmt);
-                        continue;
-                    }
-                    if takes_apart(local) && local.init.is_none() {
-                        self.refusals.add(&local.pat, refuse::LATER);
-                        continue;
-                    }
-                    if takes_apart(local) {
-                        let (tree, looks) = self.apart(local);
-                        lowered.stmts.push(tree);
-                        stmts.push(stmt);
-                        stmts.extend(looks);
-                        continue;
-                    }
-                    let (tree, look) = self.local(local);
-                    lowered.stmts.extend(tree);
-                    stmts.push(stmt);
-                    stmts.extend(look);
-                    continue;
-                }
+                syn::Stmt::Local(local) => lowered.stmts.extend(self.local(local, &mut looks)),
                 syn::Stmt::Item(item) => {
                     self.item(item);
                     continue;
                 }
-                syn::Stmt::Expr(expr, semicolon) => {
-                    if semicolon.is_none() && index == last && !is_unit_control(expr) {
-                        lowered.tail = Some(Box::new(self.value(expr)));
-                    } else {
-                        lowered.stmts.push(tree::Stmt::Expr(self.statement(expr)));
-                    }
+                syn::Stmt::Expr(expr, None) if index == last && !is_unit_control(expr) => {
+                    lowered.tail = Some(Box::new(self.value(expr)));
+                }
+                syn::Stmt::Expr(expr, _) => {
+                    lowered.stmts.push(tree::Stmt::Expr(self.statement(expr)));
                 }
                 syn::Stmt::Macro(mac) => {
-                    if let Some(tree) = self.macro_statement(mac) {
-                        lowered.stmts.push(tree::Stmt::Expr(tree));
-                    }
+                    lowered.stmts.extend(self.macro_call(&mut mac.mac).map(tree::Stmt::Expr));
                 }
             }
             stmts.push(stmt);
+            stmts.extend(looks);
         }
         lowered
     }
@@ -80,30 +57,45 @@ impl Lowering<'_> {
         self.scopes.len() == 2
     }
 
-    pub(super) fn item(&mut self, item: &syn::Item) {
-        match item {
-            syn::Item::Const(_) | syn::Item::Use(_) if self.is_outermost() => {
-                self.items.push(item.clone())
-            }
-            syn::Item::Static(it)
-                if self.is_outermost() && matches!(it.mutability, syn::StaticMutability::None) =>
-            {
-                self.items.push(item.clone())
-            }
-            syn::Item::Const(it) => self.refusals.add(it.const_token.span, refuse::NESTED_CONST),
-            syn::Item::Use(it) => self.refusals.add(it.use_token.span, refuse::NESTED_CONST),
+    fn item(&mut self, item: &syn::Item) {
+        let token = match item {
+            syn::Item::Const(it) => it.const_token.span,
+            syn::Item::Use(it) => it.use_token.span,
             syn::Item::Static(it) if matches!(it.mutability, syn::StaticMutability::None) => {
-                self.refusals.add(it.static_token.span, refuse::NESTED_CONST);
+                it.static_token.span
             }
-            syn::Item::Static(it) => self.refusals.add(it.static_token.span, refuse::STATIC),
-            other => self.refusals.add(refuse::first_token(other), refuse::NESTED_ITEM),
+            syn::Item::Static(it) => {
+                return self.refusals.add(it.static_token.span, refuse::STATIC);
+            }
+            other => return self.refusals.add(refuse::first_token(other), refuse::NESTED_ITEM),
+        };
+        match self.is_outermost() {
+            true => self.items.push(item.clone()),
+            false => self.refusals.add(token, refuse::NESTED_CONST),
         }
     }
 
-    pub(super) fn local(
-        &mut self,
-        local: &mut syn::Local,
-    ) -> (Option<tree::Stmt>, Option<syn::Stmt>) {
+    /// A `let`; the statements that look at what it binds go to `looks`.
+    fn local(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
+        if self.closure_local(local) {
+            return None;
+        }
+        let apart = takes_apart(local);
+        if apart && local.init.is_none() {
+            self.refusals.add(&local.pat, refuse::LATER);
+            return None;
+        }
+        if let syn::Pat::Type(typed) = &local.pat {
+            signature::check_type(&typed.ty, &mut self.refusals);
+        }
+        match apart {
+            true => self.apart(local, looks),
+            false => self.named(local, looks),
+        }
+    }
+
+    /// `let name = value;`, `let name;`
+    fn named(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
         let site = site(&local.let_token);
         if let Some(init) = &local.init
             && let syn::Expr::Range(syn::ExprRange {
@@ -113,17 +105,11 @@ impl Lowering<'_> {
             self.refusals.add(&init.expr, refuse::RANGE_VALUE);
         }
         let value = local.init.as_mut().map(|init| self.value(&mut init.expr));
-        if let syn::Pat::Type(typed) = &local.pat {
-            signature::check_type(&typed.ty, self.refusals);
-        }
-        let Some(ident) = pattern::simple_name(&local.pat, self.refusals) else {
-            return (None, None);
-        };
+        let ident = pattern::simple_name(&mut local.pat, &mut self.refusals)?;
         let (slot, mutable) = (self.slot(), is_mutable(&local.pat));
-        pattern::name_wild(&mut local.pat);
         let name = self.bind_here(&text(&ident));
-        let look = if local.init.is_some() {
-            Some(self.look(slot, &ident))
+        if value.is_some() {
+            looks.push(self.look(slot, &ident));
         } else {
             pattern::make_mutable(&mut local.pat);
             let slot = slot_name(slot);
@@ -132,32 +118,22 @@ impl Lowering<'_> {
                 expr: Box::new(syn::Expr::Verbatim(quote! { __any(&#slot) })),
                 diverge: None,
             });
-            None
-        };
-        (Some(tree::Stmt::Let { name, slot, value, site, mutable }), look)
+        }
+        Some(tree::Stmt::Let { name, slot, value, site, mutable })
     }
 
     /// `let pattern = value;`, perhaps with an `else`.
-    pub(super) fn apart(&mut self, local: &mut syn::Local) -> (tree::Stmt, Vec<syn::Stmt>) {
-        let site = site(&local.let_token);
-        if let syn::Pat::Type(typed) = &local.pat {
-            signature::check_type(&typed.ty, self.refusals);
-        }
-        let lent = local.init.as_ref().is_some_and(|init| self.is_place(&init.expr));
-        let (mut value, mut otherwise) = (tree::Expr { kind: UNIT, site, slot: None }, None);
-        if let Some(init) = local.init.as_mut() {
-            value = self.whole(&mut init.expr);
-            if let Some((_, expr)) = &mut init.diverge {
-                otherwise = match &mut **expr {
-                    syn::Expr::Block(it) => Some(self.branch(&mut it.block, false)),
-                    _ => None,
-                };
-            }
-        }
-        let mut looks = Vec::new();
+    fn apart(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
+        let (site, init) = (site(&local.let_token), local.init.as_mut()?);
+        let lent = self.is_place(&init.expr);
+        let value = self.whole(&mut init.expr);
+        let otherwise = match init.diverge.as_mut().map(|(_, expr)| &mut **expr) {
+            Some(syn::Expr::Block(it)) => Some(self.branch(&mut it.block, false)),
+            _ => None,
+        };
         pattern::brace_variants(&mut local.pat);
-        let pattern = Box::new(self.pattern_of(lent, &local.pat, &mut looks));
-        (tree::Stmt::Apart { pattern, value, otherwise, site }, looks)
+        let pattern = Box::new(self.pattern_of(lent, &local.pat, looks));
+        Some(tree::Stmt::Apart { pattern, value, otherwise, site })
     }
 
     /// A value that is taken apart: the parts of a tuple need not become one.

@@ -5,7 +5,7 @@
 use syn::visit_mut::{self, VisitMut};
 
 use super::refuse::Refusals;
-use super::{bound, refuse, unroll};
+use super::{loops, refuse};
 
 /// Refuses the attributes of an item, field or method that would make the C differ from the Rust.
 ///
@@ -99,28 +99,13 @@ impl VisitMut for Strip<'_> {
     }
 
     fn visit_local_mut(&mut self, it: &mut syn::Local) {
-        bound::hand_on(it);
+        loops::hand_on(it);
         visit_mut::visit_local_mut(self, it);
     }
 
-    /// The bound of a loop is the walk's to read.
-    fn visit_expr_while_mut(&mut self, it: &mut syn::ExprWhile) {
-        let bound = bound::take(&mut it.attrs);
-        visit_mut::visit_expr_while_mut(self, it);
-        it.attrs.extend(bound);
-    }
-
-    fn visit_expr_loop_mut(&mut self, it: &mut syn::ExprLoop) {
-        let bound = bound::take(&mut it.attrs);
-        visit_mut::visit_expr_loop_mut(self, it);
-        it.attrs.extend(bound);
-    }
-
-    /// So is what is asked of the C of one.
-    fn visit_expr_for_loop_mut(&mut self, it: &mut syn::ExprForLoop) {
-        let unroll = unroll::strip(&mut it.attrs);
-        visit_mut::visit_expr_for_loop_mut(self, it);
-        it.attrs.extend(unroll);
+    /// What is said of loops is the walk's to read.
+    fn visit_expr_mut(&mut self, it: &mut syn::Expr) {
+        loops::without(it, |it| visit_mut::visit_expr_mut(self, it));
     }
 
     fn visit_type_reference_mut(&mut self, ty: &mut syn::TypeReference) {

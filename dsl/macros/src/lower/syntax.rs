@@ -49,20 +49,13 @@ pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
     count(quote! { #expr }, name)
 }
 
-/// A library of Rust's own.
-pub(super) enum Library {
-    Std,
-    Core,
-}
-
-/// The library of Rust's that a path begins with.
-pub(super) fn library(path: &syn::Path) -> Option<Library> {
-    let first = path.segments.first().filter(|_| path.segments.len() > 1)?;
-    match text(&first.ident).as_str() {
-        "std" => Some(Library::Std),
-        "core" | "alloc" => Some(Library::Core),
-        _ => None,
+/// A name that is not taken: `name`, or one that begins with it.
+pub(super) fn fresh(name: &str, is_taken: impl Fn(&str) -> bool) -> syn::Ident {
+    let mut fresh = name.to_owned();
+    while is_taken(&fresh) {
+        fresh.push('_');
     }
+    syn::Ident::new(&fresh, proc_macro2::Span::call_site())
 }
 
 /// Whether a path is that of a variant.

@@ -6,13 +6,14 @@ use bessemer_ir::tree;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
-use super::names::{GENERATING, slot_name, span, text};
-use super::refuse::Refusals;
+use super::names::{GENERATING, UNIT, slot_name, span, text};
+use super::refuse::{Place, Reason, Refusals};
 
 /// The walk over one function.
-pub struct Lowering<'a> {
+#[derive(Default)]
+pub struct Lowering {
     /// The refusals so far.
-    pub refusals: &'a mut Refusals,
+    pub refusals: Refusals,
     /// The locals in scope: the author's name, and that in the tree.
     pub(super) scopes: Vec<Vec<(String, String)>>,
     /// The closures that have a name, by it.
@@ -85,31 +86,17 @@ pub struct Closure {
     pub(super) uses: Vec<(usize, String)>,
 }
 
-impl<'a> Lowering<'a> {
+impl Lowering {
     /// A walk over the function or method called `name`, with nothing seen yet.
-    pub fn new(name: &syn::Ident, method: bool, refusals: &'a mut Refusals) -> Lowering<'a> {
-        Lowering {
-            refusals,
-            scopes: vec![Vec::new()],
-            closures: Vec::new(),
-            called: Vec::new(),
-            apart: None,
-            slots: 0,
-            callees: 0,
-            operators: Vec::new(),
-            chained: false,
-            sides: [None, None],
-            before: Vec::new(),
-            begins: Vec::new(),
-            constants: Vec::new(),
-            macros: Vec::new(),
-            items: Vec::new(),
-            name: text(name),
-            method,
-            lent: false,
-            leaves: None,
-            mutable: Vec::new(),
-        }
+    pub fn new(name: &syn::Ident, method: bool, refusals: Refusals) -> Lowering {
+        let (scopes, name) = (vec![Vec::new()], text(name));
+        Lowering { refusals, scopes, name, method, ..Lowering::default() }
+    }
+
+    /// Refuses what stands at `place`; gives what stands for it.
+    pub(super) fn refused(&mut self, place: impl Place, reason: Reason) -> tree::ExprKind {
+        self.refusals.add(place, reason);
+        UNIT
     }
 
     /// Where what comes next begins, behind so many statements of the witness copy.
@@ -137,9 +124,7 @@ impl<'a> Lowering<'a> {
 
     /// Makes `name` a local of the innermost scope.
     pub fn bind(&mut self, name: &str) {
-        if let Some(scope) = self.scopes.last_mut() {
-            scope.push((name.to_owned(), name.to_owned()));
-        }
+        self.bind_as(name, name);
     }
 
     /// The same under a name in the tree that hides none there, and that none of the author's hides: what is lowered out of
@@ -204,29 +189,15 @@ impl<'a> Lowering<'a> {
     /// Turns `expr` into `see(&slot, expr)` and gives the slot.
     pub(super) fn see(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
-        self.see_in(slot, expr);
+        see_in(slot, expr);
         slot
     }
 
     /// The same for a value with references in it, of which a slot holds the type without their lifetime.
     pub(super) fn glance(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
-        self.glance_in(slot, expr);
+        glance_in(slot, expr);
         slot
-    }
-
-    pub(super) fn glance_in(&self, slot: u32, expr: &mut syn::Expr) {
-        if GENERATING {
-            let name = slot_name(slot);
-            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __glance(&#name, #expr) });
-        }
-    }
-
-    pub(super) fn see_in(&self, slot: u32, expr: &mut syn::Expr) {
-        if GENERATING {
-            let name = slot_name(slot);
-            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __see(&#name, #expr) });
-        }
     }
 
     /// The statement `look(&slot, &place);`.
@@ -236,5 +207,21 @@ impl<'a> Lowering<'a> {
             syn::Expr::Verbatim(quote_spanned! { place.span() => __look(&#name, &#place) }),
             Some(Default::default()),
         )
+    }
+}
+
+pub(super) fn see_in(slot: u32, expr: &mut syn::Expr) {
+    wrap(expr, "__see", [slot].into_iter().map(slot_name));
+}
+
+pub(super) fn glance_in(slot: u32, expr: &mut syn::Expr) {
+    wrap(expr, "__glance", [slot].into_iter().map(slot_name));
+}
+
+/// Writes `function(&slot, …, expr)` for `expr`, in the witness copy alone.
+pub(super) fn wrap(expr: &mut syn::Expr, function: &str, slots: impl Iterator<Item = syn::Ident>) {
+    if GENERATING {
+        let (function, span) = (syn::Ident::new(function, span(expr)), span(expr));
+        *expr = syn::Expr::Verbatim(quote_spanned! { span => #function(#(&#slots,)* #expr) });
     }
 }

@@ -1,0 +1,132 @@
+//! What authors say above loops, and what leaves loops.
+//!
+//! `#[bound(64)]` above a `while` or a `loop` says how many passes there may be. The native loop counts them down and
+//! panics where another would begin, as the C reports a fault. `#[unroll(4)]` and `#[keep]` above a `for` ask it of C
+//! compilers: the native loop goes without.
+
+use bessemer_ir::tree::EACH;
+use proc_macro2::Span;
+use quote::quote_spanned;
+use syn::visit::{self, Visit};
+
+/// What is said of a loop without a range.
+pub(super) const BOUND: &[&str] = &["bound"];
+/// What is said of a `for`.
+pub(super) const HINTS: &[&str] = &["unroll", "keep"];
+
+/// Takes the first attribute of one of these names.
+pub(super) fn take(attributes: &mut Vec<syn::Attribute>, names: &[&str]) -> Option<syn::Attribute> {
+    let is_one = |it: &syn::Attribute| names.iter().any(|name| it.path().is_ident(name));
+    let index = attributes.iter().position(is_one)?;
+    Some(attributes.remove(index))
+}
+
+/// The attributes of a loop, and those of the DSL among them.
+fn attributes(expr: &mut syn::Expr) -> Option<(&mut Vec<syn::Attribute>, &'static [&'static str])> {
+    Some(match expr {
+        syn::Expr::While(it) => (&mut it.attrs, BOUND),
+        syn::Expr::Loop(it) => (&mut it.attrs, BOUND),
+        syn::Expr::ForLoop(it) => (&mut it.attrs, HINTS),
+        _ => return None,
+    })
+}
+
+/// Does something with an expression while what is said of it as a loop is off it.
+pub(super) fn without(expr: &mut syn::Expr, visit: impl FnOnce(&mut syn::Expr)) {
+    let attribute = attributes(expr).and_then(|(all, names)| take(all, names));
+    visit(expr);
+    attributes(expr).into_iter().for_each(|(all, _)| all.extend(attribute.clone()));
+}
+
+/// `#[bound(8)] let x = loop …` says it of the loop.
+pub fn hand_on(local: &mut syn::Local) {
+    if let Some(init) = &mut local.init
+        && let syn::Expr::Loop(it) = &mut *init.expr
+    {
+        it.attrs.extend(take(&mut local.attrs, BOUND));
+    }
+}
+
+/// Makes a native loop count its passes, if it has a bound.
+pub fn native(expr: &mut syn::Expr) {
+    let attribute = attributes(expr).and_then(|(all, names)| take(all, names));
+    let body = match expr {
+        syn::Expr::While(it) => &mut it.body,
+        syn::Expr::Loop(it) => &mut it.body,
+        _ => return,
+    };
+    let Some(Ok(bound)) = attribute.map(|attribute| attribute.parse_args::<syn::Expr>()) else {
+        return;
+    };
+    let span = Span::mixed_site();
+    let left = syn::Ident::new("passes_left", span);
+    let counted = quote_spanned! { span =>
+        ::core::assert!(#left > 0, "the loop did not end within its bound");
+        #left -= 1;
+    };
+    body.stmts.insert(0, syn::Stmt::Expr(syn::Expr::Verbatim(counted), None));
+    *expr = syn::Expr::Verbatim(quote_spanned! { span => { let mut #left = #bound; #expr } });
+}
+
+/// Whether a `loop` ends in `break` with a value.
+pub(super) fn gives_value(it: &syn::ExprLoop) -> bool {
+    Exits::of(&it.body, it.label.as_ref()).value
+}
+
+/// Whether nothing breaks a `loop`: it ends in `return` alone.
+pub(super) fn is_endless(it: &syn::ExprLoop) -> bool {
+    !Exits::of(&it.body, it.label.as_ref()).breaks
+}
+
+/// Whether control may leave a loop by its body; what hands its items on is left by whoever goes through them.
+pub(super) fn is_left(body: &syn::Block) -> bool {
+    Exits::of(body, None).any
+}
+
+/// What leaves a loop.
+struct Exits<'a> {
+    label: Option<&'a syn::Ident>,
+    /// How many loops are around what is looked at, inside this one.
+    depth: u32,
+    /// Whether a `break` leaves it, and whether with a value.
+    breaks: bool,
+    value: bool,
+    /// Whether anything may leave it, or a loop in it.
+    any: bool,
+}
+
+impl<'a> Exits<'a> {
+    fn of(body: &'a syn::Block, label: Option<&'a syn::Label>) -> Exits<'a> {
+        let label = label.map(|label| &label.name.ident);
+        let mut exits = Exits { label, depth: 0, breaks: false, value: false, any: false };
+        exits.visit_block(body);
+        exits
+    }
+}
+
+impl<'ast> Visit<'ast> for Exits<'_> {
+    fn visit_expr(&mut self, it: &'ast syn::Expr) {
+        use syn::Expr::{Break, Call, Closure, ForLoop, Loop, Return, Try, While};
+        let inner = u32::from(matches!(it, ForLoop(_) | While(_) | Loop(_)));
+        match it {
+            Closure(_) => return,
+            Break(it) => {
+                let ours = match &it.label {
+                    Some(label) => Some(&label.ident) == self.label,
+                    None => self.depth == 0,
+                };
+                self.breaks |= ours;
+                self.value |= ours && it.expr.is_some();
+                self.any = true;
+            }
+            Return(_) | Try(_) => self.any = true,
+            Call(it) => {
+                self.any |= matches!(&*it.func, syn::Expr::Path(it) if it.path.is_ident(EACH));
+            }
+            _ => {}
+        }
+        self.depth += inner;
+        visit::visit_expr(self, it);
+        self.depth -= inner;
+    }
+}
