@@ -1,7 +1,7 @@
 //! Conditions: those with patterns in them (`if let Some(x) = … && x > 0`), `&&` whose right side needs statements, and
 //! whether a value lies between two others.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, LogicOp, Place, Span, Stmt, StmtKind, Type, UnaryOp,
 };
@@ -37,6 +37,22 @@ impl Lowering<'_, '_> {
             }
             _ => self.value(expr, Some(&Type::BOOL)),
         }
+    }
+
+    /// What has to hold for an arm to be taken, by the test of its pattern and by its guard, as far as there are any;
+    /// `site`: where the whole stands, if not at the guard.
+    pub(super) fn guarded_test(
+        &mut self,
+        test: Option<Expr>,
+        guard: Option<&tree::Expr>,
+        site: Option<Site>,
+    ) -> Result<Option<Expr>> {
+        let Some(guard) = guard else { return Ok(test) };
+        let condition = match test {
+            Some(test) => self.short_circuit(LogicOp::And, test, guard, site.unwrap_or(guard.site)),
+            None => self.value(guard, Some(&Type::BOOL)),
+        };
+        condition.map(Some)
     }
 
     /// Emits the branches of a pattern, or the one that is taken where the lengths alone decide.
@@ -129,6 +145,12 @@ pub(super) fn decided(condition: &Expr) -> Option<bool> {
         }
         _ => None,
     }
+}
+
+/// Whether a value is in one of several ranges; none if there are none.
+pub(super) fn within_any(value: &Expr, ranges: &[(i128, i128)], span: Span) -> Option<Expr> {
+    let tests = ranges.iter().map(|range| within(value, *range, span));
+    tests.reduce(|one, other| Expr::logic(LogicOp::Or, one, other).at(span))
 }
 
 /// `low <= value && value <= high`, or what is left of it.

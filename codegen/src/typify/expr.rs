@@ -456,11 +456,9 @@ impl Lowering<'_, '_> {
             let mut names = Vec::new();
             let test = inner.test(&arm.pattern, &subject, site, &mut names)?;
             inner.alias_names(&names);
-            match (test, &arm.guard) {
-                (Some(test), None) => Ok(test),
-                (Some(test), Some(guard)) => inner.short_circuit(LogicOp::And, test, guard, site),
-                (None, Some(guard)) => inner.value(guard, Some(&Type::BOOL)),
-                (None, None) => inner.node(ExprKind::Literal(1), Type::BOOL, site),
+            match inner.guarded_test(test, arm.guard.as_ref(), Some(site))? {
+                Some(condition) => Ok(condition),
+                None => inner.node(ExprKind::Literal(1), Type::BOOL, site),
             }
         })
     }

@@ -12,7 +12,7 @@ use bessemer_ir::{
 };
 
 use super::closure_args::is_hidden;
-use super::conditions::within;
+use super::conditions::{within, within_any};
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::is_settled;
@@ -334,11 +334,7 @@ impl Lowering<'_, '_> {
                 ty,
             ) if ty.is_word() => {
                 let ranges = self.ranges(std::slice::from_ref(pattern), ty, site)?;
-                let value = place.load();
-                Ok(ranges
-                    .into_iter()
-                    .map(|range| within(&value, range, place.span))
-                    .reduce(|one, other| Expr::logic(LogicOp::Or, one, other)))
+                Ok(within_any(&place.load(), &ranges, place.span))
             }
             _ => problem(
                 site,
