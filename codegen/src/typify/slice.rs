@@ -9,6 +9,7 @@ use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Place, Span, StmtKind, Type,
 };
 
+use super::comparison::Pair;
 use super::lengths::{is_number, least, minus, plus, same};
 use super::lowering::Lowering;
 use super::syntax::{Writes, control_with_value};
@@ -371,24 +372,21 @@ impl Lowering<'_, '_> {
             (Some(one), Some(other)) => (one, other),
         };
         let span = self.span(site);
-        let equal = if same(&one.length, &other.length) {
-            self.equal_elements_of((&one, &other), site)?
-        } else {
-            let as_long =
-                Expr::compare(CompareOp::Eq, one.length.clone(), other.length.clone()).at(span);
-            self.and_then(as_long, |inner| inner.equal_elements_of((&one, &other), site))?
+        let (length, as_many) = (one.length.clone(), other.length.clone());
+        let each = |inner: &mut Self| {
+            inner.all_equal(one.length.clone(), span, |inner, index| {
+                let at = |of: &Slice| of.at(plus(of.from.clone(), index.clone()));
+                inner.equal(&Pair { sides: [at(&one), at(&other)], site, span })
+            })
+        };
+        let equal = match same(&length, &as_many) {
+            true => each(self)?,
+            false => {
+                let as_long = Expr::compare(CompareOp::Eq, length, as_many).at(span);
+                self.and_then(as_long, each)?
+            }
         };
         Ok(Some(if op == Op::Ne { equal.negated() } else { equal }))
-    }
-
-    /// Whether each element is equal to its counterpart.
-    fn equal_elements_of(&mut self, (one, other): (&Slice, &Slice), site: Site) -> Result<Expr> {
-        let span = self.span(site);
-        self.all_equal(one.length.clone(), span, |inner, index| {
-            let left = one.at(plus(one.from.clone(), index.clone()));
-            let right = other.at(plus(other.from.clone(), index));
-            inner.equal(&left, &right, site, span)
-        })
     }
 }
 
