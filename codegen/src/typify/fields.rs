@@ -7,7 +7,6 @@ use super::expr::Operand;
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
 use super::syntax::numbered;
-use super::zero_sized::At;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -120,10 +119,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let ty = Type::Struct(id);
         let declared = self.cx.fields(id).to_vec();
-        let at = |name: &str| match self.cx.field_at(id, name) {
-            Some(At::Field(index)) => Some(index),
-            _ => None,
-        };
+        let at = |name: &str| self.cx.field_at(id, name).flatten();
         let places: Vec<_> = fields.iter().map(|(name, _)| at(name)).collect();
         if let Some((_, moved)) = fields.iter().find(|(_, it)| self.is_submatrix(it)) {
             return Self::moved_part(moved.site);

@@ -16,9 +16,7 @@ use super::conditions::{within, within_any};
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::is_settled;
-use super::syntax::is_rest;
 use super::value::{Named, Value};
-use super::zero_sized::At;
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
@@ -148,13 +146,8 @@ impl Lowering<'_, '_> {
             (_, Value::Slice(slice)) => self.test_slice(pattern, slice, site, names),
             (_, Value::Maybe(there, lent)) => self.test_maybe(pattern, (there, lent), site, names),
             (tree::Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
-                let pairs = aligned(patterns, parts.len());
-                let mut all = None;
-                for (pattern, index) in pairs {
-                    let next = self.test(pattern, &parts[index], site, names)?;
-                    all = both(all, next);
-                }
-                Ok(all)
+                let pairs = aligned(patterns, parts.len()).into_iter();
+                self.test_all(pairs.map(|(it, index)| (it, parts[index].clone())), site, names)
             }
             (
                 tree::Pattern::Name { name, slot, mutable: false, inner: None },
@@ -200,23 +193,36 @@ impl Lowering<'_, '_> {
         Ok(any)
     }
 
+    /// The condition for all patterns to take their parts.
+    fn test_all<'p>(
+        &mut self,
+        parts: impl IntoIterator<Item = (&'p tree::Pattern, Value)>,
+        site: Site,
+        names: &mut Vec<Named>,
+    ) -> Result<Option<Expr>> {
+        let mut all = None;
+        for (pattern, part) in parts {
+            all = both(all, self.test(pattern, &part, site, names)?);
+        }
+        Ok(all)
+    }
+
     /// A number or a range of floats, which is compared as by `==` and `<=`.
     fn test_float(&mut self, pattern: &tree::Pattern, place: &Place) -> Result<Option<Expr>> {
-        let mut all = None;
-        let mut compare = |op, number: Option<&tree::Expr>| -> Result<()> {
-            let Some(number) = number else { return Ok(()) };
-            let number = self.value(number, Some(&place.ty))?;
-            let test = Expr::compare(op, place.load(), number).at(place.span);
-            all = both(all.take(), Some(test));
-            Ok(())
-        };
-        match pattern {
+        let bounds = match pattern {
             tree::Pattern::Range { from, to, inclusive } => {
-                compare(CompareOp::Ge, from.as_ref())?;
-                compare(if *inclusive { CompareOp::Le } else { CompareOp::Lt }, to.as_ref())?;
+                let most = if *inclusive { CompareOp::Le } else { CompareOp::Lt };
+                vec![(CompareOp::Ge, from.as_ref()), (most, to.as_ref())]
             }
-            tree::Pattern::Value(number) => compare(CompareOp::Eq, Some(number))?,
-            _ => {}
+            tree::Pattern::Value(number) => vec![(CompareOp::Eq, Some(number))],
+            _ => Vec::new(),
+        };
+        let mut all = None;
+        for (op, number) in bounds {
+            if let Some(number) = number {
+                let number = self.value(number, Some(&place.ty))?;
+                all = both(all, Some(Expr::compare(op, place.load(), number).at(place.span)));
+            }
         }
         Ok(all)
     }
@@ -228,25 +234,19 @@ impl Lowering<'_, '_> {
         site: Site,
         names: &mut Vec<Named>,
     ) -> Result<Option<Expr>> {
-        let all = |lowering: &mut Self, parts: Vec<(&tree::Pattern, Place)>, names: &mut _| {
-            let mut all = None;
-            for (pattern, part) in parts {
-                let next = lowering.test_place(pattern, &part, site, names)?;
-                all = both(all, next);
-            }
-            Ok(all)
-        };
+        use tree::Pattern as P;
         match (pattern, &place.ty) {
-            (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
+            (P::Any | P::Rest, _) => Ok(None),
             _ if let Some(element) = self.element_lent(place, site)? => {
                 self.test_place(pattern, &element, site, names)
             }
-            (tree::Pattern::Array(_), _)
-                if let Some(slice) = self.slice_at(place.clone(), site)? =>
-            {
+            (P::Array(_), _) if let Some(slice) = self.slice_at(place.clone(), site)? => {
                 self.test_slice(pattern, &slice, site, names)
             }
-            (tree::Pattern::Name { name, slot, mutable, inner }, _) => {
+            (P::Array(_), Type::Array { .. }) if let Some(slice) = self.all_of(place.clone()) => {
+                self.test_slice(pattern, &slice, site, names)
+            }
+            (P::Name { name, slot, mutable, inner }, _) => {
                 let (name, slot, mutable) = (name.clone(), *slot, *mutable);
                 let stands = Value::Place(place.clone());
                 names.push(Named { name, slot, mutable, stands, site });
@@ -255,84 +255,25 @@ impl Lowering<'_, '_> {
                     None => Ok(None),
                 }
             }
-            (tree::Pattern::Or(cases), _) => {
-                self.test_any(cases, &Value::Place(place.clone()), site, names)
+            (P::Or(cases), _) => self.test_any(cases, &Value::Place(place.clone()), site, names),
+            (P::Tuple(_), Type::Struct(_)) => {
+                let parts = self.inner_patterns(pattern, place, false, site)?;
+                self.test_all(parts, site, names)
             }
-            (tree::Pattern::Tuple(patterns), Type::Struct(id)) => {
-                let parts = self.fields_of(patterns, place, *id, site, names);
-                all(self, parts, names)
-            }
-            (tree::Pattern::Array(patterns), Type::Array { .. })
-                if patterns.iter().any(|it| is_rest(it) && *it != tree::Pattern::Rest) =>
-            {
-                match self.all_of(place.clone()) {
-                    Some(slice) => self.test_slice(pattern, &slice, site, names),
-                    None => Ok(None),
-                }
-            }
-            (tree::Pattern::Array(patterns), Type::Array { element, len }) => {
-                let mut parts = Vec::new();
-                for (pattern, index) in aligned(patterns, *len as usize) {
-                    let span = place.span;
-                    let index = Expr::usize(index as u64, span);
-                    parts.push((pattern, place.inside(Step::Index(index), (**element).clone())));
-                }
-                all(self, parts, names)
-            }
-            (tree::Pattern::Constructor(name, patterns), Type::Struct(id)) => {
+            (P::Constructor(name, _) | P::Fields(name, _), Type::Struct(id)) => {
                 let (payload, single, tag) = self.taken(place, *id, name, site)?;
                 let Some(payload) = payload else {
                     Self::take_nothing(pattern, site, names);
                     return Ok(tag);
                 };
-                let parts = match &payload.ty {
-                    _ if single => match patterns.as_slice() {
-                        [] => Vec::new(),
-                        patterns => vec![(&patterns[0], payload)],
-                    },
-                    Type::Struct(inner) => self.fields_of(patterns, &payload, *inner, site, names),
-                    _ => Vec::new(),
-                };
-                let inner = all(self, parts, names)?;
-                Ok(both(tag, inner))
+                let parts = self.inner_patterns(pattern, &payload, single, site)?;
+                Ok(both(tag, self.test_all(parts, site, names)?))
             }
-            (tree::Pattern::Fields(name, fields), Type::Struct(id)) => {
-                let (payload, single, tag) = self.taken(place, *id, name, site)?;
-                let Some(payload) = payload else {
-                    Self::take_nothing(pattern, site, names);
-                    return Ok(tag);
-                };
-                let mut parts = Vec::new();
-                for (name, pattern) in fields {
-                    parts.push(match &payload.ty {
-                        _ if single => (pattern, payload.clone()),
-                        Type::Struct(inner) => match self.cx.field_at(*inner, name) {
-                            Some(At::Field(index)) => (pattern, self.part(&payload, *inner, index)),
-                            Some(At::Nowhere) => {
-                                Self::take_nothing(pattern, site, names);
-                                continue;
-                            }
-                            None => {
-                                return problem(site, format!("`{name}` is missing"), OUR_FAULT);
-                            }
-                        },
-                        _ => continue,
-                    });
-                }
-                let inner = all(self, parts, names)?;
-                Ok(both(tag, inner))
+            (P::Value(value), Type::Struct(id)) => self.unit_case(value, place, *id),
+            (P::Value(_) | P::Range { .. }, Type::Scalar(Scalar::Float(_))) => {
+                self.test_float(pattern, place)
             }
-            (tree::Pattern::Value(value), Type::Struct(id)) => self.unit_case(value, place, *id),
-            (
-                tree::Pattern::Value(_) | tree::Pattern::Range { .. },
-                Type::Scalar(Scalar::Float(_)),
-            ) => self.test_float(pattern, place),
-            (
-                tree::Pattern::Value(_)
-                | tree::Pattern::Range { .. }
-                | tree::Pattern::Constructor(..),
-                ty,
-            ) if ty.is_word() => {
+            (P::Value(_) | P::Range { .. } | P::Constructor(..), ty) if ty.is_word() => {
                 let ranges = self.ranges(std::slice::from_ref(pattern), ty, site)?;
                 Ok(within_any(&place.load(), &ranges, place.span))
             }
@@ -344,24 +285,44 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The patterns of the author's fields, each with its part; of what holds nothing the names are bound.
-    fn fields_of<'p>(
+    /// The patterns inside of one, each with the part of `whole` that it takes; `single`: that is the only part itself.
+    fn inner_patterns<'p>(
         &self,
-        patterns: &'p [tree::Pattern],
-        place: &Place,
-        id: StructId,
+        pattern: &'p tree::Pattern,
+        whole: &Place,
+        single: bool,
         site: Site,
-        names: &mut Vec<Named>,
-    ) -> Vec<(&'p tree::Pattern, Place)> {
-        let fields = self.cx.fields_at(id);
+    ) -> Result<Vec<(&'p tree::Pattern, Value)>> {
+        use tree::Pattern as P;
+        let itself = |it| (it, Value::Place(whole.clone()));
+        let part = |id, at: Option<usize>| match at {
+            Some(at) => Value::Place(self.part(whole, id, at)),
+            None => Value::Nothing,
+        };
         let mut parts = Vec::new();
-        for (pattern, index) in aligned(patterns, fields.len()) {
-            match fields[index] {
-                Some(at) => parts.push((pattern, self.part(place, id, at))),
-                None => Self::take_nothing(pattern, site, names),
+        match (pattern, &whole.ty) {
+            (P::Constructor(_, patterns), _) if single => {
+                parts.extend(patterns.iter().take(1).map(itself));
             }
+            (P::Fields(_, fields), _) if single => {
+                parts.extend(fields.iter().map(|(_, it)| itself(it)));
+            }
+            (P::Tuple(patterns) | P::Constructor(_, patterns), Type::Struct(id)) => {
+                let fields = self.cx.fields_at(*id);
+                let pairs = aligned(patterns, fields.len()).into_iter();
+                parts.extend(pairs.map(|(it, index)| (it, part(*id, fields[index]))));
+            }
+            (P::Fields(_, fields), Type::Struct(id)) => {
+                for (name, it) in fields {
+                    let Some(at) = self.cx.field_at(*id, name) else {
+                        return problem(site, format!("`{name}` is missing"), OUR_FAULT);
+                    };
+                    parts.push((it, part(*id, at)));
+                }
+            }
+            _ => {}
         }
-        parts
+        Ok(parts)
     }
 
     /// A variant without payload, or a constant that is one.
@@ -470,8 +431,24 @@ impl Lowering<'_, '_> {
         value: &Value,
         site: Site,
     ) -> Result<()> {
+        self.bind_or(pattern, value, site, |_| Ok(None))
+    }
+
+    /// The same of one that may not take the value: then control leaves by `otherwise`, if that gives anything.
+    pub(super) fn bind_or(
+        &mut self,
+        pattern: &tree::Pattern,
+        value: &Value,
+        site: Site,
+        otherwise: impl FnOnce(&mut Self) -> Result<Option<Block>>,
+    ) -> Result<()> {
         let mut names = Vec::new();
-        self.test(pattern, value, site, &mut names)?;
+        if let Some(taken) = self.test(pattern, value, site, &mut names)?
+            && let Some(left) = otherwise(self)?
+        {
+            let span = taken.span;
+            self.branch(taken.negated(), left, Block::default(), span);
+        }
         self.bind_names(&names)
     }
 

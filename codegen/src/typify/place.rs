@@ -6,7 +6,6 @@ use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 use super::expr::{Operand, two};
 use super::lowering::{Lowering, RESULT, UNNAMED};
 use super::words;
-use super::zero_sized::At;
 use super::{Result, problem};
 use crate::effects;
 
@@ -139,7 +138,7 @@ impl Lowering<'_, '_> {
     fn field_step(&mut self, base: &Type, name: &str, expr: &tree::Expr) -> Result<(Step, Type)> {
         match base {
             Type::Struct(id) => {
-                if let Some(At::Field(index)) = self.cx.field_at(*id, name) {
+                if let Some(Some(index)) = self.cx.field_at(*id, name) {
                     let step = Step::Field(index as u32);
                     return Ok((step, self.cx.field_type(*id, index as u32)));
                 }

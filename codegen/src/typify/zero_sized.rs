@@ -1,6 +1,7 @@
 //! Zero-sized types: structs without fields, `PhantomData`, `()`. C has no such types, so their values vanish
 //! from structs, variants, parameters and results; an expression that computes one runs for its effect.
 
+use bessemer_ir::tree::visit::{Bound, Visit};
 use bessemer_ir::tree::{self, Definition, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
 
@@ -19,14 +20,6 @@ pub(super) struct Nothing {
     pub module: String,
     /// The DSL does not see that all its values are equal.
     unequal: bool,
-}
-
-/// Where a field is.
-pub(super) enum At {
-    /// In the C, too.
-    Field(usize),
-    /// Nowhere: it holds nothing.
-    Nowhere,
 }
 
 impl Context<'_> {
@@ -84,14 +77,11 @@ impl Context<'_> {
         self.leaves_out = true;
     }
 
-    /// Where the field is that an author means by a name, or by the number of a part.
-    pub(super) fn field_at(&self, id: StructId, name: &str) -> Option<At> {
+    /// Where the field is that an author means by a name, or by the number of a part; a zero-sized one is nowhere in the C.
+    pub(super) fn field_at(&self, id: StructId, name: &str) -> Option<Option<usize>> {
         match self.known_of(id).fields.as_slice() {
-            [] => position(self.fields(id), name).map(At::Field),
-            all => {
-                let (_, at) = all.iter().find(|(known, _)| known == name)?;
-                Some(at.map_or(At::Nowhere, At::Field))
-            }
+            [] => position(self.fields(id), name).map(Some),
+            all => all.iter().find(|(known, _)| known == name).map(|(_, at)| *at),
         }
     }
 
@@ -142,9 +132,7 @@ impl Lowering<'_, '_> {
                 }
                 self.holds_nothing(base)
                     || match self.place_type(base) {
-                        Ok(Type::Struct(id)) => {
-                            matches!(self.cx.field_at(id, name), Some(At::Nowhere))
-                        }
+                        Ok(Type::Struct(id)) => self.cx.field_at(id, name) == Some(None),
                         _ => false,
                     }
             }
@@ -190,19 +178,10 @@ impl Lowering<'_, '_> {
 
     /// Gives the names of a pattern to what holds nothing, which every pattern takes.
     pub(super) fn take_nothing(pattern: &Pattern, site: Site, names: &mut Vec<Named>) {
-        match pattern {
-            Pattern::Name { name, inner, .. } => {
-                names.push(Named::of(name, NO_SLOT, Value::Nothing, site));
-                inner.iter().for_each(|inner| Self::take_nothing(inner, site, names));
-            }
-            Pattern::Tuple(parts) | Pattern::Constructor(_, parts) | Pattern::Array(parts) => {
-                parts.iter().for_each(|part| Self::take_nothing(part, site, names));
-            }
-            Pattern::Fields(_, fields) => {
-                fields.iter().for_each(|(_, part)| Self::take_nothing(part, site, names));
-            }
-            _ => {}
-        }
+        let mut bound = Bound::default();
+        bound.pattern(pattern);
+        let named = |name: &String| Named::of(name, NO_SLOT, Value::Nothing, site);
+        names.extend(bound.0.iter().map(named));
     }
 
     /// Refuses to keep what holds nothing, wherever it was not left out.
