@@ -219,7 +219,7 @@ impl Lowering<'_, '_> {
         self.give_values(&mut stmts);
         let mut body = Block(stmts);
         self.leave_unasked(&mut body);
-        super::unreached::leave_out(&mut body);
+        super::labelled::leave_out(&mut body);
         self.out = body.0;
         Ok(())
     }

@@ -1,9 +1,11 @@
-//! Blocks with a label. C has no way out of a block, so what follows a `break` stands in the other branch:
+//! Blocks with a label, and statements that nothing reaches. C has no way out of a block, so what follows a `break` stands in the
+//! other branch:
 //!
 //! `'found: { if a { break 'found x; } rest }` is `if a { x } else { rest }`. Where both branches may come to
 //! what follows, or a loop is left, a flag says whether the block has been left.
 
 use bessemer_ir::tree;
+use bessemer_ir::visit::{VisitMut, Walk, walk_block_mut};
 use bessemer_ir::{Arm, Block, Expr, LocalId, Place, Span, Stmt, StmtKind, Type};
 
 use super::Result;
@@ -42,28 +44,27 @@ impl Lowering<'_, '_> {
         let marks = self.frames.iter().filter_map(|frame| frame.mark).collect();
         self.frames.pop();
         let lowered = lowered?;
-        let flagged = lowered.0.iter().any(|it| raises(it, mark));
+        // A loop in it raises the flag.
+        let flagged = lowered.any_stmt(
+            |it| matches!(&it.kind, StmtKind::Assign { place, .. } if place.root == mark),
+        );
         let mut leaving = Leaving { mark, marks, flagged };
         let Block(stmts) = leaving.without_marks(lowered, false);
         if leaving.flagged {
             let no = Expr::bool(false, span);
             self.emit(StmtKind::Let { local: mark, value: Some(no) }, span);
             // Behind a flag no compiler sees that something has been assigned.
-            stmts.iter().for_each(|stmt| self.needs_values(stmt));
+            Walk::each_stmt(&*stmts, |stmt| {
+                if let StmtKind::Let { local, value: None } = &stmt.kind {
+                    self.valued.insert(*local);
+                }
+            });
             if let Some(Target::Place(place)) = target {
                 self.valued.insert(place.root);
             }
         }
         self.out.extend(stmts);
         Ok(())
-    }
-
-    /// Notes what is declared without a value.
-    fn needs_values(&mut self, stmt: &Stmt) {
-        if let StmtKind::Let { local, value: None } = &stmt.kind {
-            self.valued.insert(*local);
-        }
-        blocks(stmt).flat_map(|block| &block.0).for_each(|it| self.needs_values(it));
     }
 
     /// Gives what was noted a value where it is declared.
@@ -162,8 +163,7 @@ impl Leaving {
     }
 
     fn is_left_in(&self, stmt: &Stmt) -> bool {
-        let mut inner = branches(stmt).flat_map(|block| &block.0);
-        inner.any(|stmt| is_mark(stmt, self.mark) || self.is_left_in(stmt))
+        branches(stmt).any(|block| block.any_stmt(|stmt| is_mark(stmt, self.mark)))
     }
 }
 
@@ -215,17 +215,32 @@ fn turned(mut stmt: Stmt) -> Stmt {
     stmt
 }
 
-/// The blocks of a statement.
-fn blocks(stmt: &Stmt) -> impl Iterator<Item = &Block> {
-    let body = match &stmt.kind {
-        StmtKind::For { body, .. } => Some(body),
-        _ => None,
-    };
-    branches(stmt).chain(body)
+/// Takes what nothing reaches out of a body (MISRA C:2012, rule 2.1): it stands behind a `return`, `break` or `continue`
+/// where the sizes of an instance or the length of a slice decide a condition.
+pub(super) fn leave_out(body: &mut Block) {
+    Unreached.block(body);
 }
 
-/// Whether a loop in a statement raises the flag of a block.
-fn raises(stmt: &Stmt, flag: LocalId) -> bool {
-    matches!(&stmt.kind, StmtKind::Assign { place, .. } if place.root == flag)
-        || blocks(stmt).flat_map(|block| &block.0).any(|it| raises(it, flag))
+struct Unreached;
+
+impl VisitMut for Unreached {
+    fn block(&mut self, block: &mut Block) {
+        walk_block_mut(self, block);
+        if let Some(last) = block.0.iter().position(leaves) {
+            block.0.truncate(last + 1);
+        }
+    }
+}
+
+/// Whether control leaves the block by this statement, whatever the input; the blocks in it have lost what nothing reaches.
+fn leaves(stmt: &Stmt) -> bool {
+    let left = |block: &Block| block.0.last().is_some_and(leaves);
+    match &stmt.kind {
+        StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
+        StmtKind::If { then, otherwise, .. } => left(then) && left(otherwise),
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter().all(|arm| left(&arm.body)) && otherwise.as_ref().is_some_and(left)
+        }
+        _ => false,
+    }
 }

@@ -477,14 +477,9 @@ fn passed_for<'a>(lender: &Place, arguments: &'a [Argument]) -> Option<&'a Place
 
 /// Whether an index is computed from a local as young as `root`, or younger.
 fn mentions_from(step: &Step, root: LocalId) -> bool {
-    let young = |index: &Expr| {
+    step.indices().any(|index| {
         index.any_expr(|it| matches!(&it.kind, ExprKind::Load(place) if place.root >= root))
-    };
-    match step {
-        Step::Field(_) => false,
-        Step::Index(index) | Step::From(index) => young(index),
-        Step::Element(row, column) => young(row) || young(column),
-    }
+    })
 }
 
 /// Puts an array in the place of what stands for it.

@@ -62,7 +62,6 @@ mod stepped;
 mod submatrix;
 mod syntax;
 mod types;
-mod unreached;
 mod value;
 mod words;
 mod zero_sized;

@@ -181,14 +181,12 @@ impl Lowering<'_, '_> {
 
     /// Computes now the indices of `place` that are to be kept.
     pub(super) fn keep_indices(&mut self, place: &mut Place, keep: impl Fn(&Expr) -> bool) {
-        for step in &mut place.steps {
-            self.keep_indices_of(step, &keep);
-        }
+        place.steps.iter_mut().for_each(|step| self.keep_indices_of(step, &keep));
     }
 
     /// The same of one step.
     pub(super) fn keep_indices_of(&mut self, step: &mut Step, keep: impl Fn(&Expr) -> bool) {
-        for index in indices_of(step) {
+        for index in step.indices_mut() {
             if keep(index) {
                 *index = self.temporary(words::INDEX, index.clone());
             }
@@ -266,24 +264,11 @@ pub(super) fn may_change_places(first: &Expr, second: &Expr) -> bool {
 }
 
 fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
-    place.steps.iter().flat_map(|step| match step {
-        Step::Field(_) => [None, None].into_iter().flatten(),
-        Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),
-        Step::Element(row, column) => [Some(row), Some(column)].into_iter().flatten(),
-    })
+    place.steps.iter().flat_map(Step::indices)
 }
 
 fn indices_mut(place: &mut Place) -> impl Iterator<Item = &mut Expr> {
-    place.steps.iter_mut().flat_map(indices_of)
-}
-
-fn indices_of(step: &mut Step) -> impl Iterator<Item = &mut Expr> {
-    let (first, second) = match step {
-        Step::Field(_) => (None, None),
-        Step::Index(index) | Step::From(index) => (Some(index), None),
-        Step::Element(row, column) => (Some(row), Some(column)),
-    };
-    first.into_iter().chain(second)
+    place.steps.iter_mut().flat_map(Step::indices_mut)
 }
 
 /// The value of an argument that is not lent.
@@ -296,9 +281,5 @@ pub(super) fn value_of(argument: &mut Argument) -> Result<&mut Expr, &mut Place>
 
 /// Whether a step never depends on a value that is computed.
 pub(super) fn is_fixed(step: &Step) -> bool {
-    match step {
-        Step::Field(_) => true,
-        Step::Index(index) | Step::From(index) => index.is_literal(),
-        Step::Element(row, col) => row.is_literal() && col.is_literal(),
-    }
+    step.indices().all(Expr::is_literal)
 }
