@@ -1,7 +1,7 @@
 //! Control flow: statements, and values that control flow decides.
 
 use bessemer_ir::tree::{self, Builtin, OptionMethod, Site};
-use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, StmtKind, Type};
+use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, Span, StmtKind, Type};
 
 use super::conditions::{decided, has_let};
 use super::expr::Call;
@@ -52,11 +52,7 @@ impl Lowering<'_, '_> {
             {
                 self.match_stmt(expr.site, scrutinee, arms, target)
             }
-            (tree::ExprKind::Block(block), _) => {
-                let Block(stmts) = self.block(block, target)?;
-                self.out.extend(stmts);
-                Ok(())
-            }
+            (tree::ExprKind::Block(block), _) => self.run(block, target),
             (tree::ExprKind::Labelled(label, body), _) => self.labelled(label, body, target, expr),
             (tree::ExprKind::While { label, condition: None, bound, body }, _) => {
                 self.loop_stmt(expr.site, label.as_deref(), bound.as_deref(), body, target)
@@ -85,19 +81,27 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let span = self.span(site);
         if has_let(condition) {
-            let (condition, then) = self.guarded(condition, |inner| inner.block(then, target))?;
+            // The names of its patterns are known in the branch alone.
+            let (condition, then) = self.naming_scope(|inner| {
+                let mut names = Vec::new();
+                let condition = inner.pattern_condition(condition, &mut names)?;
+                let then = inner.scoped(|inner| {
+                    inner.bind_names(&names)?;
+                    inner.run(then, target)
+                })?;
+                Ok((condition, then))
+            })?;
             let otherwise = self.otherwise(otherwise, target)?;
             self.branch(condition, then, otherwise, span);
             return Ok(());
         }
         let condition = self.asked(condition)?;
         if let Some(holds) = self.decided(&condition) {
-            let Block(stmts) = match holds {
-                true => self.block(then, target)?,
-                false => self.otherwise(otherwise, target)?,
+            return match (holds, otherwise) {
+                (true, _) => self.run(then, target),
+                (false, Some(otherwise)) => self.lowered(otherwise, target),
+                (false, None) => Ok(()),
             };
-            self.out.extend(stmts);
-            return Ok(());
         }
         let then = self.block(then, target)?;
         let otherwise = self.otherwise(otherwise, target)?;
@@ -113,29 +117,6 @@ impl Lowering<'_, '_> {
         self.builtin_of(callee) == Some(Builtin::Option(OptionMethod::Unwrap))
     }
 
-    /// A condition and what is done if it holds; the names of its patterns are known there alone.
-    fn guarded(
-        &mut self,
-        condition: &tree::Expr,
-        then: impl FnOnce(&mut Self) -> Result<Block>,
-    ) -> Result<(Expr, Block)> {
-        if !has_let(condition) {
-            return Ok((self.asked(condition)?, then(self)?));
-        }
-        self.naming_scope(|inner| {
-            let mut names = Vec::new();
-            let condition = inner.pattern_condition(condition, &mut names)?;
-            let mut body = Block::default();
-            let Block(declared) = inner.scoped(|inner| {
-                inner.bind_names(&names)?;
-                body = then(inner)?;
-                Ok(())
-            })?;
-            body.0.splice(0..0, declared);
-            Ok((condition, body))
-        })
-    }
-
     /// `operand?`: leaves with what it is unless there is a value; that value, if there is something to
     /// it.
     pub(super) fn try_value(
@@ -148,11 +129,8 @@ impl Lowering<'_, '_> {
         let value = self.value(operand, None)?;
         let place = self.hold(value);
         let target = self.left_by(label, site)?;
-        let result = match &target {
-            Target::Place(place) => place.ty.clone(),
-            Target::Return => self.result.clone(),
-        };
-        let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), result) else {
+        let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), self.wanted(&target))
+        else {
             return problem(site, "`?` takes an `Option` or a `Result`", "`match` on the value");
         };
         let (taken, left) = match self.case(id, "Some") {
@@ -172,28 +150,37 @@ impl Lowering<'_, '_> {
         let then = self.scoped(|inner| {
             let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;
             let leave = inner.choice(result, word, payload, site)?;
+            inner.send(leave, &target, span);
             match target {
-                Target::Return => inner.emit(StmtKind::Return(Some(leave)), span),
-                Target::Place(place) => {
-                    inner.emit(StmtKind::Assign { place, value: leave }, span);
-                    inner.leave(label, Leaving::Break, site)?;
-                }
+                Target::Return => Ok(()),
+                Target::Place(_) => inner.leave(label, Leaving::Break, site),
             }
-            Ok(())
         })?;
-        self.emit(StmtKind::if_then(condition, then), span);
+        self.emit_if(condition, then, span);
         let value = taken.1.field.map(|field| self.part(&place, id, field as usize));
         Ok(value.map(|value| value.load()))
     }
 
-    fn store(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
-        let ty = match target {
+    /// The type of what goes to a target.
+    fn wanted(&self, target: &Target) -> Type {
+        match target {
             Target::Place(place) => place.ty.clone(),
             Target::Return => self.result.clone(),
+        }
+    }
+
+    fn send(&mut self, value: Expr, target: &Target, span: Span) {
+        let kind = match target {
+            Target::Place(place) => StmtKind::Assign { place: place.clone(), value },
+            Target::Return => StmtKind::Return(Some(value)),
         };
+        self.emit(kind, span);
+    }
+
+    fn store(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+        let ty = self.wanted(target);
         let value = self.value(expr, Some(&ty))?;
         self.agree(&value.ty, &ty, expr.site)?;
-        let span = value.span;
         if let (Target::Place(place), ExprKind::Load(same)) = (target, &value.kind)
             && place.root == same.root
             && place.steps.is_empty()
@@ -202,11 +189,8 @@ impl Lowering<'_, '_> {
             // `|mut sum, x| { sum += x; sum }`.
             return Ok(());
         }
-        let kind = match target {
-            Target::Place(place) => StmtKind::Assign { place: place.clone(), value },
-            Target::Return => StmtKind::Return(Some(value)),
-        };
-        self.emit(kind, span);
+        let span = value.span;
+        self.send(value, target, span);
         Ok(())
     }
 
@@ -222,17 +206,20 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// `else`: an `if`, or a block that is the branch itself.
+    /// The same, into the block at hand.
+    fn run(&mut self, block: &tree::Block, target: Option<&Target>) -> Result<()> {
+        let Block(stmts) = self.block(block, target)?;
+        self.out.extend(stmts);
+        Ok(())
+    }
+
+    /// `else`, as far as there is one.
     fn otherwise(
         &mut self,
         otherwise: Option<&tree::Expr>,
         target: Option<&Target>,
     ) -> Result<Block> {
-        match otherwise.map(|otherwise| (otherwise, &otherwise.kind)) {
-            Some((_, tree::ExprKind::Block(block))) => self.block(block, target),
-            Some((otherwise, _)) => self.scoped(|inner| inner.lowered(otherwise, target)),
-            None => Ok(Block::default()),
-        }
+        self.scoped(|inner| otherwise.map_or(Ok(()), |it| inner.lowered(it, target)))
     }
 
     /// Lowers an expression for its effect, where it is no control flow that has a value.
@@ -317,20 +304,12 @@ impl Lowering<'_, '_> {
     }
 
     fn return_stmt(&mut self, value: Option<&tree::Expr>, site: Site) -> Result<()> {
-        match value {
-            Some(value) if self.result != Type::Unit => {
-                self.naming_as(RESULT, |inner| inner.into(value, &Target::Return))?;
-            }
-            Some(value) => {
-                self.effect(value)?;
-                let span = self.span(site);
-                self.emit(StmtKind::Return(None), span);
-            }
-            None => {
-                let span = self.span(site);
-                self.emit(StmtKind::Return(None), span);
-            }
+        if let Some(value) = value.filter(|_| self.result != Type::Unit) {
+            return self.naming_as(RESULT, |inner| inner.into(value, &Target::Return));
         }
+        value.map_or(Ok(()), |value| self.effect(value))?;
+        let span = self.span(site);
+        self.emit(StmtKind::Return(None), span);
         Ok(())
     }
 
@@ -448,11 +427,10 @@ impl Lowering<'_, '_> {
                 let ty = self.place_type(place)?;
                 let mut value = self.value(value, Some(&ty))?;
                 self.agree(&value.ty, &ty, site)?;
-                let mark = self.out.len();
-                let place = self.writable(place)?;
-                let later = self.later(mark);
-                self.settle(&mut value, words::OPERAND, &later);
-                self.out.extend(later);
+                let place = self.settling(
+                    |inner| inner.writable(place),
+                    |inner, _, later| inner.settle(&mut value, words::OPERAND, later),
+                )?;
                 self.emit(StmtKind::Assign { place, value }, span);
             }
             Some(_) if let Some(callee) = self.operator(place.slot).cloned() => {
@@ -493,33 +471,35 @@ impl Lowering<'_, '_> {
     ) -> Result<(Place, Expr)> {
         if ty.is_word() {
             let mut value = self.value(value, expected.as_ref())?;
-            let mark = self.out.len();
-            let mut place = self.writable(place)?;
-            let mut later = self.later(mark);
-            let fixed = place.steps.iter().all(super::order::is_fixed);
-            // The place is read where the operand stands behind it, which must have been computed by then.
-            let written = effects::lent(&value);
-            if !fixed && !order::may_follow(&value, &place)
-                || effects::reads(&place.load(), &written)
-            {
-                value = self.temporary(words::OPERAND, value);
-            } else {
-                self.settle(&mut value, words::OPERAND, &later);
-            }
-            self.out.append(&mut later);
+            let mut place = self.settling(
+                |inner| inner.writable(place),
+                |inner, place, later| {
+                    let fixed = place.steps.iter().all(order::is_fixed);
+                    // The place is read where the operand stands behind it, which must have been computed by then.
+                    let written = effects::lent(&value);
+                    if !fixed && !order::may_follow(&value, place)
+                        || effects::reads(&place.load(), &written)
+                    {
+                        value = inner.temporary(words::OPERAND, value.clone());
+                    } else {
+                        inner.settle(&mut value, words::OPERAND, later);
+                    }
+                },
+            )?;
             self.keep_indices(&mut place, order::has_effect);
             return Ok((place, value));
         }
         let mut place = self.writable(place)?;
         self.keep_indices(&mut place, order::has_effect);
-        let mark = self.out.len();
-        let value = self.value(value, expected.as_ref())?;
-        let later = self.later(mark);
-        self.settle_place(&mut place, &later);
-        if order::has_effect(&value) {
-            self.keep_indices(&mut place, |index| !index.is_literal());
-        }
-        self.out.extend(later);
+        let value = self.settling(
+            |inner| inner.value(value, expected.as_ref()),
+            |inner, value, later| {
+                inner.settle_place(&mut place, later);
+                if order::has_effect(value) {
+                    inner.keep_indices(&mut place, |index| !index.is_literal());
+                }
+            },
+        )?;
         Ok((place, value))
     }
 

@@ -486,12 +486,11 @@ impl Lowering<'_, '_> {
     pub(super) fn operands(&mut self, operands: &[Operand<'_>]) -> Result<Vec<Expr>> {
         let mut values: Vec<Expr> = Vec::new();
         for (index, operand) in operands.iter().enumerate() {
-            let mark = self.out.len();
-            let value = self.read(operand.expr, operand.expected.as_ref())?;
-            let later = self.later(mark);
             let roles = operands[..index].iter().map(|operand| operand.role);
-            self.settle_all(values.iter_mut().zip(roles), &later);
-            self.out.extend(later);
+            let value = self.settling(
+                |inner| inner.read(operand.expr, operand.expected.as_ref()),
+                |inner, _, later| inner.settle_all(values.iter_mut().zip(roles), later),
+            )?;
             values.push(value);
         }
         Ok(values)

@@ -12,7 +12,7 @@ use bessemer_ir::{
 };
 
 use super::lowering::Lowering;
-use super::words;
+use super::{Result, words};
 use crate::effects;
 
 impl Lowering<'_, '_> {
@@ -24,12 +24,26 @@ impl Lowering<'_, '_> {
     /// What `lower` gives, and the statements that it emits, which are not emitted here.
     pub(super) fn apart<T>(
         &mut self,
-        lower: impl FnOnce(&mut Self) -> super::Result<T>,
-    ) -> super::Result<(T, Vec<Stmt>)> {
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<(T, Vec<Stmt>)> {
         let outer = std::mem::take(&mut self.out);
         let done = lower(self);
         let inner = std::mem::replace(&mut self.out, outer);
         Ok((done?, inner))
+    }
+
+    /// Lowers what comes behind something; `settle` computes before it what its statements could change.
+    pub(super) fn settling<T>(
+        &mut self,
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+        settle: impl FnOnce(&mut Self, &T, &[Stmt]),
+    ) -> Result<T> {
+        let mark = self.out.len();
+        let done = lower(self)?;
+        let later = self.later(mark);
+        settle(self, &done, &later);
+        self.out.extend(later);
+        Ok(done)
     }
 
     /// Computes `value` now if the statements to come could change it.

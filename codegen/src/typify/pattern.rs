@@ -29,13 +29,12 @@ impl Lowering<'_, '_> {
         {
             let mut subjects: Vec<Value> = Vec::new();
             for part in parts {
-                let mark = self.out.len();
-                let next = self.subject(part)?;
-                let later = self.later(mark);
-                for earlier in &mut subjects {
-                    self.settle_subject(earlier, &later);
-                }
-                self.out.extend(later);
+                let next = self.settling(
+                    |inner| inner.subject(part),
+                    |inner, _, later| {
+                        subjects.iter_mut().for_each(|it| inner.settle_subject(it, later));
+                    },
+                )?;
                 subjects.push(next);
             }
             return Ok(Value::Tuple(subjects, None));
