@@ -1,11 +1,14 @@
 //! `match`: a list of cases where the arms name few values, else conditions one after the other.
 
 use bessemer_ir::tree::visit::{Bound, Visit};
-use bessemer_ir::tree::{self, NO_SLOT, Site};
-use bessemer_ir::{Arm, Block, Expr, ExprKind, Int, Scalar, Span, StmtKind, StructId, Type};
+use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
+use bessemer_ir::{
+    Arm, Block, Expr, ExprKind, Int, LogicOp, Scalar, Span, StmtKind, StructId, Type,
+};
 
 use super::conditions::within_any;
 use super::lowering::{Lowering, Target};
+use super::pattern::Test;
 use super::value::Value;
 use super::words;
 use super::{Result, problem};
@@ -59,7 +62,7 @@ impl Lowering<'_, '_> {
     /// Whether an arm has a name through which all that is matched can be written.
     fn lends_the_whole(&self, arms: &[tree::Arm]) -> Result<bool> {
         for arm in arms {
-            if let tree::Pattern::Name { slot, .. } = &arm.pattern
+            if let Pattern::Name { slot, .. } = &arm.pattern
                 && *slot != NO_SLOT
                 && self.slot_is_exclusive(*slot, arm.site)?
             {
@@ -94,14 +97,12 @@ impl Lowering<'_, '_> {
         if chained {
             return self.chain(&taken, span, &|inner, taken, last| {
                 inner.name(taken, &value);
-                let condition = match last {
-                    true => None,
-                    false => {
-                        let test = within_any(&value, &taken.ranges, span);
-                        inner.guarded_test(test, taken.arm.guard.as_ref(), None)?
-                    }
-                };
-                Ok((condition, inner.scoped(|inner| inner.arm(taken, target))?))
+                let mut test = Test::default();
+                if !last {
+                    test.condition = within_any(&value, &taken.ranges, span);
+                    inner.guard(&mut test, taken.arm.guard.as_ref(), None)?;
+                }
+                Ok((test.condition, inner.scoped(|inner| inner.arm(taken, target))?))
             });
         }
         let values = |taken: &Taken<'_>| {
@@ -163,21 +164,40 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         self.chain(&arms, span, &|inner, arm, last| {
-            let mut names = Vec::new();
-            let mut condition = inner.test(&arm.pattern, subject, arm.site, &mut names)?;
-            if last {
-                condition = None;
-            } else if arm.guard.is_some() {
-                inner.alias_names(&names);
-                condition = inner.guarded_test(condition, arm.guard.as_ref(), None)?;
+            let mut test = inner.test(&arm.pattern, subject, arm.site)?;
+            match last {
+                true => test.condition = None,
+                false => inner.guard(&mut test, arm.guard.as_ref(), None)?,
             }
             let then = inner.scoped(|inner| {
-                inner.bind_names(&names)?;
+                inner.bind_names(&test.names)?;
                 inner.lowered(&arm.body, target)
             })?;
             // A name may be the guard's alone.
-            Ok((condition, if arm.guard.is_some() { super::pattern::used(then) } else { then }))
+            Ok((
+                test.condition,
+                if arm.guard.is_some() { super::pattern::used(then) } else { then },
+            ))
         })
+    }
+
+    /// Adds a guard to the test of a pattern, whose names stand for their places in it; `site`: where the whole stands, if
+    /// not at the guard.
+    pub(super) fn guard(
+        &mut self,
+        test: &mut Test,
+        guard: Option<&tree::Expr>,
+        site: Option<Site>,
+    ) -> Result<()> {
+        let Some(guard) = guard else { return Ok(()) };
+        self.alias_names(&test.names);
+        test.condition = Some(match test.condition.take() {
+            Some(test) => {
+                self.short_circuit(LogicOp::And, test, guard, site.unwrap_or(guard.site))?
+            }
+            None => self.value(guard, Some(&Type::BOOL))?,
+        });
+        Ok(())
     }
 
     /// Arms as conditions, one after the other; `taken` gives the condition and the body of one. The last takes what is
@@ -257,19 +277,17 @@ impl Lowering<'_, '_> {
         matches!(tag.ty, Type::Enum(_)).then(|| (tag.load(), listed))
     }
 
-    fn variant_words(&self, pattern: &tree::Pattern, id: StructId) -> Option<Vec<i128>> {
-        let free = |part: &tree::Pattern| matches!(part, tree::Pattern::Rest) || takes_all(part);
+    fn variant_words(&self, pattern: &Pattern, id: StructId) -> Option<Vec<i128>> {
+        let free = |part: &Pattern| matches!(part, Pattern::Rest) || takes_all(part);
         let named = |name: &str| self.case(id, name).map(|(word, _)| word);
         let word = match pattern {
-            tree::Pattern::Or(cases) => {
+            Pattern::Or(cases) => {
                 let words = cases.iter().map(|case| self.variant_words(case, id));
                 return words.collect::<Option<Vec<_>>>().map(|words| words.concat());
             }
-            tree::Pattern::Value(value) => self.unit_word(value, id),
-            tree::Pattern::Constructor(name, parts) if parts.iter().all(free) => named(name),
-            tree::Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => {
-                named(name)
-            }
+            Pattern::Value(value) => self.unit_word(value, id),
+            Pattern::Constructor(name, parts) if parts.iter().all(free) => named(name),
+            Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => named(name),
             _ => None,
         };
         Some(vec![word?.into()])
@@ -277,7 +295,7 @@ impl Lowering<'_, '_> {
 
     pub(super) fn ranges<'p>(
         &mut self,
-        patterns: impl IntoIterator<Item = &'p tree::Pattern>,
+        patterns: impl IntoIterator<Item = &'p Pattern>,
         ty: &Type,
         site: Site,
     ) -> Result<Ranges> {
@@ -297,15 +315,15 @@ impl Lowering<'_, '_> {
         let mut ranges = Vec::new();
         for pattern in patterns {
             ranges.push(match pattern {
-                tree::Pattern::Value(value) => {
+                Pattern::Value(value) => {
                     let value = self.pattern_value(value, ty)?;
                     (value, value)
                 }
-                tree::Pattern::Constructor(name, parts) if parts.is_empty() => {
+                Pattern::Constructor(name, parts) if parts.is_empty() => {
                     let word = self.variant_word(name, ty, site)?;
                     (word, word)
                 }
-                tree::Pattern::Range { from, to, inclusive } => {
+                Pattern::Range { from, to, inclusive } => {
                     let from = from.as_ref().map(|from| self.pattern_value(from, ty));
                     let to = to.as_ref().map(|to| self.pattern_value(to, ty));
                     let last = match to.transpose()? {
@@ -359,14 +377,14 @@ impl Lowering<'_, '_> {
 }
 
 /// The name that a pattern of a number gives it, and the patterns of its values; none: every one.
-fn split(pattern: &tree::Pattern) -> (Option<(&str, bool)>, Vec<&tree::Pattern>) {
+fn split(pattern: &Pattern) -> (Option<(&str, bool)>, Vec<&Pattern>) {
     match pattern {
-        tree::Pattern::Any => (None, Vec::new()),
-        tree::Pattern::Name { name, mutable, inner, .. } => {
+        Pattern::Any => (None, Vec::new()),
+        Pattern::Name { name, mutable, inner, .. } => {
             let values = inner.as_deref().map(|inner| split(inner).1).unwrap_or_default();
             (Some((name, *mutable)), values)
         }
-        tree::Pattern::Or(cases) => {
+        Pattern::Or(cases) => {
             let cases: Vec<_> = cases.iter().map(|case| split(case).1).collect();
             // `1 | _` is `_`.
             let any = cases.iter().any(Vec::is_empty);
@@ -379,7 +397,7 @@ fn split(pattern: &tree::Pattern) -> (Option<(&str, bool)>, Vec<&tree::Pattern>)
 /// An arm with names inside `|` as an arm for each.
 fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
     match &arm.pattern {
-        tree::Pattern::Or(cases) if cases.iter().any(has_names) => cases
+        Pattern::Or(cases) if cases.iter().any(has_names) => cases
             .iter()
             .map(|pattern| tree::Arm { pattern: pattern.clone(), ..arm.clone() })
             .collect(),
@@ -387,18 +405,18 @@ fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
     }
 }
 
-fn has_names(pattern: &tree::Pattern) -> bool {
+fn has_names(pattern: &Pattern) -> bool {
     let mut bound = Bound::default();
     bound.pattern(pattern);
     !bound.0.is_empty()
 }
 
 /// Whether a pattern takes every value, whatever it is of.
-fn takes_all(pattern: &tree::Pattern) -> bool {
+fn takes_all(pattern: &Pattern) -> bool {
     match pattern {
-        tree::Pattern::Any => true,
-        tree::Pattern::Name { inner, .. } => inner.as_deref().is_none_or(takes_all),
-        tree::Pattern::Or(cases) => cases.iter().any(takes_all),
+        Pattern::Any => true,
+        Pattern::Name { inner, .. } => inner.as_deref().is_none_or(takes_all),
+        Pattern::Or(cases) => cases.iter().any(takes_all),
         _ => false,
     }
 }

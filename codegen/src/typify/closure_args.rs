@@ -370,7 +370,7 @@ impl<'a> Lowering<'a, '_> {
                 continue;
             }
             self.name_own(pattern, subject, stays);
-            self.test(pattern, subject, closure.body.site, &mut names)?;
+            names.extend(self.test(pattern, subject, closure.body.site)?.names);
         }
         self.bind_names(&names)
     }

@@ -1,7 +1,7 @@
 //! Conditions: those with patterns in them (`if let Some(x) = … && x > 0`), `&&` whose right side needs statements, and
 //! whether a value lies between two others.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree;
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, LogicOp, Place, Span, Stmt, StmtKind, Type, UnaryOp,
 };
@@ -19,11 +19,11 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         match &expr.kind {
             tree::ExprKind::Let(pattern, value) => {
-                let before = names.len();
                 let subject = self.subject_of(pattern, value)?;
-                let test = self.test(pattern, &subject, expr.site, names)?;
-                self.alias_names(&names[before..]);
-                match test {
+                let test = self.test(pattern, &subject, expr.site)?;
+                self.alias_names(&test.names);
+                names.extend(test.names);
+                match test.condition {
                     Some(test) => Ok(test),
                     None => self.node(ExprKind::Literal(1), Type::BOOL, expr.site),
                 }
@@ -37,22 +37,6 @@ impl Lowering<'_, '_> {
             }
             _ => self.value(expr, Some(&Type::BOOL)),
         }
-    }
-
-    /// What has to hold for an arm to be taken, by the test of its pattern and by its guard, as far as there are any;
-    /// `site`: where the whole stands, if not at the guard.
-    pub(super) fn guarded_test(
-        &mut self,
-        test: Option<Expr>,
-        guard: Option<&tree::Expr>,
-        site: Option<Site>,
-    ) -> Result<Option<Expr>> {
-        let Some(guard) = guard else { return Ok(test) };
-        let condition = match test {
-            Some(test) => self.short_circuit(LogicOp::And, test, guard, site.unwrap_or(guard.site)),
-            None => self.value(guard, Some(&Type::BOOL)),
-        };
-        condition.map(Some)
     }
 
     /// Emits the branches of a pattern, or the one that is taken where the lengths alone decide.

@@ -8,7 +8,7 @@ use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Places, Site};
 use bessemer_ir::{Block, Expr, ExprKind, Place, Step, StmtKind, Type};
 
 use super::lowering::Lowering;
-use super::pattern::aligned;
+use super::pattern::{Test, aligned};
 use super::value::Value;
 use super::{Result, problem};
 
@@ -70,8 +70,7 @@ impl Lowering<'_, '_> {
             }
             (_, _) if self.holds_nothing(value) => {
                 self.effect(value)?;
-                let mut names = Vec::new();
-                Self::take_nothing(pattern, value.site, &mut names);
+                let names = Self::take_nothing(pattern, value.site).names;
                 bound.extend(names.into_iter().map(|named| (named.name, Value::Nothing)));
                 Ok(())
             }
@@ -94,9 +93,8 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             _ => {
-                let mut names = Vec::new();
                 let subject = self.subject(value)?;
-                self.test(pattern, &subject, value.site, &mut names)?;
+                let names = self.test(pattern, &subject, value.site)?.names;
                 let given: Vec<_> = names.iter().map(|named| named.name.clone()).collect();
                 self.naming_scope(|inner| {
                     inner.bind_names(&names)?;
@@ -187,13 +185,12 @@ impl Lowering<'_, '_> {
     /// Leaves by the arm that takes the subject; where they are the last, it is the last arm if none of the others does.
     fn leave_by(&mut self, arms: &[Arm], subject: &Value, site: Site, last: bool) -> Result<()> {
         for (at, (pattern, body)) in arms.iter().enumerate() {
-            let mut names = Vec::new();
-            let taken = self.test(pattern, subject, site, &mut names)?;
+            let Test { condition, names } = self.test(pattern, subject, site)?;
             let then = self.scoped(|inner| {
                 inner.bind_names(&names)?;
                 inner.effect(body)
             })?;
-            match taken.filter(|_| !last || at + 1 < arms.len()) {
+            match condition.filter(|_| !last || at + 1 < arms.len()) {
                 Some(taken) => {
                     let span = taken.span;
                     self.branch(taken, then, Block::default(), span);

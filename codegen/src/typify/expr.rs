@@ -453,10 +453,9 @@ impl Lowering<'_, '_> {
     fn question(&mut self, scrutinee: &tree::Expr, arm: &tree::Arm, site: Site) -> Result<Expr> {
         let subject = self.subject(scrutinee)?;
         self.naming_scope(|inner| {
-            let mut names = Vec::new();
-            let test = inner.test(&arm.pattern, &subject, site, &mut names)?;
-            inner.alias_names(&names);
-            match inner.guarded_test(test, arm.guard.as_ref(), Some(site))? {
+            let mut test = inner.test(&arm.pattern, &subject, site)?;
+            inner.guard(&mut test, arm.guard.as_ref(), Some(site))?;
+            match test.condition {
                 Some(condition) => Ok(condition),
                 None => inner.node(ExprKind::Literal(1), Type::BOOL, site),
             }

@@ -7,7 +7,8 @@ use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
 
 use super::generic::position;
 use super::lowering::Lowering;
-use super::value::{Named, Value};
+use super::pattern::Test;
+use super::value::Value;
 use super::{Context, Result, problem};
 
 /// The refusal of slices of zero-sized elements.
@@ -177,11 +178,11 @@ impl Lowering<'_, '_> {
     }
 
     /// Gives the names of a pattern to what holds nothing, which every pattern takes.
-    pub(super) fn take_nothing(pattern: &Pattern, site: Site, names: &mut Vec<Named>) {
+    pub(super) fn take_nothing(pattern: &Pattern, site: Site) -> Test {
         let mut bound = Bound::default();
         bound.pattern(pattern);
-        let named = |name: &String| Named::of(name, NO_SLOT, Value::Nothing, site);
-        names.extend(bound.0.iter().map(named));
+        let named = |name: &String| Test::named(name, NO_SLOT, Value::Nothing, site);
+        bound.0.iter().map(named).fold(Test::default(), Test::and)
     }
 
     /// Refuses to keep what holds nothing, wherever it was not left out.
