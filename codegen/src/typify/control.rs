@@ -1,6 +1,6 @@
 //! Control flow: statements, and values that control flow decides.
 
-use bessemer_ir::tree::{self, Builtin, OptionMethod, Site};
+use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Site};
 use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, Span, StmtKind, Type};
 
 use super::conditions::{decided, has_let};
@@ -38,31 +38,30 @@ impl Lowering<'_, '_> {
             self.span(expr.site);
         }
         match (&expr.kind, target) {
-            (tree::ExprKind::Apply(name, arguments), Some(_)) if self.stands_here(expr) => self
-                .applied(name, arguments, expr.site, |inner, closure| {
+            (Tree::Apply(name, arguments), Some(_)) if self.stands_here(expr) => {
+                self.applied(name, arguments, expr.site, |inner, closure| {
                     inner.lowered(&closure.body, target)
-                }),
-            (tree::ExprKind::If(condition, then, otherwise), _)
+                })
+            }
+            (Tree::If(condition, then, otherwise), _)
                 if target.is_none() || otherwise.is_some() =>
             {
                 self.if_stmt(expr.site, condition, then, otherwise.as_deref(), target)
             }
-            (tree::ExprKind::Match(scrutinee, arms), _)
-                if target.is_none() || control_with_value(expr) =>
-            {
+            (Tree::Match(scrutinee, arms), _) if target.is_none() || control_with_value(expr) => {
                 self.match_stmt(expr.site, scrutinee, arms, target)
             }
-            (tree::ExprKind::Block(block), _) => self.run(block, target),
-            (tree::ExprKind::Labelled(label, body), _) => self.labelled(label, body, target, expr),
-            (tree::ExprKind::While { label, condition: None, bound, body }, _) => {
+            (Tree::Block(block), _) => self.run(block, target),
+            (Tree::Labelled(label, body), _) => self.labelled(label, body, target, expr),
+            (Tree::While { label, condition: None, bound, body }, _) => {
                 self.loop_stmt(expr.site, label.as_deref(), bound.as_deref(), body, target)
             }
             (
-                tree::ExprKind::Return(_)
-                | tree::ExprKind::Break(..)
-                | tree::ExprKind::Continue(_)
-                | tree::ExprKind::Assert(..)
-                | tree::ExprKind::While { .. },
+                Tree::Return(_)
+                | Tree::Break(..)
+                | Tree::Continue(_)
+                | Tree::Assert(..)
+                | Tree::While { .. },
                 _,
             )
             | (_, None) => self.statement(expr),
@@ -226,14 +225,14 @@ impl Lowering<'_, '_> {
     fn statement(&mut self, expr: &tree::Expr) -> Result<()> {
         let span = self.span(expr.site);
         match &expr.kind {
-            tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
-            tree::ExprKind::AssignEach(places, value) => self.assign_each(places, value),
-            tree::ExprKind::For { .. } | tree::ExprKind::Each { .. } => self.through(expr),
-            tree::ExprKind::While { label, condition: Some(condition), bound, body } => {
+            Tree::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
+            Tree::AssignEach(places, value) => self.assign_each(places, value),
+            Tree::For { .. } | Tree::Each { .. } => self.through(expr),
+            Tree::While { label, condition: Some(condition), bound, body } => {
                 let bound = bound.as_deref();
                 self.while_stmt(expr.site, label.as_deref(), condition, bound, body)
             }
-            tree::ExprKind::Unroll(count, inner) => {
+            Tree::Unroll(count, inner) => {
                 let mark = self.out.len();
                 self.effect(inner)?;
                 // A loop over the elements of a value may stand behind a copy of it.
@@ -247,18 +246,14 @@ impl Lowering<'_, '_> {
                 }
                 Ok(())
             }
-            tree::ExprKind::Return(value) => self.return_stmt(value.as_deref(), expr.site),
-            tree::ExprKind::Break(label, value) => {
+            Tree::Return(value) => self.return_stmt(value.as_deref(), expr.site),
+            Tree::Break(label, value) => {
                 self.break_stmt(label.as_deref(), value.as_deref(), expr.site)
             }
-            tree::ExprKind::Continue(label) => {
-                self.leave(label.as_deref(), Leaving::Continue, expr.site)
-            }
-            tree::ExprKind::Assert(condition, claim) => {
-                self.assert_stmt(condition, *claim, expr.site)
-            }
-            tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
-            tree::ExprKind::Call(..)
+            Tree::Continue(label) => self.leave(label.as_deref(), Leaving::Continue, expr.site),
+            Tree::Assert(condition, claim) => self.assert_stmt(condition, *claim, expr.site),
+            Tree::Tuple(parts) if parts.is_empty() => Ok(()),
+            Tree::Call(..)
                 if self.in_option(expr)?.is_some()
                     || self.lent_place(expr)?.is_some()
                     || self.list_effect(expr)?
@@ -266,13 +261,13 @@ impl Lowering<'_, '_> {
             {
                 Ok(())
             }
-            tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {
+            Tree::Call(callee, arguments) if self.is_unwrap(*callee) => {
                 self.unwrap(OptionMethod::Unwrap, Call { arguments, expr }).map(|_| ())
             }
-            tree::ExprKind::Try(label, operand) => {
+            Tree::Try(label, operand) => {
                 self.try_value(label.as_deref(), operand, expr.site).map(|_| ())
             }
-            tree::ExprKind::Apply(name, arguments) => {
+            Tree::Apply(name, arguments) => {
                 let value = self.apply(name, arguments, expr.site)?;
                 if value.ty != Type::Unit {
                     self.emit(StmtKind::Expr(value), span);
@@ -348,9 +343,9 @@ impl Lowering<'_, '_> {
         place: &tree::Expr,
         value: &tree::Expr,
     ) -> Result<()> {
-        let tree::ExprKind::Local(name) = &place.kind else {
+        let Tree::Local(name) = &place.kind else {
             let element = !self.cx.borrowed.is_empty()
-                && matches!(place.kind, tree::ExprKind::Field(..) | tree::ExprKind::Index(..))
+                && matches!(place.kind, Tree::Field(..) | Tree::Index(..))
                 && self.place_type(place).is_ok_and(|ty| self.type_behind(ty.clone()) != ty);
             return if element { Self::moved_reference(place.site) } else { Ok(()) };
         };
@@ -377,7 +372,7 @@ impl Lowering<'_, '_> {
 
     fn is_reference(&self, value: &tree::Expr) -> Result<bool> {
         match (&value.kind, value.slot) {
-            (tree::ExprKind::Ref(..), _) => Ok(true),
+            (Tree::Ref(..), _) => Ok(true),
             (_, Some(slot)) => self.slot_is_reference(slot, value.site),
             _ => Ok(false),
         }
@@ -394,7 +389,7 @@ impl Lowering<'_, '_> {
         if self.is_submatrix(place) {
             // Without a `*` the name is given another view.
             return match (op, &place.kind) {
-                (None, tree::ExprKind::Local(_)) => Self::moved_part(site),
+                (None, Tree::Local(_)) => Self::moved_part(site),
                 _ => self.assign_part(op, place, value, site),
             };
         }
@@ -507,7 +502,7 @@ impl Lowering<'_, '_> {
     pub(super) fn name_of(&self, place: &tree::Expr) -> String {
         match &place.kind {
             // What a function that stands here calls its parameter has the author's name.
-            tree::ExprKind::Local(name) if !self.expanding.is_empty() => {
+            Tree::Local(name) if !self.expanding.is_empty() => {
                 match self.lookup(name, place.site) {
                     Ok(Value::Place(it)) if it.steps.is_empty() => {
                         self.locals[it.root.index()].name.clone()
@@ -515,10 +510,8 @@ impl Lowering<'_, '_> {
                     _ => name.clone(),
                 }
             }
-            tree::ExprKind::Local(name) | tree::ExprKind::Field(_, name) => name.clone(),
-            tree::ExprKind::Index(base, _)
-            | tree::ExprKind::Deref(base)
-            | tree::ExprKind::Ref(_, base) => self.name_of(base),
+            Tree::Local(name) | Tree::Field(_, name) => name.clone(),
+            Tree::Index(base, _) | Tree::Deref(base) | Tree::Ref(_, base) => self.name_of(base),
             _ => words::VALUE.into(),
         }
     }

@@ -8,6 +8,7 @@ use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Places, Site};
 use bessemer_ir::{Block, Expr, ExprKind, Place, Step, StmtKind, Type};
 
 use super::lowering::Lowering;
+use super::option_places::there;
 use super::pattern::{Test, aligned};
 use super::value::Value;
 use super::{Result, problem};
@@ -25,6 +26,9 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         match (otherwise, pattern, &value.kind) {
             (None, Pattern::Tuple(_), Tree::Tuple(_)) => return self.take_each(pattern, value),
+            (None, ..) if let Some((lent, left)) = self.tried_lent(value) => {
+                return self.take_apart(&there(pattern.clone()), &lent, Some(&left));
+            }
             (_, Pattern::Any, _) => return self.effect(value),
             _ => {}
         }

@@ -155,30 +155,25 @@ impl Lowering<'_, '_> {
         }
         let mut ty = self.locals[place.root.index()].ty.clone();
         for step in place.steps.clone() {
-            let (indices, inner) = match (step, ty) {
+            let (lengths, inner) = match (&step, ty) {
                 (Step::Field(field), Type::Struct(id)) => {
-                    (Vec::new(), self.cx.field_type(id, field))
+                    (Vec::new(), self.cx.field_type(id, *field))
                 }
-                (Step::Index(index), Type::Array { element, len }) => {
-                    (vec![(index, len)], *element)
+                (Step::Index(_), Type::Array { element, len }) => (vec![len], *element),
+                (Step::Index(_), Type::Matrix { element, rows, cols }) => {
+                    (vec![rows * cols], Type::Scalar(element))
                 }
-                (Step::Index(index), Type::Matrix { element, rows, cols }) => {
-                    (vec![(index, rows * cols)], Type::Scalar(element))
-                }
-                (Step::Element(row, column), Type::Matrix { element, rows, cols }) => {
-                    (vec![(row, rows), (column, cols)], Type::Scalar(element))
+                (Step::Element(..), Type::Matrix { element, rows, cols }) => {
+                    (vec![rows, cols], Type::Scalar(element))
                 }
                 // A slice has looked already.
                 _ => return,
             };
-            for (index, len) in indices {
-                if matches!(index.kind, ExprKind::Literal(_)) {
-                    continue;
-                }
-                let (ty, span) = (index.ty.clone(), index.span);
-                let len = Expr::literal(u64::from(len), ty, span);
-                let condition = Expr::compare(CompareOp::Lt, index, len);
-                self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+            let moving = |(index, _): &(&Expr, u32)| !matches!(index.kind, ExprKind::Literal(_));
+            for (index, len) in step.indices().zip(lengths).filter(moving) {
+                let len = Expr::literal_like(u64::from(len), index);
+                let condition = Expr::compare(CompareOp::Lt, index.clone(), len);
+                self.emit(StmtKind::Check { condition, fault: Fault::Index }, index.span);
             }
             ty = inner;
         }

@@ -5,7 +5,7 @@
 //!
 //! A payload is looked at only behind the test that it is there.
 
-use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
+use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, LogicOp, Mode, Place, Scalar, Step, Stmt, StmtKind, StructId,
     Type,
@@ -58,7 +58,7 @@ impl Lowering<'_, '_> {
     /// The subject of a `match` or a `let`, computed once.
     pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Value> {
         // One that rustc saw as a whole is matched by a name.
-        if let (tree::ExprKind::Tuple(parts), None) = (&expr.kind, expr.slot)
+        if let (Tree::Tuple(parts), None) = (&expr.kind, expr.slot)
             && !parts.is_empty()
         {
             let mut subjects: Vec<Value> = Vec::new();
@@ -73,7 +73,7 @@ impl Lowering<'_, '_> {
             }
             return Ok(Value::Tuple(subjects, None));
         }
-        if let tree::ExprKind::Apply(name, arguments) = &expr.kind
+        if let Tree::Apply(name, arguments) = &expr.kind
             && self.stands_here(expr)
         {
             return self.applied(name, arguments, expr.site, |inner, closure| {
@@ -366,7 +366,7 @@ impl Lowering<'_, '_> {
 
     /// The word of the variant without payload that a path has for a value: its name may be another.
     pub(super) fn unit_word(&self, value: &tree::Expr, id: StructId) -> Option<u64> {
-        let tree::ExprKind::Path(index, _) = &value.kind else { return None };
+        let Tree::Path(index, _) = &value.kind else { return None };
         let word = *self.source.constants.get(*index as usize)?.words.first()?;
         let case = self.cx.known_of(id).cases.get(usize::try_from(word).ok()?)?;
         case.field.is_none().then_some(word)

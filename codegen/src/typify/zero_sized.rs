@@ -2,7 +2,7 @@
 //! from structs, variants, parameters and results; an expression that computes one runs for its effect.
 
 use bessemer_ir::tree::visit::{Bound, Visit};
-use bessemer_ir::tree::{self, Definition, NO_SLOT, Pattern, Site, Ty};
+use bessemer_ir::tree::{self, Definition, ExprKind as Tree, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
 
 use super::generic::position;
@@ -121,13 +121,11 @@ impl Lowering<'_, '_> {
     /// Whether the value of an expression holds nothing.
     pub(super) fn holds_nothing(&mut self, expr: &tree::Expr) -> bool {
         match &expr.kind {
-            tree::ExprKind::Local(name) => {
+            Tree::Local(name) => {
                 matches!(self.lookup(name, expr.site), Ok(Value::Nothing))
             }
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
-                self.holds_nothing(inner)
-            }
-            tree::ExprKind::Field(base, name) => {
+            Tree::Ref(_, inner) | Tree::Deref(inner) => self.holds_nothing(inner),
+            Tree::Field(base, name) => {
                 if !self.cx.leaves_out {
                     return false;
                 }
@@ -149,21 +147,21 @@ impl Lowering<'_, '_> {
     /// Does what an expression does, of which the value holds nothing; gives what is left to be done.
     pub(super) fn done(&mut self, expr: &tree::Expr) -> Result<Expr> {
         match &expr.kind {
-            tree::ExprKind::Local(_) | tree::ExprKind::Path(..) => {}
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.effect(inner)?,
-            tree::ExprKind::Field(base, _) if self.holds_nothing(base) => self.effect(base)?,
+            Tree::Local(_) | Tree::Path(..) => {}
+            Tree::Ref(_, inner) | Tree::Deref(inner) => self.effect(inner)?,
+            Tree::Field(base, _) if self.holds_nothing(base) => self.effect(base)?,
             // Its indices are looked at.
-            tree::ExprKind::Field(base, _) => {
+            Tree::Field(base, _) => {
                 let mut base = self.base(base)?;
                 self.fix(&mut base);
             }
-            tree::ExprKind::Struct(_, fields, rest) => {
+            Tree::Struct(_, fields, rest) => {
                 for (_, value) in fields {
                     self.effect(value)?;
                 }
                 rest.iter().try_for_each(|rest| self.effect(rest))?;
             }
-            tree::ExprKind::Constructor(_, parts) | tree::ExprKind::Tuple(parts) => {
+            Tree::Constructor(_, parts) | Tree::Tuple(parts) => {
                 parts.iter().try_for_each(|part| self.effect(part))?;
             }
             _ => return self.bare_value(expr, None),
