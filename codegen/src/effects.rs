@@ -139,11 +139,7 @@ pub(crate) fn lent(node: &impl Walk) -> Vec<Place> {
 
 /// All that the calls in an index may write.
 pub(crate) fn lent_by_step(step: &Step) -> Vec<Place> {
-    match step {
-        Step::Field(_) => Vec::new(),
-        Step::Index(index) | Step::From(index) => lent(index),
-        Step::Element(row, column) => [lent(row), lent(column)].concat(),
-    }
+    step.indices().flat_map(lent).collect()
 }
 
 /// Whether a statement gives a place its own value.

@@ -9,9 +9,9 @@ use bessemer_ir::{CompareOp, Expr, ExprKind, LogicOp, Type};
 
 use super::lengths::{compared, minus, number, plus, size};
 use super::lowering::Lowering;
-use super::pattern::both;
+use super::pattern::Test;
 use super::syntax::is_rest;
-use super::value::{Named, Slice, Value};
+use super::value::{Slice, Value};
 use super::words;
 use super::{Result, problem};
 
@@ -104,17 +104,16 @@ impl Lowering<'_, '_> {
         pattern: &tree::Pattern,
         (there, lent): (&Expr, &Value),
         site: Site,
-        names: &mut Vec<Named>,
-    ) -> Result<Option<Expr>> {
+    ) -> Result<Test> {
         match pattern {
             tree::Pattern::Constructor(name, parts) if name == "Some" && parts.len() == 1 => {
-                let inner = self.test(&parts[0], lent, site, names)?;
+                let inner = self.test(&parts[0], lent, site)?;
                 // Of an array it is known.
                 let there = (there.kind != ExprKind::Literal(1)).then(|| there.clone());
-                Ok(both(there, inner))
+                Ok(Test::of(there).and(inner))
             }
             tree::Pattern::Constructor(name, _) if name == "None" => {
-                Ok(Some(there.clone().negated()))
+                Ok(Test::of(Some(there.clone().negated())))
             }
             _ => problem(site, LENT, TAKE_APART),
         }
@@ -126,13 +125,11 @@ impl Lowering<'_, '_> {
         pattern: &tree::Pattern,
         slice: &Slice,
         site: Site,
-        names: &mut Vec<Named>,
-    ) -> Result<Option<Expr>> {
+    ) -> Result<Test> {
         let patterns = match pattern {
             tree::Pattern::Name { name, slot, inner: None, .. } => {
                 let stands = Value::Slice(Box::new(slice.clone()));
-                names.push(Named::of(name, *slot, stands, site));
-                return Ok(None);
+                return Ok(Test::named(name, *slot, stands, site));
             }
             tree::Pattern::Array(patterns) => patterns,
             _ => {
@@ -151,7 +148,7 @@ impl Lowering<'_, '_> {
         // rustc has counted the elements of an array, and not those of `&values[3..]`.
         let there = slice.has(fixed, rest.is_none(), span);
         let always = there.kind == ExprKind::Literal(1) || (rest.is_some() && fixed == 0);
-        let mut all = (!always).then_some(there);
+        let mut all = Test::of((!always).then_some(there));
         for (index, pattern) in patterns.iter().enumerate() {
             let at = if index < before {
                 plus(slice.from.clone(), Expr::usize(index as u64, span))
@@ -161,14 +158,13 @@ impl Lowering<'_, '_> {
                     let length = minus(begun.length.clone(), Expr::usize(behind as u64, span));
                     let part = begun.part(Expr::usize(0, span), length);
                     let stands = Value::Slice(Box::new(part));
-                    names.push(Named::of(name, *slot, stands, site));
+                    all = all.and(Test::named(name, *slot, stands, site));
                 }
                 continue;
             } else {
                 minus(slice.to.clone(), Expr::usize((patterns.len() - index) as u64, span))
             };
-            let next = self.test(pattern, &Value::Place(slice.at(at)), site, names)?;
-            all = both(all, next);
+            all = all.and(self.test(pattern, &Value::Place(slice.at(at)), site)?);
         }
         Ok(all)
     }

@@ -4,12 +4,13 @@
 //!
 //! Room and indices are checked before anything is written.
 
-use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
+use bessemer_ir::tree::{self, Builtin, ListMethod};
 use bessemer_ir::{
     Block, CompareOp, Expr, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, Stmt, StmtKind,
     Type,
 };
 
+use super::comparison::Pair;
 use super::each::Each;
 use super::expr::Call;
 use super::lengths::{least, lesser};
@@ -309,14 +310,10 @@ impl Lowering<'_, '_> {
     }
 
     /// `==` of two lists: as long, and the same elements.
-    pub(super) fn equal_lists(
-        &mut self,
-        (left, right): (&Place, &Place),
-        site: Site,
-        span: Span,
-    ) -> Result<Expr> {
-        let lists = (self.list_at(left), self.list_at(right));
-        let (Some(left), Some(right)) = lists else {
+    pub(super) fn equal_lists(&mut self, pair: &Pair) -> Result<Expr> {
+        let (site, span) = (pair.site, pair.span);
+        let [left, right] = pair.sides.each_ref().map(|list| self.list_at(list));
+        let (Some(left), Some(right)) = (left, right) else {
             return problem(site, "this is not a `List`", OUR_FAULT);
         };
         let (one, other) = (left.length.load(), right.length.load());
@@ -324,7 +321,8 @@ impl Lowering<'_, '_> {
         self.and_then(as_long, |inner| {
             let count = lesser(one, Expr::usize(u64::from(left.capacity), span));
             inner.all_equal(count, span, |inner, index| {
-                inner.equal(&left.at([index.clone()]), &right.at([index]), site, span)
+                let sides = [left.at([index.clone()]), right.at([index])];
+                inner.equal(&Pair { sides, site, span })
             })
         })
     }

@@ -4,6 +4,7 @@ use bessemer_ir::tree::{self, Builtin, Site};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
 
 use super::lowering::Lowering;
+use super::value::Submatrix;
 use super::words;
 use super::{Result, problem};
 use crate::{alias, effects};
@@ -66,53 +67,26 @@ impl<'a> Lowering<'a, '_> {
         let (mut passed, mut copies) = (Vec::new(), Vec::new());
         let mut parameters = parameters.into_iter();
         for (index, argument) in arguments.iter().enumerate() {
-            if self.cx.is_absent(id, index) {
-                let mark = self.out.len();
-                self.effect(argument)?;
-                let later = self.later(mark);
-                self.settle_arguments(&mut passed, &later);
-                self.out.extend(later);
-                continue;
-            }
-            let Some((mode, ty)) = parameters.next() else { break };
-            let mark = self.out.len();
-            if let Type::Slice(_) = ty {
-                // The length is a parameter of its own.
-                parameters.next();
-                let slice = self.sliced(argument)?;
-                let later = self.later(mark);
-                self.settle_arguments(&mut passed, &later);
-                self.out.extend(later);
-                passed.extend(slice.passed(mode));
-                continue;
-            }
-            let next = match mode {
-                Mode::RefMut if let Some(part) = self.submatrix(argument)? => {
-                    let copy = self.copy_of_part("part", &part, argument.site)?;
-                    copies.push((part, copy.clone()));
-                    Argument::RefMut(copy)
-                }
-                Mode::RefMut => match self.place(argument)? {
-                    Some(place) => Argument::RefMut(place),
-                    None => {
-                        self.not_coords(argument)?;
-                        let value = self.value(argument, Some(&ty))?;
-                        Argument::RefMut(self.temporary_place(words::ARGUMENT, value))
-                    }
+            let parameter = match self.cx.is_absent(id, index) {
+                true => None,
+                false => match parameters.next() {
+                    Some(parameter) => Some(parameter),
+                    None => break,
                 },
-                Mode::Ref => {
-                    let value = self.read(argument, Some(&ty))?;
-                    Argument::Ref(self.as_asked(value, &ty, argument.site)?)
-                }
-                Mode::Value => Argument::Value(self.value(argument, Some(&ty))?),
             };
-            let later = self.later(mark);
-            self.settle_arguments(&mut passed, &later);
-            self.out.extend(later);
-            let lenders = self.lending_arguments(&next, &ty, argument.site)?;
+            let next = self.settling(
+                |inner| inner.passed(argument, parameter.as_ref(), &mut copies),
+                |inner, _, later| inner.settle_arguments(&mut passed, later),
+            )?;
+            // The length of a slice is a parameter of its own.
+            parameters.by_ref().take(next.len().saturating_sub(1)).for_each(drop);
+            let lenders = match (&parameter, next.as_slice()) {
+                (Some((_, ty)), [one]) => self.lending_arguments(one, ty, argument.site)?,
+                _ => Vec::new(),
+            };
             lent_twice(&passed, &lenders, argument.site)?;
             parameters.by_ref().take(lenders.len()).for_each(drop);
-            passed.push(next);
+            passed.extend(next);
             passed.extend(lenders);
         }
         passed.extend(more);
@@ -126,6 +100,43 @@ impl<'a> Lowering<'a, '_> {
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
         let call = self.counted_from_lender(call)?;
         self.written_back(call, copies)
+    }
+
+    /// What a call passes for an argument: for a slice its length, too, and nothing where no parameter is left of it.
+    fn passed(
+        &mut self,
+        argument: &tree::Expr,
+        parameter: Option<&(Mode, Type)>,
+        copies: &mut Vec<(Submatrix, Place)>,
+    ) -> Result<Vec<Argument>> {
+        let Some((mode, ty)) = parameter else {
+            self.effect(argument)?;
+            return Ok(Vec::new());
+        };
+        let passed = match mode {
+            _ if matches!(ty, Type::Slice(_)) => {
+                return Ok(self.sliced(argument)?.passed(*mode).into());
+            }
+            Mode::RefMut if let Some(part) = self.submatrix(argument)? => {
+                let copy = self.copy_of_part("part", &part, argument.site)?;
+                copies.push((part, copy.clone()));
+                Argument::RefMut(copy)
+            }
+            Mode::RefMut => match self.place(argument)? {
+                Some(place) => Argument::RefMut(place),
+                None => {
+                    self.not_coords(argument)?;
+                    let value = self.value(argument, Some(ty))?;
+                    Argument::RefMut(self.temporary_place(words::ARGUMENT, value))
+                }
+            },
+            Mode::Ref => {
+                let value = self.read(argument, Some(ty))?;
+                Argument::Ref(self.as_asked(value, ty, argument.site)?)
+            }
+            Mode::Value => Argument::Value(self.value(argument, Some(ty))?),
+        };
+        Ok(vec![passed])
     }
 
     /// Makes the copies that are passed beside what they are copied from, where a call may write that: `v.axpy(a, &v.clone(), b)`.

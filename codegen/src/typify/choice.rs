@@ -1,12 +1,14 @@
 //! `match`: a list of cases where the arms name few values, else conditions one after the other.
 
-use bessemer_ir::tree::{self, NO_SLOT, Site};
+use bessemer_ir::tree::visit::{Bound, Visit};
+use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Int, LogicOp, Mode, Place, Scalar, Span, StmtKind, StructId, Type,
+    Arm, Block, Expr, ExprKind, Int, LogicOp, Scalar, Span, StmtKind, StructId, Type,
 };
 
-use super::conditions::within;
+use super::conditions::within_any;
 use super::lowering::{Lowering, Target};
+use super::pattern::Test;
 use super::value::Value;
 use super::words;
 use super::{Result, problem};
@@ -15,7 +17,7 @@ use super::{Result, problem};
 const LISTED: i128 = 8;
 
 /// The values that an arm takes, as ranges with both ends; empty: every one.
-type Ranges = Vec<(i128, i128)>;
+pub(super) type Ranges = Vec<(i128, i128)>;
 
 /// An arm of a `match` on a number.
 struct Taken<'t> {
@@ -24,6 +26,9 @@ struct Taken<'t> {
     binding: Option<(&'t str, bool)>,
     ranges: Ranges,
 }
+
+/// The values that an arm takes; none: every one that is left.
+type Words = Option<Vec<i128>>;
 
 impl Lowering<'_, '_> {
     /// `match`, its value to `target` if one is wanted.
@@ -36,48 +41,28 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let span = self.span(site);
         let arms = reachable(arms);
-        if let tree::ExprKind::Tuple(_) = &scrutinee.kind {
-            let subject = self.subject(scrutinee)?;
-            return self.subject_arms(&subject, arms, target, site);
-        }
-        if let Some(subject) = self.lent(scrutinee)? {
-            return self.subject_arms(&subject, arms, target, site);
-        }
-        let mut value = self.value(scrutinee, None)?;
-        let by_number = value.ty.is_word() && !matches!(value.ty, Type::Scalar(Scalar::Float(_)));
-        if !by_number || self.lends_the_whole(arms)? {
-            let before = self.locals.len();
-            let subject = self.value_subject(value);
-            self.name_held(&subject, before, arms.iter().map(|arm| &arm.pattern));
-            return self.subject_arms(&subject, arms, target, site);
-        }
-        let mut taken: Vec<Taken<'_>> = Vec::new();
-        for arm in arms {
-            let (binding, patterns) = split(&arm.pattern);
-            let ranges = self.ranges(patterns, &value.ty, arm.site)?;
-            taken.push(Taken { arm, binding, ranges });
-        }
-        let name = taken.iter().find_map(|taken| taken.binding).map(|(name, _)| name);
-        let guarded = arms.iter().any(|arm| arm.guard.is_some());
-        let wide = |taken: &Taken<'_>| {
-            taken.ranges.iter().map(|(low, high)| high - low + 1).sum::<i128>() > LISTED
+        let subject = match &scrutinee.kind {
+            tree::ExprKind::Tuple(_) => Some(self.subject(scrutinee)?),
+            _ => self.lent(scrutinee)?,
         };
-        let chained = guarded || taken.iter().any(wide);
-        if name.is_some() || chained && !is_still(&value) {
-            value = self.let_local(name.unwrap_or(words::SELECTOR), value).load();
+        if let Some(subject) = subject {
+            return self.subject_arms(&subject, arms, target, span);
         }
-        if chained {
-            let Block(stmts) = self.scoped(|inner| inner.chain(&value, &taken, target, span))?;
-            self.out.extend(stmts);
-            return Ok(());
+        let value = self.value(scrutinee, None)?;
+        let by_number = value.ty.is_word() && !matches!(value.ty, Type::Scalar(Scalar::Float(_)));
+        if by_number && !self.lends_the_whole(arms)? {
+            return self.number_arms(value, arms, target, span);
         }
-        self.cases(value, &taken, target, span)
+        let before = self.locals.len();
+        let subject = self.value_subject(value);
+        self.name_held(&subject, before, arms.iter().map(|arm| &arm.pattern));
+        self.subject_arms(&subject, arms, target, span)
     }
 
     /// Whether an arm has a name through which all that is matched can be written.
     fn lends_the_whole(&self, arms: &[tree::Arm]) -> Result<bool> {
         for arm in arms {
-            if let tree::Pattern::Name { slot, .. } = &arm.pattern
+            if let Pattern::Name { slot, .. } = &arm.pattern
                 && *slot != NO_SLOT
                 && self.slot_is_exclusive(*slot, arm.site)?
             {
@@ -87,99 +72,59 @@ impl Lowering<'_, '_> {
         Ok(false)
     }
 
-    /// Arms without guards, of few values each.
-    fn cases(
+    /// Arms that compare a number: a list of cases, unless one has a guard or takes many values.
+    fn number_arms(
         &mut self,
-        scrutinee: Expr,
-        arms: &[Taken<'_>],
+        mut value: Expr,
+        arms: &[tree::Arm],
         target: Option<&Target>,
         span: Span,
     ) -> Result<()> {
-        let mut lowered: Vec<Arm> = Vec::new();
-        let mut otherwise = None;
-        for taken in arms {
-            let ranges = &taken.ranges;
-            let body = self.scoped(|inner| {
-                inner.name(taken, &scrutinee);
-                inner.arm(taken, target)
-            })?;
-            let values = ranges.iter().flat_map(|(low, high)| *low..=*high);
-            // Earlier arms win, in Rust and so here.
-            let mut seen = std::collections::BTreeSet::new();
-            let values: Vec<i128> = values
-                .filter(|value| !lowered.iter().any(|arm| arm.values.contains(value)))
-                // `1 | 1` is Rust, with a warning.
-                .filter(|value| seen.insert(*value))
-                .collect();
-            if ranges.is_empty() {
-                otherwise = Some(body);
-            } else if !values.is_empty() {
-                lowered.push(Arm { values, body });
-            }
+        let mut taken: Vec<Taken<'_>> = Vec::new();
+        for arm in arms {
+            let (binding, patterns) = split(&arm.pattern);
+            let ranges = self.ranges(patterns, &value.ty, arm.site)?;
+            taken.push(Taken { arm, binding, ranges });
         }
-        if otherwise.is_none() && scrutinee.ty.as_int().is_some() {
-            // The arms name every value: the last takes what is left.
-            otherwise = lowered.pop().map(|arm| arm.body);
+        let name = taken.iter().find_map(|taken| taken.binding).map(|(name, _)| name);
+        let wide = |taken: &Taken<'_>| {
+            taken.ranges.iter().map(|(low, high)| high - low + 1).sum::<i128>() > LISTED
+        };
+        let chained = arms.iter().any(|arm| arm.guard.is_some()) || taken.iter().any(wide);
+        if name.is_some() || chained && !is_still(&value) {
+            value = self.let_local(name.unwrap_or(words::SELECTOR), value).load();
         }
-        if lowered.is_empty() {
-            if !is_still(&scrutinee) {
-                self.emit(StmtKind::Expr(scrutinee), span);
-            }
-            self.out.extend(otherwise.unwrap_or_default().0);
-            return Ok(());
+        if chained {
+            return self.chain(&taken, span, &|inner, taken, last| {
+                inner.name(taken, &value);
+                let mut test = Test::default();
+                if !last {
+                    test.condition = within_any(&value, &taken.ranges, span);
+                    inner.guard(&mut test, taken.arm.guard.as_ref(), None)?;
+                }
+                Ok((test.condition, inner.scoped(|inner| inner.arm(taken, target))?))
+            });
         }
-        if scrutinee.ty == Type::BOOL {
-            self.match_bool(scrutinee, lowered, otherwise, span);
-            return Ok(());
-        }
-        self.emit(StmtKind::Match { scrutinee, arms: lowered, otherwise }, span);
-        Ok(())
-    }
-
-    /// Arms as conditions; the last takes what is left.
-    fn chain(
-        &mut self,
-        value: &Expr,
-        arms: &[Taken<'_>],
-        target: Option<&Target>,
-        span: Span,
-    ) -> Result<()> {
-        let Some((taken, rest)) = arms.split_first() else { return Ok(()) };
-        let (condition, then) = self.naming_scope(|inner| {
-            inner.name(taken, value);
-            let condition = match rest {
-                [] => None,
-                _ => inner.condition(value, &taken.ranges, taken.arm.guard.as_ref(), span)?,
-            };
-            Ok((condition, inner.scoped(|inner| inner.arm(taken, target))?))
+        let values = |taken: &Taken<'_>| {
+            let values = taken.ranges.iter().flat_map(|(low, high)| *low..=*high);
+            (!taken.ranges.is_empty()).then(|| values.collect())
+        };
+        let listed = taken.iter().map(|taken| (values(taken), taken));
+        let (mut cases, mut otherwise) = self.cases(listed, |inner, taken| {
+            inner.name(taken, &value);
+            inner.arm(taken, target)
         })?;
-        match condition {
-            None => self.out.extend(then.0),
-            Some(condition) => {
-                let otherwise = self.scoped(|inner| inner.chain(value, rest, target, span))?;
-                self.emit(StmtKind::If { condition, then, otherwise }, span);
-            }
+        let both = value.ty == Type::BOOL
+            && cases.iter().map(|case| case.values.len()).sum::<usize>() == 2;
+        if both || otherwise.is_none() && value.ty.as_int().is_some() {
+            // The arms name every value: the last takes what is left.
+            otherwise = cases.pop().map(|case| case.body);
         }
+        if cases.is_empty() && !is_still(&value) {
+            self.emit(StmtKind::Expr(value.clone()), span);
+        }
+        self.emit_cases(value, cases, otherwise, span);
         Ok(())
-    }
-
-    /// The condition of an arm, if there is one.
-    fn condition(
-        &mut self,
-        value: &Expr,
-        ranges: &Ranges,
-        guard: Option<&tree::Expr>,
-        span: Span,
-    ) -> Result<Option<Expr>> {
-        let tests = ranges.iter().map(|range| within(value, *range, span));
-        let pattern = tests.reduce(|one, other| Expr::logic(LogicOp::Or, one, other).at(span));
-        match (pattern, guard) {
-            (Some(pattern), Some(guard)) => {
-                self.short_circuit(LogicOp::And, pattern, guard, guard.site).map(Some)
-            }
-            (None, Some(guard)) => self.value(guard, Some(&Type::BOOL)).map(Some),
-            (pattern, None) => Ok(pattern),
-        }
     }
 
     /// The author's name for what is matched.
@@ -194,9 +139,8 @@ impl Lowering<'_, '_> {
         if let Some((name, true)) = taken.binding {
             // Assigned, it is a copy of its own.
             let value = self.named(name, taken.arm.site)?;
-            let span = value.span;
-            let local = self.declare(name, value.ty.clone(), Mode::Value, span);
-            self.emit(StmtKind::Let { local, value: Some(value) }, span);
+            let place = self.let_local(name, value);
+            self.bind(name, Value::Local(place.root));
         }
         self.lowered(&taken.arm.body, target)
     }
@@ -208,158 +152,150 @@ impl Lowering<'_, '_> {
         subject: &Value,
         arms: &[tree::Arm],
         target: Option<&Target>,
-        site: Site,
+        span: Span,
     ) -> Result<()> {
         let arms: Vec<tree::Arm> = arms.iter().flat_map(spread).collect();
-        if let Value::Place(place) = subject
-            && self.variant_cases(place, &arms, target, site)?
-        {
+        if let Some((tag, listed)) = self.variants(subject, &arms) {
+            let (cases, otherwise) = self.cases(listed.into_iter().zip(&arms), |inner, arm| {
+                inner.bind_pattern(&arm.pattern, subject, arm.site)?;
+                inner.lowered(&arm.body, target)
+            })?;
+            self.emit_cases(tag, cases, otherwise, span);
             return Ok(());
         }
-        let Block(stmts) =
-            self.scoped(|inner| inner.subject_chain(subject, &arms, target, site))?;
-        self.out.extend(stmts);
-        Ok(())
-    }
-
-    fn subject_chain(
-        &mut self,
-        subject: &Value,
-        arms: &[tree::Arm],
-        target: Option<&Target>,
-        site: Site,
-    ) -> Result<()> {
-        let span = self.span(site);
-        let Some((arm, rest)) = arms.split_first() else { return Ok(()) };
-        let (condition, then) = self.naming_scope(|inner| {
-            let mut names = Vec::new();
-            let test = inner.test(&arm.pattern, subject, arm.site, &mut names)?;
-            let condition = match (rest, test, &arm.guard) {
-                ([], ..) => None,
-                (_, test, None) => test,
-                (_, test, Some(guard)) => {
-                    inner.alias_names(&names);
-                    Some(match test {
-                        Some(test) => inner.short_circuit(LogicOp::And, test, guard, guard.site)?,
-                        None => inner.value(guard, Some(&Type::BOOL))?,
-                    })
-                }
-            };
+        self.chain(&arms, span, &|inner, arm, last| {
+            let mut test = inner.test(&arm.pattern, subject, arm.site)?;
+            match last {
+                true => test.condition = None,
+                false => inner.guard(&mut test, arm.guard.as_ref(), None)?,
+            }
             let then = inner.scoped(|inner| {
-                inner.bind_names(&names)?;
+                inner.bind_names(&test.names)?;
                 inner.lowered(&arm.body, target)
             })?;
             // A name may be the guard's alone.
-            Ok((condition, if arm.guard.is_some() { super::pattern::used(then) } else { then }))
-        })?;
-        match condition {
-            None => self.out.extend(then.0),
-            Some(condition) => {
-                let otherwise =
-                    self.scoped(|inner| inner.subject_chain(subject, rest, target, site))?;
-                self.branch(condition, then, otherwise, span);
+            Ok((
+                test.condition,
+                if arm.guard.is_some() { super::pattern::used(then) } else { then },
+            ))
+        })
+    }
+
+    /// Adds a guard to the test of a pattern, whose names stand for their places in it; `site`: where the whole stands, if
+    /// not at the guard.
+    pub(super) fn guard(
+        &mut self,
+        test: &mut Test,
+        guard: Option<&tree::Expr>,
+        site: Option<Site>,
+    ) -> Result<()> {
+        let Some(guard) = guard else { return Ok(()) };
+        self.alias_names(&test.names);
+        test.condition = Some(match test.condition.take() {
+            Some(test) => {
+                self.short_circuit(LogicOp::And, test, guard, site.unwrap_or(guard.site))?
             }
-        }
+            None => self.value(guard, Some(&Type::BOOL))?,
+        });
         Ok(())
     }
 
-    /// Arms that name the variants of an enum with payload, and nothing within; false if they do more.
-    fn variant_cases(
+    /// Arms as conditions, one after the other; `taken` gives the condition and the body of one. The last takes what is
+    /// left.
+    fn chain<A>(
         &mut self,
-        place: &Place,
-        arms: &[tree::Arm],
-        target: Option<&Target>,
-        site: Site,
-    ) -> Result<bool> {
-        let Type::Struct(id) = place.ty else { return Ok(false) };
-        if self.cx.known_of(id).cases.is_empty() {
-            return Ok(false);
-        }
-        let tag = self.part(place, id, 0);
-        let words: Option<Vec<_>> = arms.iter().map(|arm| self.words(arm, id)).collect();
-        let (Type::Enum(_), Some(words)) = (&tag.ty, words) else { return Ok(false) };
-        let subject = Value::Place(place.clone());
-        let (mut cases, mut otherwise) = (Vec::<Arm>::new(), None);
-        for (arm, words) in arms.iter().zip(words) {
-            let body = self.scoped(|inner| {
-                inner.bind_pattern(&arm.pattern, &subject, arm.site)?;
-                inner.lowered(&arm.body, target)
-            })?;
-            let Some(mut values) = words else {
-                otherwise = Some(body);
-                break;
-            };
-            values.retain(|word| !cases.iter().any(|case| case.values.contains(word)));
+        arms: &[A],
+        span: Span,
+        taken: &dyn Fn(&mut Self, &A, bool) -> Result<(Option<Expr>, Block)>,
+    ) -> Result<()> {
+        let Some((arm, rest)) = arms.split_first() else { return Ok(()) };
+        let (condition, then) = self.naming_scope(|inner| taken(inner, arm, rest.is_empty()))?;
+        let Some(condition) = condition else {
+            self.out.extend(then.0);
+            return Ok(());
+        };
+        let otherwise = self.scoped(|inner| inner.chain(rest, span, taken))?;
+        self.branch(condition, then, otherwise, span);
+        Ok(())
+    }
+
+    /// A list of cases, and what takes all that is left. Earlier arms win, in Rust and so here.
+    fn cases<A>(
+        &mut self,
+        arms: impl Iterator<Item = (Words, A)>,
+        lower: impl Fn(&mut Self, A) -> Result<()>,
+    ) -> Result<(Vec<Arm>, Option<Block>)> {
+        let mut cases: Vec<Arm> = Vec::new();
+        for (words, arm) in arms {
+            let body = self.scoped(|inner| lower(inner, arm))?;
+            let Some(words) = words else { return Ok((cases, Some(body))) };
+            let mut values = Vec::new();
+            for word in words {
+                // `1 | 1` is Rust, with a warning.
+                if !values.contains(&word) && !cases.iter().any(|it| it.values.contains(&word)) {
+                    values.push(word);
+                }
+            }
             if !values.is_empty() {
                 cases.push(Arm { values, body });
             }
         }
-        let span = self.span(site);
-        match (cases.is_empty(), otherwise) {
-            (true, Some(Block(all))) => self.out.extend(all),
-            (_, otherwise) => {
-                let scrutinee = tag.load();
-                self.emit(StmtKind::Match { scrutinee, arms: cases, otherwise }, span);
-            }
-        }
-        Ok(true)
+        Ok((cases, None))
     }
 
-    /// The variants that an arm takes, whatever they hold: none inside for all; none if it looks within.
-    fn words(&self, arm: &tree::Arm, id: StructId) -> Option<Option<Vec<i128>>> {
-        if arm.guard.is_some() {
+    fn emit_cases(&mut self, of: Expr, mut cases: Vec<Arm>, otherwise: Option<Block>, span: Span) {
+        if of.ty != Type::BOOL && !cases.is_empty() {
+            self.emit(StmtKind::Match { scrutinee: of, arms: cases, otherwise }, span);
+            return;
+        }
+        let otherwise = otherwise.unwrap_or_default();
+        let Some(Arm { values, body }) = cases.pop() else {
+            self.out.extend(otherwise.0);
+            return;
+        };
+        let (then, otherwise) = match values.contains(&1) {
+            true => (body, otherwise),
+            false => (otherwise, body),
+        };
+        self.emit(StmtKind::If { condition: of, then, otherwise }, span);
+    }
+
+    /// The tag of an enum with payload, and the variants that each arm takes, whatever they hold; none if an arm looks within.
+    fn variants(&self, subject: &Value, arms: &[tree::Arm]) -> Option<(Expr, Vec<Words>)> {
+        let Value::Place(place) = subject else { return None };
+        let Type::Struct(id) = place.ty else { return None };
+        if self.cx.known_of(id).cases.is_empty() {
             return None;
         }
-        if takes_all(&arm.pattern) {
-            return Some(None);
-        }
-        let mut words = Vec::new();
-        self.variant_words(&arm.pattern, id, &mut words).then_some(Some(words))
+        let words = |arm: &tree::Arm| match &arm.pattern {
+            _ if arm.guard.is_some() => None,
+            pattern if takes_all(pattern) => Some(None),
+            pattern => self.variant_words(pattern, id).map(Some),
+        };
+        let tag = self.part(place, id, 0);
+        let listed = arms.iter().map(words).collect::<Option<_>>()?;
+        matches!(tag.ty, Type::Enum(_)).then(|| (tag.load(), listed))
     }
 
-    fn variant_words(&self, pattern: &tree::Pattern, id: StructId, words: &mut Vec<i128>) -> bool {
-        let free = |part: &tree::Pattern| matches!(part, tree::Pattern::Rest) || takes_all(part);
+    fn variant_words(&self, pattern: &Pattern, id: StructId) -> Option<Vec<i128>> {
+        let free = |part: &Pattern| matches!(part, Pattern::Rest) || takes_all(part);
         let named = |name: &str| self.case(id, name).map(|(word, _)| word);
         let word = match pattern {
-            tree::Pattern::Or(cases) => {
-                return cases.iter().all(|case| self.variant_words(case, id, words));
+            Pattern::Or(cases) => {
+                let words = cases.iter().map(|case| self.variant_words(case, id));
+                return words.collect::<Option<Vec<_>>>().map(|words| words.concat());
             }
-            tree::Pattern::Value(value) => self.unit_word(value, id),
-            tree::Pattern::Constructor(name, parts) if parts.iter().all(free) => named(name),
-            tree::Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => {
-                named(name)
-            }
+            Pattern::Value(value) => self.unit_word(value, id),
+            Pattern::Constructor(name, parts) if parts.iter().all(free) => named(name),
+            Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => named(name),
             _ => None,
         };
-        let Some(word) = word else { return false };
-        if !words.contains(&i128::from(word)) {
-            words.push(i128::from(word));
-        }
-        true
-    }
-
-    fn match_bool(
-        &mut self,
-        condition: Expr,
-        arms: Vec<Arm>,
-        otherwise: Option<Block>,
-        span: Span,
-    ) {
-        let mut arms: Vec<(bool, Block)> =
-            arms.into_iter().map(|arm| (arm.values.contains(&1), arm.body)).collect();
-        let mut take = |wanted: bool| {
-            arms.iter().position(|(value, _)| *value == wanted).map(|index| arms.remove(index).1)
-        };
-        let (then, els) = (take(true), take(false));
-        let otherwise = otherwise.unwrap_or_default();
-        let then = then.unwrap_or_else(|| otherwise.clone());
-        let els = els.unwrap_or(otherwise);
-        self.emit(StmtKind::If { condition, then, otherwise: els }, span);
+        Some(vec![word?.into()])
     }
 
     pub(super) fn ranges<'p>(
         &mut self,
-        patterns: impl IntoIterator<Item = &'p tree::Pattern>,
+        patterns: impl IntoIterator<Item = &'p Pattern>,
         ty: &Type,
         site: Site,
     ) -> Result<Ranges> {
@@ -379,15 +315,15 @@ impl Lowering<'_, '_> {
         let mut ranges = Vec::new();
         for pattern in patterns {
             ranges.push(match pattern {
-                tree::Pattern::Value(value) => {
+                Pattern::Value(value) => {
                     let value = self.pattern_value(value, ty)?;
                     (value, value)
                 }
-                tree::Pattern::Constructor(name, parts) if parts.is_empty() => {
+                Pattern::Constructor(name, parts) if parts.is_empty() => {
                     let word = self.variant_word(name, ty, site)?;
                     (word, word)
                 }
-                tree::Pattern::Range { from, to, inclusive } => {
+                Pattern::Range { from, to, inclusive } => {
                     let from = from.as_ref().map(|from| self.pattern_value(from, ty));
                     let to = to.as_ref().map(|to| self.pattern_value(to, ty));
                     let last = match to.transpose()? {
@@ -441,14 +377,14 @@ impl Lowering<'_, '_> {
 }
 
 /// The name that a pattern of a number gives it, and the patterns of its values; none: every one.
-fn split(pattern: &tree::Pattern) -> (Option<(&str, bool)>, Vec<&tree::Pattern>) {
+fn split(pattern: &Pattern) -> (Option<(&str, bool)>, Vec<&Pattern>) {
     match pattern {
-        tree::Pattern::Any => (None, Vec::new()),
-        tree::Pattern::Name { name, mutable, inner, .. } => {
+        Pattern::Any => (None, Vec::new()),
+        Pattern::Name { name, mutable, inner, .. } => {
             let values = inner.as_deref().map(|inner| split(inner).1).unwrap_or_default();
             (Some((name, *mutable)), values)
         }
-        tree::Pattern::Or(cases) => {
+        Pattern::Or(cases) => {
             let cases: Vec<_> = cases.iter().map(|case| split(case).1).collect();
             // `1 | _` is `_`.
             let any = cases.iter().any(Vec::is_empty);
@@ -461,7 +397,7 @@ fn split(pattern: &tree::Pattern) -> (Option<(&str, bool)>, Vec<&tree::Pattern>)
 /// An arm with names inside `|` as an arm for each.
 fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
     match &arm.pattern {
-        tree::Pattern::Or(cases) if cases.iter().any(has_names) => cases
+        Pattern::Or(cases) if cases.iter().any(has_names) => cases
             .iter()
             .map(|pattern| tree::Arm { pattern: pattern.clone(), ..arm.clone() })
             .collect(),
@@ -469,24 +405,18 @@ fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
     }
 }
 
-fn has_names(pattern: &tree::Pattern) -> bool {
-    match pattern {
-        tree::Pattern::Name { .. } => true,
-        tree::Pattern::Or(parts) | tree::Pattern::Tuple(parts) | tree::Pattern::Array(parts) => {
-            parts.iter().any(has_names)
-        }
-        tree::Pattern::Constructor(_, parts) => parts.iter().any(has_names),
-        tree::Pattern::Fields(_, fields) => fields.iter().any(|(_, part)| has_names(part)),
-        _ => false,
-    }
+fn has_names(pattern: &Pattern) -> bool {
+    let mut bound = Bound::default();
+    bound.pattern(pattern);
+    !bound.0.is_empty()
 }
 
 /// Whether a pattern takes every value, whatever it is of.
-fn takes_all(pattern: &tree::Pattern) -> bool {
+fn takes_all(pattern: &Pattern) -> bool {
     match pattern {
-        tree::Pattern::Any => true,
-        tree::Pattern::Name { inner, .. } => inner.as_deref().is_none_or(takes_all),
-        tree::Pattern::Or(cases) => cases.iter().any(takes_all),
+        Pattern::Any => true,
+        Pattern::Name { inner, .. } => inner.as_deref().is_none_or(takes_all),
+        Pattern::Or(cases) => cases.iter().any(takes_all),
         _ => false,
     }
 }

@@ -358,7 +358,7 @@ impl<'a> Lowering<'a, '_> {
                 (tree::Pattern::Name { name, slot: NO_SLOT, .. }, Value::Word(_)) => {
                     self.bind(name, subject.clone());
                 }
-                _ => drop(self.test(pattern, subject, closure.body.site, &mut names)?),
+                _ => names.extend(self.test(pattern, subject, closure.body.site)?.names),
             }
         }
         self.bind_names(&names)

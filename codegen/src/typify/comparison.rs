@@ -26,10 +26,30 @@ const FEW: u32 = 4;
 /// An array of more elements has no order: it is not written out.
 const MOST: u32 = 8;
 
+/// Two places of one type that are compared, and where.
+#[derive(Clone)]
+pub(super) struct Pair {
+    pub sides: [Place; 2],
+    pub site: Site,
+    pub span: Span,
+}
+
+impl Pair {
+    /// The same part of both.
+    pub(super) fn map(&self, part: impl Fn(&Place) -> Place) -> Pair {
+        let [left, right] = &self.sides;
+        Pair { sides: [part(left), part(right)], ..*self }
+    }
+
+    /// The parts that a step leads to.
+    fn at(&self, step: &Step, ty: &Type) -> Pair {
+        self.map(|whole| whole.inside(step.clone(), ty.clone()))
+    }
+}
+
 impl Lowering<'_, '_> {
     /// `left == right` of two values of one type.
     pub(super) fn equality(&mut self, left: Expr, right: Expr, site: Site) -> Result<Expr> {
-        let span = self.span(site);
         if left.ty.is_word()
             && let Some(equal) = self.own_equality(&left, &right, site)?
         {
@@ -46,13 +66,11 @@ impl Lowering<'_, '_> {
             }
             _ => {}
         }
-        let left = self.compared(left);
-        let right = self.compared(right);
-        match left.ty {
-            Type::Struct(id) if !own && self.is_flat(id) => {
-                self.equal_parts(id, &left, &right, site, span)
-            }
-            _ => self.equal(&left, &right, site, span),
+        let sides = [left, right].map(|side| self.compared(side));
+        let pair = Pair { span: self.span(site), site, sides };
+        match pair.sides[0].ty {
+            Type::Struct(id) if !own && self.is_flat(id) => self.equal_parts(id, &pair),
+            _ => self.equal(&pair),
         }
     }
 
@@ -104,8 +122,8 @@ impl Lowering<'_, '_> {
             let same = Expr::compare(CompareOp::Eq, own.load(), part).at(span);
             return Ok(Expr::logic(LogicOp::And, there, same));
         }
-        let part = self.compared(part);
-        self.and_then(there, |inner| inner.equal(&own, &part, site, span))
+        let pair = Pair { sides: [own, self.compared(part)], site, span };
+        self.and_then(there, |inner| inner.equal(&pair))
     }
 
     /// Whether a struct is made of words alone, and compared as such.
@@ -115,13 +133,9 @@ impl Lowering<'_, '_> {
         !rotation && fields.iter().all(|field| field.ty.is_word())
     }
 
-    pub(super) fn equal(
-        &mut self,
-        left: &Place,
-        right: &Place,
-        site: Site,
-        span: Span,
-    ) -> Result<Expr> {
+    pub(super) fn equal(&mut self, pair: &Pair) -> Result<Expr> {
+        let Pair { site, span, .. } = *pair;
+        let [left, right] = &pair.sides;
         if let Some(equal) = self.own_equality(&left.load(), &right.load(), site)? {
             return Ok(equal);
         }
@@ -137,45 +151,27 @@ impl Lowering<'_, '_> {
                 let kind = ExprKind::Call(function, lent.into());
                 Ok(Expr { kind, ty: Type::BOOL, span })
             }
-            Type::Array { element, len } => {
-                self.equal_elements((left, right), element, *len, site, &Step::Index)
-            }
+            Type::Array { element, len } => self.equal_elements(pair, element, *len, &Step::Index),
             Type::Matrix { element, rows, cols } => {
-                let (rows, cols) = (*rows, *cols);
-                let element = Type::Scalar(*element);
-                let step = |index: Expr| match cols {
-                    1 => Step::Element(index, Expr::usize(0, span)),
-                    _ => Step::Element(Expr::usize(0, span), index),
-                };
-                if rows == 1 || cols == 1 {
-                    let count = rows.max(cols);
-                    return self.equal_elements((left, right), &element, count, site, &step);
+                let (element, zero) = (Type::Scalar(*element), || Expr::usize(0, span));
+                let count = |count: u32| Expr::usize(u64::from(count), span);
+                match (*rows, *cols) {
+                    (rows, 1) => {
+                        let step = |row| Step::Element(row, zero());
+                        self.equal_elements(pair, &element, rows, &step)
+                    }
+                    (1, cols) => {
+                        let step = |col| Step::Element(zero(), col);
+                        self.equal_elements(pair, &element, cols, &step)
+                    }
+                    (rows, cols) => self.all_equal(count(cols), span, |inner, col| {
+                        inner.all_equal(count(rows), span, |inner, row| {
+                            inner.equal(&pair.at(&Step::Element(row, col), &element))
+                        })
+                    }),
                 }
-                let [rows, cols] = [rows, cols].map(|count| Expr::usize(u64::from(count), span));
-                self.all_equal(cols, span, |inner, col| {
-                    inner.all_equal(rows, span, |inner, row| {
-                        inner.equal_at(
-                            (left, right),
-                            Step::Element(row, col),
-                            &element,
-                            (site, span),
-                        )
-                    })
-                })
             }
         }
-    }
-
-    /// `left == right` of the parts that a step leads to.
-    fn equal_at(
-        &mut self,
-        (left, right): (&Place, &Place),
-        step: Step,
-        ty: &Type,
-        (site, span): (Site, Span),
-    ) -> Result<Expr> {
-        let [one, other] = [left, right].map(|whole| whole.inside(step.clone(), ty.clone()));
-        self.equal(&one, &other, site, span)
     }
 
     /// The function that compares two values of a type.
@@ -187,11 +183,11 @@ impl Lowering<'_, '_> {
         let (module, span, ty) = (item.module.clone(), item.span, Type::Struct(id));
         let mut inner = Lowering::new(&mut *self.cx, self.source)?;
         inner.naming = words::ALL_PARTS.into();
-        let [one, other] = words::COMPARED.map(|name| {
+        let sides = words::COMPARED.map(|name| {
             let local = inner.declare(name, ty.clone(), Mode::Ref, span);
             Place::local(local, ty.clone(), span)
         });
-        let same = inner.equal_parts(id, &one, &other, site, span)?;
+        let same = inner.equal_parts(id, &Pair { sides, site, span })?;
         inner.emit(StmtKind::Return(Some(same)), span);
         let (locals, out) = (std::mem::take(&mut inner.locals), std::mem::take(&mut inner.out));
         self.cx.module.functions.push(Function {
@@ -247,46 +243,38 @@ impl Lowering<'_, '_> {
         )
     }
 
-    fn equal_parts(
-        &mut self,
-        id: StructId,
-        left: &Place,
-        right: &Place,
-        site: Site,
-        span: Span,
-    ) -> Result<Expr> {
-        self.check_equality(&left.ty, site)?;
+    fn equal_parts(&mut self, id: StructId, pair: &Pair) -> Result<Expr> {
+        self.check_equality(&pair.sides[0].ty, pair.site)?;
         let definition = &self.cx.module.structs[id.index()];
         if self.cx.known_of(id).unit == Some(true) {
-            return Ok(self.same_rotation(id, left, right, span));
+            return Ok(self.same_rotation(id, pair));
         }
         let (form, count) = (definition.form.clone(), definition.fields.len());
         if form == Form::Sequence {
-            return self.equal_lists((left, right), site, span);
+            return self.equal_lists(pair);
         }
         let mut all: Option<Expr> = None;
         for index in 0..count {
-            let (one, other) = (self.part(left, id, index), self.part(right, id, index));
+            let part = pair.map(|whole| self.part(whole, id, index));
             // A field that may hold nothing is looked at where it does.
             let condition = match &form {
                 Form::Choice(chosen) if index > 0 => {
                     let word = chosen.iter().position(|field| *field == Some(index as u32));
-                    Some(self.tag_is(left, id, word.unwrap_or_default() as u64).negated())
+                    let word = word.unwrap_or_default() as u64;
+                    Some(self.tag_is(&pair.sides[0], id, word).negated())
                 }
                 _ => None,
             };
             let compare = |inner: &mut Self| match condition {
-                None => inner.equal(&one, &other, site, span),
-                Some(absent) => {
-                    inner.or_else(absent, |inner| inner.equal(&one, &other, site, span))
-                }
+                None => inner.equal(&part),
+                Some(absent) => inner.or_else(absent, |inner| inner.equal(&part)),
             };
             all = Some(match all {
                 None => compare(self)?,
                 Some(all) => self.and_then(all, compare)?,
             });
         }
-        Ok(all.unwrap_or_else(|| Expr::bool(true, span)))
+        Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
     }
 
     /// `absent || right`, where `right` may need statements.
@@ -309,29 +297,22 @@ impl Lowering<'_, '_> {
 
     fn equal_elements(
         &mut self,
-        (left, right): (&Place, &Place),
+        pair: &Pair,
         element: &Type,
         len: u32,
-        site: Site,
         step: &dyn Fn(Expr) -> Step,
     ) -> Result<Expr> {
-        let span = left.span;
-        let number = |number: u32| Expr::usize(u64::from(number), span);
-        if len <= FEW && element.is_word() {
-            let mut all: Option<Expr> = None;
-            for index in 0..len {
-                let next =
-                    self.equal_at((left, right), step(number(index)), element, (site, span))?;
-                all = Some(match all {
-                    Some(all) => Expr::logic(LogicOp::And, all, next),
-                    None => next,
-                });
-            }
-            return Ok(all.unwrap_or_else(|| Expr::bool(true, span)));
+        let pair = Pair { span: pair.sides[0].span, ..pair.clone() };
+        let number = |number: u32| Expr::usize(u64::from(number), pair.span);
+        if len > FEW || !element.is_word() {
+            return self.all_equal(number(len), pair.span, |inner, index| {
+                inner.equal(&pair.at(&step(index), element))
+            });
         }
-        self.all_equal(number(len), span, |inner, index| {
-            inner.equal_at((left, right), step(index), element, (site, span))
-        })
+        let same = (0..len).map(|index| self.equal(&pair.at(&step(number(index)), element)));
+        let same: Vec<Expr> = same.collect::<Result<_>>()?;
+        let all = same.into_iter().reduce(|all, next| Expr::logic(LogicOp::And, all, next));
+        Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
     }
 
     /// A loop over the indices below `count`, which ends at the first that are not equal.
@@ -369,11 +350,11 @@ impl Lowering<'_, '_> {
         right: Expr,
         site: Site,
     ) -> Result<Expr> {
-        let [mut left, mut right] = [left, right].map(|operand| self.compared(operand));
-        if self.cx.known(&left.ty).reversed {
-            std::mem::swap(&mut left, &mut right);
+        let mut sides = [left, right].map(|operand| self.compared(operand));
+        if self.cx.known(&sides[0].ty).reversed {
+            sides.reverse();
         }
-        let Some(steps) = self.steps_to_parts(&left.ty, &left) else {
+        let Some(steps) = self.steps_to_parts(&sides[0]) else {
             return problem(
                 site,
                 "this has no order in the DSL",
@@ -385,10 +366,10 @@ impl Lowering<'_, '_> {
             CompareOp::Ge => CompareOp::Gt,
             op => op,
         };
+        let pair = Pair { span: sides[0].span, site, sides };
         let mut decided: Option<Expr> = None;
         for (step, ty) in steps.into_iter().rev() {
-            let [one, other] =
-                [&left, &right].map(|whole| whole.inside(step.clone(), ty.clone()).load());
+            let [one, other] = pair.at(&step, &ty).sides.map(|part| part.load());
             decided = Some(match decided {
                 None => self.compare_node(op, one, other, site)?,
                 Some(rest) => {
@@ -421,10 +402,10 @@ impl Lowering<'_, '_> {
     }
 
     /// The way to each part, and its type; none if the whole has no order part by part.
-    fn steps_to_parts(&self, ty: &Type, place: &Place) -> Option<Vec<(Step, Type)>> {
-        let known = self.cx.known(ty);
+    fn steps_to_parts(&self, place: &Place) -> Option<Vec<(Step, Type)>> {
+        let known = self.cx.known(&place.ty);
         let is_tuple = known.shown.is_some() && known.cases.is_empty();
-        match ty {
+        match &place.ty {
             Type::Struct(id) if is_tuple || known.ordered || known.reversed => {
                 let fields = self.cx.fields(*id).iter();
                 Some((0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect())

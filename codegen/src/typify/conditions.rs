@@ -1,7 +1,7 @@
 //! Conditions: those with patterns in them (`if let Some(x) = … && x > 0`), `&&` whose right side needs statements, and
 //! whether a value lies between two others.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, ExprKind as Tree};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, LogicOp, Place, Span, Stmt, StmtKind, Type, UnaryOp,
 };
@@ -18,17 +18,17 @@ impl Lowering<'_, '_> {
         names: &mut Vec<Named>,
     ) -> Result<Expr> {
         match &expr.kind {
-            tree::ExprKind::Let(pattern, value) => {
-                let before = names.len();
+            Tree::Let(pattern, value) => {
                 let subject = self.subject_of(pattern, value)?;
-                let test = self.test(pattern, &subject, expr.site, names)?;
-                self.alias_names(&names[before..]);
-                match test {
+                let test = self.test(pattern, &subject, expr.site)?;
+                self.alias_names(&test.names);
+                names.extend(test.names);
+                match test.condition {
                     Some(test) => Ok(test),
                     None => self.node(ExprKind::Literal(1), Type::BOOL, expr.site),
                 }
             }
-            tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
+            Tree::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
                 let left = self.pattern_condition(left, names)?;
                 self.and_then(left, |inner| {
                     inner.keep_changeable(names)?;
@@ -91,10 +91,8 @@ impl Lowering<'_, '_> {
 /// Whether a condition has a pattern in it.
 pub(super) fn has_let(expr: &tree::Expr) -> bool {
     match &expr.kind {
-        tree::ExprKind::Let(..) => true,
-        tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) => {
-            has_let(left) || has_let(right)
-        }
+        Tree::Let(..) => true,
+        Tree::Binary(tree::BinaryOp::LogicAnd, left, right) => has_let(left) || has_let(right),
         _ => false,
     }
 }
@@ -108,13 +106,9 @@ pub(super) fn decided(condition: &Expr) -> Option<bool> {
     match &condition.kind {
         ExprKind::Literal(word) => Some(*word != 0),
         ExprKind::Unary(UnaryOp::Not, operand) => decided(operand).map(|holds| !holds),
-        ExprKind::Logic(LogicOp::And, left, right) => match decided(left)? {
-            true => decided(right),
-            false => Some(false),
-        },
-        ExprKind::Logic(LogicOp::Or, left, right) => match decided(left)? {
-            true => Some(true),
-            false => decided(right),
+        ExprKind::Logic(op, left, right) => match (op, decided(left)?) {
+            (LogicOp::And, true) | (LogicOp::Or, false) => decided(right),
+            (_, left) => Some(left),
         },
         ExprKind::Compare(op, left, right) => {
             let order = number(left)?.cmp(&number(right)?);
@@ -129,6 +123,12 @@ pub(super) fn decided(condition: &Expr) -> Option<bool> {
         }
         _ => None,
     }
+}
+
+/// Whether a value is in one of several ranges; none if there are none.
+pub(super) fn within_any(value: &Expr, ranges: &[(i128, i128)], span: Span) -> Option<Expr> {
+    let tests = ranges.iter().map(|range| within(value, *range, span));
+    tests.reduce(|one, other| Expr::logic(LogicOp::Or, one, other).at(span))
 }
 
 /// `low <= value && value <= high`, or what is left of it.

@@ -1,7 +1,7 @@
 //! Control flow: statements, and values that control flow decides.
 
-use bessemer_ir::tree::{self, Builtin, OptionMethod, Site};
-use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, StmtKind, Type};
+use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Site};
+use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, Span, StmtKind, Type};
 
 use super::conditions::{decided, has_let};
 use super::each::Each;
@@ -39,37 +39,26 @@ impl Lowering<'_, '_> {
             self.span(expr.site);
         }
         match (&expr.kind, target) {
-            (tree::ExprKind::Apply(name, arguments), Some(_)) if self.stands_here(expr) => self
-                .applied(name, arguments, expr.site, |inner, closure| {
+            (Tree::Apply(name, arguments), Some(_)) if self.stands_here(expr) => {
+                self.applied(name, arguments, expr.site, |inner, closure| {
                     inner.lowered(&closure.body, target)
-                }),
-            (tree::ExprKind::If(condition, then, otherwise), _)
+                })
+            }
+            (Tree::If(condition, then, otherwise), _)
                 if target.is_none() || otherwise.is_some() =>
             {
                 self.if_stmt(expr.site, condition, then, otherwise.as_deref(), target)
             }
-            (tree::ExprKind::Match(scrutinee, arms), _)
-                if target.is_none() || control_with_value(expr) =>
-            {
+            (Tree::Match(scrutinee, arms), _) if target.is_none() || control_with_value(expr) => {
                 self.match_stmt(expr.site, scrutinee, arms, target)
             }
-            (tree::ExprKind::Block(block), _) => {
-                let Block(stmts) = self.block(block, target)?;
-                self.out.extend(stmts);
-                Ok(())
-            }
-            (tree::ExprKind::Labelled(label, body), _) => self.labelled(label, body, target, expr),
-            (tree::ExprKind::While { label, condition, bound, body }, _) => {
+            (Tree::Block(block), _) => self.run(block, target),
+            (Tree::Labelled(label, body), _) => self.labelled(label, body, target, expr),
+            (Tree::While { label, condition, bound, body }, _) => {
                 let asked = (condition.as_deref(), bound.as_deref());
                 self.while_stmt(expr.site, label.as_deref(), asked, body, target)
             }
-            (
-                tree::ExprKind::Return(_)
-                | tree::ExprKind::Break(..)
-                | tree::ExprKind::Continue(_)
-                | tree::ExprKind::Assert(..),
-                _,
-            )
+            (Tree::Return(_) | Tree::Break(..) | Tree::Continue(_) | Tree::Assert(..), _)
             | (_, None) => self.statement(expr),
             (_, Some(target)) => self.store(expr, target),
         }
@@ -86,19 +75,27 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let span = self.span(site);
         if has_let(condition) {
-            let (condition, then) = self.guarded(condition, |inner| inner.block(then, target))?;
+            // The names of its patterns are known in the branch alone.
+            let (condition, then) = self.naming_scope(|inner| {
+                let mut names = Vec::new();
+                let condition = inner.pattern_condition(condition, &mut names)?;
+                let then = inner.scoped(|inner| {
+                    inner.bind_names(&names)?;
+                    inner.run(then, target)
+                })?;
+                Ok((condition, then))
+            })?;
             let otherwise = self.otherwise(otherwise, target)?;
             self.branch(condition, then, otherwise, span);
             return Ok(());
         }
         let condition = self.asked(condition)?;
         if let Some(holds) = self.decided(&condition) {
-            let Block(stmts) = match holds {
-                true => self.block(then, target)?,
-                false => self.otherwise(otherwise, target)?,
+            return match (holds, otherwise) {
+                (true, _) => self.run(then, target),
+                (false, Some(otherwise)) => self.lowered(otherwise, target),
+                (false, None) => Ok(()),
             };
-            self.out.extend(stmts);
-            return Ok(());
         }
         let then = self.block(then, target)?;
         let otherwise = self.otherwise(otherwise, target)?;
@@ -114,29 +111,6 @@ impl Lowering<'_, '_> {
         self.builtin_of(callee) == Some(Builtin::Option(OptionMethod::Unwrap))
     }
 
-    /// A condition and what is done if it holds; the names of its patterns are known there alone.
-    fn guarded(
-        &mut self,
-        condition: &tree::Expr,
-        then: impl FnOnce(&mut Self) -> Result<Block>,
-    ) -> Result<(Expr, Block)> {
-        if !has_let(condition) {
-            return Ok((self.asked(condition)?, then(self)?));
-        }
-        self.naming_scope(|inner| {
-            let mut names = Vec::new();
-            let condition = inner.pattern_condition(condition, &mut names)?;
-            let mut body = Block::default();
-            let Block(declared) = inner.scoped(|inner| {
-                inner.bind_names(&names)?;
-                body = then(inner)?;
-                Ok(())
-            })?;
-            body.0.splice(0..0, declared);
-            Ok((condition, body))
-        })
-    }
-
     /// `operand?`: leaves with what it is unless there is a value; that value, if there is something to
     /// it.
     pub(super) fn try_value(
@@ -148,11 +122,8 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let place = self.held(operand)?;
         let target = self.left_by(label, site)?;
-        let result = match &target {
-            Target::Place(place) => place.ty.clone(),
-            Target::Return => self.result.clone(),
-        };
-        let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), result) else {
+        let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), self.wanted(&target))
+        else {
             return problem(site, "`?` takes an `Option` or a `Result`", "`match` on the value");
         };
         let (taken, left) = match self.case(id, "Some") {
@@ -172,28 +143,37 @@ impl Lowering<'_, '_> {
         let then = self.scoped(|inner| {
             let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;
             let leave = inner.choice(result, word, payload, site)?;
+            inner.send(leave, &target, span);
             match target {
-                Target::Return => inner.emit(StmtKind::Return(Some(leave)), span),
-                Target::Place(place) => {
-                    inner.emit(StmtKind::Assign { place, value: leave }, span);
-                    inner.leave(label, Leaving::Break, site)?;
-                }
+                Target::Return => Ok(()),
+                Target::Place(_) => inner.leave(label, Leaving::Break, site),
             }
-            Ok(())
         })?;
-        self.emit(StmtKind::if_then(condition, then), span);
+        self.emit_if(condition, then, span);
         let value = taken.1.field.map(|field| self.part(&place, id, field as usize));
         Ok(value.map(|value| value.load()))
     }
 
-    fn store(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
-        let ty = match target {
+    /// The type of what goes to a target.
+    fn wanted(&self, target: &Target) -> Type {
+        match target {
             Target::Place(place) => place.ty.clone(),
             Target::Return => self.result.clone(),
+        }
+    }
+
+    fn send(&mut self, value: Expr, target: &Target, span: Span) {
+        let kind = match target {
+            Target::Place(place) => StmtKind::Assign { place: place.clone(), value },
+            Target::Return => StmtKind::Return(Some(value)),
         };
+        self.emit(kind, span);
+    }
+
+    fn store(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+        let ty = self.wanted(target);
         let value = self.value(expr, Some(&ty))?;
         self.agree(&value.ty, &ty, expr.site)?;
-        let span = value.span;
         if let (Target::Place(place), ExprKind::Load(same)) = (target, &value.kind)
             && place.root == same.root
             && place.steps.is_empty()
@@ -202,11 +182,8 @@ impl Lowering<'_, '_> {
             // `|mut sum, x| { sum += x; sum }`.
             return Ok(());
         }
-        let kind = match target {
-            Target::Place(place) => StmtKind::Assign { place: place.clone(), value },
-            Target::Return => StmtKind::Return(Some(value)),
-        };
-        self.emit(kind, span);
+        let span = value.span;
+        self.send(value, target, span);
         Ok(())
     }
 
@@ -222,33 +199,36 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// `else`: an `if`, or a block that is the branch itself.
+    /// The same, into the block at hand.
+    fn run(&mut self, block: &tree::Block, target: Option<&Target>) -> Result<()> {
+        let Block(stmts) = self.block(block, target)?;
+        self.out.extend(stmts);
+        Ok(())
+    }
+
+    /// `else`, as far as there is one.
     fn otherwise(
         &mut self,
         otherwise: Option<&tree::Expr>,
         target: Option<&Target>,
     ) -> Result<Block> {
-        match otherwise.map(|otherwise| (otherwise, &otherwise.kind)) {
-            Some((_, tree::ExprKind::Block(block))) => self.block(block, target),
-            Some((otherwise, _)) => self.scoped(|inner| inner.lowered(otherwise, target)),
-            None => Ok(Block::default()),
-        }
+        self.scoped(|inner| otherwise.map_or(Ok(()), |it| inner.lowered(it, target)))
     }
 
     /// Lowers an expression for its effect, where it is no control flow that has a value.
     fn statement(&mut self, expr: &tree::Expr) -> Result<()> {
         let span = self.span(expr.site);
         match &expr.kind {
-            tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
-            tree::ExprKind::AssignEach(places, value) => self.assign_each(places, value),
-            tree::ExprKind::For { label, name, slot, range, body } => {
+            Tree::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
+            Tree::AssignEach(places, value) => self.assign_each(places, value),
+            Tree::For { label, name, slot, range, body } => {
                 self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }
-            tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
+            Tree::Each { label, index, parts, order, cuts, body } => {
                 let (site, label, index) = (expr.site, label.as_deref(), index.as_deref());
                 self.each_stmt(parts, Each { site, label, index, order: *order, cuts, body })
             }
-            tree::ExprKind::Unroll(count, inner) => {
+            Tree::Unroll(count, inner) => {
                 let mark = self.out.len();
                 self.effect(inner)?;
                 // A loop over the elements of a value may stand behind a copy of it.
@@ -262,31 +242,27 @@ impl Lowering<'_, '_> {
                 }
                 Ok(())
             }
-            tree::ExprKind::Return(value) => self.return_stmt(value.as_deref(), expr.site),
-            tree::ExprKind::Break(label, value) => {
+            Tree::Return(value) => self.return_stmt(value.as_deref(), expr.site),
+            Tree::Break(label, value) => {
                 self.break_stmt(label.as_deref(), value.as_deref(), expr.site)
             }
-            tree::ExprKind::Continue(label) => {
-                self.leave(label.as_deref(), Leaving::Continue, expr.site)
-            }
-            tree::ExprKind::Assert(condition, claim) => {
-                self.assert_stmt(condition, *claim, expr.site)
-            }
-            tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
-            tree::ExprKind::Call(..)
+            Tree::Continue(label) => self.leave(label.as_deref(), Leaving::Continue, expr.site),
+            Tree::Assert(condition, claim) => self.assert_stmt(condition, *claim, expr.site),
+            Tree::Tuple(parts) if parts.is_empty() => Ok(()),
+            Tree::Call(..)
                 if self.lent_place(expr)?.is_some()
                     || self.list_effect(expr)?
                     || self.slice_effect(expr)? =>
             {
                 Ok(())
             }
-            tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {
+            Tree::Call(callee, arguments) if self.is_unwrap(*callee) => {
                 self.unwrap(OptionMethod::Unwrap, Call { arguments, expr }).map(|_| ())
             }
-            tree::ExprKind::Try(label, operand) => {
+            Tree::Try(label, operand) => {
                 self.try_value(label.as_deref(), operand, expr.site).map(|_| ())
             }
-            tree::ExprKind::Apply(name, arguments) => {
+            Tree::Apply(name, arguments) => {
                 let value = self.apply(name, arguments, expr.site)?;
                 if value.ty != Type::Unit {
                     self.emit(StmtKind::Expr(value), span);
@@ -318,20 +294,12 @@ impl Lowering<'_, '_> {
     }
 
     fn return_stmt(&mut self, value: Option<&tree::Expr>, site: Site) -> Result<()> {
-        match value {
-            Some(value) if self.result != Type::Unit => {
-                self.naming_as(RESULT, |inner| inner.into(value, &Target::Return))?;
-            }
-            Some(value) => {
-                self.effect(value)?;
-                let span = self.span(site);
-                self.emit(StmtKind::Return(None), span);
-            }
-            None => {
-                let span = self.span(site);
-                self.emit(StmtKind::Return(None), span);
-            }
+        if let Some(value) = value.filter(|_| self.result != Type::Unit) {
+            return self.naming_as(RESULT, |inner| inner.into(value, &Target::Return));
         }
+        value.map_or(Ok(()), |value| self.effect(value))?;
+        let span = self.span(site);
+        self.emit(StmtKind::Return(None), span);
         Ok(())
     }
 
@@ -370,9 +338,9 @@ impl Lowering<'_, '_> {
         place: &tree::Expr,
         value: &tree::Expr,
     ) -> Result<()> {
-        let tree::ExprKind::Local(name) = &place.kind else {
+        let Tree::Local(name) = &place.kind else {
             let element = !self.cx.borrowed.is_empty()
-                && matches!(place.kind, tree::ExprKind::Field(..) | tree::ExprKind::Index(..))
+                && matches!(place.kind, Tree::Field(..) | Tree::Index(..))
                 && self.place_type(place).is_ok_and(|ty| self.type_behind(ty.clone()) != ty);
             return if element { Self::moved_reference(place.site) } else { Ok(()) };
         };
@@ -399,7 +367,7 @@ impl Lowering<'_, '_> {
 
     fn is_reference(&self, value: &tree::Expr) -> Result<bool> {
         match (&value.kind, value.slot) {
-            (tree::ExprKind::Ref(..), _) => Ok(true),
+            (Tree::Ref(..), _) => Ok(true),
             (_, Some(slot)) => self.slot_is_reference(slot, value.site),
             _ => Ok(false),
         }
@@ -416,7 +384,7 @@ impl Lowering<'_, '_> {
         if self.is_submatrix(place) {
             // Without a `*` the name is given another view.
             return match (op, &place.kind) {
-                (None, tree::ExprKind::Local(_)) => Self::moved_part(site),
+                (None, Tree::Local(_)) => Self::moved_part(site),
                 _ => self.assign_part(op, place, value, site),
             };
         }
@@ -449,11 +417,10 @@ impl Lowering<'_, '_> {
                 let ty = self.place_type(place)?;
                 let mut value = self.value(value, Some(&ty))?;
                 self.agree(&value.ty, &ty, site)?;
-                let mark = self.out.len();
-                let place = self.writable(place)?;
-                let later = self.later(mark);
-                self.settle(&mut value, words::OPERAND, &later);
-                self.out.extend(later);
+                let place = self.settling(
+                    |inner| inner.writable(place),
+                    |inner, _, later| inner.settle(&mut value, words::OPERAND, later),
+                )?;
                 self.emit(StmtKind::Assign { place, value }, span);
             }
             Some(_) if let Some(callee) = self.operator(place.slot).cloned() => {
@@ -494,33 +461,35 @@ impl Lowering<'_, '_> {
     ) -> Result<(Place, Expr)> {
         if ty.is_word() {
             let mut value = self.value(value, expected.as_ref())?;
-            let mark = self.out.len();
-            let mut place = self.writable(place)?;
-            let mut later = self.later(mark);
-            let fixed = place.steps.iter().all(super::order::is_fixed);
-            // The place is read where the operand stands behind it, which must have been computed by then.
-            let written = effects::lent(&value);
-            if !fixed && !order::may_follow(&value, &place)
-                || effects::reads(&place.load(), &written)
-            {
-                value = self.temporary(words::OPERAND, value);
-            } else {
-                self.settle(&mut value, words::OPERAND, &later);
-            }
-            self.out.append(&mut later);
+            let mut place = self.settling(
+                |inner| inner.writable(place),
+                |inner, place, later| {
+                    let fixed = place.steps.iter().all(order::is_fixed);
+                    // The place is read where the operand stands behind it, which must have been computed by then.
+                    let written = effects::lent(&value);
+                    if !fixed && !order::may_follow(&value, place)
+                        || effects::reads(&place.load(), &written)
+                    {
+                        value = inner.temporary(words::OPERAND, value.clone());
+                    } else {
+                        inner.settle(&mut value, words::OPERAND, later);
+                    }
+                },
+            )?;
             self.keep_indices(&mut place, order::has_effect);
             return Ok((place, value));
         }
         let mut place = self.writable(place)?;
         self.keep_indices(&mut place, order::has_effect);
-        let mark = self.out.len();
-        let value = self.value(value, expected.as_ref())?;
-        let later = self.later(mark);
-        self.settle_place(&mut place, &later);
-        if order::has_effect(&value) {
-            self.keep_indices(&mut place, |index| !index.is_literal());
-        }
-        self.out.extend(later);
+        let value = self.settling(
+            |inner| inner.value(value, expected.as_ref()),
+            |inner, value, later| {
+                inner.settle_place(&mut place, later);
+                if order::has_effect(value) {
+                    inner.keep_indices(&mut place, |index| !index.is_literal());
+                }
+            },
+        )?;
         Ok((place, value))
     }
 
@@ -528,7 +497,7 @@ impl Lowering<'_, '_> {
     pub(super) fn name_of(&self, place: &tree::Expr) -> String {
         match &place.kind {
             // What a function that stands here calls its parameter has the author's name.
-            tree::ExprKind::Local(name) if !self.expanding.is_empty() => {
+            Tree::Local(name) if !self.expanding.is_empty() => {
                 match self.lookup(name, place.site) {
                     Ok(Value::Place(it)) if it.steps.is_empty() => {
                         self.locals[it.root.index()].name.clone()
@@ -536,10 +505,8 @@ impl Lowering<'_, '_> {
                     _ => name.clone(),
                 }
             }
-            tree::ExprKind::Local(name) | tree::ExprKind::Field(_, name) => name.clone(),
-            tree::ExprKind::Index(base, _)
-            | tree::ExprKind::Deref(base)
-            | tree::ExprKind::Ref(_, base) => self.name_of(base),
+            Tree::Local(name) | Tree::Field(_, name) => name.clone(),
+            Tree::Index(base, _) | Tree::Deref(base) | Tree::Ref(_, base) => self.name_of(base),
             _ => words::VALUE.into(),
         }
     }

@@ -1,45 +1,42 @@
-//! `let` with a pattern: what is taken apart; and tuples that are never made: the items of `zip` and `enumerate` under one
-//! name, in functions that stand where they are called. The name means the parts, side by side; only where it is used as a
-//! value, one is made of them.
+//! `let` with a pattern, and `(a, b) = value`: what is taken apart; and tuples that are never made: the items of `zip` and
+//! `enumerate` under one name, in functions that stand where they are called. The name means the parts, side by side; only
+//! where it is used as a value, one is made of them.
 
-use bessemer_ir::tree::{self, NO_SLOT, Site};
-use bessemer_ir::{Block, Expr, ExprKind, StmtKind, Type};
+use std::borrow::Cow;
+
+use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Places, Site};
+use bessemer_ir::{Block, Expr, ExprKind, Place, Step, StmtKind, Type};
 
 use super::lowering::Lowering;
-use super::pattern::aligned;
+use super::pattern::{Test, aligned};
 use super::value::Value;
 use super::{Result, problem};
+
+/// A pattern, and what is done with what it takes.
+type Arm<'t> = (&'t Pattern, Cow<'t, tree::Expr>);
 
 impl Lowering<'_, '_> {
     /// `let pattern = value;`
     pub(super) fn take_apart(
         &mut self,
-        pattern: &tree::Pattern,
+        pattern: &Pattern,
         value: &tree::Expr,
         otherwise: Option<&tree::Block>,
     ) -> Result<()> {
-        let mut names = Vec::new();
-        if let (None, tree::Pattern::Tuple(_), tree::ExprKind::Tuple(_)) =
-            (otherwise, pattern, &value.kind)
-        {
-            return self.take_each(pattern, value);
-        }
-        if let tree::Pattern::Any = pattern {
-            return self.effect(value);
+        match (otherwise, pattern, &value.kind) {
+            (None, Pattern::Tuple(_), Tree::Tuple(_)) => return self.take_each(pattern, value),
+            (None, ..) if self.take_tried(pattern, value)? => return Ok(()),
+            (_, Pattern::Any, _) => return self.effect(value),
+            _ => {}
         }
         let subject = self.subject_of(pattern, value)?;
-        let condition = self.test(pattern, &subject, value.site, &mut names)?;
-        if let (Some(condition), Some(otherwise)) = (condition, otherwise) {
-            let span = condition.span;
-            let then = self.block(otherwise, None)?;
-            let condition = condition.negated();
-            self.branch(condition, then, Block::default(), span);
-        }
-        self.bind_names(&names)
+        self.bind_or(pattern, &subject, value.site, |inner| {
+            otherwise.map(|otherwise| inner.block(otherwise, None)).transpose()
+        })
     }
 
     /// `let (a, b) = (x, y);`: each in a local of its own before the next is computed.
-    fn take_each(&mut self, pattern: &tree::Pattern, value: &tree::Expr) -> Result<()> {
+    fn take_each(&mut self, pattern: &Pattern, value: &tree::Expr) -> Result<()> {
         let mut bound = Vec::new();
         self.take_part(pattern, value, &mut bound)?;
         // The names mean what they are given only behind the `let`.
@@ -51,22 +48,22 @@ impl Lowering<'_, '_> {
 
     fn take_part(
         &mut self,
-        pattern: &tree::Pattern,
+        pattern: &Pattern,
         value: &tree::Expr,
         bound: &mut Vec<(String, Value)>,
     ) -> Result<()> {
         match (pattern, &value.kind) {
-            (tree::Pattern::Tuple(patterns), tree::ExprKind::Tuple(values)) => {
+            (Pattern::Tuple(patterns), Tree::Tuple(values)) => {
                 let mut pairs = aligned(patterns, values.len()).into_iter().peekable();
                 for (index, value) in values.iter().enumerate() {
                     match pairs.next_if(|(_, at)| *at == index) {
                         Some((pattern, _)) => self.take_part(pattern, value, bound)?,
-                        None => self.take_part(&tree::Pattern::Any, value, bound)?,
+                        None => self.take_part(&Pattern::Any, value, bound)?,
                     }
                 }
                 Ok(())
             }
-            (tree::Pattern::Any, _) => {
+            (Pattern::Any, _) => {
                 let value = self.value(value, None)?;
                 let span = value.span;
                 self.emit(StmtKind::Expr(value), span);
@@ -74,18 +71,17 @@ impl Lowering<'_, '_> {
             }
             (_, _) if self.holds_nothing(value) => {
                 self.effect(value)?;
-                let mut names = Vec::new();
-                Self::take_nothing(pattern, value.site, &mut names);
+                let names = Self::take_nothing(pattern, value.site).names;
                 bound.extend(names.into_iter().map(|named| (named.name, Value::Nothing)));
                 Ok(())
             }
-            (tree::Pattern::Name { name, slot, inner: None, .. }, _)
+            (Pattern::Name { name, slot, inner: None, .. }, _)
                 if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
             {
                 bound.push((name.clone(), self.slice_for(name, value)?));
                 Ok(())
             }
-            (tree::Pattern::Name { name, slot, inner: None, .. }, _)
+            (Pattern::Name { name, slot, inner: None, .. }, _)
                 if !self.slot_is_reference(*slot, value.site)? =>
             {
                 let ty = self.slot(*slot, value.site)?;
@@ -96,9 +92,8 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             _ => {
-                let mut names = Vec::new();
                 let subject = self.subject(value)?;
-                self.test(pattern, &subject, value.site, &mut names)?;
+                let names = self.test(pattern, &subject, value.site)?.names;
                 let given: Vec<_> = names.iter().map(|named| named.name.clone()).collect();
                 self.naming_scope(|inner| {
                     inner.bind_names(&names)?;
@@ -145,11 +140,182 @@ impl Lowering<'_, '_> {
     /// The parts of such a tuple, if an expression names it.
     pub(super) fn parts_named(&self, expr: &tree::Expr) -> Option<Value> {
         match &expr.kind {
-            tree::ExprKind::Local(name) => {
+            Tree::Local(name) => {
                 self.lookup(name, expr.site).ok().filter(|it| matches!(it, Value::Tuple(..)))
             }
-            tree::ExprKind::Ref(_, inner) => self.parts_named(inner),
+            Tree::Ref(_, inner) => self.parts_named(inner),
             _ => None,
         }
+    }
+    /// `let name = match lent { Some(x) => x, None => return 0 };`, where `x` refers to a place: all arms but one leave, so the
+    /// name is that of the place which the one gives. Says whether a value is of that kind.
+    pub(super) fn alias_of_arm(
+        &mut self,
+        name: &str,
+        value: &tree::Expr,
+        site: Site,
+    ) -> Result<bool> {
+        let Some((subject, arms)) = arms(value) else { return Ok(false) };
+        let mut stay = arms.iter().enumerate().filter(|(_, (_, body))| !leaves(body));
+        let (Some((at, (pattern, body))), None) = (stay.next(), stay.next()) else {
+            return Ok(false);
+        };
+        let place = self.naming_scope(|inner| {
+            let subject = inner.subject_of(pattern, subject)?;
+            inner.leave_by(&arms[..at], &subject, site, false)?;
+            inner.bind_or(pattern, &subject, site, |inner| match &arms[at + 1..] {
+                [] => Ok(None),
+                others => {
+                    inner.scoped(|inner| inner.leave_by(others, &subject, site, true)).map(Some)
+                }
+            })?;
+            let mut body = &**body;
+            while let Tree::Block(tree::Block { stmts, tail: Some(tail) }) = &body.kind {
+                inner.stmts(&tree::Block { stmts: stmts.clone(), tail: None })?;
+                body = tail;
+            }
+            inner.alias(name, Some(body), site)?;
+            inner.lookup(name, site)
+        })?;
+        self.bind(name, place);
+        Ok(true)
+    }
+
+    /// Leaves by the arm that takes the subject; where they are the last, it is the last arm if none of the others does.
+    fn leave_by(&mut self, arms: &[Arm], subject: &Value, site: Site, last: bool) -> Result<()> {
+        for (at, (pattern, body)) in arms.iter().enumerate() {
+            let Test { condition, names } = self.test(pattern, subject, site)?;
+            let then = self.scoped(|inner| {
+                inner.bind_names(&names)?;
+                inner.effect(body)
+            })?;
+            match condition.filter(|_| !last || at + 1 < arms.len()) {
+                Some(taken) => {
+                    let span = taken.span;
+                    self.branch(taken, then, Block::default(), span);
+                }
+                None => {
+                    self.out.extend(then.0);
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// `(a, b) = value`: every value is computed before the first place is written.
+    pub(super) fn assign_each(&mut self, places: &Places, value: &tree::Expr) -> Result<()> {
+        let mut pairs = Vec::new();
+        self.pair_up(places, value, &mut pairs)?;
+        for (place, value) in pairs {
+            let span = value.span;
+            let place = self.writable(place)?;
+            self.agree(&value.ty, &place.ty, Site(place.span.line, place.span.column))?;
+            self.emit(StmtKind::Assign { place, value }, span);
+        }
+        Ok(())
+    }
+
+    /// Each place with its value; values that are written out one by one need no tuple.
+    fn pair_up<'t>(
+        &mut self,
+        places: &'t Places,
+        value: &tree::Expr,
+        pairs: &mut Vec<(&'t tree::Expr, Expr)>,
+    ) -> Result<()> {
+        match (places, &value.kind) {
+            (Places::Each(places), Tree::Tuple(values) | Tree::Array(values))
+                if places.len() == values.len() =>
+            {
+                for (places, value) in places.iter().zip(values) {
+                    self.pair_up(places, value, pairs)?;
+                }
+                Ok(())
+            }
+            (Places::One(place), _) if self.holds_nothing(place) => {
+                self.assign_nothing(place, value)
+            }
+            (Places::One(place), _) => {
+                self.keeps_what_it_refers_to(place, value)?;
+                let ty = self.place_type(place)?;
+                let name = self.name_of(place);
+                let value = self.naming_as(name, |inner| {
+                    let value = inner.value(value, Some(&ty))?;
+                    Ok(if value.is_literal() { value } else { inner.temporary("next", value) })
+                })?;
+                pairs.push((place, value));
+                Ok(())
+            }
+            _ => {
+                let whole = self.value(value, None)?;
+                let place = self.temporary_place("parts", whole);
+                self.take_parts(places, &place, pairs, value.site)
+            }
+        }
+    }
+
+    /// The parts of a value in its place.
+    fn take_parts<'t>(
+        &mut self,
+        places: &'t Places,
+        from: &Place,
+        pairs: &mut Vec<(&'t tree::Expr, Expr)>,
+        site: Site,
+    ) -> Result<()> {
+        let all = match places {
+            Places::None => return Ok(()),
+            Places::One(place) => {
+                pairs.push((place, from.load()));
+                return Ok(());
+            }
+            Places::Each(all) => all,
+        };
+        for (index, places) in all.iter().enumerate() {
+            let part = match &from.ty {
+                Type::Struct(id) => self.part(from, *id, index),
+                Type::Array { element, .. } => {
+                    let step = Step::Index(Expr::usize(index as u64, from.span));
+                    from.inside(step, (**element).clone())
+                }
+                _ => return problem(site, "this is not taken apart by an assignment", "use `let`"),
+            };
+            self.take_parts(places, &part, pairs, site)?;
+        }
+        Ok(())
+    }
+}
+
+/// What is matched, and the arms of a `match` without guards, or of `if let … else`.
+fn arms(value: &tree::Expr) -> Option<(&tree::Expr, Vec<Arm<'_>>)> {
+    match &value.kind {
+        Tree::Match(subject, arms) if arms.iter().all(|arm| arm.guard.is_none()) => {
+            let arms = arms.iter().map(|arm| (&arm.pattern, Cow::Borrowed(&arm.body)));
+            Some((subject, arms.collect()))
+        }
+        Tree::If(condition, then, Some(otherwise)) => {
+            let Tree::Let(pattern, subject) = &condition.kind else { return None };
+            let then = tree::Expr::plain(Tree::Block(then.clone()), value.site);
+            let arms =
+                [(&**pattern, Cow::Owned(then)), (&Pattern::Any, Cow::Borrowed(&**otherwise))];
+            Some((subject, arms.into()))
+        }
+        _ => None,
+    }
+}
+
+/// Whether control leaves by an expression, whatever the input.
+fn leaves(expr: &tree::Expr) -> bool {
+    let block = |block: &tree::Block| match (&block.tail, block.stmts.last()) {
+        (Some(tail), _) => leaves(tail),
+        (None, Some(tree::Stmt::Expr(last))) => leaves(last),
+        _ => false,
+    };
+    match &expr.kind {
+        Tree::Return(_) | Tree::Break(..) | Tree::Continue(_) => true,
+        Tree::Assert(condition, _) => matches!(condition.kind, Tree::Bool(false)),
+        Tree::Block(it) => block(it),
+        Tree::If(_, then, Some(otherwise)) => block(then) && leaves(otherwise),
+        Tree::Match(_, arms) => arms.iter().all(|arm| leaves(&arm.body)),
+        _ => false,
     }
 }

@@ -420,14 +420,11 @@ impl Lowering<'_, '_> {
     fn question(&mut self, scrutinee: &tree::Expr, arm: &tree::Arm, site: Site) -> Result<Expr> {
         let subject = self.subject(scrutinee)?;
         self.naming_scope(|inner| {
-            let mut names = Vec::new();
-            let test = inner.test(&arm.pattern, &subject, site, &mut names)?;
-            inner.alias_names(&names);
-            match (test, &arm.guard) {
-                (Some(test), None) => Ok(test),
-                (Some(test), Some(guard)) => inner.short_circuit(LogicOp::And, test, guard, site),
-                (None, Some(guard)) => inner.value(guard, Some(&Type::BOOL)),
-                (None, None) => inner.node(ExprKind::Literal(1), Type::BOOL, site),
+            let mut test = inner.test(&arm.pattern, &subject, site)?;
+            inner.guard(&mut test, arm.guard.as_ref(), Some(site))?;
+            match test.condition {
+                Some(condition) => Ok(condition),
+                None => inner.node(ExprKind::Literal(1), Type::BOOL, site),
             }
         })
     }
@@ -452,12 +449,11 @@ impl Lowering<'_, '_> {
     pub(super) fn operands(&mut self, operands: &[Operand<'_>]) -> Result<Vec<Expr>> {
         let mut values: Vec<Expr> = Vec::new();
         for (index, operand) in operands.iter().enumerate() {
-            let mark = self.out.len();
-            let value = self.read(operand.expr, operand.expected.as_ref())?;
-            let later = self.later(mark);
             let roles = operands[..index].iter().map(|operand| operand.role);
-            self.settle_all(values.iter_mut().zip(roles), &later);
-            self.out.extend(later);
+            let value = self.settling(
+                |inner| inner.read(operand.expr, operand.expected.as_ref()),
+                |inner, _, later| inner.settle_all(values.iter_mut().zip(roles), later),
+            )?;
             values.push(value);
         }
         Ok(values)

@@ -8,7 +8,6 @@ use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
 use super::syntax::numbered;
-use super::zero_sized::At;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -129,10 +128,7 @@ impl Lowering<'_, '_> {
             return Self::moved_part(moved.site);
         }
         let declared = self.cx.fields(id).to_vec();
-        let at = |(name, _): &(String, _)| match self.cx.field_at(id, name) {
-            Some(At::Field(index)) => Some(index),
-            _ => None,
-        };
+        let at = |(name, _): &(String, _)| self.cx.field_at(id, name).flatten();
         let places: Vec<Option<usize>> = fields.iter().map(at).collect();
         let operands = fields.iter().zip(&places).map(|((_, expr), at)| Operand {
             expr,

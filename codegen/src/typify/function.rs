@@ -384,21 +384,19 @@ impl Lowering<'_, '_> {
                     let (slot, inner) = (*slot, None);
                     let whole = Pattern::Name { name: name.clone(), slot, mutable: false, inner };
                     let value = value.as_ref();
-                    if !value.map_or(Ok(false), |value| self.take_tried(whole, value))? {
+                    if !value.map_or(Ok(false), |value| self.take_tried(&whole, value))? {
                         self.let_stmt((name, *mutable), slot, value, *site)?;
                     }
                     *site
                 }
                 tree::Stmt::Apart { pattern, value, otherwise, site } => {
-                    let naming = self.naming.clone();
-                    // Another name of a place, which no author wrote.
-                    if let tree::Pattern::Name { name, slot: NO_SLOT, .. } = &**pattern {
-                        self.naming.clone_from(name);
-                    }
-                    if otherwise.is_some() || !self.take_tried((**pattern).clone(), value)? {
-                        self.take_apart(pattern, value, otherwise.as_ref())?;
-                    }
-                    self.naming = naming;
+                    let naming = match &**pattern {
+                        // Another name of a place, which no author wrote.
+                        Pattern::Name { name, slot: NO_SLOT, .. } => name.clone(),
+                        _ => self.naming.clone(),
+                    };
+                    let otherwise = otherwise.as_ref();
+                    self.naming_as(naming, |inner| inner.take_apart(pattern, value, otherwise))?;
                     *site
                 }
                 tree::Stmt::Expr(expr) => {
@@ -418,78 +416,73 @@ impl Lowering<'_, '_> {
         value: Option<&tree::Expr>,
         site: Site,
     ) -> Result<()> {
-        if let Some(value) = value
-            && let Some(mut iterator) = self.iterator(value)?
-        {
-            if mutable {
-                iterator = self.by_hand(name, iterator, &self.source.tree.body, site)?;
+        if let Some(value) = value {
+            if let Some(mut iterator) = self.iterator(value)? {
+                if mutable {
+                    iterator = self.by_hand(name, iterator, &self.source.tree.body, site)?;
+                }
+                self.bind(name, iterator);
+                return Ok(());
             }
-            self.bind(name, iterator);
-            return Ok(());
-        }
-        if let Some(value) = value
-            && let Some(part) = self.naming_as(name, |inner| inner.submatrix(value))?
-        {
-            self.bind(name, Value::Submatrix(Box::new(part)));
-            return Ok(());
-        }
-        let lent = match slot {
-            NO_SLOT => None,
-            slot => slice_of(slot_type(self.source, slot, site)?),
-        };
-        if let (Some(_), Some(value)) = (lent, value) {
-            let other = self.in_place(value);
-            return self.let_slice((name, slot), other.as_ref().unwrap_or(value), site);
-        }
-        if self.slot_is_nothing(slot) {
-            value.iter().try_for_each(|value| self.effect(value))?;
-            self.bind(name, Value::Nothing);
-            return Ok(());
-        }
-        if slot != NO_SLOT && self.slot_is_reference(slot, site)? && !self.gathers(name) {
-            return self.alias(name, value, site);
+            if let Some(part) = self.naming_as(name, |inner| inner.submatrix(value))? {
+                self.bind(name, Value::Submatrix(Box::new(part)));
+                return Ok(());
+            }
         }
         let other = value.and_then(|value| self.in_place(value));
-        let value = other.as_ref().or(value);
-        let (ty, span) = match (slot, value) {
-            (NO_SLOT, Some(value)) => (self.type_alone(value)?, self.span(site)),
-            _ if self.slot_is_reference(slot, site)? => {
-                (self.refers_to(slot, site)?, self.span(site))
+        let rewritten = other.as_ref().or(value);
+        let refers = match slot {
+            NO_SLOT => None,
+            slot => {
+                Some(slot_type(self.source, slot, site)?).filter(|ty| matches!(ty, Ty::Ref(..)))
             }
-            _ => (self.slot(slot, site)?, self.span(site)),
+        };
+        let absent = self.slot_is_nothing(slot);
+        match (refers.is_some_and(|ty| slice_of(ty).is_some()), rewritten) {
+            (true, Some(value)) => return self.let_slice((name, slot), value, site),
+            _ if refers.is_some() && !absent && !self.gathers(name) => {
+                return self.alias(name, value, site);
+            }
+            _ => {}
+        }
+        let ty = match (slot, rewritten) {
+            _ if absent => Type::Unit,
+            (NO_SLOT, Some(value)) => self.type_alone(value)?,
+            _ if refers.is_some() => self.refers_to(slot, site)?,
+            _ => self.slot(slot, site)?,
         };
         if ty == Type::Unit {
             value.iter().try_for_each(|value| self.effect(value))?;
             self.bind(name, Value::Nothing);
             return Ok(());
         }
-        let naming = std::mem::replace(&mut self.naming, name.to_owned());
-        match value {
+        let span = self.span(site);
+        self.naming_as(name, |inner| match rewritten {
             Some(value) if matches!(value.kind, tree::ExprKind::Fold { .. }) => {
                 // The loop gathers in the variable itself.
-                let local = self.fold(value, Some(name))?;
-                self.agree(&self.locals[local.index()].ty.clone(), &ty, site)?;
-                self.bind(name, Value::Local(local));
+                let local = inner.fold(value, Some(name))?;
+                inner.agree(&inner.locals[local.index()].ty.clone(), &ty, site)?;
+                inner.bind(name, Value::Local(local));
+                Ok(())
             }
             Some(value) if !control_with_value(value) => {
                 // The name means the new local only after its value.
-                let before = self.locals.len();
-                let value = self.value(value, Some(&ty))?;
-                self.agree(&value.ty, &ty, site)?;
-                match self.made_for(&value, before) {
+                let before = inner.locals.len();
+                let value = inner.value(value, Some(&ty))?;
+                inner.agree(&value.ty, &ty, site)?;
+                match inner.made_for(&value, before) {
                     Some(local) => {
-                        self.locals[local.index()].name = name.to_owned();
-                        self.bind(name, Value::Local(local));
+                        inner.locals[local.index()].name = name.to_owned();
+                        inner.bind(name, Value::Local(local));
                     }
                     None => {
-                        self.let_named(name, value, span);
+                        inner.let_named(name, value, span);
                     }
                 }
+                Ok(())
             }
-            _ => self.let_control(name, ty, value, span)?,
-        }
-        self.naming = naming;
-        Ok(())
+            _ => inner.let_control(name, ty, rewritten, span),
+        })
     }
 
     /// Whether a name of a function that stands where it is called is that of a variable which is assigned: it holds what a

@@ -9,10 +9,6 @@ use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, StructId, Type};
 use super::lowering::Lowering;
 use super::{Context, Problem, Result, diagnostic, function, problem};
 
-const UNCONVERTED: &str = "the conversion of this error is not part of the DSL";
-const MARK_CONVERSION: &str =
-    "mark its `impl From` block as the type is, `#[data]`, or `map_err` the error";
-
 impl<'a> Context<'a> {
     /// The function of a path, made now if it was not; none where it was refused, which is told.
     pub(super) fn function(&mut self, path: &str) -> Option<FunctionId> {
@@ -101,55 +97,51 @@ impl Lowering<'_, '_> {
         (of, result): (StructId, StructId),
         site: Site,
     ) -> Result<Option<Expr>> {
-        if let (Some(error), Some(wanted)) = (error.clone(), wanted) {
-            return self.converted(error, wanted, site).map(Some);
+        let mut found = Vec::new();
+        match (&error, wanted) {
+            (Some(error), Some(wanted)) if error.ty == *wanted => return Ok(Some(error.clone())),
+            (Some(Expr { ty: Type::Scalar(_), .. }), Some(Type::Scalar(_))) => {
+                let span = self.span(site);
+                return Ok(error.zip(wanted).map(|(error, wanted)| error.cast(wanted).at(span)));
+            }
+            (Some(error), Some(wanted)) => {
+                for it in self.cx.conversions.clone() {
+                    let [to, from] = [&it.owner, &it.other].map(|ty| self.cx.pointee(ty, site));
+                    if to? == *wanted && from? == error.ty {
+                        found.push(it.function.as_str());
+                    }
+                }
+            }
+            // Types that hold nothing are told apart by their names alone.
+            _ => {
+                let [from, to] = [of, result].map(|id| self.cx.known_of(id).error.as_ref());
+                if from == to {
+                    return Ok(None);
+                }
+                if from == Some(&tree::Ty::Unit) {
+                    return problem(
+                        site,
+                        "`?` makes no error of nothing in the DSL",
+                        "write `.map_err(|_| …)?`",
+                    );
+                }
+                let meant = |it: &&&tree::Implied| Some(&it.owner) == to && Some(&it.other) == from;
+                found.extend(self.cx.conversions.iter().find(meant).map(|it| it.function.as_str()));
+            }
         }
-        // Types that hold nothing are told apart by their names alone.
-        let (from, to) =
-            (self.cx.known_of(of).error.as_ref(), self.cx.known_of(result).error.as_ref());
-        if from == to {
-            return Ok(None);
-        }
-        if from == Some(&tree::Ty::Unit) {
+        let [path] = found.as_slice() else {
             return problem(
                 site,
-                "`?` makes no error of nothing in the DSL",
-                "write `.map_err(|_| …)?`",
+                "the conversion of this error is not part of the DSL",
+                "mark its `impl From` block as the type is, `#[data]`, or `map_err` the error",
             );
-        }
-        let meant = |it: &&tree::Implied| Some(&it.owner) == to && Some(&it.other) == from;
-        let Some(path) = self.cx.conversions.iter().find(|it| meant(it)).map(|it| &it.function)
-        else {
-            return problem(site, UNCONVERTED, MARK_CONVERSION);
         };
-        let given = wanted.cloned().unwrap_or(Type::Unit);
-        let call = self.call_implied(path, error, given, site)?;
+        let call = self.call_implied(path, error, wanted.cloned().unwrap_or(Type::Unit), site)?;
         if wanted.is_some() {
             return Ok(Some(call));
         }
         self.discard(call);
         Ok(None)
-    }
-
-    /// The error of a `?` as one of the type that the function returns.
-    pub(super) fn converted(&mut self, error: Expr, wanted: &Type, site: Site) -> Result<Expr> {
-        if error.ty == *wanted {
-            return Ok(error);
-        }
-        if let (Type::Scalar(_), Type::Scalar(_)) = (&error.ty, wanted) {
-            return self.node(ExprKind::Cast(Box::new(error)), wanted.clone(), site);
-        }
-        let mut found = Vec::new();
-        for it in self.cx.conversions.clone() {
-            let (to, from) = (self.cx.pointee(&it.owner, site)?, self.cx.pointee(&it.other, site)?);
-            if to == *wanted && from == error.ty {
-                found.push(it.function.as_str());
-            }
-        }
-        match found.as_slice() {
-            [path] => self.call_implied(path, [error], wanted.clone(), site),
-            _ => problem(site, UNCONVERTED, MARK_CONVERSION),
-        }
     }
 
     /// A call of a function that no call names.

@@ -57,9 +57,7 @@ impl Lowering<'_, '_> {
         let Tree::From(first) = &part.array.kind else { return Ok(None) };
         let (pattern, site) = (&part.pattern, part.array.site);
         let ty = self.slot(part.array.slot.unwrap_or(NO_SLOT), site)?;
-        let Some(int) = ty.as_int() else {
-            return problem(site, "a loop counts in integers in the DSL", "number with `0..`");
-        };
+        let int = counting(&ty, site)?;
         let first = self.value(first, Some(&ty))?;
         let first = match self.known(&first) {
             Some(word) => Expr::literal(word, ty, self.span(site)),
@@ -171,10 +169,8 @@ impl Lowering<'_, '_> {
             ])?;
             return two(ends, site);
         }
-        let Some(int) = ty.as_int() else {
-            return problem(site, "a loop counts in integers in the DSL", "number with `0..`");
-        };
-        let last = Expr::literal(int.max() as u64, ty.clone(), self.span(site));
+        let last = counting(ty, site)?.max();
+        let last = Expr::literal(last as u64, ty.clone(), self.span(site));
         Ok([self.value(&range.from, Some(ty))?, last])
     }
 
@@ -183,6 +179,14 @@ impl Lowering<'_, '_> {
         let next = Expr::local(variable, &last.ty, span);
         let condition = Expr::compare(CompareOp::Ne, next, last.clone());
         self.emit(StmtKind::Check { condition, fault: Fault::Overflow }, span);
+    }
+}
+
+/// The integers that a loop counts in.
+fn counting(ty: &Type, site: Site) -> Result<Int> {
+    match ty.as_int() {
+        Some(int) => Ok(int),
+        None => problem(site, "a loop counts in integers in the DSL", "number with `0..`"),
     }
 }
 

@@ -90,16 +90,16 @@ impl Lowering<'_, '_> {
     }
 
     /// `let pattern = lent?;`; false if `tried` is something else.
-    pub(super) fn take_tried(&mut self, pattern: Pattern, tried: &tree::Expr) -> Result<bool> {
+    pub(super) fn take_tried(&mut self, pattern: &Pattern, tried: &tree::Expr) -> Result<bool> {
         let Some((lent, otherwise)) = self.tried_lent(tried) else { return Ok(false) };
-        let there = Pattern::Constructor("Some".into(), vec![pattern]);
+        let there = Pattern::Constructor("Some".into(), vec![pattern.clone()]);
         self.take_apart(&there, &lent, Some(&otherwise))?;
         Ok(true)
     }
 
     /// The place that `lent?` leads to; none if `tried` is something else.
     pub(super) fn tried_place(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
-        if !self.take_tried(Pattern::name(TRIED), tried)? {
+        if !self.take_tried(&Pattern::name(TRIED), tried)? {
             return self.tried_element(tried);
         }
         let (meaning, span) = (self.lookup(TRIED, tried.site)?, self.span(tried.site));

@@ -12,7 +12,7 @@ use bessemer_ir::{
 };
 
 use super::lowering::Lowering;
-use super::words;
+use super::{Result, words};
 use crate::effects;
 
 impl Lowering<'_, '_> {
@@ -24,12 +24,26 @@ impl Lowering<'_, '_> {
     /// What `lower` gives, and the statements that it emits, which are not emitted here.
     pub(super) fn apart<T>(
         &mut self,
-        lower: impl FnOnce(&mut Self) -> super::Result<T>,
-    ) -> super::Result<(T, Vec<Stmt>)> {
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<(T, Vec<Stmt>)> {
         let outer = std::mem::take(&mut self.out);
         let done = lower(self);
         let inner = std::mem::replace(&mut self.out, outer);
         Ok((done?, inner))
+    }
+
+    /// Lowers what comes behind something; `settle` computes before it what its statements could change.
+    pub(super) fn settling<T>(
+        &mut self,
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+        settle: impl FnOnce(&mut Self, &T, &[Stmt]),
+    ) -> Result<T> {
+        let mark = self.out.len();
+        let done = lower(self)?;
+        let later = self.later(mark);
+        settle(self, &done, &later);
+        self.out.extend(later);
+        Ok(done)
     }
 
     /// Computes `value` now if the statements to come could change it.
@@ -148,30 +162,25 @@ impl Lowering<'_, '_> {
         }
         let mut ty = self.locals[place.root.index()].ty.clone();
         for step in place.steps.clone() {
-            let (indices, inner) = match (step, ty) {
+            let (lengths, inner) = match (&step, ty) {
                 (Step::Field(field), Type::Struct(id)) => {
-                    (Vec::new(), self.cx.field_type(id, field))
+                    (Vec::new(), self.cx.field_type(id, *field))
                 }
-                (Step::Index(index), Type::Array { element, len }) => {
-                    (vec![(index, len)], *element)
+                (Step::Index(_), Type::Array { element, len }) => (vec![len], *element),
+                (Step::Index(_), Type::Matrix { element, rows, cols }) => {
+                    (vec![rows * cols], Type::Scalar(element))
                 }
-                (Step::Index(index), Type::Matrix { element, rows, cols }) => {
-                    (vec![(index, rows * cols)], Type::Scalar(element))
-                }
-                (Step::Element(row, column), Type::Matrix { element, rows, cols }) => {
-                    (vec![(row, rows), (column, cols)], Type::Scalar(element))
+                (Step::Element(..), Type::Matrix { element, rows, cols }) => {
+                    (vec![rows, cols], Type::Scalar(element))
                 }
                 // A slice has looked already.
                 _ => return,
             };
-            for (index, len) in indices {
-                if matches!(index.kind, ExprKind::Literal(_)) {
-                    continue;
-                }
-                let (ty, span) = (index.ty.clone(), index.span);
-                let len = Expr::literal(u64::from(len), ty, span);
-                let condition = Expr::compare(CompareOp::Lt, index, len);
-                self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+            let moving = |(index, _): &(&Expr, u32)| !matches!(index.kind, ExprKind::Literal(_));
+            for (index, len) in step.indices().zip(lengths).filter(moving) {
+                let len = Expr::literal_like(u64::from(len), index);
+                let condition = Expr::compare(CompareOp::Lt, index.clone(), len);
+                self.emit(StmtKind::Check { condition, fault: Fault::Index }, index.span);
             }
             ty = inner;
         }
@@ -188,14 +197,12 @@ impl Lowering<'_, '_> {
 
     /// Computes now the indices of `place` that are to be kept.
     pub(super) fn keep_indices(&mut self, place: &mut Place, keep: impl Fn(&Expr) -> bool) {
-        for step in &mut place.steps {
-            self.keep_indices_of(step, &keep);
-        }
+        place.steps.iter_mut().for_each(|step| self.keep_indices_of(step, &keep));
     }
 
     /// The same of one step.
     pub(super) fn keep_indices_of(&mut self, step: &mut Step, keep: impl Fn(&Expr) -> bool) {
-        for index in indices_of(step) {
+        for index in step.indices_mut() {
             if keep(index) {
                 *index = self.temporary(words::INDEX, index.clone());
             }
@@ -274,24 +281,11 @@ pub(super) fn may_change_places(first: &Expr, second: &Expr) -> bool {
 
 /// The indices that lead to a place.
 pub(super) fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
-    place.steps.iter().flat_map(|step| match step {
-        Step::Field(_) => [None, None].into_iter().flatten(),
-        Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),
-        Step::Element(row, column) => [Some(row), Some(column)].into_iter().flatten(),
-    })
+    place.steps.iter().flat_map(Step::indices)
 }
 
 fn indices_mut(place: &mut Place) -> impl Iterator<Item = &mut Expr> {
-    place.steps.iter_mut().flat_map(indices_of)
-}
-
-fn indices_of(step: &mut Step) -> impl Iterator<Item = &mut Expr> {
-    let (first, second) = match step {
-        Step::Field(_) => (None, None),
-        Step::Index(index) | Step::From(index) => (Some(index), None),
-        Step::Element(row, column) => (Some(row), Some(column)),
-    };
-    first.into_iter().chain(second)
+    place.steps.iter_mut().flat_map(Step::indices_mut)
 }
 
 /// The value of an argument that is not lent.
@@ -310,9 +304,5 @@ pub(super) fn is_light(value: &Expr) -> bool {
 
 /// Whether a step never depends on a value that is computed.
 pub(super) fn is_fixed(step: &Step) -> bool {
-    match step {
-        Step::Field(_) => true,
-        Step::Index(index) | Step::From(index) => index.is_literal(),
-        Step::Element(row, col) => row.is_literal() && col.is_literal(),
-    }
+    step.indices().all(Expr::is_literal)
 }

@@ -5,44 +5,75 @@
 //!
 //! A payload is looked at only behind the test that it is there.
 
-use bessemer_ir::tree::{self, NO_SLOT, Site};
+use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, LogicOp, Mode, Place, Scalar, Step, Stmt, StmtKind, StructId,
     Type,
 };
 
 use super::closure_args::is_hidden;
-use super::conditions::within;
+use super::conditions::{within, within_any};
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::is_settled;
-use super::syntax::is_rest;
 use super::value::{Named, Value};
-use super::zero_sized::At;
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
+
+/// What has to hold for a pattern to take a value, if anything, and the names that it gives then.
+#[derive(Default)]
+pub(super) struct Test {
+    pub condition: Option<Expr>,
+    pub names: Vec<Named>,
+}
+
+impl Test {
+    /// A test that gives no names.
+    pub(super) fn of(condition: Option<Expr>) -> Test {
+        Test { condition, names: Vec::new() }
+    }
+
+    /// A name, which takes every value.
+    pub(super) fn named(name: &str, slot: u32, stands: Value, site: Site) -> Test {
+        let name = Named { name: name.to_owned(), slot, mutable: false, stands, site };
+        Test { condition: None, names: vec![name] }
+    }
+
+    /// Both of two. Neither condition has an effect, so one that is false is the whole.
+    #[must_use]
+    pub(super) fn and(mut self, other: Test) -> Test {
+        self.names.extend(other.names);
+        let fails = |it: &Expr| it.kind == ExprKind::Literal(0);
+        self.condition = match (self.condition, other.condition) {
+            (Some(one), _) if fails(&one) => Some(one),
+            (_, Some(other)) if fails(&other) => Some(other),
+            (Some(one), Some(other)) => Some(Expr::logic(LogicOp::And, one, other)),
+            (one, other) => one.or(other),
+        };
+        self
+    }
+}
 
 impl Lowering<'_, '_> {
     /// The subject of a `match` or a `let`, computed once.
     pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Value> {
         // One that rustc saw as a whole is matched by a name.
-        if let (tree::ExprKind::Tuple(parts), None) = (&expr.kind, expr.slot)
+        if let (Tree::Tuple(parts), None) = (&expr.kind, expr.slot)
             && !parts.is_empty()
         {
             let mut subjects: Vec<Value> = Vec::new();
             for part in parts {
-                let mark = self.out.len();
-                let next = self.subject(part)?;
-                let later = self.later(mark);
-                for earlier in &mut subjects {
-                    self.settle_subject(earlier, &later);
-                }
-                self.out.extend(later);
+                let next = self.settling(
+                    |inner| inner.subject(part),
+                    |inner, _, later| {
+                        subjects.iter_mut().for_each(|it| inner.settle_subject(it, later));
+                    },
+                )?;
                 subjects.push(next);
             }
             return Ok(Value::Tuple(subjects, None));
         }
-        if let tree::ExprKind::Apply(name, arguments) = &expr.kind
+        if let Tree::Apply(name, arguments) = &expr.kind
             && self.stands_here(expr)
         {
             return self.applied(name, arguments, expr.site, |inner, closure| {
@@ -68,11 +99,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The same of a pattern; a value that has to be held has the name of what the pattern takes from it.
-    pub(super) fn subject_of(
-        &mut self,
-        pattern: &tree::Pattern,
-        expr: &tree::Expr,
-    ) -> Result<Value> {
+    pub(super) fn subject_of(&mut self, pattern: &Pattern, expr: &tree::Expr) -> Result<Value> {
         let before = self.locals.len();
         let subject = self.subject(expr)?;
         self.name_held(&subject, before, std::iter::once(pattern));
@@ -84,7 +111,7 @@ impl Lowering<'_, '_> {
         &mut self,
         subject: &Value,
         before: usize,
-        mut patterns: impl Iterator<Item = &'t tree::Pattern>,
+        mut patterns: impl Iterator<Item = &'t Pattern>,
     ) {
         if let Value::Place(place) = subject
             && place.root.index() >= before
@@ -125,45 +152,28 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The condition for `pattern` to take the subject, if there is one; its names go to `names`.
-    pub(super) fn test(
-        &mut self,
-        pattern: &tree::Pattern,
-        subject: &Value,
-        site: Site,
-        names: &mut Vec<Named>,
-    ) -> Result<Option<Expr>> {
+    /// What has to hold for `pattern` to take the subject.
+    pub(super) fn test(&mut self, pattern: &Pattern, subject: &Value, site: Site) -> Result<Test> {
         match (pattern, subject) {
-            (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
-            (_, Value::Nothing) => {
-                Self::take_nothing(pattern, site, names);
-                Ok(None)
+            (Pattern::Any | Pattern::Rest, _) => Ok(Test::default()),
+            (_, Value::Nothing) => Ok(Self::take_nothing(pattern, site)),
+            (_, Value::Place(place)) => self.test_place(pattern, place, site),
+            (Pattern::Name { name, slot, inner: None, .. }, Value::Submatrix(_)) => {
+                Ok(Test::named(name, *slot, subject.clone(), site))
             }
-            (_, Value::Place(place)) => self.test_place(pattern, place, site, names),
-            (tree::Pattern::Name { name, slot, inner: None, .. }, Value::Submatrix(_)) => {
-                names.push(Named::of(name, *slot, subject.clone(), site));
-                Ok(None)
+            (Pattern::Or(cases), _) => self.test_any(cases, subject, site),
+            (_, Value::Slice(slice)) => self.test_slice(pattern, slice, site),
+            (_, Value::Maybe(there, lent)) => self.test_maybe(pattern, (there, lent), site),
+            (Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
+                let pairs = aligned(patterns, parts.len()).into_iter();
+                self.test_all(pairs.map(|(it, index)| (it, parts[index].clone())), site)
             }
-            (tree::Pattern::Or(cases), _) => self.test_any(cases, subject, site, names),
-            (_, Value::Slice(slice)) => self.test_slice(pattern, slice, site, names),
-            (_, Value::Maybe(there, lent)) => self.test_maybe(pattern, (there, lent), site, names),
-            (tree::Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
-                let pairs = aligned(patterns, parts.len());
-                let mut all = None;
-                for (pattern, index) in pairs {
-                    let next = self.test(pattern, &parts[index], site, names)?;
-                    all = both(all, next);
-                }
-                Ok(all)
-            }
-            (
-                tree::Pattern::Name { name, slot, mutable: false, inner: None },
-                Value::Tuple(parts, _),
-            ) if is_hidden(name) || self.source.tree.role == tree::Role::Expanded => {
+            (Pattern::Name { name, slot, mutable: false, inner: None }, Value::Tuple(parts, _))
+                if is_hidden(name) || self.source.tree.role == tree::Role::Expanded =>
+            {
                 // One that lends to be changed has no type of its own, and is only taken apart.
                 let ty = if *slot == NO_SLOT { None } else { self.slot(*slot, site).ok() };
-                names.push(Named::of(name, *slot, Value::Tuple(parts.clone(), ty), site));
-                Ok(None)
+                Ok(Test::named(name, *slot, Value::Tuple(parts.clone(), ty), site))
             }
             _ => problem(
                 site,
@@ -173,172 +183,114 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn test_any(
-        &mut self,
-        cases: &[tree::Pattern],
-        subject: &Value,
-        site: Site,
-        names: &mut Vec<Named>,
-    ) -> Result<Option<Expr>> {
-        let before = names.len();
+    fn test_any(&mut self, cases: &[Pattern], subject: &Value, site: Site) -> Result<Test> {
         let mut any: Option<Expr> = None;
         for case in cases {
-            let next = self.test(case, subject, site, names)?;
-            if names.len() > before {
+            let Test { condition, names } = self.test(case, subject, site)?;
+            if !names.is_empty() {
                 return problem(
                     site,
                     "names inside `|` stand for different places",
                     "write an arm for each",
                 );
             }
-            let Some(next) = next else { return Ok(None) };
+            let Some(next) = condition else { return Ok(Test::default()) };
             any = Some(match any {
                 Some(any) => Expr::logic(LogicOp::Or, any, next),
                 None => next,
             });
         }
-        Ok(any)
+        Ok(Test::of(any))
     }
 
-    /// A number or a range of floats, which is compared as by `==` and `<=`.
-    fn test_float(&mut self, pattern: &tree::Pattern, place: &Place) -> Result<Option<Expr>> {
-        let mut all = None;
-        let mut compare = |op, number: Option<&tree::Expr>| -> Result<()> {
-            let Some(number) = number else { return Ok(()) };
-            let number = self.value(number, Some(&place.ty))?;
-            let test = Expr::compare(op, place.load(), number).at(place.span);
-            all = both(all.take(), Some(test));
-            Ok(())
-        };
-        match pattern {
-            tree::Pattern::Range { from, to, inclusive } => {
-                compare(CompareOp::Ge, from.as_ref())?;
-                compare(if *inclusive { CompareOp::Le } else { CompareOp::Lt }, to.as_ref())?;
-            }
-            tree::Pattern::Value(number) => compare(CompareOp::Eq, Some(number))?,
-            _ => {}
+    /// The test of all patterns, each of its part.
+    fn test_all<'p>(
+        &mut self,
+        parts: impl IntoIterator<Item = (&'p Pattern, Value)>,
+        site: Site,
+    ) -> Result<Test> {
+        let mut all = Test::default();
+        for (pattern, part) in parts {
+            all = all.and(self.test(pattern, &part, site)?);
         }
         Ok(all)
     }
 
-    fn test_place(
-        &mut self,
-        pattern: &tree::Pattern,
-        place: &Place,
-        site: Site,
-        names: &mut Vec<Named>,
-    ) -> Result<Option<Expr>> {
-        let all = |lowering: &mut Self, parts: Vec<(&tree::Pattern, Place)>, names: &mut _| {
-            let mut all = None;
-            for (pattern, part) in parts {
-                let next = lowering.test_place(pattern, &part, site, names)?;
-                all = both(all, next);
+    /// A number or a range of floats, which is compared as by `==` and `<=`.
+    fn test_float(&mut self, pattern: &Pattern, place: &Place) -> Result<Test> {
+        let bounds = match pattern {
+            Pattern::Range { from, to, inclusive } => {
+                let most = if *inclusive { CompareOp::Le } else { CompareOp::Lt };
+                vec![(CompareOp::Ge, from.as_ref()), (most, to.as_ref())]
             }
-            Ok(all)
+            Pattern::Value(number) => vec![(CompareOp::Eq, Some(number))],
+            _ => Vec::new(),
         };
+        let mut all = Test::default();
+        for (op, number) in bounds {
+            if let Some(number) = number {
+                let number = self.value(number, Some(&place.ty))?;
+                let test = Expr::compare(op, place.load(), number).at(place.span);
+                all = all.and(Test::of(Some(test)));
+            }
+        }
+        Ok(all)
+    }
+
+    fn test_place(&mut self, pattern: &Pattern, place: &Place, site: Site) -> Result<Test> {
         match (pattern, &place.ty) {
-            (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
+            (Pattern::Any | Pattern::Rest, _) => Ok(Test::default()),
             _ if let Some(element) = self.element_lent(place, site)? => {
-                self.test_place(pattern, &element, site, names)
+                self.test_place(pattern, &element, site)
             }
-            (tree::Pattern::Array(_), _)
-                if let Some(slice) = self.slice_at(place.clone(), site)? =>
+            (Pattern::Array(_), _) if let Some(slice) = self.slice_at(place.clone(), site)? => {
+                self.test_slice(pattern, &slice, site)
+            }
+            (Pattern::Array(_), Type::Array { .. })
+                if let Some(slice) = self.all_of(place.clone()) =>
             {
-                self.test_slice(pattern, &slice, site, names)
+                self.test_slice(pattern, &slice, site)
             }
-            (tree::Pattern::Name { name, slot, mutable, inner }, _) => {
-                let (name, slot, mutable) = (name.clone(), *slot, *mutable);
-                let stands = Value::Place(place.clone());
-                names.push(Named { name, slot, mutable, stands, site });
+            (Pattern::Name { name, slot, mutable, inner }, _) => {
+                let mut test = Test::named(name, *slot, Value::Place(place.clone()), site);
+                test.names[0].mutable = *mutable;
                 match inner {
-                    Some(inner) => self.test_place(inner, place, site, names),
-                    None => Ok(None),
+                    Some(inner) => Ok(test.and(self.test_place(inner, place, site)?)),
+                    None => Ok(test),
                 }
             }
-            (tree::Pattern::Or(cases), _) => {
-                self.test_any(cases, &Value::Place(place.clone()), site, names)
+            (Pattern::Or(cases), _) => self.test_any(cases, &Value::Place(place.clone()), site),
+            (Pattern::Tuple(_), Type::Struct(_)) => {
+                let parts = self.inner_patterns(pattern, place, false, site)?;
+                self.test_all(parts, site)
             }
-            (tree::Pattern::Tuple(patterns), Type::Struct(id)) => {
-                let parts = self.fields_of(patterns, place, *id, site, names);
-                all(self, parts, names)
+            (Pattern::Constructor(name, _) | Pattern::Fields(name, _), Type::Struct(id)) => {
+                let (payload, single, tag) = self.taken(place, *id, name, site)?;
+                let inner = match payload {
+                    None => Self::take_nothing(pattern, site),
+                    Some(payload) => {
+                        let parts = self.inner_patterns(pattern, &payload, single, site)?;
+                        self.test_all(parts, site)?
+                    }
+                };
+                Ok(Test::of(tag).and(inner))
             }
-            (tree::Pattern::Array(patterns), Type::Array { .. })
-                if patterns.iter().any(|it| is_rest(it) && *it != tree::Pattern::Rest) =>
+            (Pattern::Value(value), Type::Struct(id)) => match self.unit_word(value, *id) {
+                Some(word) => Ok(Test::of(Some(self.tag_is(place, *id, word)))),
+                None => problem(
+                    value.site,
+                    "a constant of this type is not a pattern",
+                    "compare with `==`",
+                ),
+            },
+            (Pattern::Value(_) | Pattern::Range { .. }, Type::Scalar(Scalar::Float(_))) => {
+                self.test_float(pattern, place)
+            }
+            (Pattern::Value(_) | Pattern::Range { .. } | Pattern::Constructor(..), ty)
+                if ty.is_word() =>
             {
-                match self.all_of(place.clone()) {
-                    Some(slice) => self.test_slice(pattern, &slice, site, names),
-                    None => Ok(None),
-                }
-            }
-            (tree::Pattern::Array(patterns), Type::Array { element, len }) => {
-                let mut parts = Vec::new();
-                for (pattern, index) in aligned(patterns, *len as usize) {
-                    let span = place.span;
-                    let index = Expr::usize(index as u64, span);
-                    parts.push((pattern, place.inside(Step::Index(index), (**element).clone())));
-                }
-                all(self, parts, names)
-            }
-            (tree::Pattern::Constructor(name, patterns), Type::Struct(id)) => {
-                let (payload, single, tag) = self.taken(place, *id, name, site)?;
-                let Some(payload) = payload else {
-                    Self::take_nothing(pattern, site, names);
-                    return Ok(tag);
-                };
-                let parts = match &payload.ty {
-                    _ if single => match patterns.as_slice() {
-                        [] => Vec::new(),
-                        patterns => vec![(&patterns[0], payload)],
-                    },
-                    Type::Struct(inner) => self.fields_of(patterns, &payload, *inner, site, names),
-                    _ => Vec::new(),
-                };
-                let inner = all(self, parts, names)?;
-                Ok(both(tag, inner))
-            }
-            (tree::Pattern::Fields(name, fields), Type::Struct(id)) => {
-                let (payload, single, tag) = self.taken(place, *id, name, site)?;
-                let Some(payload) = payload else {
-                    Self::take_nothing(pattern, site, names);
-                    return Ok(tag);
-                };
-                let mut parts = Vec::new();
-                for (name, pattern) in fields {
-                    parts.push(match &payload.ty {
-                        _ if single => (pattern, payload.clone()),
-                        Type::Struct(inner) => match self.cx.field_at(*inner, name) {
-                            Some(At::Field(index)) => (pattern, self.part(&payload, *inner, index)),
-                            Some(At::Nowhere) => {
-                                Self::take_nothing(pattern, site, names);
-                                continue;
-                            }
-                            None => {
-                                return problem(site, format!("`{name}` is missing"), OUR_FAULT);
-                            }
-                        },
-                        _ => continue,
-                    });
-                }
-                let inner = all(self, parts, names)?;
-                Ok(both(tag, inner))
-            }
-            (tree::Pattern::Value(value), Type::Struct(id)) => self.unit_case(value, place, *id),
-            (
-                tree::Pattern::Value(_) | tree::Pattern::Range { .. },
-                Type::Scalar(Scalar::Float(_)),
-            ) => self.test_float(pattern, place),
-            (
-                tree::Pattern::Value(_)
-                | tree::Pattern::Range { .. }
-                | tree::Pattern::Constructor(..),
-                ty,
-            ) if ty.is_word() => {
-                let ranges = self.ranges(std::slice::from_ref(pattern), ty, site)?;
-                let value = place.load();
-                Ok(ranges
-                    .into_iter()
-                    .map(|range| within(&value, range, place.span))
-                    .reduce(|one, other| Expr::logic(LogicOp::Or, one, other)))
+                let ranges = self.ranges([pattern], ty, site)?;
+                Ok(Test::of(within_any(&place.load(), &ranges, place.span)))
             }
             _ => problem(
                 site,
@@ -348,37 +300,43 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The patterns of the author's fields, each with its part; of what holds nothing the names are bound.
-    fn fields_of<'p>(
+    /// The patterns inside of one, each with the part of `whole` that it takes; `single`: that is the only part itself.
+    fn inner_patterns<'p>(
         &self,
-        patterns: &'p [tree::Pattern],
-        place: &Place,
-        id: StructId,
+        pattern: &'p Pattern,
+        whole: &Place,
+        single: bool,
         site: Site,
-        names: &mut Vec<Named>,
-    ) -> Vec<(&'p tree::Pattern, Place)> {
-        let fields = self.cx.fields_at(id);
+    ) -> Result<Vec<(&'p Pattern, Value)>> {
+        let itself = |it| (it, Value::Place(whole.clone()));
+        let part = |id, at: Option<usize>| match at {
+            Some(at) => Value::Place(self.part(whole, id, at)),
+            None => Value::Nothing,
+        };
         let mut parts = Vec::new();
-        for (pattern, index) in aligned(patterns, fields.len()) {
-            match fields[index] {
-                Some(at) => parts.push((pattern, self.part(place, id, at))),
-                None => Self::take_nothing(pattern, site, names),
+        match (pattern, &whole.ty) {
+            (Pattern::Constructor(_, patterns), _) if single => {
+                parts.extend(patterns.iter().take(1).map(itself));
             }
+            (Pattern::Fields(_, fields), _) if single => {
+                parts.extend(fields.iter().map(|(_, it)| itself(it)));
+            }
+            (Pattern::Tuple(patterns) | Pattern::Constructor(_, patterns), Type::Struct(id)) => {
+                let fields = self.cx.fields_at(*id);
+                let pairs = aligned(patterns, fields.len()).into_iter();
+                parts.extend(pairs.map(|(it, index)| (it, part(*id, fields[index]))));
+            }
+            (Pattern::Fields(_, fields), Type::Struct(id)) => {
+                for (name, it) in fields {
+                    let Some(at) = self.cx.field_at(*id, name) else {
+                        return problem(site, format!("`{name}` is missing"), OUR_FAULT);
+                    };
+                    parts.push((it, part(*id, at)));
+                }
+            }
+            _ => {}
         }
-        parts
-    }
-
-    /// A variant without payload, or a constant that is one.
-    fn unit_case(
-        &mut self,
-        value: &tree::Expr,
-        place: &Place,
-        id: StructId,
-    ) -> Result<Option<Expr>> {
-        if let Some(word) = self.unit_word(value, id) {
-            return Ok(Some(self.tag_is(place, id, word)));
-        }
-        problem(value.site, "a constant of this type is not a pattern", "compare with `==`")
+        Ok(parts)
     }
 
     /// The variant that an author wrote by name, which must be its own: another's, given by a `use`, would be taken for
@@ -408,7 +366,7 @@ impl Lowering<'_, '_> {
 
     /// The word of the variant without payload that a path has for a value: its name may be another.
     pub(super) fn unit_word(&self, value: &tree::Expr, id: StructId) -> Option<u64> {
-        let tree::ExprKind::Path(index, _) = &value.kind else { return None };
+        let Tree::Path(index, _) = &value.kind else { return None };
         let word = *self.source.constants.get(*index as usize)?.words.first()?;
         let case = self.cx.known_of(id).cases.get(usize::try_from(word).ok()?)?;
         case.field.is_none().then_some(word)
@@ -470,12 +428,28 @@ impl Lowering<'_, '_> {
     /// Binds the names of a pattern that takes any such value.
     pub(super) fn bind_pattern(
         &mut self,
-        pattern: &tree::Pattern,
+        pattern: &Pattern,
         value: &Value,
         site: Site,
     ) -> Result<()> {
-        let mut names = Vec::new();
-        self.test(pattern, value, site, &mut names)?;
+        self.bind_or(pattern, value, site, |_| Ok(None))
+    }
+
+    /// The same of one that may not take the value: then control leaves by `otherwise`, if that gives anything.
+    pub(super) fn bind_or(
+        &mut self,
+        pattern: &Pattern,
+        value: &Value,
+        site: Site,
+        otherwise: impl FnOnce(&mut Self) -> Result<Option<Block>>,
+    ) -> Result<()> {
+        let Test { condition, names } = self.test(pattern, value, site)?;
+        if let Some(taken) = condition
+            && let Some(left) = otherwise(self)?
+        {
+            let span = taken.span;
+            self.branch(taken.negated(), left, Block::default(), span);
+        }
         self.bind_names(&names)
     }
 
@@ -549,29 +523,17 @@ pub(super) fn used(mut block: Block) -> Block {
 }
 
 /// The only name in `Some(name)`, of what does not change.
-fn taken_name(pattern: &tree::Pattern) -> Option<&str> {
-    let tree::Pattern::Constructor(_, parts) = pattern else { return None };
+fn taken_name(pattern: &Pattern) -> Option<&str> {
+    let Pattern::Constructor(_, parts) = pattern else { return None };
     match parts.as_slice() {
-        [tree::Pattern::Name { name, mutable: false, inner: None, .. }] => Some(name),
+        [Pattern::Name { name, mutable: false, inner: None, .. }] => Some(name),
         _ => None,
     }
 }
 
-/// Both conditions, as far as there are any. Neither has an effect, so one that is false is the whole.
-pub(super) fn both(one: Option<Expr>, other: Option<Expr>) -> Option<Expr> {
-    let fails =
-        |test: &Option<Expr>| test.as_ref().is_some_and(|it| it.kind == ExprKind::Literal(0));
-    match (one, other) {
-        (one, _) if fails(&one) => one,
-        (_, other) if fails(&other) => other,
-        (Some(one), Some(other)) => Some(Expr::logic(LogicOp::And, one, other)),
-        (one, other) => one.or(other),
-    }
-}
-
 /// Patterns and the index of the part that each takes; `..` stands for as many as are left.
-pub(super) fn aligned(patterns: &[tree::Pattern], count: usize) -> Vec<(&tree::Pattern, usize)> {
-    let rest = patterns.iter().position(|it| matches!(it, tree::Pattern::Rest));
+pub(super) fn aligned(patterns: &[Pattern], count: usize) -> Vec<(&Pattern, usize)> {
+    let rest = patterns.iter().position(|it| matches!(it, Pattern::Rest));
     let (before, after) = match rest {
         Some(rest) => (&patterns[..rest], &patterns[rest + 1..]),
         None => (patterns, &patterns[patterns.len()..]),

@@ -8,7 +8,6 @@ use super::lowering::{Lowering, RESULT, UNNAMED};
 use super::syntax::bare;
 use super::value::Value;
 use super::words;
-use super::zero_sized::At;
 use super::{Result, problem};
 use crate::effects;
 
@@ -136,7 +135,7 @@ impl Lowering<'_, '_> {
     fn field_step(&mut self, base: &Type, name: &str, expr: &tree::Expr) -> Result<(Step, Type)> {
         match base {
             Type::Struct(id) => {
-                if let Some(At::Field(index)) = self.cx.field_at(*id, name) {
+                if let Some(Some(index)) = self.cx.field_at(*id, name) {
                     let step = Step::Field(index as u32);
                     return Ok((step, self.cx.field_type(*id, index as u32)));
                 }

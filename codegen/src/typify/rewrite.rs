@@ -12,7 +12,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use bessemer_ir::tree::visit::{self, Visit, VisitMut};
+use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{
     self, Arm, BinaryOp, Block, Expr, ExprKind, FunctionTree, NO_SLOT, Pattern, Role, Site, Stmt,
     UnaryOp,
@@ -134,7 +134,7 @@ impl<'e> Rewriting<'e> {
         let (first, written) = (computed_first(body), self.writes_when_asked(body));
         let mut values: Vec<_> = rule.params.iter().zip(arguments).collect();
         // A reference that is given is that to the same place behind the others, too.
-        let mut followed = Followed(HashSet::new());
+        let mut followed = Followed::default();
         followed.expr(body);
         let moved = |at: usize| {
             if followed.0.contains(&rule.params[at].name) {
@@ -303,10 +303,16 @@ pub(super) fn is_plain(expr: &Expr) -> bool {
 /// Whether computing an expression may change what another reads that was to be computed before: it does more than read, and
 /// speaks of the same variable.
 fn may_move(later: &Expr, read: &Expr) -> bool {
-    !is_pure(later) && !Named::of(later).0.is_disjoint(&Named::of(read).0)
+    let named = |expr: &Expr| {
+        let mut named = Locals::default();
+        named.expr(expr);
+        named.0
+    };
+    !is_pure(later) && !named(later).is_disjoint(&named(read))
 }
 
 /// The names of references that are followed.
+#[derive(Default)]
 struct Followed(HashSet<String>);
 
 impl Visit for Followed {
@@ -314,26 +320,6 @@ impl Visit for Followed {
         if let ExprKind::Deref(inner) = &expr.kind
             && let ExprKind::Local(name) = &inner.kind
         {
-            self.0.insert(name.clone());
-        }
-        visit::walk_expr(self, expr);
-    }
-}
-
-/// The variables that an expression names.
-struct Named(HashSet<String>);
-
-impl Named {
-    fn of(expr: &Expr) -> Named {
-        let mut named = Named(HashSet::new());
-        named.expr(expr);
-        named
-    }
-}
-
-impl Visit for Named {
-    fn expr(&mut self, expr: &Expr) {
-        if let ExprKind::Local(name) = &expr.kind {
             self.0.insert(name.clone());
         }
         visit::walk_expr(self, expr);

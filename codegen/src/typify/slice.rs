@@ -6,14 +6,14 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Builtin, Site, SliceMethod, Ty};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, LocalId, Mode, Place, Span, StmtKind, Type,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, LocalId, LogicOp, Mode, Place, Span, StmtKind, Type,
 };
 
+use super::comparison::Pair;
 use super::expr::Call;
 use super::function::{result_of, slice_of};
 use super::lengths::{compared, divided, is_number, least, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
-use super::pattern::both;
 use super::syntax::{Writes, bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;
@@ -215,7 +215,8 @@ impl Lowering<'_, '_> {
         let ordered = ordered.then(|| compared(CompareOp::Le, &from, &to, span));
         let inside = !open && !inclusive;
         let inside = inside.then(|| compared(CompareOp::Le, &to, &slice.length, span));
-        if let Some(condition) = both(ordered, inside) {
+        let all = |one, other| Expr::logic(LogicOp::And, one, other);
+        if let Some(condition) = ordered.into_iter().chain(inside).reduce(all) {
             self.check(condition, Fault::Index, span);
         }
         let whole = slice.whole && open && is_number(&from, 0);
@@ -361,7 +362,8 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let equal = |inner: &mut Self| {
             inner.all_equal(one.length.clone(), span, |inner, index| {
-                inner.equal(&one.nth(index.clone()), &other.nth(index), site, span)
+                let sides = [one.nth(index.clone()), other.nth(index)];
+                inner.equal(&Pair { sides, site, span })
             })
         };
         let equal = match same(&one.length, &other.length) {

@@ -2,10 +2,9 @@
 //! other, and their parts as a vector.
 
 use bessemer_ir::tree::{self, Parts, Site, SpatialMethod};
-use bessemer_ir::{
-    CompareOp, Expr, ExprKind, LogicOp, Place, Routine, Span, StructId, Type, UnaryOp,
-};
+use bessemer_ir::{CompareOp, Expr, ExprKind, LogicOp, Routine, StructId, Type, UnaryOp};
 
+use super::comparison::Pair;
 use super::expr::{Call, two};
 use super::lowering::Lowering;
 use super::words;
@@ -152,17 +151,12 @@ impl Lowering<'_, '_> {
     }
 
     /// `==` of unit quaternions: the opposite one is the same rotation.
-    pub(super) fn same_rotation(
-        &self,
-        id: StructId,
-        left: &Place,
-        right: &Place,
-        span: Span,
-    ) -> Expr {
+    pub(super) fn same_rotation(&self, id: StructId, pair: &Pair) -> Expr {
+        let span = pair.span;
         let all = |opposite: bool| {
             let parts = (0..4).map(|part| {
-                let one = self.part(left, id, part).load();
-                let mut other = self.part(right, id, part).load();
+                let [one, mut other] =
+                    pair.map(|it| self.part(it, id, part)).sides.map(|it| it.load());
                 if opposite {
                     other = Expr::unary(UnaryOp::Neg, other).at(span);
                 }

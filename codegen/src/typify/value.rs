@@ -41,13 +41,6 @@ pub(super) struct Named {
     pub site: Site,
 }
 
-impl Named {
-    /// A name of several elements, of a part of a matrix, or of a zero-sized value.
-    pub(super) fn of(name: &str, slot: u32, stands: Value, site: Site) -> Named {
-        Named { name: name.to_owned(), slot, mutable: false, stands, site }
-    }
-}
-
 /// Parts of up to so many elements are written out where they are read.
 pub(super) const SMALL: u32 = 16;
 

@@ -1,12 +1,14 @@
 //! Zero-sized types: structs without fields, `PhantomData`, `()`. C has no such types, so their values vanish
 //! from structs, variants, parameters and results; an expression that computes one runs for its effect.
 
-use bessemer_ir::tree::{self, Definition, NO_SLOT, Pattern, Site, Ty};
+use bessemer_ir::tree::visit::{Bound, Visit};
+use bessemer_ir::tree::{self, Definition, ExprKind as Tree, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
 
 use super::generic::position;
 use super::lowering::Lowering;
-use super::value::{Named, Value};
+use super::pattern::Test;
+use super::value::Value;
 use super::{Context, Result, problem};
 
 /// An author's zero-sized type.
@@ -15,14 +17,6 @@ pub(super) struct Nothing {
     pub module: String,
     /// The DSL does not see that all its values are equal.
     unequal: bool,
-}
-
-/// Where a field is.
-pub(super) enum At {
-    /// In the C, too.
-    Field(usize),
-    /// Nowhere: it holds nothing.
-    Nowhere,
 }
 
 impl Context<'_> {
@@ -80,14 +74,11 @@ impl Context<'_> {
         self.leaves_out = true;
     }
 
-    /// Where the field is that an author means by a name, or by the number of a part.
-    pub(super) fn field_at(&self, id: StructId, name: &str) -> Option<At> {
+    /// Where the field is that an author means by a name, or by the number of a part; a zero-sized one is nowhere in the C.
+    pub(super) fn field_at(&self, id: StructId, name: &str) -> Option<Option<usize>> {
         match self.known_of(id).fields.as_slice() {
-            [] => position(self.fields(id), name).map(At::Field),
-            all => {
-                let (_, at) = all.iter().find(|(known, _)| known == name)?;
-                Some(at.map_or(At::Nowhere, At::Field))
-            }
+            [] => position(self.fields(id), name).map(Some),
+            all => all.iter().find(|(known, _)| known == name).map(|(_, at)| *at),
         }
     }
 
@@ -126,21 +117,17 @@ impl Lowering<'_, '_> {
     /// Whether the value of an expression holds nothing.
     pub(super) fn holds_nothing(&mut self, expr: &tree::Expr) -> bool {
         match &expr.kind {
-            tree::ExprKind::Local(name) => {
+            Tree::Local(name) => {
                 matches!(self.lookup(name, expr.site), Ok(Value::Nothing))
             }
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
-                self.holds_nothing(inner)
-            }
-            tree::ExprKind::Field(base, name) => {
+            Tree::Ref(_, inner) | Tree::Deref(inner) => self.holds_nothing(inner),
+            Tree::Field(base, name) => {
                 if !self.cx.leaves_out {
                     return false;
                 }
                 self.holds_nothing(base)
                     || match self.place_type(base) {
-                        Ok(Type::Struct(id)) => {
-                            matches!(self.cx.field_at(id, name), Some(At::Nowhere))
-                        }
+                        Ok(Type::Struct(id)) => self.cx.field_at(id, name) == Some(None),
                         _ => false,
                     }
             }
@@ -156,21 +143,21 @@ impl Lowering<'_, '_> {
     /// Does what an expression does, of which the value holds nothing; gives what is left to be done.
     pub(super) fn done(&mut self, expr: &tree::Expr) -> Result<Expr> {
         match &expr.kind {
-            tree::ExprKind::Local(_) | tree::ExprKind::Path(..) => {}
-            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.effect(inner)?,
-            tree::ExprKind::Field(base, _) if self.holds_nothing(base) => self.effect(base)?,
+            Tree::Local(_) | Tree::Path(..) => {}
+            Tree::Ref(_, inner) | Tree::Deref(inner) => self.effect(inner)?,
+            Tree::Field(base, _) if self.holds_nothing(base) => self.effect(base)?,
             // Its indices are looked at.
-            tree::ExprKind::Field(base, _) => {
+            Tree::Field(base, _) => {
                 let mut base = self.base(base)?;
                 self.fix(&mut base);
             }
-            tree::ExprKind::Struct(_, fields, rest) => {
+            Tree::Struct(_, fields, rest) => {
                 for (_, value) in fields {
                     self.effect(value)?;
                 }
                 rest.iter().try_for_each(|rest| self.effect(rest))?;
             }
-            tree::ExprKind::Constructor(_, parts) | tree::ExprKind::Tuple(parts) => {
+            Tree::Constructor(_, parts) | Tree::Tuple(parts) => {
                 parts.iter().try_for_each(|part| self.effect(part))?;
             }
             _ => return self.bare_value(expr, None),
@@ -185,20 +172,11 @@ impl Lowering<'_, '_> {
     }
 
     /// Gives the names of a pattern to what holds nothing, which every pattern takes.
-    pub(super) fn take_nothing(pattern: &Pattern, site: Site, names: &mut Vec<Named>) {
-        match pattern {
-            Pattern::Name { name, inner, .. } => {
-                names.push(Named::of(name, NO_SLOT, Value::Nothing, site));
-                inner.iter().for_each(|inner| Self::take_nothing(inner, site, names));
-            }
-            Pattern::Tuple(parts) | Pattern::Constructor(_, parts) | Pattern::Array(parts) => {
-                parts.iter().for_each(|part| Self::take_nothing(part, site, names));
-            }
-            Pattern::Fields(_, fields) => {
-                fields.iter().for_each(|(_, part)| Self::take_nothing(part, site, names));
-            }
-            _ => {}
-        }
+    pub(super) fn take_nothing(pattern: &Pattern, site: Site) -> Test {
+        let mut bound = Bound::default();
+        bound.pattern(pattern);
+        let named = |name: &String| Test::named(name, NO_SLOT, Value::Nothing, site);
+        bound.0.iter().map(named).fold(Test::default(), Test::and)
     }
 
     /// Refuses to keep what holds nothing, wherever it was not left out.

@@ -176,6 +176,28 @@ impl Stmt {
     }
 }
 
+impl Step {
+    /// The indices of a step, in their order.
+    pub fn indices(&self) -> impl Iterator<Item = &Expr> {
+        let (first, second) = match self {
+            Step::Field(_) => (None, None),
+            Step::Index(index) | Step::From(index) => (Some(index), None),
+            Step::Element(row, column) => (Some(row), Some(column)),
+        };
+        first.into_iter().chain(second)
+    }
+
+    /// The same, to change them.
+    pub fn indices_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        let (first, second) = match self {
+            Step::Field(_) => (None, None),
+            Step::Index(index) | Step::From(index) => (Some(index), None),
+            Step::Element(row, column) => (Some(row), Some(column)),
+        };
+        first.into_iter().chain(second)
+    }
+}
+
 /// A node in which something is looked for: what one closure can tell needs no visitor of its own.
 ///
 /// The walks are [`Visit`]'s, the node itself included; of a place, the indices.
