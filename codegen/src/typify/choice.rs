@@ -27,6 +27,9 @@ struct Taken<'t> {
     ranges: Ranges,
 }
 
+/// The condition of an arm, if it has one, and its body.
+type Branch = (Option<Expr>, Block);
+
 /// The values that an arm takes; none: every one that is left.
 type Words = Option<Vec<i128>>;
 
@@ -206,7 +209,7 @@ impl Lowering<'_, '_> {
         &mut self,
         arms: &[A],
         span: Span,
-        taken: &dyn Fn(&mut Self, &A, bool) -> Result<(Option<Expr>, Block)>,
+        taken: &dyn Fn(&mut Self, &A, bool) -> Result<Branch>,
     ) -> Result<()> {
         let Some((arm, rest)) = arms.split_first() else { return Ok(()) };
         let (condition, then) = self.naming_scope(|inner| taken(inner, arm, rest.is_empty()))?;
