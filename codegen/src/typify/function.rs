@@ -4,12 +4,11 @@ use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Function, Local, LocalId, Mode, Owner, Place, Role,
-    Span, Stmt, StmtKind, Type,
+    Block, Expr, ExprKind, Fault, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
+    StmtKind, Type,
 };
 
 use super::borrowed::{Lenders, Path};
-use super::lengths::compared;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
 use super::syntax::{Writes, control_with_value, ends_in_loop};
@@ -558,11 +557,6 @@ impl Lowering<'_, '_> {
     /// Emits a check of a condition.
     pub(super) fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
         self.emit(StmtKind::Check { condition, fault }, span);
-    }
-
-    /// The same of an index or a number of elements: how it has to compare with how many there are.
-    pub(super) fn check_index(&mut self, index: &Expr, op: CompareOp, most: &Expr, span: Span) {
-        self.check(compared(op, index, most, span), Fault::Index, span);
     }
 
     /// Emits an `if` without an `else`.

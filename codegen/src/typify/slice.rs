@@ -239,6 +239,11 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// Checks an index or a number of elements: how it has to compare with how many there are.
+    pub(super) fn check_index(&mut self, index: &Expr, op: CompareOp, most: &Expr, span: Span) {
+        self.check(compared(op, index, most, span), Fault::Index, span);
+    }
+
     /// `slice[index]`, its index checked.
     pub(super) fn slice_element(
         &mut self,
