@@ -151,3 +151,19 @@ pub fn of_its_caller<'a>(a: &'a Sample, b: &'a Sample) -> i32 {
     let sum = lent(&mut best, b);
     sum.wrapping_add(best.map_or(0, |it| it.value))
 }
+
+/// By a pattern, of the first of several.
+#[function]
+fn of_the_first<'a>(pairs: &mut [Best<'a>], b: &'a Sample) -> i32 {
+    let [first, ..] = pairs else { return 0 };
+    let Best { now, .. } = *first;
+    first.now = b;
+    now.value.wrapping_mul(19).wrapping_add(first.now.weight)
+}
+
+/// By a function that takes several.
+#[function]
+pub fn in_a_slice(a: &Sample, b: &Sample) -> i32 {
+    let mut pairs = [Best { now: a, before: a }, Best { now: b, before: b }];
+    of_the_first(&mut pairs, b).wrapping_add(pairs[0].now.value)
+}
