@@ -160,7 +160,7 @@ fn packages_of_pythons_come_last_and_below_target() {
     assert_eq!(
         last,
         format!(
-            "python3 -m venv {own} && {own}/bin/pip install --quiet pya2ldb==1.0.355 pymavlink==2.4.50"
+            "python3 -m venv {own} && {own}/bin/pip install --quiet --no-compile pya2ldb==1.0.355 pymavlink==2.4.50"
         )
     );
 }
