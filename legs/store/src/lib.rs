@@ -1,7 +1,8 @@
 //! What compilers made, and which checks passed, by all that decides it: the same is not made twice.
 //!
 //! A key is a hash of everything that decides what is made; so what is found is what would be made. Where nothing may be
-//! left out (`BESSEMER_FULL`) nothing is found, and nothing stored.
+//! left out (`BESSEMER_FULL`) nothing is found, and nothing stored. `BESSEMER_STORE` names another folder than the workspace's
+//! target folder: a copy of the workspace finds there what the workspace made.
 //!
 //! Invariant: what is stored appears whole or not at all.
 //!
@@ -28,7 +29,9 @@ pub fn place(kind: &str, content: &impl Hash) -> Option<PathBuf> {
     if std::env::var_os("BESSEMER_FULL").is_some() || !root().join("Cargo.toml").exists() {
         return None;
     }
-    Some(root().join("target").join(kind).join(name(content)))
+    let own = || root().join("target");
+    let folder = std::env::var_os("BESSEMER_STORE").map_or_else(own, PathBuf::from);
+    Some(folder.join(kind).join(name(content)))
 }
 
 /// A name that moves with the content.

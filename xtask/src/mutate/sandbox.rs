@@ -101,6 +101,8 @@ impl Sandbox {
         cargo.env("CARGO_TARGET_DIR", &self.target).env("INSTA_UPDATE", "no");
         // One mutant after another is built here, each a few lines from the last, also where the rest is built once.
         cargo.env("CARGO_INCREMENTAL", "1");
+        // Most mutants leave the trees of the tests' packages as they are, each a build of minutes.
+        cargo.env("BESSEMER_STORE", self.root.join("target"));
         cargo
     }
 }
