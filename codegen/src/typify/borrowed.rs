@@ -45,19 +45,19 @@ pub(super) struct Borrowed {
 pub(super) struct Lenders {
     /// The lender of each slice.
     pub known: Vec<(Spot, Place)>,
-    /// Those of slices that are in no local yet.
+    /// The lenders of values with slices that no local holds yet.
     pub made: Vec<(Expr, Place)>,
     /// The locals that say where a slice begins and how many elements it has, which not every use asks.
     pub taken: Vec<LocalId>,
     /// The parameters that lend: of which other one, and of which slices in it.
     pub lending: Vec<(LocalId, LocalId, Path)>,
-    /// What stands for those that are not known yet.
+    /// The locals that stand for lenders which are not known yet.
     pub awaited: Vec<Awaited>,
     /// Slices that were copied before their lender was known: to where, from where.
     pub copied: Vec<(Spot, Copied)>,
     /// How many locals are parameters.
     pub params: usize,
-    /// What is wrong with one of them.
+    /// The first slice that was refused.
     pub problem: Option<Problem>,
 }
 
@@ -89,7 +89,7 @@ pub(super) fn spot_of(place: &Place) -> Spot {
     (Some(place.root), place.steps.iter().filter_map(field).collect())
 }
 
-/// What is known of the slices in a field, as those in its struct.
+/// Paths from a field to its slices, as paths from its struct.
 pub(super) fn in_field<T>(at: u32, found: Vec<(Path, T)>) -> impl Iterator<Item = (Path, T)> {
     found.into_iter().map(move |(path, known)| ([vec![at], path].concat(), known))
 }

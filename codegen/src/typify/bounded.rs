@@ -1,6 +1,6 @@
-//! What has a size of its own, below the room that there is: the methods of `List`, its length and the elements below it;
-//! and the elements of a `BoundedMatrix`: one, whose row and column are checked against the size that it has, and all of
-//! them, column by column, in two loops that its author wrote as one.
+//! Containers with a run-time size and a fixed capacity. A `List` has methods, a length, and elements below it. A `BoundedMatrix`
+//! has elements: one, whose row and column are checked against the size, and all of them, column by column, in two loops that
+//! the author wrote as one.
 //!
 //! Room and indices are checked before anything is written.
 
@@ -26,10 +26,10 @@ struct Bounded {
     /// The place of all elements, those beyond its size too.
     items: Place,
     element: Type,
-    /// The place of its length, in a matrix of how many rows there are; and how many there may be.
+    /// The place of the length, in a matrix of the number of rows; and the most that it may be.
     length: Place,
     capacity: u32,
-    /// The same of the columns of a matrix.
+    /// The place of the number of columns of a matrix, and the most that it may be.
     columns: Option<(Place, u32)>,
 }
 
