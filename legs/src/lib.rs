@@ -27,35 +27,13 @@ mod units;
 pub mod watch;
 
 pub use bessemer_store as store;
+pub use bessemer_words::{digest, value, words};
 
 use std::path::PathBuf;
-
-use bessemer::Plain;
 
 /// The root of the workspace.
 pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
-/// The words of a value.
-pub fn words(value: &impl Plain) -> Vec<u64> {
-    let mut words = Vec::new();
-    value.store(&mut |word| words.push(word));
-    words
-}
-
-/// The value of words.
-pub fn value<T: Plain>(words: &[u64]) -> T {
-    let mut words = words.iter().copied();
-    T::load(&mut || words.next().unwrap_or_default())
-}
-
-/// Many words as one (FNV-1a), to compare what is too much to keep. Any NaN counts as any other.
-pub fn digest(words: &[u64]) -> u64 {
-    let plain = |word: &u64| if f64::from_bits(*word).is_nan() { u64::MAX } else { *word };
-    words.iter().fold(0xCBF2_9CE4_8422_2325, |sum, word| {
-        (sum ^ plain(word)).wrapping_mul(0x0000_0100_0000_01B3)
-    })
 }
 
 use bessemer_codegen::c::CFile;

@@ -8,8 +8,7 @@
 //! | [`air`], [`sensors`], [`noise`] | wind, sensors as they are, chance from a seed |
 //! | [`world`] | all of these together, one control period at a time |
 //! | [`ground_station`] | the other end of the link |
-//! | [`computer`] | whatever can run the onboard software: the models, their emitted C |
-//! | [`board`] | the same on a machine of its own, behind a serial line |
+//! | [`computer`] | whatever can run the onboard software: the models here, their emitted C in `sim/program` |
 //! | [`scenario`], [`voyage`] | a flight before it is flown, and as it was flown |
 //! | [`flights`], [`measure`], [`checks`] | every flight, and by which figures it is judged |
 //! | [`channels`], [`recording`], [`figures`], [`summary`] | flights as files, pictures, tables |
@@ -30,7 +29,6 @@
 
 pub mod air;
 pub mod battery;
-pub mod board;
 pub mod campaign;
 pub mod channels;
 pub mod checks;

@@ -3,7 +3,7 @@
 //! The onboard software flies between set points and turns, and Vicon is away for 15 s of every minute and a half, so
 //! that every filter works with each of its sources. A run that leaves something out flies a twentieth of it.
 
-use bessemer_legs::{digest, words};
+use bessemer_words::{digest, words};
 use models::{Alarm, Inputs, Mode, Onboard, Outputs, Settings};
 use nalgebra::{Matrix3, Matrix6};
 use sim::computer::Computer;

@@ -1,5 +1,4 @@
-//! `cargo xtask sim`, `identify`, `campaign`, `fly` and `replay`: hand over to the programs of the `sim` and `ground`
-//! crates.
+//! `cargo xtask sim`, `identify`, `campaign`, `fly` and `replay`: hand over to the programs of `sim/program` and `ground`.
 //!
 //! Invariant: it is a program of its own, so that a fault in a model never keeps xtask from building; and it
 //! is built with optimisation, so that a flight takes a moment. Its command lines are those of `sim-args`, so that help and
@@ -27,7 +26,7 @@ pub fn run(
     words: impl Iterator<Item = OsString>,
 ) -> Result<Outcome, Error> {
     let stage = match package {
-        "sim" => "building the simulation",
+        "sim-program" => "building the simulation",
         _ => "building the ground station",
     };
     let features = features.join(",");

@@ -32,7 +32,9 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
         Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),
         Task::Book => book::run(&root, &ThisMachine),
-        Task::Simulation(_) => hand_over::run(&root, "sim", &[], std::env::args_os().skip(1)),
+        Task::Simulation(_) => {
+            hand_over::run(&root, "sim-program", &[], std::env::args_os().skip(1))
+        }
         Task::Ground(task) => {
             hand_over::run(&root, "ground", &task.features(), std::env::args_os().skip(1))
         }

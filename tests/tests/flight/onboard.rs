@@ -9,10 +9,11 @@ use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{alive, entry, flight_models, texts, turn, words};
 use models::plant::Plant;
-use sim::computer::{Computer, Emitted, Native};
+use sim::computer::{Computer, Native};
 use sim::flights::{FLIGHTS, Flight, find};
 use sim::scenario::Scenario;
 use sim::voyage::{fly, follow};
+use sim_program::emitted::Emitted;
 
 /// What is flown of a flight, s: the longest takes three minutes, and `cargo xtask sim all --c` flies it whole.
 const LONGEST: f64 = 75.0;

@@ -8,11 +8,11 @@ use std::sync::LazyLock;
 use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, ZYNQ};
 use bessemer_tests::{flight_models, texts};
-use sim::board::{Board, Loaded};
 use sim::computer::{Computer, Native};
 use sim::flights::find;
 use sim::scenario::{LEAD, Scenario};
 use sim::voyage::follow;
+use sim_program::board::{Board, Loaded};
 
 /// What is flown of the hover, s.
 const FLOWN: f64 = 30.0;

@@ -1,4 +1,4 @@
-//! The commands: what they are given, what they say. What they compute lives in the library.
+//! The commands: what they are given, what they say. What they compute lives in the package `sim`.
 
 pub mod campaign;
 pub mod fly;

@@ -17,8 +17,7 @@ use bessemer_legs::process::Error;
 use bessemer_legs::toolchain::{Sizes, Toolchain};
 use bessemer_legs::{root, value, words};
 use models::{Inputs, Outputs, Settings};
-
-use crate::computer::Computer;
+use sim::computer::Computer;
 
 /// How long an answer may take: emulated, on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(10);

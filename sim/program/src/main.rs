@@ -1,6 +1,6 @@
 //! The program behind `cargo xtask sim`, `identify` and `campaign`.
 
-mod program;
+mod commands;
 
 use clap::Parser;
 use sim_args::Task;
@@ -16,9 +16,9 @@ struct Arguments {
 
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().task {
-        Task::Sim(wanted) => program::fly::run(&wanted),
-        Task::Identify(wanted) => program::identify::run(&wanted),
-        Task::Campaign(wanted) => program::campaign::run(&wanted),
+        Task::Sim(wanted) => commands::fly::run(&wanted),
+        Task::Identify(wanted) => commands::identify::run(&wanted),
+        Task::Campaign(wanted) => commands::campaign::run(&wanted),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,
