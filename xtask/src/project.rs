@@ -32,6 +32,12 @@ pub fn cargo(root: &Path, arguments: &[&str]) -> Command {
     command
 }
 
+/// Lets cargo build the packages of the workspace with the compiler that lints: what it has checked it also builds, where
+/// `cargo clippy` would check all of it, and all that it rests on, beside the build.
+pub fn lint(cargo: &mut Command) -> &mut Command {
+    cargo.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver")
+}
+
 /// Whether cargo sets the variable for the package that it runs, rather than for itself.
 fn describes_this_package(variable: &str) -> bool {
     variable.starts_with("CARGO_PKG_")

@@ -38,13 +38,6 @@ const TOOLS: &str = "foxglove,mavlink";
 /// The stage in which the workspace is linted and built at once.
 const BUILD: &str = "lints and build of the tests";
 
-/// Cargo calls the program that this variable names in rustc's place, for the packages of the workspace.
-const WRAPPER: &str = "RUSTC_WORKSPACE_WRAPPER";
-
-/// A compiler that lints: what it has checked it also builds, where `cargo clippy` would check all of it, and all that it
-/// rests on, beside the build.
-const LINTER: &str = "clippy-driver";
-
 /// How many mutants a run tries.
 const MUTANTS: NonZeroUsize = NonZeroUsize::new(2).unwrap();
 
@@ -83,7 +76,7 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
     }
     if !wanted.quick {
         let mut documentation = cargo(&["test", "--workspace", "--doc"]);
-        documentation.env(WRAPPER, LINTER);
+        project::lint(&mut documentation);
         check(&mut progress, "documentation tests", documentation, None)?;
     }
     let trials = (!wanted.quick).then(|| trials(root)).transpose()?;
@@ -111,9 +104,12 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
 /// Builds the tests: those of the workspace, those of what a generation build alone has, and in a full run those of the
 /// ground station's tools.
 fn programs(root: &Path, wanted: &Test, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
-    let build = |arguments: &[&str], linter: Option<&str>| {
+    let build = |arguments: &[&str], linted: bool| {
         let mut command = project::cargo(root, &["test", "--no-run", "--message-format", "json"]);
-        command.args(arguments).envs(linter.map(|linter| (WRAPPER, linter)));
+        command.args(arguments);
+        if linted {
+            project::lint(&mut command);
+        }
         let (status, messages) = stages::answered(&mut command, voice)?;
         let said = said(&messages);
         said.iter().for_each(|said| voice.print(said));
@@ -124,18 +120,18 @@ fn programs(root: &Path, wanted: &Test, voice: &stages::Voice) -> Result<Vec<Pro
             count => Err(Error::Lints { count }),
         }
     };
-    let mut programs = build(&["--workspace"], Some(LINTER))?;
+    let mut programs = build(&["--workspace"], true)?;
     // Features of a package alone: in a workspace build they would reach the models of every test. With the settings of
     // a generation build, so that it is not built once more.
     const WITNESS: &str = "bessemer-witness";
     let settings: Vec<String> = bessemer_codegen::generate::settings(WITNESS).collect();
     let mut arguments = vec!["--package", WITNESS, "--features", "generate"];
     arguments.extend(settings.iter().flat_map(|setting| ["--config", setting]));
-    programs.extend(build(&arguments, None)?);
+    programs.extend(build(&arguments, false)?);
     if wanted.full {
         for tool in TOOLS.split(',') {
             let package = ["--package", "ground", "--features", TOOLS, "--test", tool];
-            programs.extend(build(&package, Some(LINTER))?);
+            programs.extend(build(&package, true)?);
         }
     }
     Ok(programs)

@@ -3,15 +3,17 @@
 //! Invariants:
 //! - the work tree itself is never changed;
 //! - a file of the copy is written only where it differs, so that cargo builds anew what a mutant changes, what the last one
-//!   changed, and what rests on these;
+//!   changed, and what rests on these; it is as old as the one of the work tree only where the builds are that one's, too;
 //! - one run at a time has the copy.
 //!
 //! The copy always lies in the same place: cargo would build every package of another place anew.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::SystemTime;
 
 use super::mutant::{self, Mutant};
 use super::seed;
@@ -29,7 +31,7 @@ pub struct Sandbox {
 }
 
 impl Sandbox {
-    /// The copy of the work tree at `root`, not yet up to date.
+    /// The copy of the work tree at `root`.
     ///
     /// # Errors
     /// [`Error::Busy`] if another run has it; what the file system said.
@@ -44,8 +46,12 @@ impl Sandbox {
             TryLockError::Error(source) => Error::File { path, source },
         })?;
         let target = folder.join("target");
-        seed::seed(root, &target).map_err(of(&target))?;
-        Ok(Sandbox { root: root.to_owned(), tree, target, _lock: lock })
+        let sandbox = Sandbox { root: root.to_owned(), tree, target, _lock: lock };
+        if seed::seed(root, &sandbox.target).map_err(of(&sandbox.target))? {
+            fs::remove_dir_all(&sandbox.tree).map_err(of(&sandbox.tree))?;
+            sandbox.copy(|original| original.modified())?;
+        }
+        Ok(sandbox)
     }
 
     /// Makes the copy what the work tree is now, what is not committed included.
@@ -53,6 +59,11 @@ impl Sandbox {
     /// # Errors
     /// An error of git or of the file system.
     pub fn restore(&self) -> Result<(), Error> {
+        self.copy(|_| Ok(SystemTime::now()))
+    }
+
+    /// Writes what differs, each file as old as `age` says of the original.
+    fn copy(&self, age: impl Fn(&fs::Metadata) -> io::Result<SystemTime>) -> Result<(), Error> {
         let wanted = listed(&self.root)?;
         for name in &wanted {
             let (from, to) = (self.root.join(name), self.tree.join(name));
@@ -64,7 +75,8 @@ impl Sandbox {
             if let Some(folder) = to.parent() {
                 fs::create_dir_all(folder).map_err(of(folder))?;
             }
-            fs::copy(&from, &to).map_err(of(&to))?;
+            let time = fs::metadata(&from).and_then(|it| age(&it)).map_err(of(&from))?;
+            seed::copy(&from, &to, time).map_err(of(&to))?;
         }
         self.sweep(&self.tree, &wanted)
     }
@@ -99,8 +111,8 @@ impl Sandbox {
         let mut cargo = project::cargo(&self.tree, &words);
         // A snapshot that differs is a failure; nobody accepts it there.
         cargo.env("CARGO_TARGET_DIR", &self.target).env("INSTA_UPDATE", "no");
-        // One mutant after another is built here, each a few lines from the last, also where the rest is built once.
-        cargo.env("CARGO_INCREMENTAL", "1");
+        // As the tests are built, whose builds are here.
+        project::lint(&mut cargo);
         // Most mutants leave the trees of the tests' packages as they are, each a build of minutes.
         cargo.env("BESSEMER_STORE", self.root.join("target"));
         cargo

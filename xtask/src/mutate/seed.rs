@@ -1,8 +1,9 @@
-//! Saves the copy of the work tree some builds: those of packages of the registry that the work tree has built.
+//! Saves the copy of the work tree builds: those of the work tree.
 //!
-//! Cargo knows a package of the registry by its name, version, features and profile, wherever it is built. So its files
-//! may be hard links: whoever builds it anew writes the same again. Packages of the workspace are never linked, for
-//! mutants change these.
+//! Cargo knows a package by its name, version, features, profile and place in the workspace, and a build as up to date by
+//! the times of its sources, wherever the workspace lies. So builds of the registry's packages may be hard links: whoever
+//! builds one anew writes the same again. Those of the workspace are copies, for mutants change them. What the place of the
+//! work tree is compiled into would work there, and is built anew, as programs are.
 //!
 //! What it must not know: mutants.
 
@@ -10,31 +11,61 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::Path;
+use std::time::SystemTime;
 
 /// The folders of a target folder in which cargo keeps what it built, and what it knows about that.
 const FOLDERS: [&str; 3] = [".fingerprint", "build", "deps"];
 
-/// Links what was built of the registry's packages for the work tree at `root` into `target`, if nothing is there yet.
+/// The endings of libraries, and of what rustc says that one was made of.
+const LIBRARIES: [&str; 4] = ["rlib", "rmeta", "so", "d"];
+
+/// Puts what was built for the work tree at `root` into `target`, unless something is there; says whether it did.
 ///
 /// # Errors
 /// An error of the file system.
-pub fn seed(root: &Path, target: &Path) -> io::Result<()> {
+pub fn seed(root: &Path, target: &Path) -> io::Result<bool> {
     let (built, target) = (root.join("target/debug"), target.join("debug"));
     if target.exists() || !built.exists() {
-        return Ok(());
+        return Ok(false);
     }
     let packages = registry(&fs::read_to_string(root.join("Cargo.lock"))?);
     for folder in FOLDERS {
         fs::create_dir_all(target.join(folder))?;
         for entry in fs::read_dir(built.join(folder))? {
-            let entry = entry?;
-            let name = entry.file_name().to_string_lossy().into_owned();
+            let path = entry?.path();
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let to = target.join(folder).join(&name);
             if package(&name).any(|package| packages.contains(&package)) {
-                link(&entry.path(), &target.join(folder).join(&name))?;
+                each(&path, &to, &|from, to| fs::hard_link(from, to))?;
+            } else if path.is_dir() || is_movable(&path, root)? {
+                each(&path, &to, &|from, to| copy(from, to, fs::metadata(from)?.modified()?))?;
             }
         }
     }
-    Ok(())
+    Ok(true)
+}
+
+/// Copies a file, and says that it was written at `time`.
+///
+/// # Errors
+/// An error of the file system.
+pub fn copy(from: &Path, to: &Path, time: SystemTime) -> io::Result<()> {
+    fs::copy(from, to)?;
+    fs::File::options().append(true).open(to)?.set_modified(time)
+}
+
+/// Whether a build of the workspace's is a library that does not know where it was built: rustc says which variables it
+/// was made of. A build script's folder is one that cargo itself finds again.
+fn is_movable(path: &Path, root: &Path) -> io::Result<bool> {
+    if !path.extension().is_some_and(|ending| LIBRARIES.iter().any(|it| ending == *it)) {
+        return Ok(false);
+    }
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let own = path.with_file_name(format!("{}.d", name.strip_prefix("lib").unwrap_or(&name)));
+    let said = if own.exists() { fs::read_to_string(own)? } else { String::new() };
+    let variables = said.lines().filter_map(|line| line.strip_prefix("# env-dep:"));
+    let mut places = variables.filter(|it| it.contains(&*root.to_string_lossy()));
+    Ok(places.all(|it| it.starts_with("OUT_DIR=")))
 }
 
 /// The packages of the registry that a lock file names, with `_` for `-`.
@@ -62,14 +93,15 @@ fn plain(name: &str) -> String {
     name.replace('-', "_")
 }
 
-fn link(from: &Path, to: &Path) -> io::Result<()> {
+/// Does something with each file of a folder, or with a file, in a like folder at another place.
+fn each(from: &Path, to: &Path, put: &dyn Fn(&Path, &Path) -> io::Result<()>) -> io::Result<()> {
     if !from.is_dir() {
-        return fs::hard_link(from, to);
+        return put(from, to);
     }
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from)? {
         let entry = entry?;
-        link(&entry.path(), &to.join(entry.file_name()))?;
+        each(&entry.path(), &to.join(entry.file_name()), put)?;
     }
     Ok(())
 }
@@ -79,36 +111,50 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_the_registry_has_is_linked_and_nothing_else() -> io::Result<()> {
+    fn what_knows_no_place_is_taken() -> io::Result<()> {
         let root = tempfile::tempdir()?;
-        let write = |name: &str| {
-            let path = root.path().join("target/debug").join(name);
-            fs::create_dir_all(path.parent().unwrap_or(root.path()))?;
-            fs::write(path, name)
+        let place = |name: &str| root.path().join("target/debug").join(name);
+        let write = |name: &str, text: &str| {
+            fs::create_dir_all(place(name).parent().unwrap_or(root.path()))?;
+            fs::write(place(name), text)
         };
         let lock = "version = 4\n\n[[package]]\nname = \"models\"\nversion = \"0.1.0\"\n\n[[package]]\nname = \"proc-macro2\"\n\
                     version = \"1.0.0\"\nsource = \"registry+https://example.org/index\"\n\n[[package]]\nname = \"libm\"\n\
                     source = \"registry+https://example.org/index\"\n";
         fs::write(root.path().join("Cargo.lock"), lock)?;
-        let foreign = [
+        let linked = [
             ".fingerprint/proc-macro2-0123456789abcdef/lib-proc_macro2",
             "build/libm-0123456789abcdef/out/a",
             "deps/libproc_macro2-0123456789abcdef.rlib",
             "deps/liblibm-0123456789abcdef.rmeta",
             "deps/libm-0123456789abcdef.d",
         ];
-        let own =
-            ["deps/libmodels-0123456789abcdef.rlib", ".fingerprint/models-0123456789abcdef/a"];
-        foreign.iter().chain(&own).try_for_each(|name| write(name))?;
+        let copied = [
+            "deps/libmodels-0123456789abcdef.rlib",
+            "deps/libcorpus-0123456789abcdef.rlib",
+            ".fingerprint/models-0123456789abcdef/a",
+        ];
+        let left = ["deps/models-0123456789abcdef", "deps/liblegs-0123456789abcdef.rlib"];
+        linked.iter().chain(&copied).chain(&left).try_for_each(|name| write(name, name))?;
+        let knows = |name: &str| format!("# env-dep:{name}={}\n", root.path().display());
+        write("deps/corpus-0123456789abcdef.d", &knows("OUT_DIR"))?;
+        write("deps/legs-0123456789abcdef.d", &knows("CARGO_MANIFEST_DIR"))?;
         let target = root.path().join("target/mutants/target");
-        seed(root.path(), &target)?;
+        assert!(seed(root.path(), &target)?);
         let there = |name: &&str| target.join("debug").join(name).exists();
-        assert!(foreign.iter().all(there));
-        assert!(!own.iter().any(there));
+        assert!(linked.iter().all(there));
+        assert!(copied.iter().all(there));
+        assert!(!left.iter().any(there));
+        let written = |path: &Path| fs::metadata(path)?.modified();
+        for name in copied {
+            assert_eq!(written(&target.join("debug").join(name))?, written(&place(name))?);
+            fs::write(target.join("debug").join(name), "a mutant's")?;
+            assert_eq!(fs::read_to_string(place(name))?, name);
+        }
         // What is there stays: cargo has gone on from it.
-        fs::remove_file(target.join("debug").join(foreign[2]))?;
-        seed(root.path(), &target)?;
-        assert!(!there(&foreign[2]));
+        fs::remove_file(target.join("debug").join(linked[2]))?;
+        assert!(!seed(root.path(), &target)?);
+        assert!(!there(&linked[2]));
         Ok(())
     }
 }
