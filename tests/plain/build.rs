@@ -15,7 +15,8 @@ fn main() -> io::Result<()> {
     let folder = PathBuf::from(std::env::var("CARGO_MANIFEST_DIR").unwrap_or_default());
     let output = PathBuf::from(std::env::var("OUT_DIR").unwrap_or_default());
     for read in ["programs", "marks", "README.md"] {
-        println!("cargo::rerun-if-changed={}", folder.join(read).display());
+        // From the package's folder, wherever that lies: a copy of it has the same name for it.
+        println!("cargo::rerun-if-changed={read}");
     }
     let (mut modules, mut all) = (String::new(), String::new());
     for name in marked::programs(&folder)?.0 {

@@ -10,10 +10,8 @@
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
-use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::SystemTime;
 
 use super::mutant::{self, Mutant};
 use super::seed;
@@ -49,7 +47,8 @@ impl Sandbox {
         let sandbox = Sandbox { root: root.to_owned(), tree, target, _lock: lock };
         if seed::seed(root, &sandbox.target).map_err(of(&sandbox.target))? {
             fs::remove_dir_all(&sandbox.tree).map_err(of(&sandbox.tree))?;
-            sandbox.copy(|original| original.modified())?;
+            sandbox.restore()?;
+            sandbox.age()?;
         }
         Ok(sandbox)
     }
@@ -59,11 +58,6 @@ impl Sandbox {
     /// # Errors
     /// An error of git or of the file system.
     pub fn restore(&self) -> Result<(), Error> {
-        self.copy(|_| Ok(SystemTime::now()))
-    }
-
-    /// Writes what differs, each file as old as `age` says of the original.
-    fn copy(&self, age: impl Fn(&fs::Metadata) -> io::Result<SystemTime>) -> Result<(), Error> {
         let wanted = listed(&self.root)?;
         for name in &wanted {
             let (from, to) = (self.root.join(name), self.tree.join(name));
@@ -75,10 +69,20 @@ impl Sandbox {
             if let Some(folder) = to.parent() {
                 fs::create_dir_all(folder).map_err(of(folder))?;
             }
-            let time = fs::metadata(&from).and_then(|it| age(&it)).map_err(of(&from))?;
-            seed::copy(&from, &to, time).map_err(of(&to))?;
+            fs::copy(&from, &to).map_err(of(&to))?;
         }
         self.sweep(&self.tree, &wanted)
+    }
+
+    /// Makes each file and each folder of the copy as old as that of the work tree.
+    fn age(&self) -> Result<(), Error> {
+        let listed = listed(&self.root)?;
+        let all: BTreeSet<&Path> = listed.iter().flat_map(|name| name.ancestors()).collect();
+        for name in all {
+            let (from, to) = (self.root.join(name), self.tree.join(name));
+            seed::age(&from, &to).map_err(of(&to))?;
+        }
+        Ok(())
     }
 
     /// Removes what is in the copy and not in the work tree.

@@ -11,7 +11,6 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::Path;
-use std::time::SystemTime;
 
 /// The folders of a target folder in which cargo keeps what it built, and what it knows about that.
 const FOLDERS: [&str; 3] = [".fingerprint", "build", "deps"];
@@ -38,20 +37,19 @@ pub fn seed(root: &Path, target: &Path) -> io::Result<bool> {
             if package(&name).any(|package| packages.contains(&package)) {
                 each(&path, &to, &|from, to| fs::hard_link(from, to))?;
             } else if path.is_dir() || is_movable(&path, root)? {
-                each(&path, &to, &|from, to| copy(from, to, fs::metadata(from)?.modified()?))?;
+                each(&path, &to, &|from, to| fs::copy(from, to).and_then(|_| age(from, to)))?;
             }
         }
     }
     Ok(true)
 }
 
-/// Copies a file, and says that it was written at `time`.
+/// Makes a copy, of a file or a folder, as old as the original.
 ///
 /// # Errors
 /// An error of the file system.
-pub fn copy(from: &Path, to: &Path, time: SystemTime) -> io::Result<()> {
-    fs::copy(from, to)?;
-    fs::File::options().append(true).open(to)?.set_modified(time)
+pub fn age(from: &Path, to: &Path) -> io::Result<()> {
+    fs::File::open(to)?.set_modified(fs::metadata(from)?.modified()?)
 }
 
 /// Whether a build of the workspace's is a library that does not know where it was built: rustc says which variables it
