@@ -126,7 +126,7 @@ Examples:
   cargo xtask test --quick      What to run at each step: only the tests that take no time
   cargo xtask test --full       Every leg, compiler and size; without it, commits take turns at the dear ones
 
-Stages: format, gen --check, lints and build, documentation tests, tests. The first that fails ends the run.
+Stages: format, gen --check, lints and build, tests (those of the documentation beside them). The first that fails ends the run.
 The tests learn what to run from the environment: BESSEMER_LEGS is `all`, or `host` with --host; BESSEMER_FULL is set
 with --full; without it BESSEMER_TURN is a number that the commit chooses.")]
 pub struct Test {

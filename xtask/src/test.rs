@@ -2,8 +2,8 @@
 //!
 //! Invariants:
 //! - no test runs before every tool that the run needs is there; what is missing is installed beside the build;
-//! - the tests come last, the mutants beside them, which count as one test more; the summary of all is the last line of
-//!   a run that got so far;
+//! - the tests come last, those of the documentation and the mutants beside them, which count as one test more each; the
+//!   summary of all is the last line of a run that got so far;
 //! - the tests are told what to run through the environment, never by guessing from what is installed:
 //!   `BESSEMER_LEGS` names the machines, `BESSEMER_FULL` says that nothing may be left out, `BESSEMER_TURN` is the
 //!   number by which a run that leaves something out takes turns.
@@ -74,19 +74,18 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
         installation.end(&mut progress)?;
         installed(wanted, machine)?;
     }
-    if !wanted.quick {
-        let mut documentation = cargo(&["test", "--workspace", "--doc"]);
-        project::lint(&mut documentation);
-        check(&mut progress, "documentation tests", documentation, None)?;
-    }
     let trials = (!wanted.quick).then(|| trials(root)).transpose()?;
     let done = progress.closed("tests", |voice| {
         let chosen = |title: &str| !wanted.quick || stored.of(title) <= QUICK;
         thread::scope(|scope| {
-            let mutants = trials.as_ref().map(|trials| scope.spawn(move || mutants(trials, voice)));
+            let mut beside = Vec::new();
+            if let Some(trials) = &trials {
+                beside.push(scope.spawn(move || mutants(trials, voice)));
+                beside.push(scope.spawn(move || documentation(root, voice)));
+            }
             let mut done = runner::run(&programs, &chosen, &stored, &environment, voice)?;
-            if let Some(mutants) = mutants {
-                done.push(mutants.join().unwrap_or_else(|panic| resume_unwind(panic))?);
+            for one in beside {
+                done.push(one.join().unwrap_or_else(|panic| resume_unwind(panic))?);
             }
             Ok(done)
         })
@@ -158,6 +157,14 @@ fn mutants(trials: &mutate::Trials, voice: &stages::Voice) -> Result<Done, Error
     let fates = trials.run(&Progress::silent(), &|line| voice.print(line))?;
     let passed = mutate::are_found(&fates);
     Ok(Done { title: "mutants that are found".to_owned(), passed, time: start.elapsed() })
+}
+
+/// Runs the examples of the documentation.
+fn documentation(root: &Path, voice: &stages::Voice) -> Result<Done, Error> {
+    let start = Instant::now();
+    let mut command = project::cargo(root, &["test", "--workspace", "--doc"]);
+    let passed = stages::captured(project::lint(&mut command), voice)?.success();
+    Ok(Done { title: "documentation tests".to_owned(), passed, time: start.elapsed() })
 }
 
 /// The times of the stages and tests of this run.

@@ -26,7 +26,7 @@ use std::sync::Mutex;
 use std::time::Duration;
 
 /// Groups at a time for each processor: many wait for cargo, which builds one thing at a time in a target folder.
-const WAITING: usize = 2;
+const WAITING: usize = 4;
 
 /// A passing test is a line of its own from here on.
 const LONG: Duration = Duration::from_secs(5);
