@@ -104,7 +104,8 @@ fn what_xtask_needs_is_built_once() {
 #[test]
 fn what_macros_share_is_built_once() {
     let name = |built: &str| built.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
-    let shared = built(&["--package", "bessemer", "--package", "bessemer-ir", "--edges", "normal"]);
+    let shared =
+        built(&["--package", "bessemer", "--package", "bessemer-tree", "--edges", "normal"]);
     let shared: BTreeSet<_> = shared.iter().map(|it| name(it)).collect();
     let mut ways = BTreeMap::<String, Vec<String>>::new();
     for way in built(&["--workspace", "--edges", "normal,build,dev"]) {

@@ -81,7 +81,7 @@ pub fn settings(package: &str) -> impl Iterator<Item = String> {
         ["opt-level=0", "debug=false"].map(|it| format!("profile.dev.package.{package}.{it}"))
     };
     let whole = "profile.dev.panic=\"unwind\"".to_owned();
-    [package, "bessemer", "bessemer-ir"].into_iter().flat_map(of).chain([whole])
+    [package, "bessemer", "bessemer-tree"].into_iter().flat_map(of).chain([whole])
 }
 
 /// Bytes of rustc's stack in a generation build. In the witness copy each value of an expression stands in a call, so

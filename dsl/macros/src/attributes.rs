@@ -4,8 +4,8 @@
 //! The attributes are the DSL's alone: the native item goes without them. What they ask for reaches the
 //! tree as [`Attributes`].
 
-use bessemer_ir::attributes::{Attributes, Inlining};
-use bessemer_ir::tree::Role;
+use bessemer_tree::Role;
+use bessemer_tree::attributes::{Attributes, Inlining};
 use proc_macro2::TokenStream;
 
 use crate::given::{self, check_name, check_section};

@@ -3,7 +3,7 @@
 //! A builder holds the witness copy of the body ([`crate::witness`]), and hands on the tree with the types that its slots
 //! were given. It is emitted in generation builds only; the refusals come in every build.
 
-use bessemer_ir::tree::{FunctionTree, Role};
+use bessemer_tree::{FunctionTree, Role};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 

@@ -3,8 +3,8 @@
 //! Every build gets `Plain` (values as words). A generation build also gets the definition of the
 //! type and the builders of its methods.
 
-use bessemer_ir::attributes::Given;
-use bessemer_ir::tree::Role;
+use bessemer_tree::Role;
+use bessemer_tree::attributes::Given;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;

@@ -1,7 +1,7 @@
 //! Free functions: the native item, its carrier, and in a generation build the builder.
 
-use bessemer_ir::attributes::Attributes;
-use bessemer_ir::tree::Role;
+use bessemer_tree::Role;
+use bessemer_tree::attributes::Attributes;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
@@ -58,7 +58,7 @@ fn marked(
         refusals.add(receiver.self_token.span, refuse::METHOD_ALONE);
         return with_errors(refusals, item);
     }
-    if bessemer_ir::Scalar::from_name(&function.sig.ident.to_string()).is_some() {
+    if bessemer_tree::number::Scalar::from_name(&function.sig.ident.to_string()).is_some() {
         refusals.add(&function.sig.ident, refuse::RUST_TYPE);
         return with_errors(refusals, item);
     }

@@ -4,7 +4,7 @@
 //! The attributes are the DSL's alone: the native item goes without them. What they say travels as
 //! [`Given`]; whether a name is free shows only when the C is written.
 
-use bessemer_ir::attributes::{Attributes, Given, Range};
+use bessemer_tree::attributes::{Attributes, Given, Range};
 use proc_macro2::TokenStream;
 use quote::quote;
 

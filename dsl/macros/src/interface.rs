@@ -3,7 +3,7 @@
 //! In a generation build a trait has two hidden items for each method: the companion, and the builder,
 //! which each implementation brings for its own methods and the trait for those with a default.
 
-use bessemer_ir::tree::Role;
+use bessemer_tree::Role;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;

@@ -3,7 +3,7 @@
 //! A reader of it needs no mark: a constant is told by its name, its type and its value. So the mark only
 //! announces what is said of these.
 
-use bessemer_ir::attributes::Given;
+use bessemer_tree::attributes::Given;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 

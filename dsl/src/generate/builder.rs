@@ -8,8 +8,10 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use bessemer_ir::tree::{self, Argument, DefinitionKind, Package, Refusal, Site, Ty};
-use bessemer_ir::{Given, Range, Scalar};
+use bessemer_tree as tree;
+use bessemer_tree::attributes::{Given, Range};
+use bessemer_tree::number::Scalar;
+use bessemer_tree::{Argument, DefinitionKind, Package, Refusal, Site, Ty};
 
 use crate::Plain;
 

@@ -4,7 +4,7 @@
 
 use core::cmp::{Ordering, Reverse};
 
-use bessemer_ir::tree::Ty;
+use bessemer_tree::Ty;
 
 use super::builder::{Builder, Callee};
 use super::companions::{calls, companions};

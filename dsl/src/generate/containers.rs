@@ -6,7 +6,8 @@
 use core::num::NonZero;
 use core::ops::{Range, RangeInclusive};
 
-use bessemer_ir::tree::{self, Desugared, ListMethod, OptionMethod, Ty};
+use bessemer_tree as tree;
+use bessemer_tree::{Desugared, ListMethod, OptionMethod, Ty};
 
 use super::builder::{Builder, Callee};
 use super::companions::{calls, companions};

@@ -3,7 +3,7 @@
 
 #![allow(missing_docs)]
 
-use bessemer_ir::tree::Ty;
+use bessemer_tree::Ty;
 use nalgebra::{Cholesky, Const, DimMin, LU, QR, SMatrix, SVector, UDU};
 
 use super::builder::{Builder, Callee};

@@ -7,8 +7,9 @@
 
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, Ty};
-use bessemer_ir::{Float, Scalar};
+use bessemer_tree as tree;
+use bessemer_tree::Ty;
+use bessemer_tree::number::{Float, Scalar};
 
 use nalgebra::{Const, OPoint, RealField};
 use num_traits::Float as Number;

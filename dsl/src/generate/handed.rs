@@ -7,8 +7,9 @@ use alloc::string::ToString;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
-use bessemer_ir::tree::{self, Closure, Expr, ExprKind, Pattern, Ty};
+use bessemer_tree as tree;
+use bessemer_tree::visit::{VisitMut, walk_expr_mut};
+use bessemer_tree::{Closure, Expr, ExprKind, Pattern, Ty};
 
 use super::builder::{Builder, Witness, words};
 use super::slot::{Called, DslType, Seen, Slot};

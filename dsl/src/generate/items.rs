@@ -8,7 +8,8 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use bessemer_ir::tree::{self, Argument, Site, Ty};
+use bessemer_tree as tree;
+use bessemer_tree::{Argument, Site, Ty};
 
 use super::builder::{
     Arguments, Builder, Callee, Named, Said, Witness, owned, path, said, type_text, words,

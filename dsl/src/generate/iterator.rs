@@ -6,7 +6,8 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, Desugared, Together, Ty};
+use bessemer_tree as tree;
+use bessemer_tree::{Desugared, Together, Ty};
 
 use super::builder::{Builder, Callee};
 use super::companions::companions;

@@ -6,8 +6,10 @@
 use core::borrow::Borrow;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, MatrixMethod, MatrixPart};
-use bessemer_ir::{KernelRoutine, Routine};
+use bessemer_tree as tree;
+use bessemer_tree::operation::Routine;
+use bessemer_tree::routine::KernelRoutine;
+use bessemer_tree::{MatrixMethod, MatrixPart};
 use nalgebra::allocator::Allocator;
 use nalgebra::{
     Const, DefaultAllocator, DimAdd, DimDiff, DimMul, DimProd, DimSub, DimSum, OMatrix, SMatrix,

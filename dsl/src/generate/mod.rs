@@ -21,7 +21,7 @@ pub mod spatial;
 
 pub use alloc::string::String;
 pub use alloc::vec::Vec;
-pub use bessemer_ir::tree;
+pub use bessemer_tree as tree;
 pub use builder::{Builder, Callee, Defaults, Named, NoDefault, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
 pub use containers::mem;

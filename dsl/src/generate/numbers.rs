@@ -4,8 +4,9 @@
 
 use core::num::TryFromIntError;
 
-use bessemer_ir::Intrinsic;
-use bessemer_ir::tree::{self, ByteOrder, NumberMethod, Ty};
+use bessemer_tree as tree;
+use bessemer_tree::operation::Intrinsic;
+use bessemer_tree::{ByteOrder, NumberMethod, Ty};
 
 use super::builder::{Builder, Callee};
 use super::companions::{companions, markers};

@@ -11,7 +11,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, Callee, Implied, Ty};
+use bessemer_tree as tree;
+use bessemer_tree::{Callee, Implied, Ty};
 use nalgebra::SMatrix;
 
 use super::builder::{self, Builder};

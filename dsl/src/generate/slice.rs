@@ -3,7 +3,8 @@
 use core::array::TryFromSliceError;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, SliceMethod, Ty};
+use bessemer_tree as tree;
+use bessemer_tree::{SliceMethod, Ty};
 use nalgebra::SVector;
 
 use super::builder::{Builder, Callee};

@@ -4,8 +4,9 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, Ty};
-use bessemer_ir::{Float, Int, Scalar};
+use bessemer_tree as tree;
+use bessemer_tree::Ty;
+use bessemer_tree::number::{Float, Int, Scalar};
 use nalgebra::SMatrix;
 
 use super::builder::{Builder, Callee, Witness, words};

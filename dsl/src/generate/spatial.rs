@@ -8,8 +8,9 @@
 use alloc::boxed::Box;
 use alloc::format;
 
-use bessemer_ir::tree::{self, Parts, SpatialMethod, Ty};
-use bessemer_ir::{Float, Scalar};
+use bessemer_tree as tree;
+use bessemer_tree::number::{Float, Scalar};
+use bessemer_tree::{Parts, SpatialMethod, Ty};
 use nalgebra::{
     Complex, Const, Isometry3, OPoint, Point3, Quaternion, Rotation, Rotation2, Rotation3, SMatrix,
     SVector, Translation, Translation3, Unit, UnitQuaternion, UnitVector3, Vector3, Vector4,

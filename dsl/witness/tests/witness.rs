@@ -4,7 +4,7 @@
 #![cfg(feature = "generate")]
 
 use bessemer::generate::tree::{Callee, Expr, ExprKind, Function, Package, Role, Stmt, Ty};
-use bessemer_ir::{Float, Int, Scalar};
+use bessemer_tree::number::{Float, Int, Scalar};
 
 #[path = "witness/parts.rs"]
 mod parts;

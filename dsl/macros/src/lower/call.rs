@@ -7,7 +7,8 @@
 //!
 //! A companion returns what the function returns, and beside it, in a slot, which function it was.
 
-use bessemer_ir::tree::{self, EACH, ExprKind};
+use bessemer_tree as tree;
+use bessemer_tree::{EACH, ExprKind};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
@@ -149,7 +150,7 @@ fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
     }
     let of_type = refuse::named_type(&syn::Ident::new(owner, function.span()).into());
     // A companion of a number's type answers.
-    let answered = bessemer_ir::Scalar::from_name(owner).is_some();
+    let answered = bessemer_tree::number::Scalar::from_name(owner).is_some();
     of_type.or_else(|| refuse::library(&function.path).filter(|_| !answered))
 }
 

@@ -2,7 +2,8 @@
 //!
 //! The tree has a closure's body where it is called; the witness copy keeps the closure.
 
-use bessemer_ir::tree::{self, ExprKind, Start};
+use bessemer_tree as tree;
+use bessemer_tree::{ExprKind, Start};
 use proc_macro2::Span;
 use quote::quote;
 use syn::spanned::Spanned;

@@ -1,6 +1,7 @@
 //! Control flow: `if`, `match`, loops and how they are left.
 
-use bessemer_ir::tree::{self, ExprKind};
+use bessemer_tree as tree;
+use bessemer_tree::ExprKind;
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 

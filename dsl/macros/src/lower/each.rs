@@ -2,8 +2,9 @@
 //!
 //! The adaptors stay as they are in the witness copy; the names look at the types that they are given.
 
-use bessemer_ir::tree::{self, ExprKind, Grouping, Order};
-use bessemer_ir::{Int, Scalar};
+use bessemer_tree as tree;
+use bessemer_tree::number::{Int, Scalar};
+use bessemer_tree::{ExprKind, Grouping, Order};
 use syn::spanned::Spanned;
 
 use super::link::{Link, gives_references, is_range, is_source};

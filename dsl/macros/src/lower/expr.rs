@@ -1,7 +1,8 @@
 //! Expressions: which are values (seen by a slot), which are places, which the DSL does not take.
 
-use bessemer_ir::tree::{self, ExprKind, UnaryOp};
-use bessemer_ir::{Int, Scalar};
+use bessemer_tree as tree;
+use bessemer_tree::number::{Int, Scalar};
+use bessemer_tree::{ExprKind, UnaryOp};
 use quote::ToTokens;
 
 use super::link::is_source;

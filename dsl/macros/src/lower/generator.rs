@@ -7,7 +7,8 @@
 //!
 //! Invariants: the body of a function ends in the iterator, and nothing leaves it before.
 
-use bessemer_ir::tree::{self, EACH, ExprKind, NO_SLOT};
+use bessemer_tree as tree;
+use bessemer_tree::{EACH, ExprKind, NO_SLOT};
 use proc_macro2::Span;
 use quote::quote_spanned;
 use syn::parse_quote;

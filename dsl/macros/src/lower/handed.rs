@@ -3,7 +3,8 @@
 //! How many arguments a function takes rustc knows, and whether a name with a capital is that of a value or of what makes
 //! one. So the witness copy asks it for both, and the builder puts in the closure that calls the function.
 
-use bessemer_ir::tree::{self, ExprKind};
+use bessemer_tree as tree;
+use bessemer_tree::ExprKind;
 use quote::{quote, quote_spanned};
 use syn::parse_quote;
 use syn::spanned::Spanned;

@@ -2,7 +2,7 @@
 //!
 //! Must not know: types. A method of this name may be another's; then what it is called on is nothing to go through.
 
-use bessemer_ir::tree::Grouping;
+use bessemer_tree::Grouping;
 
 use super::names::text;
 use super::syntax::bare;

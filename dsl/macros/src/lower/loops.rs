@@ -4,7 +4,7 @@
 //! panics where another would begin, as the C reports a fault. `#[unroll(4)]` and `#[keep]` above a `for` ask it of C
 //! compilers: the native loop goes without.
 
-use bessemer_ir::tree::EACH;
+use bessemer_tree::EACH;
 use proc_macro2::Span;
 use quote::quote_spanned;
 use syn::visit::{self, Visit};

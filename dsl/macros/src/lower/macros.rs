@@ -2,7 +2,7 @@
 //!
 //! They, and the module `mem`, are taken for Rust's by their names: rustc is asked whether they are.
 
-use bessemer_ir::tree;
+use bessemer_tree as tree;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 

@@ -1,7 +1,7 @@
 //! Where a node stands, what it is called, and the names that builder and witness copy agree on.
 
-pub use bessemer_ir::tree::Site;
-use bessemer_ir::tree::{Expr, ExprKind};
+pub use bessemer_tree::Site;
+use bessemer_tree::{Expr, ExprKind};
 use quote::format_ident;
 use syn::ext::IdentExt;
 use syn::spanned::Spanned;

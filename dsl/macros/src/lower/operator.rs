@@ -8,7 +8,8 @@
 //! time that grows with the square of how deep what is still to be inferred nests, and a sum is as deep as it is long. Of a
 //! left operand rustc expects nothing, so that it infers the same.
 
-use bessemer_ir::tree::{self, BinaryOp, ExprKind};
+use bessemer_tree as tree;
+use bessemer_tree::{BinaryOp, ExprKind};
 use proc_macro2::Span;
 use quote::quote_spanned;
 

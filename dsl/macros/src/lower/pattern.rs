@@ -1,6 +1,6 @@
 //! Patterns: the simple names that parameters and `for` bind, and what `let`, `match` and assignments take apart.
 
-use bessemer_ir::tree;
+use bessemer_tree as tree;
 use proc_macro2::Span;
 use quote::{ToTokens, quote_spanned};
 use syn::Expr::{Array, Call, Infer, Paren, Range, Struct, Tuple};

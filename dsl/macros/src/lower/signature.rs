@@ -1,6 +1,6 @@
 //! Signatures and types, as far as syntax can tell what the DSL does not take.
 
-use bessemer_ir::tree::{NO_SLOT, Param};
+use bessemer_tree::{NO_SLOT, Param};
 use proc_macro2::Span;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;

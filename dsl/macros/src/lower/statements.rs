@@ -1,6 +1,6 @@
 //! Blocks and their statements: `let`, items, expressions for their effect.
 
-use bessemer_ir::tree;
+use bessemer_tree as tree;
 use quote::quote;
 use syn::parse_quote;
 

@@ -2,7 +2,7 @@
 //!
 //! Must not know: syntax. Each form is lowered in a file of its own.
 
-use bessemer_ir::tree;
+use bessemer_tree as tree;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 

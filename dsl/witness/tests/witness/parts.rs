@@ -6,7 +6,7 @@ use bessemer::generate::tree::Ty;
 use bessemer::prelude::*;
 
 use super::{F32, F64, function, int, lets};
-use bessemer_ir::Int;
+use bessemer_tree::number::Int;
 
 /// Names of every kind, each used far behind.
 #[function]

@@ -7,7 +7,7 @@ use bessemer::prelude::*;
 
 use super::{BOOL, F32, F64, function, int, lets, named, shared, signature};
 use bessemer::generate::tree::{DefinitionKind, Ty};
-use bessemer_ir::{Float, Int, Scalar};
+use bessemer_tree::number::{Float, Int, Scalar};
 
 /// What is inside.
 #[component]

@@ -98,6 +98,13 @@ pub struct Const {
     pub span: Span,
 }
 
+impl Const {
+    /// Its name with its module before it, as [`Given::sizes`] has it.
+    pub fn path(&self) -> String {
+        alloc::format!("{}::{}", self.module, self.name)
+    }
+}
+
 /// The type of a value.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Type {

@@ -5,10 +5,23 @@
 //! shadowing and scopes are resolved when the tree becomes IR.
 //!
 //! Must not know: what an operation means. That is the typifier's.
+//!
+//! Beside it stand the words that tree and IR have in common: [`number`], [`operation`], [`routine`], [`attributes`].
+//!
+//! Invariants: `no_std`; no nalgebra. What the DSL and its macros know of the compiler is here.
 
+#![no_std]
+
+extern crate alloc;
+
+pub mod attributes;
 mod build;
 mod builtin;
 mod data;
+pub mod number;
+pub mod operation;
+mod package;
+pub mod routine;
 pub mod visit;
 mod way;
 
@@ -23,6 +36,7 @@ use crate::number::Scalar;
 
 pub use builtin::*;
 pub use data::*;
+pub use package::*;
 pub use way::*;
 
 /// Reads a part of the tree that was written as JSON, which nests as deep as the author's expressions: the caller runs on a
@@ -38,76 +52,9 @@ pub fn read<'t, T: Deserialize<'t>>(text: &'t str) -> serde_json::Result<T> {
     Ok(part)
 }
 
-/// A package of models, as the compiler gets it.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Package {
-    /// The Rust package.
-    pub name: String,
-    /// Its licence, as its manifest has it.
-    pub license: String,
-    /// Types, each after those it is made of.
-    pub types: Vec<Definition>,
-    /// Functions, callees before callers.
-    pub functions: Vec<Function>,
-    /// The names that their author gave to instances of generic types.
-    #[serde(default)]
-    pub aliases: Vec<Alias>,
-    /// The constants and tables of which their author says more than their value.
-    #[serde(default)]
-    pub tables: Vec<Table>,
-    /// Functions that no call names: the types that they take say where they are called.
-    #[serde(default)]
-    pub implied: Vec<Implied>,
-    /// The generic components of its author's: each has C by its instances alone.
-    #[serde(default)]
-    pub templates: Vec<Template>,
-    /// The refusals of the builder itself.
-    pub errors: Vec<Refusal>,
-}
-
-/// A generic component.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Template {
-    /// The module that it stands in.
-    pub module: String,
-    /// The author's name.
-    pub name: String,
-    /// The source file, as rustc names it.
-    pub file: String,
-    /// Where its name stands.
-    pub site: Site,
-}
-
-/// An implementation of a trait that something else than its name calls: `PartialEq` by `==`, also of what the type
-/// is part of; `From` by `?`.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Implied {
-    /// The name of the trait.
-    pub of: String,
-    /// The type that it is implemented for.
-    pub owner: Ty,
-    /// The type that it is compared with, or made from.
-    pub other: Ty,
-    /// The path of the function.
-    pub function: String,
-}
-
 /// Line and column in a file, both from 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Site(pub u32, pub u32);
-
-/// Something that cannot be compiled, found while building.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Refusal {
-    /// The source file, as rustc names it.
-    pub file: String,
-    /// Where.
-    pub site: Site,
-    /// The mistake.
-    pub message: String,
-    /// The remedy.
-    pub remedy: String,
-}
 
 /// A type as rustc decided it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -1,9 +1,8 @@
-//! The two forms that a model passes through between Rust and C.
+//! The typed form between the author's tree and C.
 //!
-//! * [`tree`]: what the attribute macros hand on. The author's syntax, untyped; beside it the types
-//!   that rustc gave to each witness slot.
 //! * [`ir`]: typed, names resolved, places explicit, control flow as statements. The interpreter and
 //!   the C back end read nothing else. [`text`] prints it and parses it back.
+//! * [`tree`]: the form before it, which the DSL hands on, for whoever reads both.
 //!
 //! Invariants: `no_std`; no nalgebra; nothing here knows Rust's front end or C.
 
@@ -11,21 +10,19 @@
 
 extern crate alloc;
 
-pub mod attributes;
 mod build;
 mod canonical;
 mod data;
 mod enums;
 pub mod ir;
 pub mod kernel;
-pub mod number;
-pub mod operation;
 pub mod text;
-pub mod tree;
 pub mod visit;
 pub mod words;
 
-pub use attributes::{Attributes, Given, Inlining, Range};
+pub use bessemer_tree as tree;
+pub use bessemer_tree::attributes::{self, Attributes, Given, Inlining, Range};
+pub use bessemer_tree::number::{self, Float, Int, Scalar};
+pub use bessemer_tree::operation;
 pub use ir::*;
 pub use kernel::{Kernel, KernelRoutine};
-pub use number::{Float, Int, Scalar};

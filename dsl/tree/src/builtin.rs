@@ -7,8 +7,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::kernel::KernelRoutine;
 use crate::operation::{Intrinsic, Routine};
+use crate::routine::KernelRoutine;
 
 macro_rules! builtins {
     ($($(#[$doc:meta])* $name:ident { $($(#[$of:meta])* $variant:ident $(($($held:ty),*))?,)* })*) => {$(

@@ -7,8 +7,7 @@ use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
-use crate::ir::Const;
-use crate::tree::Site;
+use crate::Site;
 
 /// The author's attributes of a type, a variant, a field, a parameter or a table: `#[c(…)]`, `#[unit("…")]`, `#[range(…)]`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -61,13 +60,6 @@ impl Range {
     /// The greatest number.
     pub fn high(self) -> f64 {
         f64::from_bits(self.high)
-    }
-}
-
-impl Const {
-    /// Its name with its module before it, as [`Given::sizes`] has it.
-    pub fn path(&self) -> String {
-        alloc::format!("{}::{}", self.module, self.name)
     }
 }
 
