@@ -2,7 +2,8 @@
 //!
 //! A key is a hash of everything that decides what is made; so what is found is what would be made. Where nothing may be
 //! left out (`BESSEMER_FULL`) nothing is found, and nothing stored. `BESSEMER_STORE` names another folder than the workspace's
-//! target folder: a copy of the workspace finds there what the workspace made.
+//! target folder: a copy of the workspace finds there what the workspace made. It stores nothing there, since what it makes
+//! may name files of the copy.
 //!
 //! Invariant: what is stored appears whole or not at all.
 //!
@@ -29,9 +30,13 @@ pub fn place(kind: &str, content: &impl Hash) -> Option<PathBuf> {
     if std::env::var_os("BESSEMER_FULL").is_some() || !root().join("Cargo.toml").exists() {
         return None;
     }
-    let own = || root().join("target");
-    let folder = std::env::var_os("BESSEMER_STORE").map_or_else(own, PathBuf::from);
+    let folder = lent().unwrap_or_else(|| root().join("target"));
     Some(folder.join(kind).join(name(content)))
+}
+
+/// The store of another workspace.
+fn lent() -> Option<PathBuf> {
+    std::env::var_os("BESSEMER_STORE").map(PathBuf::from)
 }
 
 /// A name that moves with the content.
@@ -44,11 +49,14 @@ pub fn fetch(stored: &Path, made: &Path) -> bool {
     std::fs::copy(stored, made).is_ok()
 }
 
-/// Stores what was made.
+/// Stores what was made, unless the store is another's.
 ///
 /// # Errors
 /// An error of the file system.
 pub fn store(made: &Path, stored: &Path) -> std::io::Result<()> {
+    if lent().is_some() {
+        return Ok(());
+    }
     let folder = stored.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder)?;
     let fresh = tempfile::Builder::new().tempfile_in(folder)?;

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::time::SystemTime;
 
-use crate::{name, place, root, version};
+use crate::{lent, name, place, root, version};
 
 /// Makes a check, unless it has passed with the same content. `content` is all that the compiler made for it; `title`
 /// tells it from other checks of the same content.
@@ -30,7 +30,7 @@ pub fn once(title: &str, content: &impl Hash, check: impl FnOnce()) {
     }
     check();
     // That it cannot be stored costs the next run its time, and nothing else.
-    if let Some(stored) = stored {
+    if let Some(stored) = stored.filter(|_| lent().is_none()) {
         let _ = stored.parent().map(std::fs::create_dir_all);
         let _ = std::fs::write(stored, title);
     }
@@ -130,7 +130,7 @@ mod tests {
 
     #[test]
     fn what_passed_is_not_asked_again_and_what_failed_is() {
-        if std::env::var_os("BESSEMER_FULL").is_some() || SURROUNDINGS.is_none() {
+        if place("passed", &()).is_none() || lent().is_some() || SURROUNDINGS.is_none() {
             return;
         }
         // Another content in each run: what is stored stays.

@@ -145,7 +145,9 @@ impl Trials {
     /// # Errors
     /// If there is no such mutant, or no copy.
     pub fn of(root: &Path, wanted: &Mutate) -> Result<Trials, Error> {
-        let chosen = chosen(Mutant::all(root)?, wanted)?;
+        let mut chosen = chosen(Mutant::all(root)?, wanted)?;
+        // The tests beside it make the trees of their packages first, which the copy finds then.
+        chosen.sort_by_key(Mutant::needs_trees);
         Ok(Trials { root: root.to_owned(), chosen, sandbox: Sandbox::of(root)? })
     }
 

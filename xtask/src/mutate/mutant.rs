@@ -84,6 +84,12 @@ impl Mutant {
         Ok(Mutant { name, patch: patch.to_owned(), what: what.to_owned(), killed_by, changed })
     }
 
+    /// Whether the test that finds it compiles the tests' packages.
+    #[must_use]
+    pub fn needs_trees(&self) -> bool {
+        self.killed_by.as_ref().is_some_and(|command| command.contains("--test all"))
+    }
+
     /// The packages whose sources it changes, by the names in their manifests.
     #[must_use]
     pub fn packages(&self, root: &Path) -> Vec<String> {
