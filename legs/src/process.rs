@@ -50,7 +50,7 @@ pub fn lay_out(compiled: &Compiled) -> Result<Folder, Error> {
     lay_out_files(&compiled.files)
 }
 
-fn lay_out_files(files: &[CFile]) -> Result<Folder, Error> {
+fn lay_out_files<'f>(files: impl IntoIterator<Item = &'f CFile>) -> Result<Folder, Error> {
     let folder = tempfile::tempdir()?;
     let mut sources = Vec::new();
     for file in files {
@@ -64,17 +64,21 @@ fn lay_out_files(files: &[CFile]) -> Result<Folder, Error> {
     Ok(Folder { folder, sources })
 }
 
-/// The same, with the sources that a program needs.
+/// The same of the C that a program needs: hundreds of files take a file system longer than they take a compiler.
 ///
 /// # Errors
 /// An error of the file system.
 pub fn lay_out_needed(files: &[CFile], main: &str) -> Result<Folder, Error> {
-    let mut folder = lay_out_files(files)?;
     let needed = needed(files, main);
-    folder.sources.retain(|source| {
-        source.file_stem().is_some_and(|stem| needed.contains(&*stem.to_string_lossy()))
-    });
-    Ok(folder)
+    lay_out_files(files.iter().filter(|file| stem(file).is_some_and(|it| needed.contains(it))))
+}
+
+/// The name without extension of a file of C.
+fn stem(file: &CFile) -> Option<&str> {
+    match file.name.rsplit_once('.') {
+        Some((stem, "c" | "h")) => Some(last(stem)),
+        _ => None,
+    }
 }
 
 impl Folder {
@@ -250,8 +254,8 @@ impl Process {
 fn needed<'f>(files: &'f [CFile], main: &str) -> BTreeSet<&'f str> {
     let mut texts: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for file in files {
-        if let Some((stem, "c" | "h")) = file.name.rsplit_once('.') {
-            texts.entry(last(stem)).or_default().push(&file.text);
+        if let Some(stem) = stem(file) {
+            texts.entry(stem).or_default().push(&file.text);
         }
     }
     let mut needed = BTreeSet::new();

@@ -5,7 +5,7 @@
 
 use std::thread;
 
-use bessemer_tests::process::lay_out;
+use bessemer_tests::process::lay_out_needed;
 use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain, run};
 use bessemer_tests::{corpus, texts, turn};
@@ -62,10 +62,10 @@ fn holds(toolchain: &Toolchain, flags: &[&str], then: Then, cases: &[Case]) {
     match then {
         Same => run_c(corpus(), cases, toolchain, flags),
         Refused(why) => once(why, &(texts(&corpus().files), flags, toolchain.name()), || {
-            let folder = lay_out(corpus()).expect("the C");
-            let named = |name: &str| folder.path().join(name);
+            let program = "#include \"told_compilers.h\"\n";
+            let folder = lay_out_needed(&corpus().files, program).expect("the C");
             let mut command = toolchain.command();
-            command.args(flags).arg("-fsyntax-only").arg(named("told_compilers.c"));
+            command.args(flags).arg("-fsyntax-only").arg(folder.path().join("told_compilers.c"));
             let said = run(&mut command).expect_err(&format!("{}: {flags:?}", toolchain.name()));
             assert!(said.contains(why), "{}: {flags:?}: {said}", toolchain.name());
         }),
