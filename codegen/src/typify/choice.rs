@@ -53,6 +53,7 @@ impl Lowering<'_, '_> {
         }
         let value = self.value(scrutinee, None)?;
         let by_number = value.ty.is_word() && !matches!(value.ty, Type::Scalar(Scalar::Float(_)));
+        let by_number = by_number && !arms.iter().any(|arm| names_twice(&arm.pattern));
         if by_number && !self.lends_the_whole(arms)? {
             return self.number_arms(value, arms, target, span);
         }
@@ -65,9 +66,9 @@ impl Lowering<'_, '_> {
     /// Whether an arm has a name through which all that is matched can be written.
     fn lends_the_whole(&self, arms: &[tree::Arm]) -> Result<bool> {
         for arm in arms {
-            if let Pattern::Name { slot, .. } = &arm.pattern
-                && *slot != NO_SLOT
-                && self.slot_is_exclusive(*slot, arm.site)?
+            if let Some(slot) = slot_of_whole(&arm.pattern)
+                && slot != NO_SLOT
+                && self.slot_is_exclusive(slot, arm.site)?
             {
                 return Ok(true);
             }
@@ -388,12 +389,32 @@ fn split(pattern: &Pattern) -> (Option<(&str, bool)>, Vec<&Pattern>) {
             (Some((name, *mutable)), values)
         }
         Pattern::Or(cases) => {
+            // `x @ 1 | x @ 2`: each gives the same name.
+            let binding = cases.first().and_then(|case| split(case).0);
             let cases: Vec<_> = cases.iter().map(|case| split(case).1).collect();
             // `1 | _` is `_`.
             let any = cases.iter().any(Vec::is_empty);
-            (None, if any { Vec::new() } else { cases.concat() })
+            (binding, if any { Vec::new() } else { cases.concat() })
         }
         other => (None, vec![other]),
+    }
+}
+
+/// The slot of the name that a pattern gives to all that is matched.
+fn slot_of_whole(pattern: &Pattern) -> Option<u32> {
+    match pattern {
+        Pattern::Name { slot, .. } => Some(*slot),
+        Pattern::Or(cases) => cases.first().and_then(slot_of_whole),
+        _ => None,
+    }
+}
+
+/// Whether a pattern of a number gives it more names than one: `x @ (y @ 1)`.
+fn names_twice(pattern: &Pattern) -> bool {
+    match pattern {
+        Pattern::Name { inner, .. } => inner.as_deref().is_some_and(has_names),
+        Pattern::Or(cases) => cases.iter().any(names_twice),
+        _ => false,
     }
 }
 
