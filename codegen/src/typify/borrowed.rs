@@ -66,6 +66,17 @@ impl Lenders {
     pub fn of(&self, spot: &Spot) -> Option<Place> {
         self.known.iter().find(|it| it.0 == *spot).map(|it| it.1.clone())
     }
+
+    /// How much is to be asked yet.
+    pub fn open(&self) -> [usize; 2] {
+        [self.awaited.len(), self.copied.len()]
+    }
+
+    /// Forgets what came to be asked since, of what is dropped.
+    pub fn forget(&mut self, [awaited, copied]: [usize; 2]) {
+        self.awaited.truncate(awaited);
+        self.copied.truncate(copied);
+    }
 }
 
 /// The slice that another one is a copy of, and where it was copied.

@@ -412,11 +412,15 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Gives those names of a condition a copy at once that what follows in it may lend to be changed.
-    pub(super) fn keep_changeable(&mut self, names: &mut Vec<Named>) -> Result<()> {
+    /// Gives those names of a condition a copy at once that what follows in it may change, or may write what they stand for.
+    pub(super) fn copy_names(
+        &mut self,
+        names: &mut Vec<Named>,
+        changes: impl Fn(&Named) -> bool,
+    ) -> Result<()> {
         let mut kept = Vec::new();
         for named in std::mem::take(names) {
-            match named.mutable && matches!(named.stands, Value::Place(_)) {
+            match changes(&named) && matches!(named.stands, Value::Place(_)) {
                 true => self.bind_names(&[named])?,
                 false => kept.push(named),
             }
