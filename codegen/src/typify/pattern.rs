@@ -17,6 +17,7 @@ use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::is_settled;
 use super::value::{Named, Value};
+use super::words;
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
@@ -66,7 +67,8 @@ impl Lowering<'_, '_> {
                 let next = self.settling(
                     |inner| inner.subject(part),
                     |inner, _, later| {
-                        subjects.iter_mut().for_each(|it| inner.settle_subject(it, later));
+                        let before = subjects.iter_mut().zip(parts);
+                        before.for_each(|(it, part)| inner.settle_subject(it, part, later));
                     },
                 )?;
                 subjects.push(next);
@@ -135,20 +137,66 @@ impl Lowering<'_, '_> {
         Value::Place(place)
     }
 
-    /// Copies what the statements to come could change.
-    fn settle_subject(&mut self, subject: &mut Value, later: &[Stmt]) {
-        match subject {
-            Value::Tuple(parts, _) => {
-                parts.iter_mut().for_each(|part| self.settle_subject(part, later));
+    /// Copies what the statements to come could change; of what is lent, where it is.
+    fn settle_subject(&mut self, subject: &mut Value, expr: &tree::Expr, later: &[Stmt]) {
+        self.each_subject(subject, expr, &mut |inner, place, lent| {
+            let value = place.load();
+            if lent {
+                inner.settle_place(place, later);
+            } else if !later.is_empty() && !is_settled(&value, later) {
+                *place = inner.temporary_place(words::SELECTOR, value);
             }
-            Value::Place(place) => {
-                let value = place.load();
-                if !later.is_empty() && !is_settled(&value, later) {
-                    *place = self.temporary_place("selector", value);
+        });
+    }
+
+    /// Copies those parts of a subject that are values in places which something writes.
+    pub(super) fn copy_subject(
+        &mut self,
+        subject: &mut Value,
+        expr: &tree::Expr,
+        written: &[Place],
+    ) {
+        self.each_subject(subject, expr, &mut |inner, place, lent| {
+            if !lent && written.iter().any(|written| effects::overlap(place, written)) {
+                *place = inner.temporary_place(words::SELECTOR, place.load());
+            }
+        });
+    }
+
+    /// Does something with each place of a subject, and whether it is lent; all else is another name for what is there,
+    /// whatever becomes of it.
+    fn each_subject(
+        &mut self,
+        subject: &mut Value,
+        expr: &tree::Expr,
+        act: &mut dyn FnMut(&mut Self, &mut Place, bool),
+    ) {
+        match (subject, &expr.kind) {
+            (Value::Tuple(parts, _), Tree::Tuple(exprs)) => {
+                for (part, expr) in parts.iter_mut().zip(exprs) {
+                    self.each_subject(part, expr, act);
                 }
             }
-            // Another name for what is there, whatever becomes of it.
+            (Value::Tuple(parts, _), _) => {
+                parts.iter_mut().for_each(|part| self.each_subject(part, expr, act));
+            }
+            (Value::Place(place), _) => {
+                let lent = self.is_lent(expr);
+                act(self, place, lent);
+            }
             _ => {}
+        }
+    }
+
+    /// Whether an expression lends a place, and is no value.
+    fn is_lent(&self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            Tree::Ref(..) => true,
+            // Another name for a place is a reference to it.
+            Tree::Local(name) => {
+                matches!(self.lookup(name, expr.site), Ok(Value::Place(_)))
+            }
+            _ => matches!(self.seen_as(expr), Some(tree::Ty::Ref(..))),
         }
     }
 
