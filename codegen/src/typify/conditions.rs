@@ -8,7 +8,7 @@ use bessemer_ir::{
 
 use super::Result;
 use super::lowering::Lowering;
-use super::value::{Named, Value};
+use super::value::Named;
 use crate::effects;
 
 impl Lowering<'_, '_> {
@@ -54,10 +54,12 @@ impl Lowering<'_, '_> {
         let written = [effects::writes(&stmts), effects::lent(&value)].concat();
         let mut changed = Vec::new();
         for (at, named) in names[..known].iter().enumerate() {
-            let writes = |place| written.iter().any(|written| effects::overlap(place, written));
+            let writes =
+                |place: &Place| written.iter().any(|written| effects::overlap(place, written));
             // Nothing reads one behind another of its name.
             let hidden = names[at + 1..known].iter().any(|it| it.name == named.name);
-            if matches!(&named.stands, Value::Place(place) if !hidden && writes(place))
+            if !hidden
+                && named.copied_from().is_some_and(writes)
                 && named.slot != NO_SLOT
                 && !self.slot_is_reference(named.slot, named.site)?
             {

@@ -468,7 +468,7 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let mut kept = Vec::new();
         for named in std::mem::take(names) {
-            match changes(&named) && matches!(named.stands, Value::Place(_)) {
+            match changes(&named) && named.copied_from().is_some() {
                 true => self.bind_names(&[named])?,
                 false => kept.push(named),
             }
