@@ -108,6 +108,11 @@ impl Lowering<'_, '_> {
                 kept.push(stmt);
                 continue;
             };
+            // Where a block is left, nothing is declared.
+            if self.frames.iter().any(|frame| frame.mark == Some(local)) {
+                kept.push(Stmt { kind: StmtKind::Let { local, value }, span, comments });
+                continue;
+            }
             let ty = self.locals[local.index()].ty.clone();
             let first = Some(self.zero(&ty, span));
             self.emit(StmtKind::Let { local, value: first }, span);
