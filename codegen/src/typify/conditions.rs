@@ -58,10 +58,10 @@ impl Lowering<'_, '_> {
                 |place: &Place| written.iter().any(|written| effects::overlap(place, written));
             // Nothing reads one behind another of its name.
             let hidden = names[at + 1..known].iter().any(|it| it.name == named.name);
-            if !hidden
-                && named.copied_from().is_some_and(writes)
+            if let Some(place) = named.copied_from().filter(|place| !hidden && writes(place))
                 && named.slot != NO_SLOT
-                && !self.slot_is_reference(named.slot, named.site)?
+                && (self.is_borrowed(named, place)?
+                    || !self.slot_is_reference(named.slot, named.site)?)
             {
                 changed.push(named.slot);
             }
@@ -115,7 +115,8 @@ impl Lowering<'_, '_> {
             }
             let ty = self.locals[local.index()].ty.clone();
             let first = Some(self.zero(&ty, span));
-            self.emit(StmtKind::Let { local, value: first }, span);
+            // Whose elements the slices in it are is known from where it was lowered.
+            self.out.push(Stmt::new(StmtKind::Let { local, value: first }, span));
             let place = Place::local(local, ty, span);
             let assign = value.map(|value| StmtKind::Assign { place, value });
             kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
