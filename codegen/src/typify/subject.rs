@@ -1,4 +1,4 @@
-//! What is matched: a value that is held, a place, or the parts of a tuple that is never made.
+//! What is matched, or given to a closure: a value that is held, a place, or the parts of a tuple that is never made.
 //!
 //! Invariant: a part that is a value stays what it was where it stood, whatever later parts, or guards, write; one that is a
 //! reference stays one.
