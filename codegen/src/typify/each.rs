@@ -44,7 +44,11 @@ impl Lowering<'_, '_> {
         for part in parts {
             match self.numbers(part, seqs.len())? {
                 Some(found) => numbers.push(found),
-                None => seqs.push(self.seq(part, site)?),
+                None => {
+                    let mut seq = self.seq(part, site)?;
+                    seq.slice = self.gone_through_kept(seq.slice, &part.pattern);
+                    seqs.push(seq);
+                }
             }
         }
         if let Some(around) = seqs.iter().find(|it| it.is_around())
