@@ -66,6 +66,20 @@ impl Lenders {
     pub fn of(&self, spot: &Spot) -> Option<Place> {
         self.known.iter().find(|it| it.0 == *spot).map(|it| it.1.clone())
     }
+
+    /// How much is to be asked yet, and whether a slice was refused.
+    pub fn open(&self) -> (usize, usize, bool) {
+        (self.awaited.len(), self.copied.len(), self.problem.is_some())
+    }
+
+    /// Forgets what came to be asked since, or was refused, of what is dropped.
+    pub fn forget(&mut self, (awaited, copied, refused): (usize, usize, bool)) {
+        self.awaited.truncate(awaited);
+        self.copied.truncate(copied);
+        if !refused {
+            self.problem = None;
+        }
+    }
 }
 
 /// The slice that another one is a copy of, and where it was copied.

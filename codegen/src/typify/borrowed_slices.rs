@@ -153,12 +153,14 @@ impl Lowering<'_, '_> {
             let at = if index < before {
                 plus(slice.from.clone(), Expr::usize(index as u64, span))
             } else if Some(index) == rest {
-                if let tree::Pattern::Name { name, slot, .. } = pattern {
+                if let tree::Pattern::Name { name, slot, mutable, .. } = pattern {
                     let begun = slice.behind(Expr::usize(before as u64, span));
                     let length = minus(begun.length.clone(), Expr::usize(behind as u64, span));
                     let part = begun.part(Expr::usize(0, span), length);
                     let stands = Value::Slice(Box::new(part));
-                    all = all.and(Test::named(name, *slot, stands, site));
+                    let mut named = Test::named(name, *slot, stands, site);
+                    named.names[0].mutable = *mutable;
+                    all = all.and(named);
                 }
                 continue;
             } else {
@@ -194,7 +196,7 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         if slot == NO_SLOT || self.slot_is_reference(slot, site)? {
-            let part = self.kept_elements(part.clone());
+            let part = self.kept_elements(part.clone(), slot, site)?;
             self.bind(name, Value::Slice(Box::new(part)));
             return Ok(());
         }

@@ -1,9 +1,11 @@
 //! `match`: a list of cases where the arms name few values, else conditions one after the other.
 
+use std::cell::RefCell;
+
 use bessemer_ir::tree::visit::{Bound, Visit};
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Int, LogicOp, Scalar, Span, StmtKind, StructId, Type,
+    Arm, Block, Expr, ExprKind, Int, LogicOp, Place, Scalar, Span, StmtKind, StructId, Type,
 };
 
 use super::conditions::within_any;
@@ -12,6 +14,7 @@ use super::pattern::Test;
 use super::value::Value;
 use super::words;
 use super::{Result, problem};
+use crate::effects;
 
 /// An arm with more values than this is told by their ends.
 const LISTED: i128 = 8;
@@ -49,25 +52,26 @@ impl Lowering<'_, '_> {
             _ => self.lent(scrutinee)?,
         };
         if let Some(subject) = subject {
-            return self.subject_arms(&subject, arms, target, span);
+            return self.subject_arms((subject, scrutinee), arms, target, span);
         }
         let value = self.value(scrutinee, None)?;
         let by_number = value.ty.is_word() && !matches!(value.ty, Type::Scalar(Scalar::Float(_)));
+        let by_number = by_number && !arms.iter().any(|arm| names_twice(&arm.pattern));
         if by_number && !self.lends_the_whole(arms)? {
-            return self.number_arms(value, arms, target, span);
+            return self.number_arms((value, scrutinee), arms, target, span);
         }
         let before = self.locals.len();
         let subject = self.value_subject(value);
         self.name_held(&subject, before, arms.iter().map(|arm| &arm.pattern));
-        self.subject_arms(&subject, arms, target, span)
+        self.subject_arms((subject, scrutinee), arms, target, span)
     }
 
     /// Whether an arm has a name through which all that is matched can be written.
     fn lends_the_whole(&self, arms: &[tree::Arm]) -> Result<bool> {
         for arm in arms {
-            if let Pattern::Name { slot, .. } = &arm.pattern
-                && *slot != NO_SLOT
-                && self.slot_is_exclusive(*slot, arm.site)?
+            if let Some(slot) = slot_of_whole(&arm.pattern)
+                && slot != NO_SLOT
+                && self.slot_is_exclusive(slot, arm.site)?
             {
                 return Ok(true);
             }
@@ -78,7 +82,7 @@ impl Lowering<'_, '_> {
     /// Arms that compare a number: a list of cases, unless one has a guard or takes many values.
     fn number_arms(
         &mut self,
-        mut value: Expr,
+        (mut value, scrutinee): (Expr, &tree::Expr),
         arms: &[tree::Arm],
         target: Option<&Target>,
         span: Span,
@@ -94,7 +98,8 @@ impl Lowering<'_, '_> {
             taken.ranges.iter().map(|(low, high)| high - low + 1).sum::<i128>() > LISTED
         };
         let chained = arms.iter().any(|arm| arm.guard.is_some()) || taken.iter().any(wide);
-        if name.is_some() || chained && !is_still(&value) {
+        let still = is_still(&value) && is_place(scrutinee);
+        if name.is_some() || chained && !still {
             value = self.let_local(name.unwrap_or(words::SELECTOR), value).load();
         }
         if chained {
@@ -152,26 +157,54 @@ impl Lowering<'_, '_> {
     /// conditions one after the other.
     fn subject_arms(
         &mut self,
-        subject: &Value,
+        (mut subject, scrutinee): (Value, &tree::Expr),
         arms: &[tree::Arm],
         target: Option<&Target>,
         span: Span,
     ) -> Result<()> {
         let arms: Vec<tree::Arm> = arms.iter().flat_map(spread).collect();
-        if let Some((tag, listed)) = self.variants(subject, &arms) {
+        if let Some((tag, listed)) = self.variants(&subject, &arms) {
             let (cases, otherwise) = self.cases(listed.into_iter().zip(&arms), |inner, arm| {
-                inner.bind_pattern(&arm.pattern, subject, arm.site)?;
+                inner.bind_pattern(&arm.pattern, &subject, arm.site)?;
                 inner.lowered(&arm.body, target)
             })?;
             self.emit_cases(tag, cases, otherwise, span);
             return Ok(());
         }
-        self.chain(&arms, span, &|inner, arm, last| {
+        let open = self.lenders.open();
+        let (written, stmts) =
+            self.apart(|inner| inner.subject_chain(&subject, &arms, target, span))?;
+        let mark = self.out.len();
+        self.copy_subject(&mut subject, scrutinee, &written);
+        if self.out.len() == mark {
+            self.out.extend(stmts);
+            return Ok(());
+        }
+        // A guard writes what the subject was computed from: the arms are lowered anew, and look at a copy.
+        self.lenders.forget(open);
+        self.subject_chain(&subject, &arms, target, span).map(drop)
+    }
+
+    /// Arms as conditions; gives what their guards write.
+    fn subject_chain(
+        &mut self,
+        subject: &Value,
+        arms: &[tree::Arm],
+        target: Option<&Target>,
+        span: Span,
+    ) -> Result<Vec<Place>> {
+        let written = RefCell::new(Vec::new());
+        self.chain(arms, span, &|inner, arm, last| {
             let mut test = inner.test(&arm.pattern, subject, arm.site)?;
+            let mark = inner.out.len();
             match last {
                 true => test.condition = None,
                 false => inner.guard(&mut test, arm.guard.as_ref(), None)?,
             }
+            let mut written = written.borrow_mut();
+            written.extend(effects::writes(&inner.out[mark..]));
+            written.extend(test.condition.iter().flat_map(effects::lent));
+            drop(written);
             let then = inner.scoped(|inner| {
                 inner.bind_names(&test.names)?;
                 inner.lowered(&arm.body, target)
@@ -181,7 +214,8 @@ impl Lowering<'_, '_> {
                 test.condition,
                 if arm.guard.is_some() { super::pattern::used(then) } else { then },
             ))
-        })
+        })?;
+        Ok(written.into_inner())
     }
 
     /// Adds a guard to the test of a pattern, whose names stand for their places in it; `site`: where the whole stands, if
@@ -388,12 +422,32 @@ fn split(pattern: &Pattern) -> (Option<(&str, bool)>, Vec<&Pattern>) {
             (Some((name, *mutable)), values)
         }
         Pattern::Or(cases) => {
+            // `x @ 1 | x @ 2`: each gives the same name.
+            let binding = cases.first().and_then(|case| split(case).0);
             let cases: Vec<_> = cases.iter().map(|case| split(case).1).collect();
             // `1 | _` is `_`.
             let any = cases.iter().any(Vec::is_empty);
-            (None, if any { Vec::new() } else { cases.concat() })
+            (binding, if any { Vec::new() } else { cases.concat() })
         }
         other => (None, vec![other]),
+    }
+}
+
+/// The slot of the name that a pattern gives to all that is matched.
+fn slot_of_whole(pattern: &Pattern) -> Option<u32> {
+    match pattern {
+        Pattern::Name { slot, .. } => Some(*slot),
+        Pattern::Or(cases) => cases.first().and_then(slot_of_whole),
+        _ => None,
+    }
+}
+
+/// Whether a pattern of a number gives it more names than one: `x @ (y @ 1)`.
+fn names_twice(pattern: &Pattern) -> bool {
+    match pattern {
+        Pattern::Name { inner, .. } => inner.as_deref().is_some_and(has_names),
+        Pattern::Or(cases) => cases.iter().any(names_twice),
+        _ => false,
     }
 }
 
@@ -436,4 +490,14 @@ fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
 /// Whether a value can be read again, and is the same while the arms are tried.
 fn is_still(value: &Expr) -> bool {
     matches!(&value.kind, ExprKind::Load(place) if place.steps.iter().all(super::order::is_fixed))
+}
+
+/// Whether an expression names a place, which Rust lets no guard write.
+fn is_place(expr: &tree::Expr) -> bool {
+    use tree::ExprKind as Tree;
+    match &expr.kind {
+        Tree::Field(inner, _) | Tree::Index(inner, _) => is_place(inner),
+        Tree::Local(_) | Tree::Deref(_) | Tree::Ref(..) => true,
+        _ => false,
+    }
 }

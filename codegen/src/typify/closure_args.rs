@@ -233,11 +233,20 @@ impl<'a> Lowering<'a, '_> {
         let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);
-        let pairs = closure.parameters.iter().zip(arguments);
-        let subjects = pairs.map(|(parameter, argument)| {
-            self.argument_for(parameter, argument, &handed, (name == tree::EACH, site))
-        });
-        let subjects = subjects.collect::<Result<Vec<_>>>()?;
+        let mut subjects: Vec<Value> = Vec::new();
+        for (parameter, argument) in closure.parameters.iter().zip(arguments) {
+            let each = name == tree::EACH;
+            let next = self.settling(
+                |inner| inner.argument_for(parameter, argument, &handed, (each, site)),
+                |inner, _, later| {
+                    let (before, written) = (subjects.iter_mut(), effects::writes(later));
+                    for (it, argument) in before.zip(arguments) {
+                        inner.copy_subject(it, argument, &written);
+                    }
+                },
+            )?;
+            subjects.push(next);
+        }
         self.in_scope_of(&handed, None, site, |inner| {
             inner.bind_arguments(closure, &subjects, stays)?;
             match &handed.outermost {

@@ -1,7 +1,7 @@
 //! Conditions: those with patterns in them (`if let Some(x) = … && x > 0`), `&&` whose right side needs statements, and
 //! whether a value lies between two others.
 
-use bessemer_ir::tree::{self, ExprKind as Tree};
+use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, LogicOp, Place, Span, Stmt, StmtKind, Type, UnaryOp,
 };
@@ -9,6 +9,7 @@ use bessemer_ir::{
 use super::Result;
 use super::lowering::Lowering;
 use super::value::Named;
+use crate::effects;
 
 impl Lowering<'_, '_> {
     /// A condition with patterns in it; its names stand for their places from here on.
@@ -30,13 +31,50 @@ impl Lowering<'_, '_> {
             }
             Tree::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
                 let left = self.pattern_condition(left, names)?;
-                self.and_then(left, |inner| {
-                    inner.keep_changeable(names)?;
-                    inner.pattern_condition(right, names)
-                })
+                self.and_then(left, |inner| inner.further_condition(right, names))
             }
             _ => self.value(expr, Some(&Type::BOOL)),
         }
+    }
+
+    /// The same of what stands behind others, which gave `names`. Those of values that it writes are copied before it; the
+    /// others stand for their places until all of the condition is known.
+    pub(super) fn further_condition(
+        &mut self,
+        expr: &tree::Expr,
+        names: &mut Vec<Named>,
+    ) -> Result<Expr> {
+        if names.is_empty() {
+            return self.pattern_condition(expr, names);
+        }
+        self.copy_names(names, |named| named.mutable)?;
+        let known = names.len();
+        let open = self.lenders.open();
+        let (value, stmts) = self.apart(|inner| inner.pattern_condition(expr, names))?;
+        let written = [effects::writes(&stmts), effects::lent(&value)].concat();
+        let mut changed = Vec::new();
+        for (at, named) in names[..known].iter().enumerate() {
+            let writes =
+                |place: &Place| written.iter().any(|written| effects::overlap(place, written));
+            // Nothing reads one behind another of its name.
+            let hidden = names[at + 1..known].iter().any(|it| it.name == named.name);
+            if let Some(place) = named.copied_from().filter(|place| !hidden && writes(place))
+                && named.slot != NO_SLOT
+                && (self.is_borrowed(named, place)?
+                    || !self.slot_is_reference(named.slot, named.site)?)
+            {
+                changed.push(named.slot);
+            }
+        }
+        if changed.is_empty() {
+            self.out.extend(stmts);
+            return Ok(value);
+        }
+        // It is lowered anew, and reads the copies.
+        self.lenders.forget(open);
+        names.truncate(known);
+        self.copy_names(names, |named| changed.contains(&named.slot))?;
+        self.pattern_condition(expr, names)
     }
 
     /// Emits the branches of a pattern, or the one that is taken where the lengths alone decide.
@@ -70,9 +108,15 @@ impl Lowering<'_, '_> {
                 kept.push(stmt);
                 continue;
             };
+            // Where a block is left, nothing is declared.
+            if self.frames.iter().any(|frame| frame.mark == Some(local)) {
+                kept.push(Stmt { kind: StmtKind::Let { local, value }, span, comments });
+                continue;
+            }
             let ty = self.locals[local.index()].ty.clone();
             let first = Some(self.zero(&ty, span));
-            self.emit(StmtKind::Let { local, value: first }, span);
+            // Whose elements the slices in it are is known from where it was lowered.
+            self.out.push(Stmt::new(StmtKind::Let { local, value: first }, span));
             let place = Place::local(local, ty, span);
             let assign = value.map(|value| StmtKind::Assign { place, value });
             kept.extend(assign.map(|kind| Stmt { kind, span, comments }));

@@ -78,7 +78,7 @@ impl Lowering<'_, '_> {
             (Pattern::Name { name, slot, inner: None, .. }, _)
                 if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
             {
-                bound.push((name.clone(), self.slice_for(name, value)?));
+                bound.push((name.clone(), self.slice_for((name, *slot), value)?));
                 Ok(())
             }
             (Pattern::Name { name, slot, inner: None, .. }, _)
@@ -151,7 +151,7 @@ impl Lowering<'_, '_> {
     /// name is that of the place which the one gives. Says whether a value is of that kind.
     pub(super) fn alias_of_arm(
         &mut self,
-        name: &str,
+        (name, slot): (&str, u32),
         value: &tree::Expr,
         site: Site,
     ) -> Result<bool> {
@@ -174,7 +174,7 @@ impl Lowering<'_, '_> {
                 inner.stmts(&tree::Block { stmts: stmts.clone(), tail: None })?;
                 body = tail;
             }
-            inner.alias(name, Some(body), site)?;
+            inner.alias((name, slot), Some(body), site)?;
             inner.lookup(name, site)
         })?;
         self.bind(name, place);

@@ -44,7 +44,11 @@ impl Lowering<'_, '_> {
         for part in parts {
             match self.numbers(part, seqs.len())? {
                 Some(found) => numbers.push(found),
-                None => seqs.push(self.seq(part, site)?),
+                None => {
+                    let mut seq = self.seq(part, site)?;
+                    seq.slice = self.gone_through_kept(seq.slice, &part.pattern);
+                    seqs.push(seq);
+                }
             }
         }
         if let Some(around) = seqs.iter().find(|it| it.is_around())
@@ -61,14 +65,16 @@ impl Lowering<'_, '_> {
         let bare =
             index.is_none() && numbers.is_empty() && order != Order::Mirrored && cuts.is_empty();
         let bare = matches!(seqs.as_slice(), [seq] if bare && seq.is_plain());
+        let all = shortest(&seqs, span);
+        // What goes the other way than its numbers goes from the last element of all, whatever is left of the way.
+        let last = minus(all.clone(), Expr::usize(1, span));
         let (from, end) = match bare {
             true => (seqs[0].slice.from.clone(), seqs[0].slice.to.clone()),
-            false => self.cut_off((Expr::usize(0, span), shortest(&seqs, span)), cuts)?,
+            false => self.cut_off((Expr::usize(0, span), all), cuts)?,
         };
         let counts = seqs.iter().map(|it| it.count.clone()).collect();
         let most = seqs.iter().filter_map(Seq::most).min();
         let numbered = self.numbered(numbers, (counts, most), (cuts, body))?;
-        let last = minus(end.clone(), Expr::usize(1, span));
         let mark = self.out.len();
         let mut copies = Vec::new();
         self.repeated(label, None, span, |inner| {

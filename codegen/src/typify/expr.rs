@@ -263,14 +263,11 @@ impl Lowering<'_, '_> {
     /// The type of an expression that is looked at for nothing else: what it emits is dropped.
     pub(super) fn type_alone(&mut self, expr: &tree::Expr) -> Result<Type> {
         let (statements, locals) = (std::mem::take(&mut self.out), self.locals.len());
-        let wrong = self.lenders.problem.take();
-        let (awaited, copied) = (self.lenders.awaited.len(), self.lenders.copied.len());
+        let open = self.lenders.open();
         let ty = self.read(expr, None).map(|value| value.ty);
         self.out = statements;
         self.locals.truncate(locals);
-        self.lenders.problem = wrong;
-        self.lenders.awaited.truncate(awaited);
-        self.lenders.copied.truncate(copied);
+        self.lenders.forget(open);
         ty
     }
 

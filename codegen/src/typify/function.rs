@@ -440,7 +440,7 @@ impl Lowering<'_, '_> {
         match (refers.is_some_and(|ty| slice_of(ty).is_some()), rewritten) {
             (true, Some(value)) => return self.let_slice((name, slot), value, site),
             _ if refers.is_some() && !absent && !self.gathers(name) => {
-                return self.alias(name, value, site);
+                return self.alias((name, slot), value, site);
             }
             _ => {}
         }

@@ -5,7 +5,8 @@
 //!
 //! Must not know: how lenders are followed ([`lenders`](super::lenders)).
 
-use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::tree::visit::{Visit, walk_pattern};
+use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
 use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, StmtKind, StructId, Type};
 
@@ -233,14 +234,31 @@ impl Lowering<'_, '_> {
         changed && self.is_loaned(place)
     }
 
-    /// A slice that gets a name, of elements that stay what they are.
-    pub(super) fn kept_elements(&mut self, slice: Slice) -> Slice {
-        if !self.may_come_to_refer(&slice.base) || self.is_lasting(&slice.base) {
+    /// A slice that gets a name, by its slot, of elements that stay what they are.
+    pub(super) fn kept_elements(&mut self, slice: Slice, slot: u32, site: Site) -> Result<Slice> {
+        let shared = slot != NO_SLOT && !self.slot_is_exclusive(slot, site)?;
+        Ok(self.kept_if_shared(slice, shared))
+    }
+
+    /// The same of a slice that is only read, if `shared`.
+    fn kept_if_shared(&mut self, slice: Slice, shared: bool) -> Slice {
+        let moves = shared && self.is_loan(&slice.base) || self.may_come_to_refer(&slice.base);
+        if !moves || self.is_lasting(&slice.base) {
             return slice;
         }
         let name = self.field_name(&slice.base).unwrap_or_else(|| UNNAMED.into());
         let base = self.hold_copy(&name, slice.base.clone());
         Slice { base, ..slice }
+    }
+
+    /// A slice that a loop goes through, whose items have the names of a pattern.
+    pub(super) fn gone_through_kept(&mut self, slice: Slice, pattern: &tree::Pattern) -> Slice {
+        let slots = names_of(pattern);
+        let is_read = |slot: &u32| {
+            self.source.slots.get(*slot as usize).is_some_and(|ty| !matches!(ty, Ty::Ref(_, true)))
+        };
+        let shared = !slots.is_empty() && slots.iter().all(is_read);
+        self.kept_if_shared(slice, shared)
     }
 
     /// Whether a reference is on the way to what is at a place.
@@ -265,6 +283,23 @@ impl Lowering<'_, '_> {
         }
         self.seen(expr.slot?, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
     }
+}
+
+/// The slots of the names in a pattern.
+fn names_of(pattern: &tree::Pattern) -> Vec<u32> {
+    #[derive(Default)]
+    struct Slots(Vec<u32>);
+    impl Visit for Slots {
+        fn pattern(&mut self, pattern: &tree::Pattern) {
+            if let tree::Pattern::Name { slot, .. } = pattern {
+                self.0.push(*slot);
+            }
+            walk_pattern(self, pattern);
+        }
+    }
+    let mut slots = Slots::default();
+    slots.pattern(pattern);
+    slots.0
 }
 
 /// Whether a part of a value of a type refers to something.

@@ -120,6 +120,7 @@ impl<'a> Lowering<'a, '_> {
             Tree::Each { parts, cuts, .. } => {
                 for part in parts {
                     self.settle_elements(&mut part.array, part.owned)?;
+                    self.settle_loan(part)?;
                     if let Some(group) = &mut part.group {
                         self.settle_number(&mut group.size, "size%", &SIZE)?;
                     }
@@ -203,6 +204,21 @@ impl<'a> Lowering<'a, '_> {
             }
         };
         self.stand_in(elements, "items%", given);
+        Ok(())
+    }
+
+    /// Copies what a value refers to, which may come to refer to something else.
+    fn settle_loan(&mut self, part: &mut tree::Part) -> Result<()> {
+        if !matches!(part.array.kind, Tree::Field(..)) {
+            return Ok(());
+        }
+        let Some(place) = self.place(&part.array)? else { return Ok(()) };
+        let root = place.root;
+        let Some(slice) = self.all_of(place) else { return Ok(()) };
+        let kept = self.gone_through_kept(slice, &part.pattern);
+        if kept.base.root != root {
+            self.stand_in(&mut part.array, "items%", Value::Slice(Box::new(kept)));
+        }
         Ok(())
     }
 

@@ -12,7 +12,6 @@ use bessemer_ir::{
 
 use crate::termination::{self, Loop, Proof};
 
-use super::conditions::has_let;
 use super::each::Each;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
 use super::order::is_light;
@@ -159,10 +158,7 @@ impl Lowering<'_, '_> {
         let (mut holds, mut heads) = (Expr::bool(true, span), Vec::new());
         for part in conjuncts(condition) {
             let at = self.out.len();
-            if has_let(condition) {
-                self.keep_changeable(names)?;
-            }
-            let next = self.pattern_condition(part, names)?;
+            let next = self.further_condition(part, names)?;
             holds = match self.out.len() == at {
                 _ if is_true(&holds) => next,
                 true if is_true(&next) => holds,

@@ -55,6 +55,7 @@ mod seq;
 mod slice;
 mod spatial;
 mod stepped;
+mod subject;
 mod submatrix;
 mod syntax;
 mod types;

@@ -15,7 +15,6 @@ use super::closure_args::is_hidden;
 use super::conditions::{within, within_any};
 use super::generic::Case;
 use super::lowering::Lowering;
-use super::order::is_settled;
 use super::value::{Named, Value};
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
@@ -55,103 +54,6 @@ impl Test {
 }
 
 impl Lowering<'_, '_> {
-    /// The subject of a `match` or a `let`, computed once.
-    pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Value> {
-        // One that rustc saw as a whole is matched by a name.
-        if let (Tree::Tuple(parts), None) = (&expr.kind, expr.slot)
-            && !parts.is_empty()
-        {
-            let mut subjects: Vec<Value> = Vec::new();
-            for part in parts {
-                let next = self.settling(
-                    |inner| inner.subject(part),
-                    |inner, _, later| {
-                        subjects.iter_mut().for_each(|it| inner.settle_subject(it, later));
-                    },
-                )?;
-                subjects.push(next);
-            }
-            return Ok(Value::Tuple(subjects, None));
-        }
-        if let Tree::Apply(name, arguments) = &expr.kind
-            && self.stands_here(expr)
-        {
-            return self.applied(name, arguments, expr.site, |inner, closure| {
-                inner.subject(&closure.body)
-            });
-        }
-        if let Some(parts) = self.parts_named(expr) {
-            return Ok(parts);
-        }
-        if let Some(part) = self.submatrix(expr)? {
-            return Ok(Value::Submatrix(Box::new(part)));
-        }
-        if let Some(lent) = self.lent(expr)? {
-            return Ok(lent);
-        }
-        // A number that is written out is of the type that rustc saw.
-        let expected = match self.seen_as(expr) {
-            Some(tree::Ty::Scalar(scalar)) => Some(Type::Scalar(*scalar)),
-            _ => None,
-        };
-        let value = self.value(expr, expected.as_ref())?;
-        Ok(self.value_subject(value))
-    }
-
-    /// The same of a pattern; a value that has to be held has the name of what the pattern takes from it.
-    pub(super) fn subject_of(&mut self, pattern: &Pattern, expr: &tree::Expr) -> Result<Value> {
-        let before = self.locals.len();
-        let subject = self.subject(expr)?;
-        self.name_held(&subject, before, std::iter::once(pattern));
-        Ok(subject)
-    }
-
-    /// Names the temporary that a subject is held in, if it is none of the locals `before`.
-    pub(super) fn name_held<'t>(
-        &mut self,
-        subject: &Value,
-        before: usize,
-        mut patterns: impl Iterator<Item = &'t Pattern>,
-    ) {
-        if let Value::Place(place) = subject
-            && place.root.index() >= before
-            && place.steps.is_empty()
-            && self.held.contains(&place.root)
-            && let Some(name) = patterns.find_map(taken_name)
-        {
-            self.locals[place.root.index()].name = name.to_owned();
-        }
-    }
-
-    /// The same, its value known.
-    pub(super) fn value_subject(&mut self, value: Expr) -> Value {
-        if value.ty == Type::Unit {
-            self.discard(value);
-            return Value::Nothing;
-        }
-        let mut place = self.hold(value);
-        // Its indices are checked also where no pattern comes to read it.
-        self.fix(&mut place);
-        Value::Place(place)
-    }
-
-    /// Copies what the statements to come could change.
-    fn settle_subject(&mut self, subject: &mut Value, later: &[Stmt]) {
-        match subject {
-            Value::Tuple(parts, _) => {
-                parts.iter_mut().for_each(|part| self.settle_subject(part, later));
-            }
-            Value::Place(place) => {
-                let value = place.load();
-                if !later.is_empty() && !is_settled(&value, later) {
-                    *place = self.temporary_place("selector", value);
-                }
-            }
-            // Another name for what is there, whatever becomes of it.
-            _ => {}
-        }
-    }
-
     /// What has to hold for `pattern` to take the subject.
     pub(super) fn test(&mut self, pattern: &Pattern, subject: &Value, site: Site) -> Result<Test> {
         match (pattern, subject) {
@@ -412,11 +314,15 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Gives those names of a condition a copy at once that what follows in it may lend to be changed.
-    pub(super) fn keep_changeable(&mut self, names: &mut Vec<Named>) -> Result<()> {
+    /// Gives those names of a condition a copy at once that what follows in it may change, or may write what they stand for.
+    pub(super) fn copy_names(
+        &mut self,
+        names: &mut Vec<Named>,
+        changes: impl Fn(&Named) -> bool,
+    ) -> Result<()> {
         let mut kept = Vec::new();
         for named in std::mem::take(names) {
-            match named.mutable && matches!(named.stands, Value::Place(_)) {
+            match changes(&named) && named.copied_from().is_some() {
                 true => self.bind_names(&[named])?,
                 false => kept.push(named),
             }
@@ -468,11 +374,7 @@ impl Lowering<'_, '_> {
                 }
             };
             let unnamed = named.slot == NO_SLOT;
-            // A slice in a value is a value, and so is what a value refers to.
-            let borrowed = self.cx.as_borrowed(&place.ty).is_some()
-                || !unnamed
-                    && self.is_loan(place)
-                    && !self.slot_is_exclusive(named.slot, named.site)?;
+            let borrowed = self.is_borrowed(named, place)?;
             let reference =
                 !unnamed && !borrowed && self.slot_is_reference(named.slot, named.site)?;
             if reference {
@@ -495,6 +397,15 @@ impl Lowering<'_, '_> {
             self.emit(StmtKind::Let { local, value }, span);
         }
         Ok(())
+    }
+
+    /// Whether what a name stands for is a value that refers to something: a slice in a value, or what a value refers to, of
+    /// which it has a copy.
+    pub(super) fn is_borrowed(&self, named: &Named, place: &Place) -> Result<bool> {
+        Ok(self.cx.as_borrowed(&place.ty).is_some()
+            || named.slot != NO_SLOT
+                && self.is_loan(place)
+                && !self.slot_is_exclusive(named.slot, named.site)?)
     }
 
     /// Whether nothing can write to a place: it is behind `&`, or in a local that the author has no name
@@ -520,15 +431,6 @@ pub(super) fn used(mut block: Block) -> Block {
         }
     }
     block
-}
-
-/// The only name in `Some(name)`, of what does not change.
-fn taken_name(pattern: &Pattern) -> Option<&str> {
-    let Pattern::Constructor(_, parts) = pattern else { return None };
-    match parts.as_slice() {
-        [Pattern::Name { name, mutable: false, inner: None, .. }] => Some(name),
-        _ => None,
-    }
 }
 
 /// Patterns and the index of the part that each takes; `..` stands for as many as are left.

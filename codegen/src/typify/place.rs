@@ -292,21 +292,19 @@ impl Lowering<'_, '_> {
     /// `let name = &place`: another name for the place.
     pub(super) fn alias(
         &mut self,
-        name: &str,
+        (name, slot): (&str, u32),
         value: Option<&tree::Expr>,
         site: Site,
     ) -> Result<()> {
         if let Some(value) = value
-            && self.alias_of_arm(name, value, site)?
+            && self.alias_of_arm((name, slot), value, site)?
         {
             return Ok(());
         }
-        let place = value.map_or(Ok(None), |value| self.place(value))?;
+        let mut place = value.map_or(Ok(None), |value| self.place(value))?;
         // What a call lends is not written while it is lent.
         if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
-            let place = self.held(lent)?;
-            self.bind(name, Value::Place(place));
-            return Ok(());
+            place = Some(self.held(lent)?);
         }
         let Some(mut place) = place else {
             return problem(
@@ -315,7 +313,8 @@ impl Lowering<'_, '_> {
                 "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`",
             );
         };
-        let moves = value.is_some_and(is_held) || self.may_come_to_refer(&place);
+        let loan = self.is_loan(&place) && !self.slot_is_exclusive(slot, site)?;
+        let moves = loan || value.is_some_and(is_held) || self.may_come_to_refer(&place);
         if moves && !self.is_lasting(&place) {
             // A reference that a value holds is a copy there; the value may get another.
             place = self.hold_copy(name, place);

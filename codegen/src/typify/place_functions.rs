@@ -315,6 +315,9 @@ impl<'a> Lowering<'a, '_> {
                 return Ok(Value::Submatrix(Box::new(part)));
             }
             if let Some(mut place) = self.place(argument)? {
+                if !written && self.is_loan(&place) && !self.is_lasting(&place) {
+                    place = self.hold_copy(name, place);
+                }
                 self.fix(&mut place);
                 return Ok(Value::Place(place));
             }

@@ -155,7 +155,11 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         let element = match &seq.group {
-            _ if !seq.behind.is_empty() => self.one_of_several(seq, index),
+            _ if !seq.behind.is_empty() => {
+                let last = minus(seq.count.clone(), Expr::usize(1, index.span));
+                let index = if seq.part.reversed { minus(last, index) } else { index };
+                self.one_of_several(seq, index)
+            }
             Some((way @ (Grouping::Windows | Grouping::Whole | Grouping::All), size)) => {
                 return self.name_group(seq, (*way, size.clone()), index, site);
             }

@@ -74,15 +74,19 @@ impl Lowering<'_, '_> {
                 Ok(())
             });
         }
-        let slice = self.slice_for(name, value)?;
+        let slice = self.slice_for((name, slot), value)?;
         self.bind(name, slice);
         Ok(())
     }
 
     /// What a name of elements means.
-    pub(super) fn slice_for(&mut self, name: &str, value: &tree::Expr) -> Result<Value> {
+    pub(super) fn slice_for(
+        &mut self,
+        (name, slot): (&str, u32),
+        value: &tree::Expr,
+    ) -> Result<Value> {
         let slice = self.naming_as(name, |inner| inner.sliced(value))?;
-        Ok(Value::Slice(Box::new(self.kept_elements(slice))))
+        Ok(Value::Slice(Box::new(self.kept_elements(slice, slot, value.site)?)))
     }
 
     /// The slice that is lent, or all elements of an array or a list.

@@ -53,9 +53,11 @@ impl Lowering<'_, '_> {
             let (first, last) = (int.from_word(first), int.from_word(last));
             let end = last + i128::from(inclusive);
             let passes = ((end - first).max(0) + i128::from(by) - 1) / i128::from(by);
-            let constant = int.min() == 0 || passes == 0 || first >= 0;
+            // All numbers of a type are one more than it counts to; those of 64 bits nobody comes to the end of.
+            let constant = (int.min() == 0 || passes == 0 || first >= 0) && passes <= int.max();
             let from = if constant { from } else { from.cast(&Type::USIZE) };
-            let [step, passes] = [by, passes as u64].map(|word| Expr::literal_like(word, &from));
+            let passes = passes.min(i128::from(u64::MAX)) as u64;
+            let [step, passes] = [by, passes].map(|word| Expr::literal_like(word, &from));
             return Ok(Steps { from, step, passes, constant });
         }
         Ok(match by.filter(|by| int.min() == 0 && !(inclusive && *by == 1)) {

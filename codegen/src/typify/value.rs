@@ -41,6 +41,17 @@ pub(super) struct Named {
     pub site: Site,
 }
 
+impl Named {
+    /// The place that a name of a value is copied from; none if it stands for something else.
+    pub(super) fn copied_from(&self) -> Option<&Place> {
+        match &self.stands {
+            Value::Place(place) => Some(place),
+            Value::Slice(part) => Some(&part.base),
+            _ => None,
+        }
+    }
+}
+
 /// Parts of up to so many elements are written out where they are read.
 pub(super) const SMALL: u32 = 16;
 

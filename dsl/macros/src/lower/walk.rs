@@ -3,6 +3,7 @@
 //! Must not know: syntax. Each form is lowered in a file of its own.
 
 use bessemer_tree as tree;
+use bessemer_tree::visit::{Bound, Visit};
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
@@ -86,6 +87,17 @@ pub struct Closure {
     pub(super) uses: Vec<(usize, String)>,
 }
 
+impl Closure {
+    /// Whether a parameter has this name, or this name and more marks.
+    fn takes(&self, name: &str) -> bool {
+        let mut bound = Bound::default();
+        self.parameters.iter().for_each(|parameter| bound.pattern(parameter));
+        let is_it =
+            |own: &String| own.strip_prefix(name).is_some_and(|it| it.trim_matches('%').is_empty());
+        bound.0.iter().any(is_it)
+    }
+}
+
 impl Lowering {
     /// A walk over the function or method called `name`, with nothing seen yet.
     pub fn new(name: &syn::Ident, method: bool, refusals: Refusals) -> Lowering {
@@ -149,7 +161,11 @@ impl Lowering {
     /// A name in the tree for what the author has none for.
     pub(super) fn hidden(&mut self, name: &str) -> String {
         let mut hidden = name.to_owned();
-        while self.scopes.iter().flatten().any(|(_, known)| *known == hidden) {
+        // Nor may it be a closure's own parameter, whose arguments are computed where that has its name.
+        let of_closures = |name: &str| self.closures.iter().any(|closure| closure.takes(name));
+        while self.scopes.iter().flatten().any(|(_, known)| *known == hidden)
+            || of_closures(&hidden)
+        {
             hidden.push('%');
         }
         self.bind_as("", &hidden);
