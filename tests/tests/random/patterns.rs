@@ -26,7 +26,10 @@ impl Writer<'_> {
                 let pattern = self.numbers(name);
                 self.at(pattern, ty, mode, from)
             }
-            Ty::Bool if refutable && self.one_in(2) => self.random.of(&["true", "false"]).into(),
+            Ty::Bool if refutable && self.one_in(2) => {
+                // An arm that takes both leaves nothing to test; it was tested once.
+                self.random.of(&["true", "false", "(true | false)", "(false | true)"]).into()
+            }
             Ty::Tuple(types) => {
                 let parts = Parts { names: Vec::new(), types: types.clone() };
                 let texts = self.several(&parts.types, mode, refutable, depth, from);
