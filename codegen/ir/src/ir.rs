@@ -16,7 +16,8 @@ use crate::attributes::{Attributes, Given};
 pub use crate::data::{Enum, Field, Form, Struct, Variant};
 use crate::kernel::Kernel;
 use crate::number::{Float, Int, Scalar};
-pub use crate::operation::{BinaryOp, CompareOp, Intrinsic, LogicOp, Routine, UnaryOp};
+pub use crate::operation::{Intrinsic, Routine};
+pub use crate::operator::{BinaryOp, CompareOp, LogicOp, UnaryOp};
 
 macro_rules! handles {
     ($($(#[$doc:meta])* $name:ident),* $(,)?) => {$(

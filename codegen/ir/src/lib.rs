@@ -16,6 +16,7 @@ mod data;
 mod enums;
 pub mod ir;
 pub mod kernel;
+mod operator;
 pub mod text;
 pub mod visit;
 pub mod words;

@@ -1,55 +1,11 @@
-//! The operations that expressions of the IR are made of, and what each means.
+//! Operations that have a name in the tree and in the IR, and what each means. Operators are not among them: those of the
+//! tree are the author's, those of the IR have one type.
 //!
 //! Every one is exact: one value for given operands, the same on every target.
 
 use serde::{Deserialize, Serialize};
 
 use crate::number::{Float, Int, Scalar};
-
-/// Operators of one operand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum UnaryOp {
-    /// `-x`; on integers a fault for the smallest value.
-    Neg,
-    /// `!x` on `bool` and integers.
-    Not,
-}
-
-/// Operators of two operands. On integers: a fault where Rust panics.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum BinaryOp {
-    Add,
-    Sub,
-    Mul,
-    Div,
-    Rem,
-    And,
-    Or,
-    Xor,
-    Shl,
-    Shr,
-}
-
-/// Comparisons; on floats as IEEE 754 has them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum CompareOp {
-    Eq,
-    Ne,
-    Lt,
-    Le,
-    Gt,
-    Ge,
-}
-
-/// Short-circuit operators.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum LogicOp {
-    And,
-    Or,
-}
 
 /// Functions of scalars that hardware or a few instructions give, the same on every target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -124,21 +80,6 @@ pub enum Intrinsic {
     IsInfinite,
     /// An enum as it is, or its last variant for what is none of them: a byte from outside may be either.
     Variant,
-}
-
-impl CompareOp {
-    /// The comparison that holds of two integers where this one does not.
-    #[must_use]
-    pub const fn opposite(self) -> CompareOp {
-        match self {
-            CompareOp::Eq => CompareOp::Ne,
-            CompareOp::Ne => CompareOp::Eq,
-            CompareOp::Lt => CompareOp::Ge,
-            CompareOp::Ge => CompareOp::Lt,
-            CompareOp::Gt => CompareOp::Le,
-            CompareOp::Le => CompareOp::Gt,
-        }
-    }
 }
 
 impl Intrinsic {
