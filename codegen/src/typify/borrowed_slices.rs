@@ -158,9 +158,7 @@ impl Lowering<'_, '_> {
                     let length = minus(begun.length.clone(), Expr::usize(behind as u64, span));
                     let part = begun.part(Expr::usize(0, span), length);
                     let stands = Value::Slice(Box::new(part));
-                    let mut named = Test::named(name, *slot, stands, site);
-                    named.names[0].mutable = *mutable;
-                    all = all.and(named);
+                    all = all.and(Test::named(name, *slot, stands, site).changeable(*mutable));
                 }
                 continue;
             } else {

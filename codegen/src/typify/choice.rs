@@ -55,8 +55,9 @@ impl Lowering<'_, '_> {
             return self.subject_arms((subject, scrutinee), arms, target, span);
         }
         let value = self.value(scrutinee, None)?;
-        let by_number = value.ty.is_word() && !matches!(value.ty, Type::Scalar(Scalar::Float(_)));
-        let by_number = by_number && !arms.iter().any(|arm| names_twice(&arm.pattern));
+        let by_number = value.ty.is_word()
+            && !matches!(value.ty, Type::Scalar(Scalar::Float(_)))
+            && !arms.iter().any(|arm| names_twice(&arm.pattern));
         if by_number && !self.lends_the_whole(arms)? {
             return self.number_arms((value, scrutinee), arms, target, span);
         }
@@ -442,7 +443,7 @@ fn slot_of_whole(pattern: &Pattern) -> Option<u32> {
     }
 }
 
-/// Whether a pattern of a number gives it more names than one: `x @ (y @ 1)`.
+/// Whether a pattern binds two names to one number: `x @ (y @ 1)`.
 fn names_twice(pattern: &Pattern) -> bool {
     match pattern {
         Pattern::Name { inner, .. } => inner.as_deref().is_some_and(has_names),
@@ -492,7 +493,7 @@ fn is_still(value: &Expr) -> bool {
     matches!(&value.kind, ExprKind::Load(place) if place.steps.iter().all(super::order::is_fixed))
 }
 
-/// Whether an expression names a place, which Rust lets no guard write.
+/// Whether an expression is a place. Rust refuses a guard that assigns to the place that is matched.
 fn is_place(expr: &tree::Expr) -> bool {
     use tree::ExprKind as Tree;
     match &expr.kind {

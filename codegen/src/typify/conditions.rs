@@ -37,8 +37,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The same of what stands behind others, which gave `names`. Those of values that it writes are copied before it; the
-    /// others stand for their places until all of the condition is known.
+    /// Lowers the next condition of a chain; the conditions before it bound `names`. A name whose place this condition writes
+    /// is copied first; the other names stand for their places until the whole chain is lowered.
     pub(super) fn further_condition(
         &mut self,
         expr: &tree::Expr,

@@ -66,7 +66,8 @@ impl Lowering<'_, '_> {
             index.is_none() && numbers.is_empty() && order != Order::Mirrored && cuts.is_empty();
         let bare = matches!(seqs.as_slice(), [seq] if bare && seq.is_plain());
         let all = shortest(&seqs, span);
-        // What goes the other way than its numbers goes from the last element of all, whatever is left of the way.
+        // A mirrored loop counts up and reads its elements from the last one of the whole sequence, also where a cut
+        // leaves out some of them.
         let last = minus(all.clone(), Expr::usize(1, span));
         let (from, end) = match bare {
             true => (seqs[0].slice.from.clone(), seqs[0].slice.to.clone()),

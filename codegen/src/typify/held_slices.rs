@@ -240,7 +240,8 @@ impl Lowering<'_, '_> {
         Ok(self.kept_if_shared(slice, shared))
     }
 
-    /// The same of a slice that is only read, if `shared`.
+    /// A slice of a loan is copied where the value that holds the loan may be assigned another. `shared`: nothing writes
+    /// through the slice.
     fn kept_if_shared(&mut self, slice: Slice, shared: bool) -> Slice {
         let moves = shared && self.is_loan(&slice.base) || self.may_come_to_refer(&slice.base);
         if !moves || self.is_lasting(&slice.base) {

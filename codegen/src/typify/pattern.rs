@@ -38,6 +38,13 @@ impl Test {
         Test { condition: None, names: vec![name] }
     }
 
+    /// The same names, which the author writes again if `mutable`.
+    #[must_use]
+    pub(super) fn changeable(mut self, mutable: bool) -> Test {
+        self.names.iter_mut().for_each(|name| name.mutable = mutable);
+        self
+    }
+
     /// Both of two. Neither condition has an effect, so one that is false is the whole.
     #[must_use]
     pub(super) fn and(mut self, other: Test) -> Test {
@@ -154,8 +161,8 @@ impl Lowering<'_, '_> {
                 self.test_slice(pattern, &slice, site)
             }
             (Pattern::Name { name, slot, mutable, inner }, _) => {
-                let mut test = Test::named(name, *slot, Value::Place(place.clone()), site);
-                test.names[0].mutable = *mutable;
+                let test = Test::named(name, *slot, Value::Place(place.clone()), site);
+                let test = test.changeable(*mutable);
                 match inner {
                     Some(inner) => Ok(test.and(self.test_place(inner, place, site)?)),
                     None => Ok(test),
