@@ -3,7 +3,7 @@
 //! The first line of a file says what of it is called; it is `cargo xtask fuzz` that writes them. One that fails stays: a
 //! mend shows by its passing.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use bessemer_tests::root;
 use serde_json::{Value, json};
@@ -27,9 +27,14 @@ pub fn keep(program: &Program, seed: u64) -> PathBuf {
     path
 }
 
-/// All of them.
+/// All that are kept.
 pub fn programs() -> Vec<Program> {
-    let entries = std::fs::read_dir(folder()).into_iter().flatten().flatten();
+    programs_in(&folder())
+}
+
+/// Those of any folder.
+pub fn programs_in(folder: &Path) -> Vec<Program> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
     paths.retain(|path| path.extension().is_some_and(|it| it == "rs"));
     paths.sort();

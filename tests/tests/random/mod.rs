@@ -3,6 +3,7 @@
 //!
 //! Each turn has a seed of its own. `BESSEMER_RANDOM=seeds` runs that many batches, from the seed
 //! `BESSEMER_RANDOM_FROM`, instead of a smaller one. `cargo xtask fuzz` runs many that aim at the proofs.
+//! `BESSEMER_FOUND=folder`, with `-- --ignored those_of_a_folder`, runs what someone wrote.
 
 mod aimed;
 mod beside;
@@ -490,4 +491,21 @@ fn random_programs_agree() {
         all.extend(found.into_iter().map(|it| format!("seed {seed}: {}", it.text)));
     }
     assert!(all.is_empty(), "{}", all.join("\n\n"));
+}
+
+#[test]
+#[ignore = "it runs programs of a folder that BESSEMER_FOUND names, written as those of tests/found"]
+fn those_of_a_folder_agree() {
+    let folder = std::env::var_os("BESSEMER_FOUND").expect("BESSEMER_FOUND names a folder");
+    let mut batch = Batch::of(found::programs_in(folder.as_ref()));
+    let workspace = Workspace::with_source("").expect("a workspace");
+    let reached = attack(&workspace, 0, &mut batch);
+    for (name, why) in &batch.mistaken {
+        println!("not Rust: {name}: {why}\n");
+    }
+    for (name, why) in &batch.refused {
+        println!("refused: {name}: {why}\n");
+    }
+    let told: Vec<_> = reached.differences.into_iter().map(|it| it.text).collect();
+    assert!(told.is_empty(), "{}", told.join("\n\n"));
 }
