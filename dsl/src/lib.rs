@@ -149,6 +149,22 @@ macro_rules! __between {
     };
 }
 
+/// Items that call functions natively, such as tables of tests: a generation build, which calls none, is made without.
+#[doc(hidden)]
+#[cfg(not(feature = "generate"))]
+#[macro_export]
+macro_rules! __natively {
+    ($($item:item)*) => { $($item)* };
+}
+
+/// The same in a generation build.
+#[doc(hidden)]
+#[cfg(feature = "generate")]
+#[macro_export]
+macro_rules! __natively {
+    ($($left_out:tt)*) => {};
+}
+
 /// The whole of the program that the generator links with a package: prints the tree that it reads.
 ///
 /// ```ignore

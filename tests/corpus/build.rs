@@ -26,8 +26,8 @@ fn main() -> io::Result<()> {
     let (modules, entries) = (found.modules, found.entries.found);
     let entries = entries.iter().map(|entry| format!("    {entry},\n")).collect::<String>();
     let text = format!(
-        "{modules}\n/// Every function and entry point of the programs.\n\
-         pub const ENTRIES: &[crate::Entry] = &[\n{entries}];\n"
+        "{modules}\nbessemer::__natively! {{\n/// Every function and entry point of the programs.\n\
+         pub const ENTRIES: &[crate::Entry] = &[\n{entries}];\n}}\n"
     );
     let output = PathBuf::from(std::env::var("OUT_DIR").unwrap_or_default()).join("programs.rs");
     fs::write(output, text)

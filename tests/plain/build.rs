@@ -30,14 +30,14 @@ fn main() -> io::Result<()> {
         // Within the program, whose names may be its own alone.
         let entries: String = entries.found.iter().map(|it| format!("    {it},\n")).collect();
         let entries = format!(
-            "/// What can be called.\npub const __ENTRIES: &[crate::Entry] = &[\n{entries}];\n"
+            "bessemer::__natively! {{\n/// What can be called.\npub const __ENTRIES: &[crate::Entry] = &[\n{entries}];\n}}\n"
         );
         write(&path, &format!("{text}\n{entries}"))?;
         modules.push_str(&format!("#[path = {path:?}]\npub mod {name};\n"));
         all.push_str(&format!("    {name}::__ENTRIES,\n"));
     }
     let text = format!(
-        "{modules}\n/// What can be called, by program.\npub const ENTRIES: &[&[crate::Entry]] = &[\n{all}];\n"
+        "{modules}\nbessemer::__natively! {{\n/// What can be called, by program.\npub const ENTRIES: &[&[crate::Entry]] = &[\n{all}];\n}}\n"
     );
     write(&output.join("programs.rs"), &text)
 }

@@ -160,6 +160,7 @@ pub fn companion(
     let (generics, visibility) = (&subject.signature.generics, subject.visibility);
     quote! {
         #[doc(hidden)]
+        #[inline]
         #[allow(clippy::too_many_arguments, unused_variables, non_snake_case)]
         #visibility fn #name #generics(#(#parameters),*) -> ::bessemer::generate::Called<#marker, #result>
         #bounds

@@ -37,17 +37,19 @@ macro_rules! cases {
             pub fn $name($($operand: $ty),*) -> $result $body
         )*
 
-        /// The functions of this module.
-        pub const CASES: &[crate::Case] = &[$(crate::Case {
-            module: module_path!(),
-            name: stringify!($name),
-            types: &[$(stringify!($ty),)* stringify!($result)],
-            call: |next| {
-                $(let $operand = <$ty as bessemer::Plain>::load(next);)*
-                let _ = &next;
-                crate::word(&$name($($operand),*))
-            },
-        }),*];
+        bessemer::__natively! {
+            /// The functions of this module.
+            pub const CASES: &[crate::Case] = &[$(crate::Case {
+                module: module_path!(),
+                name: stringify!($name),
+                types: &[$(stringify!($ty),)* stringify!($result)],
+                call: |next| {
+                    $(let $operand = <$ty as bessemer::Plain>::load(next);)*
+                    let _ = &next;
+                    crate::word(&$name($($operand),*))
+                },
+            }),*];
+        }
     };
 }
 
@@ -401,42 +403,44 @@ conversions! {
     from_f64, f64;
 }
 
-/// Every function of the table.
-pub const CASES: &[&[Case]] = &[
-    lossless::CASES,
-    of_bool::CASES,
-    of_f32::CASES,
-    of_f64::CASES,
-    of_i8::CASES,
-    of_i16::CASES,
-    of_i32::CASES,
-    of_i64::CASES,
-    of_isize::CASES,
-    of_u8::CASES,
-    of_u16::CASES,
-    of_u32::CASES,
-    of_u64::CASES,
-    of_usize::CASES,
-    signed_i8::CASES,
-    signed_i16::CASES,
-    signed_i32::CASES,
-    signed_i64::CASES,
-    signed_isize::CASES,
-    unsigned_u8::CASES,
-    unsigned_u16::CASES,
-    unsigned_u32::CASES,
-    unsigned_u64::CASES,
-    unsigned_usize::CASES,
-    from_i8::CASES,
-    from_i16::CASES,
-    from_i32::CASES,
-    from_i64::CASES,
-    from_isize::CASES,
-    from_u8::CASES,
-    from_u16::CASES,
-    from_u32::CASES,
-    from_u64::CASES,
-    from_usize::CASES,
-    from_f32::CASES,
-    from_f64::CASES,
-];
+bessemer::__natively! {
+    /// Every function of the table.
+    pub const CASES: &[&[Case]] = &[
+        lossless::CASES,
+        of_bool::CASES,
+        of_f32::CASES,
+        of_f64::CASES,
+        of_i8::CASES,
+        of_i16::CASES,
+        of_i32::CASES,
+        of_i64::CASES,
+        of_isize::CASES,
+        of_u8::CASES,
+        of_u16::CASES,
+        of_u32::CASES,
+        of_u64::CASES,
+        of_usize::CASES,
+        signed_i8::CASES,
+        signed_i16::CASES,
+        signed_i32::CASES,
+        signed_i64::CASES,
+        signed_isize::CASES,
+        unsigned_u8::CASES,
+        unsigned_u16::CASES,
+        unsigned_u32::CASES,
+        unsigned_u64::CASES,
+        unsigned_usize::CASES,
+        from_i8::CASES,
+        from_i16::CASES,
+        from_i32::CASES,
+        from_i64::CASES,
+        from_isize::CASES,
+        from_u8::CASES,
+        from_u16::CASES,
+        from_u32::CASES,
+        from_u64::CASES,
+        from_usize::CASES,
+        from_f32::CASES,
+        from_f64::CASES,
+    ];
+}

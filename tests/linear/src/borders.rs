@@ -30,7 +30,9 @@ macro_rules! sizes {
             }
         })*
 
-        pub(crate) const CASES: &[&[crate::Case]] = &[$($module::CASES,)*];
+        bessemer::__natively! {
+            pub(crate) const CASES: &[&[crate::Case]] = &[$($module::CASES,)*];
+        }
     };
 }
 

@@ -29,17 +29,19 @@ macro_rules! cases {
             pub fn $name($($argument: $($kind)+ $($ty)+),*) -> $($result)+ $body
         )*
 
-        pub const CASES: &[crate::Case] = &[$(crate::Case {
-            module: module_path!(),
-            name: stringify!($name),
-            run: |get, put| {
-                $(#[allow(unused_mut)]
-                let mut $argument = <$($ty)+ as bessemer::Plain>::load(get);)*
-                let result = $name($($($kind)+ $argument),*);
-                bessemer::Plain::store(&result, put);
-                $(changed!([$($kind)+] $argument put);)*
-            },
-        }),*];
+        bessemer::__natively! {
+            pub const CASES: &[crate::Case] = &[$(crate::Case {
+                module: module_path!(),
+                name: stringify!($name),
+                run: |get, put| {
+                    $(#[allow(unused_mut)]
+                    let mut $argument = <$($ty)+ as bessemer::Plain>::load(get);)*
+                    let result = $name($($($kind)+ $argument),*);
+                    bessemer::Plain::store(&result, put);
+                    $(changed!([$($kind)+] $argument put);)*
+                },
+            }),*];
+        }
     };
 }
 
@@ -117,8 +119,10 @@ macro_rules! sizes {
             }
         })*
 
-        #[doc = $docs]
-        pub const $list: &[&[Case]] = &[$($module::CASES,)*];
+        bessemer::__natively! {
+            #[doc = $docs]
+            pub const $list: &[&[Case]] = &[$($module::CASES,)*];
+        }
     };
 }
 
@@ -150,19 +154,21 @@ pub mod factored;
 /// Every other method of matrices.
 pub mod methods;
 
-/// Every function but those of [`OTHER_SIZES`].
-pub const CASES: [&[&[Case]]; 3] = [
-    SIZES,
-    borders::CASES,
-    &[
-        parts::f64_3::CASES,
-        parts::f32_9::CASES,
-        methods::f64_3x4::CASES,
-        methods::f32_5x2::CASES,
-        factored::f64_1::CASES,
-        factored::f64_3::CASES,
-        factored::f64_6::CASES,
-        factored::f64_2::CASES,
-        factored::f32_9::CASES,
-    ],
-];
+bessemer::__natively! {
+    /// Every function but those of [`OTHER_SIZES`].
+    pub const CASES: [&[&[Case]]; 3] = [
+        SIZES,
+        borders::CASES,
+        &[
+            parts::f64_3::CASES,
+            parts::f32_9::CASES,
+            methods::f64_3x4::CASES,
+            methods::f32_5x2::CASES,
+            factored::f64_1::CASES,
+            factored::f64_3::CASES,
+            factored::f64_6::CASES,
+            factored::f64_2::CASES,
+            factored::f32_9::CASES,
+        ],
+    ];
+}
