@@ -9,8 +9,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use bessemer_codegen::c;
-use bessemer_codegen::c::names::Names;
+use bessemer_backend::c;
+use bessemer_backend::c::names::Names;
 use bessemer_codegen::compile::Compiled;
 use bessemer_tests::process::Folder;
 use bessemer_tests::toolchain::{CORTEX_A9, run};

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use bessemer_codegen::compile::{self, Options};
 use bessemer_codegen::generate::{self, Job};
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::source::Sources;
 use bessemer_tests::workspace::Workspace;
 use serde_json::{Value, json};
 

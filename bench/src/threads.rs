@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use bessemer_codegen::c::{self, Options};
-use bessemer_codegen::passes;
+use bessemer_backend::c::{self, Options};
+use bessemer_backend::passes;
 use bessemer_ir::{Float, Kernel, KernelRoutine, Module};
 use serde_json::{Value, json};
 

@@ -6,7 +6,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bessemer_codegen::c::interface::{Bytes, Enum, Interface, Leaf, Struct};
+use bessemer_backend::c::interface::{Bytes, Enum, Interface, Leaf, Struct};
 use bessemer_project::{Wanted, compile};
 use object::read::elf::SectionHeader as _;
 use object::{Object as _, ObjectSymbol as _};

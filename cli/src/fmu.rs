@@ -11,8 +11,8 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-use bessemer_codegen::c::interface::{Entry, Interface, Struct, Value};
-use bessemer_codegen::c::names::Passing;
+use bessemer_backend::c::interface::{Entry, Interface, Struct, Value};
+use bessemer_backend::c::names::Passing;
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_legs::process;
 use bessemer_legs::toolchain::{CLANG, GCC};

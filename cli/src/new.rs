@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bessemer_codegen::c::is_reserved;
+use bessemer_backend::c::is_reserved;
 use bessemer_codegen::generate::Workspace;
 
 use crate::args::New;

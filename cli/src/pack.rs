@@ -6,8 +6,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bessemer_codegen::c::interface::Interface;
-use bessemer_codegen::c::names::Passing;
+use bessemer_backend::c::interface::Interface;
+use bessemer_backend::c::names::Passing;
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_project::build_files::flags;
 use bessemer_project::firmware::{Call, calls, declared};

@@ -6,8 +6,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bessemer_codegen::c::interface::{Entry, Field, Interface, Struct, Value};
-use bessemer_codegen::c::names::Passing;
+use bessemer_backend::c::interface::{Entry, Field, Interface, Struct, Value};
+use bessemer_backend::c::names::Passing;
 use bessemer_codegen::compile::{Compiled, Layout};
 use bessemer_legs::process;
 use bessemer_legs::toolchain::{CLANG, GCC};

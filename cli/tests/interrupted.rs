@@ -11,10 +11,10 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 use bessemer_codegen::compile::{Compiled, Options, compile};
 use bessemer_codegen::generate::{Job, Workspace, deliver};
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::source::Sources;
 use bessemer_ir::tree::Package;
 use tempfile::TempDir;
 

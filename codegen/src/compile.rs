@@ -6,16 +6,17 @@
 use bessemer_ir::tree::Package;
 use bessemer_ir::{Fault, Module, Type};
 
-use crate::c::interface::Interface;
-use crate::c::{self, CFile, EntryReport, Site, Width};
 use crate::deep::deep;
-use crate::diagnostic::{Diagnostic, OUR_FAULT};
-use crate::kernels::replace::Replacement;
-use crate::source::Sources;
-use crate::{kernels, passes, typify, validate};
+use bessemer_backend::c::interface::Interface;
+use bessemer_backend::c::{self, CFile, EntryReport, Site, Width};
+use bessemer_backend::kernels::replace::Replacement;
+use bessemer_backend::{kernels, passes, validate};
+use bessemer_frontend::diagnostic::{Diagnostic, OUR_FAULT};
+use bessemer_frontend::source::Sources;
+use bessemer_frontend::typify;
 
-pub use crate::c::{Layout, Math, Options, Standard};
-pub use crate::typify::Typed;
+pub use bessemer_backend::c::{Layout, Math, Options, Standard};
+pub use bessemer_frontend::typify::Typed;
 
 /// A package as IR and as C.
 pub struct Compiled {

@@ -8,8 +8,8 @@ use bessemer_ir::tree::{self, DefinitionKind, Package, Site, Ty};
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{Const, ConstId, ExprKind, Function, Module, Owner, Role, Span, Type};
 
-use crate::diagnostic::{Diagnostic, Level};
-use crate::passes;
+use bessemer_backend::passes;
+use bessemer_frontend::diagnostic::{Diagnostic, Level};
 
 /// So many words are no table.
 const FEW: usize = 8;

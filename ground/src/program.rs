@@ -6,7 +6,7 @@
 
 use crate::key::Key;
 use crate::relay::Relay;
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 use bessemer_legs::firmware::{Firmware, Machine};
 use bessemer_legs::toolchain::{ARM, GCC, Missing, Toolchain, ZYNQ};
 use std::io::Write;

@@ -10,7 +10,7 @@
 use std::collections::BTreeSet;
 use std::io::{Read, Write};
 
-use bessemer_codegen::c::Options;
+use bessemer_backend::c::Options;
 use bessemer_codegen::compile::Compiled;
 use bessemer_ir::FunctionId;
 

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Stdio};
 use std::time::Duration;
 
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 use tempfile::TempDir;
 
 use crate::process::{Error, lay_out_needed};

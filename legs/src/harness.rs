@@ -7,8 +7,8 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::Options;
-use bessemer_codegen::c::names::{Names, Passing, Returned};
+use bessemer_backend::c::Options;
+use bessemer_backend::c::names::{Names, Passing, Returned};
 use bessemer_ir::{Float, FunctionId, Module, Owner, Scalar, StructId, Type};
 
 /// The text of the program for `entry`, a method of a component; `params`: how many parameters the

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::{self, CFile, Options};
-use bessemer_codegen::kernels::{self, Tuning};
-use bessemer_codegen::passes;
+use bessemer_backend::c::{self, CFile, Options};
+use bessemer_backend::kernels::{self, Tuning};
+use bessemer_backend::passes;
 use bessemer_ir::{Float, Kernel, KernelRoutine, Mode, Module, Type};
 
 use crate::process::Process;

@@ -36,10 +36,11 @@ pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 use bessemer_codegen::compile::{self, Compiled};
-use bessemer_codegen::source::Sources;
-use bessemer_codegen::{diagnostic, generate};
+use bessemer_codegen::generate;
+use bessemer_frontend::diagnostic;
+use bessemer_frontend::source::Sources;
 use bessemer_ir::{FunctionId, Role};
 
 /// Whether this build panics on overflow, as the C faults; a build that wraps is another program.

@@ -5,7 +5,7 @@ use std::io::{BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Stdio};
 
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 use bessemer_codegen::compile::Compiled;
 use bessemer_ir::FunctionId;
 use tempfile::TempDir;

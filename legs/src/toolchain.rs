@@ -12,9 +12,9 @@ use std::sync::{LazyLock, Mutex};
 
 use crate::{objects, store};
 
-use bessemer_codegen::c::Standard;
+use bessemer_backend::c::Standard;
 
-pub use bessemer_codegen::c::FLAGS;
+pub use bessemer_backend::c::FLAGS;
 pub use bessemer_tools::Missing;
 
 /// The flags of the Cortex-A9: hard float, VFPv3; NEON would flush subnormals.

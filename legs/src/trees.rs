@@ -14,9 +14,9 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use bessemer_codegen::deep::deep;
-use bessemer_codegen::diagnostic::{Diagnostic, Told};
 use bessemer_codegen::generate::{self, Error, Job, Tree};
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::diagnostic::{Diagnostic, Told};
+use bessemer_frontend::source::Sources;
 use bessemer_ir::tree::Package;
 use serde::{Deserialize, Serialize};
 
@@ -26,9 +26,9 @@ use crate::{root, store};
 const EVERY: [&str; 5] = [
     "dsl",
     "codegen/src/generate",
-    "codegen/src/source",
-    "codegen/src/source.rs",
-    "codegen/src/diagnostic",
+    "codegen/frontend/src/source",
+    "codegen/frontend/src/source.rs",
+    "codegen/frontend/src/diagnostic",
 ];
 
 /// What became of a build; borrowed where it is written, since a tree nests too deep to be copied on any stack.

@@ -1,13 +1,13 @@
 //! How much memory large temporaries need at once: an account of its own, from the data flow.
 //!
 //! A value is alive from where it is written as a whole to the last read that may see it, backwards through the
-//! statements, loops until nothing changes. The compiler counts statements instead (`codegen/src/passes/lend/`), and
+//! statements, loops until nothing changes. The compiler counts statements instead (`codegen/backend/src/passes/lend/`), and
 //! must come close to this. It must not use anything of that.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use bessemer_backend::passes;
 use bessemer_codegen::compile::Compiled;
-use bessemer_codegen::passes;
 use bessemer_ir::visit::{Access, Visit, Walk, walk_place};
 use bessemer_ir::{
     Block, Expr, ExprKind, Float, Form, Function, LocalId, Mode, Module, Place, Scalar, Stmt,

@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Stdio;
 
-use bessemer_codegen::c::Options;
-use bessemer_codegen::c::names::{Names, Passing, Returned};
+use bessemer_backend::c::Options;
+use bessemer_backend::c::names::{Names, Passing, Returned};
 use bessemer_codegen::compile::Compiled;
 use bessemer_ir::{Float, FunctionId, Int, Scalar, Type};
 

@@ -19,7 +19,7 @@ pub use bessemer_legs::{
     watch, words,
 };
 
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 use bessemer_codegen::compile::{Compiled, Options};
 use std::path::PathBuf;
 use std::sync::OnceLock;

@@ -9,9 +9,9 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 
 use bessemer_codegen::compile::{self, Compiled};
-use bessemer_codegen::diagnostic;
 use bessemer_codegen::generate::{self, Job, Made, Summary, Tree};
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::diagnostic;
+use bessemer_frontend::source::Sources;
 use bessemer_legs::trees;
 use tempfile::TempDir;
 

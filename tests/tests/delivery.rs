@@ -3,8 +3,8 @@
 use std::fs;
 use std::thread;
 
-use bessemer_codegen::diagnostic::Level;
 use bessemer_codegen::generate::{self, Error, Job};
+use bessemer_frontend::diagnostic::Level;
 use bessemer_tests::root;
 use bessemer_tests::workspace::Workspace;
 

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::thread;
 
-use bessemer_codegen::c::names::FAULTS;
+use bessemer_backend::c::names::FAULTS;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::compile::Options;
 use bessemer_interpret::{Interpreter, Stop};

@@ -6,7 +6,7 @@
 //! last place of 1 and `γ(n) = n u / (1 − n u)`: `|P A − L U| ≤ γ(n) |L| |U|` (theorem 9.3), `|b − A x| ≤ γ(3 n) |L| |U| |x|`
 //! (theorem 9.4), `|C − A B| ≤ γ(n) |A| |B|` (section 3.5). L and U are those that the kernel `lu_solve` of the size gives.
 
-use bessemer_codegen::kernels::{Mode, Processors, Tuning};
+use bessemer_backend::kernels::{Mode, Processors, Tuning};
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 use bessemer_tests::kernels::{Program, kernel, number, word};
 use bessemer_tests::toolchain::{self, Toolchain};

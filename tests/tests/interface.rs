@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::interface::Bytes;
+use bessemer_backend::c::interface::Bytes;
 use bessemer_legs::process::lay_out;
 use bessemer_project::interface;
 use bessemer_tests::toolchain::{self, CORTEX_M4F, GCC, run};

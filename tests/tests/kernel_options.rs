@@ -4,8 +4,8 @@
 
 use std::process::Command;
 
-use bessemer_codegen::c::Options;
-use bessemer_codegen::kernels::{self, Mode, Processors, Tuning, replace};
+use bessemer_backend::c::Options;
+use bessemer_backend::kernels::{self, Mode, Processors, Tuning, replace};
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 use bessemer_tests::kernels::files;
 use bessemer_tests::store::once;

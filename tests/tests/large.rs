@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 
 use bessemer::math::Real;
 use bessemer::nalgebra::SMatrix;
-use bessemer_codegen::c::Options;
-use bessemer_codegen::kernels::Tuning;
+use bessemer_backend::c::Options;
+use bessemer_backend::kernels::Tuning;
 use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, FunctionId, Kernel, KernelRoutine, Module};
 use bessemer_tests::kernels::{self, Program, kernel, number, word};

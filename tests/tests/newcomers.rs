@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bessemer_codegen::diagnostic::{self, Diagnostic, Level};
 use bessemer_codegen::generate::Error;
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::diagnostic::{self, Diagnostic, Level};
+use bessemer_frontend::source::Sources;
 use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
 

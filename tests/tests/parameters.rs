@@ -2,7 +2,7 @@
 //!
 //! The interface is written by hand, with each type of number and what no table may have: no model has all of it.
 
-use bessemer_codegen::c::interface::{Bytes, Field, Interface, Struct, Value};
+use bessemer_backend::c::interface::{Bytes, Field, Interface, Struct, Value};
 use bessemer_codegen::compile::Options;
 use bessemer_ir::Range;
 use bessemer_project::{interface, parameters};

@@ -8,8 +8,8 @@ use std::path::PathBuf;
 use std::sync::OnceLock;
 
 use bessemer_codegen::compile::{Compiled, Options};
-use bessemer_codegen::diagnostic;
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::diagnostic;
+use bessemer_frontend::source::Sources;
 use bessemer_interpret::Interpreter;
 use bessemer_tests::compiled_with;
 use bessemer_tests::toolchain;

@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use bessemer_codegen::c::{self, CFile, Options};
+use bessemer_backend::c::{self, CFile, Options};
 use bessemer_ir::Module;
 use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain};

@@ -3,7 +3,7 @@
 
 use bessemer_codegen::compile::{self, Options};
 use bessemer_codegen::generate::Job;
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::source::Sources;
 use bessemer_ir::tree::{Package, Ty};
 use bessemer_ir::{Float, Int, Scalar};
 use bessemer_tests::{compiled, root, trees, turn};

@@ -13,7 +13,10 @@ use std::path::Path;
 const TEST: &str = "random::fuzz::as_many_as_asked";
 
 /// The compiler runs for hours: it is worth optimising.
-const OPTIMISED: &str = "profile.dev.package.bessemer-codegen.opt-level=2";
+const OPTIMISED: [&str; 2] = [
+    "profile.dev.package.bessemer-frontend.opt-level=2",
+    "profile.dev.package.bessemer-backend.opt-level=2",
+];
 
 /// Runs the programs.
 ///
@@ -24,7 +27,7 @@ pub fn run(root: &Path, wanted: &Fuzz) -> Result<Outcome, Error> {
     let build = ["test", "--no-run", "--message-format", "json-render-diagnostics"];
     let mut build = project::cargo(root, &build);
     build.args(["--package", "bessemer-tests", "--test", "all"]);
-    build.args(["--config", OPTIMISED]);
+    OPTIMISED.iter().for_each(|setting| _ = build.args(["--config", setting]));
     let (status, messages) =
         Progress::default().closed(stage, |voice| stages::answered(&mut build, voice))?;
     let programs = Program::of(&messages);

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use bessemer_codegen::kernels::{Mode, Tuning};
+use bessemer_backend::kernels::{Mode, Tuning};
 
 use super::case::{Case, Routine};
 use super::generated;

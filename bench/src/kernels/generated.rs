@@ -4,8 +4,8 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use bessemer_codegen::kernels::{self, Tuning};
-use bessemer_codegen::{c, passes};
+use bessemer_backend::kernels::{self, Tuning};
+use bessemer_backend::{c, passes};
 use bessemer_ir::{
     Block, Expr, ExprKind, Float, Function, Inlining, Kernel, KernelRoutine, LocalId, Module,
     Place, Routine as Node, Stmt, StmtKind,

@@ -5,7 +5,7 @@
 //!
 //! It must not know what the C computes.
 
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 use bessemer_codegen::compile::{Compiled, Options};
 
 use crate::firmware;

@@ -1,8 +1,8 @@
 //! Reads `bessemer.toml`. Unknown keys and values that mean nothing are reported at their line and column.
 
+use bessemer_backend::kernels::replace;
 use bessemer_codegen::compile::Options;
-use bessemer_codegen::diagnostic::Diagnostic;
-use bessemer_codegen::kernels::replace;
+use bessemer_frontend::diagnostic::Diagnostic;
 use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -211,8 +211,8 @@ fn nearest<'k>(written: &str, known: impl Iterator<Item = &'k str>) -> Option<&'
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bessemer_backend::kernels::{Mode, Processors, Tuning};
     use bessemer_codegen::compile::{Layout, Math, Standard};
-    use bessemer_codegen::kernels::{Mode, Processors, Tuning};
 
     #[test]
     fn what_is_there_is_set() {

@@ -5,9 +5,9 @@
 
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::interface::{Entry, Interface, Struct, Value};
-use bessemer_codegen::c::names::Passing;
-use bessemer_codegen::c::{CFile, comment_text};
+use bessemer_backend::c::interface::{Entry, Interface, Struct, Value};
+use bessemer_backend::c::names::Passing;
+use bessemer_backend::c::{CFile, comment_text};
 
 /// An entry point as firmware calls it.
 pub struct Call<'f> {

@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 use bessemer_codegen::compile::Compiled;
-use bessemer_codegen::diagnostic::{self, Diagnostic, Told};
 use bessemer_codegen::generate::{self, Job, Made};
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::diagnostic::{self, Diagnostic, Told};
+use bessemer_frontend::source::Sources;
 
 use crate::error::Error;
 use crate::project::Project;

@@ -2,10 +2,10 @@
 //!
 //! Invariant: the same C gives the same text. It must not know who reads it.
 
-use bessemer_codegen::c::interface::{
+use bessemer_backend::c::interface::{
     Bytes, Entry, Enum, Field, Interface, Parameter, Struct, Value,
 };
-use bessemer_codegen::c::names::Passing;
+use bessemer_backend::c::names::Passing;
 use serde_json::{Value as Json, json};
 
 use crate::parameters::{self, Row};

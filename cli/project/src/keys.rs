@@ -1,7 +1,7 @@
 //! The keys of `bessemer.toml`: one table, which the reader, the JSON Schema and the page of the documentation follow.
 
+use bessemer_backend::kernels::{Mode, Processors};
 use bessemer_codegen::compile::{Layout, Math, Standard};
-use bessemer_codegen::kernels::{Mode, Processors};
 
 use crate::settings::{Limit, Settings};
 
@@ -89,7 +89,7 @@ impl Form {
             }
             Form::Headers => text.is_empty() || text.split('/').all(is_name),
             Form::Prefix => text.is_empty() || named,
-            Form::Name => named && !bessemer_codegen::c::is_reserved(text),
+            Form::Name => named && !bessemer_backend::c::is_reserved(text),
             Form::License => {
                 let taken = |it: char| it.is_ascii_alphanumeric() || "().+-: ".contains(it);
                 !text.trim().is_empty() && text.chars().all(taken)

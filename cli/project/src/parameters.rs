@@ -9,8 +9,8 @@
 
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::CFile;
-use bessemer_codegen::c::interface::{Bytes, Interface, Leaf, Struct};
+use bessemer_backend::c::CFile;
+use bessemer_backend::c::interface::{Bytes, Interface, Leaf, Struct};
 use bessemer_codegen::compile::Options;
 
 /// A parameter: one number, or the elements of an array or a matrix.

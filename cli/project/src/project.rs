@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use bessemer_codegen::diagnostic;
 use bessemer_codegen::generate::{Job, Member, Workspace};
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::diagnostic;
+use bessemer_frontend::source::Sources;
 use toml::de::DeTable;
 
 use crate::error::Error;

@@ -151,7 +151,7 @@ pub fn figures(processor: &Processor, cases: &[Case], seen: &Seen, limits: &Limi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bessemer_codegen::c::names::FAULTS;
+    use bessemer_backend::c::names::FAULTS;
     use bessemer_ir::{FunctionId, Type};
     use bessemer_project::Limit;
 

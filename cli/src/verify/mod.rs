@@ -13,8 +13,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use bessemer_codegen::c::CFile;
-use bessemer_codegen::c::names::FAULTS;
+use bessemer_backend::c::CFile;
+use bessemer_backend::c::names::FAULTS;
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_codegen::generate::{self, Program};
 use bessemer_interpret::{Interpreter, Stop};
@@ -511,7 +511,7 @@ mod tests {
 
     #[test]
     fn a_component_without_a_constructor_begins_with_zeros() {
-        let text = include_str!("../../../codegen/tests/c/height.ir");
+        let text = include_str!("../../../codegen/backend/tests/c/height.ir");
         let mut module = bessemer_ir::text::parse(text).expect("it is a module");
         module.structs.iter_mut().for_each(|of| of.initial = None);
         for case in cases(&module, &Inputs::Made { seed: 0 }) {
@@ -528,7 +528,7 @@ mod tests {
 
     #[test]
     fn a_word_that_differs_is_found() {
-        let text = include_str!("../../../codegen/tests/c/height.ir");
+        let text = include_str!("../../../codegen/backend/tests/c/height.ir");
         let module = bessemer_ir::text::parse(text).expect("it is a module");
         let cases = cases(&module, &Inputs::Made { seed: 0 });
         let mut got: Vec<Vec<Outcome>> = cases.iter().map(|case| case.expected.clone()).collect();

@@ -284,7 +284,7 @@ mod tests {
 
     #[test]
     fn rows_become_calls_and_mistakes_are_placed() {
-        let text = include_str!("../../../codegen/tests/c/height.ir");
+        let text = include_str!("../../../codegen/backend/tests/c/height.ir");
         let module = bessemer_ir::text::parse(text).expect("it is a module");
         let entry = |it: &&Function| matches!(it.role, bessemer_ir::Role::Entry { .. });
         let function = module.functions.iter().find(entry).expect("an entry point");

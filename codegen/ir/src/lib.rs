@@ -2,6 +2,8 @@
 //!
 //! * [`ir`]: typed, names resolved, places explicit, control flow as statements. The interpreter and
 //!   the C back end read nothing else. [`text`] prints it and parses it back.
+//! * [`effects`] and [`alias`]: what stages ask of it, what is read and written, and which places may be one; [`used`]
+//!   counts how often they prove by it.
 //! * [`tree`]: the form before it, which the DSL hands on, for whoever reads both.
 //!
 //! Invariants: `no_std`; no nalgebra; nothing here knows Rust's front end or C.
@@ -10,14 +12,17 @@
 
 extern crate alloc;
 
+pub mod alias;
 mod build;
 mod canonical;
 mod data;
+pub mod effects;
 mod enums;
 pub mod ir;
 pub mod kernel;
 mod operator;
 pub mod text;
+pub mod used;
 pub mod visit;
 pub mod words;
 

@@ -3,7 +3,7 @@
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
-use crate::diagnostic::Told;
+use bessemer_frontend::diagnostic::Told;
 
 /// Why nothing was generated.
 #[derive(Debug, thiserror::Error)]

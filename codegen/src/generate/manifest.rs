@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::files::Files;
-use crate::c::{CFile, Measured};
 use crate::compile::Compiled;
+use bessemer_backend::c::{CFile, Measured};
 
 /// The name of the manifest.
 pub const NAME: &str = "manifest.json";

@@ -17,9 +17,9 @@ mod told;
 mod workspace;
 
 use crate::compile::{self, Compiled};
-use crate::diagnostic::{Diagnostic, Told};
 use crate::remarks;
-use crate::source::Sources;
+use bessemer_frontend::diagnostic::{Diagnostic, Told};
+use bessemer_frontend::source::Sources;
 
 pub use error::Error;
 pub use job::Job;

@@ -15,8 +15,8 @@ use super::program::{self, Built, Program};
 use super::told;
 use super::workspace::{Workspace, cargo, program as cargo_program};
 use crate::deep;
-use crate::diagnostic::{Diagnostic, Level, Told};
-use crate::source::Sources;
+use bessemer_frontend::diagnostic::{Diagnostic, Level, Told};
+use bessemer_frontend::source::Sources;
 
 /// The lock that is held while something is built: the build must still be there when it is linked.
 const BUILDS: &str = ".bessemer-lock";

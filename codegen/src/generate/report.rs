@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 
 use bessemer_ir::{Fault, Owner, Role, Span};
 
-use crate::c::{EntryReport, Width};
 use crate::compile::Compiled;
-use crate::passes;
+use bessemer_backend::c::{EntryReport, Width};
+use bessemer_backend::passes;
 
 /// Component, entry point, lines of C, bytes of state, estimated stack, checks left, operations in double and of 64 bits;
 /// below it the external functions.

@@ -17,7 +17,7 @@ mod names;
 use std::sync::OnceLock;
 use std::thread;
 
-use bessemer_codegen::c::names::FAULTS;
+use bessemer_backend::c::names::FAULTS;
 use bessemer_codegen::compile::{Compiled, Layout, Options};
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Owner, Type};

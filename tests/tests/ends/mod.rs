@@ -9,8 +9,8 @@ mod generate;
 use std::collections::BTreeSet;
 
 use bessemer_codegen::compile::{self, Options};
-use bessemer_codegen::diagnostic;
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::diagnostic;
+use bessemer_frontend::source::Sources;
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::visit::{VisitMut, walk_stmt_mut};
 use bessemer_ir::{Expr, ExprKind, FunctionId, Int, LocalId, Module, Scalar, Stmt, StmtKind, Type};

@@ -5,7 +5,7 @@
 
 use std::time::Instant;
 
-use bessemer_codegen::used;
+use bessemer_ir::used;
 use bessemer_tests::workspace::Workspace;
 
 use super::{Batch, PROGRAMS, Reached, attack, found, shrink, wrong};

@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use bessemer_codegen::c::names::FAULTS;
+use bessemer_backend::c::names::FAULTS;
 use bessemer_codegen::compile::Compiled;
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{FunctionId, Mode, Module, Owner, Type};

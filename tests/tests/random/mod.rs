@@ -34,9 +34,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use bessemer_codegen::compile::{self, Compiled, Options};
-use bessemer_codegen::diagnostic;
 use bessemer_codegen::generate::{Error, Tree};
-use bessemer_codegen::source::Sources;
+use bessemer_frontend::diagnostic;
+use bessemer_frontend::source::Sources;
 use bessemer_ir::tree::Package;
 use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::{self, Toolchain};

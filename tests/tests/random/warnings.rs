@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_codegen::c::CFile;
+use bessemer_backend::c::CFile;
 
 use super::legs::Difference;
 

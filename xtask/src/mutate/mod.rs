@@ -35,7 +35,7 @@ const TESTS: [&str; 9] = [
     "test --workspace --test all linear::",
     "test --workspace --test all edges::",
     "test --workspace --test all random::",
-    "test --package bessemer-codegen --package bessemer-ir --package bessemer-legs --lib --tests",
+    "test --package bessemer-backend --package bessemer-frontend --package bessemer-codegen --package bessemer-ir --package bessemer-legs --lib --tests",
     "test --package bessemer",
     "test --workspace --test all",
 ];

@@ -12,7 +12,7 @@ use std::process::{Child, Command, Stdio};
 
 use bessemer::linear::kernels::{cholesky_lower, cholesky_solve_mut};
 use bessemer::prelude::*;
-use bessemer_codegen::kernels::{Mode, Processors, Tuning};
+use bessemer_backend::kernels::{Mode, Processors, Tuning};
 use bessemer_ir::KernelRoutine;
 use bessemer_legs::kernels::{Program, kernel};
 use bessemer_legs::toolchain::{self, Toolchain};

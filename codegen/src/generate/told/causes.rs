@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 
 use super::rustc::{Mark, Message};
 use super::wording::{Once, UNNAMED, Words};
-use crate::source::Sources;
+use bessemer_frontend::source::Sources;
 
 /// A message, and its words if they are ours.
 pub type Worded<'m, 'a> = (&'m Message<'a>, Option<Words>);

@@ -18,8 +18,8 @@ mod wording;
 
 use serde_json::Value;
 
-use crate::diagnostic::{Diagnostic, Level, Place};
-use crate::source::Sources;
+use bessemer_frontend::diagnostic::{Diagnostic, Level, Place};
+use bessemer_frontend::source::Sources;
 use rustc::Message;
 use wording::Words;
 

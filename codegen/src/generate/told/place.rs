@@ -3,8 +3,8 @@
 
 use super::causes::Item;
 use super::rustc::Mark;
-use crate::diagnostic::{Diagnostic, Place};
-use crate::source::Sources;
+use bessemer_frontend::diagnostic::{Diagnostic, Place};
+use bessemer_frontend::source::Sources;
 
 /// A diagnostic about the type `name`, told at `mark`, at the name; with the place where it is declared, if that is in the
 /// same file.

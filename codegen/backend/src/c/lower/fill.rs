@@ -1,0 +1,258 @@
+//! Arrays and matrices that a loop fills, and structs of which each field is written: the value that they start with is never
+//! seen, so C goes without; of an array that is filled in part, the rest alone gets it.
+//!
+//! Invariant: where [`filled`] or [`rewritten`] say so, and outside of what [`unwritten`] tells, every element is assigned before
+//! anything reads it, on each path.
+
+use std::collections::BTreeSet;
+
+use bessemer_ir::visit::Walk;
+use bessemer_ir::{
+    BinaryOp, Block, Expr, ExprKind, Form, LocalId, Module, Place, Step, Stmt, StmtKind, Type,
+};
+
+use bessemer_ir::effects::{mentions, whole};
+
+/// Elements of an array from which on those are told apart that are written before anything reads them.
+const MOST: u32 = 4096;
+
+/// The elements of an array, from and to, that statements after its declaration do not write before anything else of it is
+/// touched: counters and numbers tell which they write.
+pub(super) fn unwritten(
+    module: &Module,
+    local: LocalId,
+    ty: &Type,
+    rest: &[Stmt],
+) -> Vec<(u32, u32)> {
+    let count = match *ty {
+        Type::Array { len, .. } => len,
+        Type::Matrix { rows, cols: 1, .. } => rows,
+        _ => return vec![(0, u32::MAX)],
+    };
+    if count > MOST {
+        return vec![(0, count)];
+    }
+    let mut written = vec![false; count as usize];
+    for stmt in rest {
+        let before = written.clone();
+        let wrote = match through(module, stmt) {
+            Some((counter, to, body)) => {
+                each(module, local, &body.0, Some((counter, to)), &mut written)
+            }
+            None => each(module, local, [stmt], None, &mut written),
+        };
+        // A pass that reads may see what a later one would write.
+        if !wrote || leaves(stmt) {
+            written = before;
+            break;
+        }
+    }
+    let mut gaps: Vec<(u32, u32)> = Vec::new();
+    for at in (0..count).filter(|at| !written[*at as usize]) {
+        match gaps.last_mut() {
+            Some((_, end)) if *end == at => *end += 1,
+            _ => gaps.push((at, at + 1)),
+        }
+    }
+    gaps
+}
+
+/// Marks what these statements write, in each pass of a loop; no, if one of them does something else with the array.
+fn each<'s>(
+    module: &Module,
+    local: LocalId,
+    stmts: impl IntoIterator<Item = &'s Stmt>,
+    counter: Option<(LocalId, u32)>,
+    written: &mut [bool],
+) -> bool {
+    for stmt in stmts {
+        let place = match &stmt.kind {
+            StmtKind::Assign { place, value } if place.root == local => {
+                if mentions(value, local) {
+                    return false;
+                }
+                place
+            }
+            _ if mentions(stmt, local) => return false,
+            _ => continue,
+        };
+        let ([Step::Index(index)] | [Step::Element(index, _)]) = place.steps.as_slice() else {
+            return false;
+        };
+        let Some((first, counts)) = position(module, index, counter) else { return false };
+        let many = if counts { counter.map_or(1, |(_, to)| to) } else { 1 };
+        for at in first..first.saturating_add(u64::from(many)) {
+            match usize::try_from(at).ok().and_then(|at| written.get_mut(at)) {
+                Some(written) => *written = true,
+                None => return false,
+            }
+        }
+    }
+    true
+}
+
+/// What is added to a counter, and whether it is.
+fn position(module: &Module, index: &Expr, counter: Option<(LocalId, u32)>) -> Option<(u64, bool)> {
+    match &index.kind {
+        ExprKind::Literal(word) => Some((*word, false)),
+        ExprKind::Const(id) => Some((*module.consts[id.index()].words.first()?, false)),
+        ExprKind::Load(place) => (place.steps.is_empty()
+            && Some(place.root) == counter.map(|(id, _)| id))
+        .then_some((0, true)),
+        ExprKind::Binary(BinaryOp::Add, left, right) => {
+            let ((a, one), (b, other)) =
+                (position(module, left, counter)?, position(module, right, counter)?);
+            (!(one && other)).then_some((a.checked_add(b)?, one || other))
+        }
+        _ => None,
+    }
+}
+
+/// Whether a loop of `rest`, the first statement that mentions `local`, assigns each of its elements.
+pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
+    let Some(first) = rest.iter().find(|stmt| mentions(*stmt, local)) else {
+        return false;
+    };
+    let Some((outer, to, body)) = through(module, first) else { return false };
+    if let ([inner], Type::Matrix { rows, cols, .. }) = (body.0.as_slice(), ty)
+        && let Some((row, last, body)) = through(module, inner)
+    {
+        // By columns, or by rows.
+        let (inner, outer) = (Some(row), Some(outer));
+        return (to, last) == (*cols, *rows) && assigns(local, &[inner, outer], body)
+            || (to, last) == (*rows, *cols) && assigns(local, &[outer, inner], body);
+    }
+    let (count, element) = match *ty {
+        Type::Array { len, .. } => (len, vec![Some(outer)]),
+        Type::Matrix { rows, cols: 1, .. } => (rows, vec![Some(outer), None]),
+        Type::Matrix { rows: 1, cols, .. } => (cols, vec![None, Some(outer)]),
+        Type::Matrix { rows, cols, .. } => (rows * cols, vec![Some(outer)]),
+        _ => return false,
+    };
+    to == count && assigns(local, &element, body)
+}
+
+/// Whether the statements behind a struct's declaration write each of its fields before anything else of it is touched: whole,
+/// or as an array in a loop over all of it.
+pub(super) fn rewritten(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
+    let Type::Struct(id) = ty else { return false };
+    let item = &module.structs[id.index()];
+    if item.form != Form::Record {
+        return false;
+    }
+    let mut left: BTreeSet<u32> = (0..item.fields.len() as u32).collect();
+    for stmt in rest {
+        if leaves(stmt) {
+            return false;
+        }
+        let (counter, body) = match through(module, stmt) {
+            Some((counter, to, body)) if to > 0 => (Some((counter, to)), body.0.as_slice()),
+            _ => (None, std::slice::from_ref(stmt)),
+        };
+        for stmt in body.iter().filter(|stmt| mentions(*stmt, local)) {
+            let StmtKind::Assign { place, value } = &stmt.kind else { return false };
+            if place.root != local || mentions(value, local) {
+                return false;
+            }
+            match (place.steps.as_slice(), counter) {
+                ([Step::Field(field)], _) => left.remove(field),
+                ([Step::Field(field), element], Some((counter, to)))
+                    if is_each(&item.fields[*field as usize].ty, element, counter, to) =>
+                {
+                    left.remove(field)
+                }
+                _ => return false,
+            };
+        }
+        if left.is_empty() {
+            return true;
+        }
+    }
+    false
+}
+
+/// Whether a step leads to each element of an array or a vector as `counter` goes from 0 to `to`.
+fn is_each(ty: &Type, step: &Step, counter: LocalId, to: u32) -> bool {
+    let place = |steps| Place { steps, ..whole(counter) };
+    let (len, at) = match *ty {
+        Type::Array { len, .. } => (len, vec![Some(counter)]),
+        Type::Matrix { rows, cols: 1, .. } if matches!(step, Step::Index(_)) => {
+            (rows, vec![Some(counter)])
+        }
+        Type::Matrix { rows, cols: 1, .. } => (rows, vec![Some(counter), None]),
+        _ => return false,
+    };
+    len == to && is_element(&place(vec![step.clone()]), &at)
+}
+
+/// The counter of a loop from 0, its end and its body.
+fn through<'s>(module: &Module, stmt: &'s Stmt) -> Option<(LocalId, u32, &'s Block)> {
+    match &stmt.kind {
+        StmtKind::For { variable, from, to, inclusive: false, body, .. } => {
+            let to = match &to.kind {
+                ExprKind::Literal(word) => *word,
+                ExprKind::Const(id) => *module.consts[id.index()].words.first()?,
+                _ => return None,
+            };
+            matches!(from.kind, ExprKind::Literal(0)).then_some((
+                *variable,
+                u32::try_from(to).ok()?,
+                body,
+            ))
+        }
+        _ => None,
+    }
+}
+
+/// Whether each path through a block assigns the element at these counters (none: at 0), before anything
+/// else of the local is touched.
+fn assigns(local: LocalId, at: &[Option<LocalId>], block: &Block) -> bool {
+    for stmt in &block.0 {
+        match &stmt.kind {
+            StmtKind::Assign { place, value } if place.root == local => {
+                return is_element(place, at) && !mentions(value, local);
+            }
+            StmtKind::If { condition, then, otherwise } => {
+                let both = assigns(local, at, then) && assigns(local, at, otherwise);
+                if both {
+                    return !mentions(condition, local);
+                }
+            }
+            StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => return false,
+            _ => {}
+        }
+        if mentions(stmt, local) || leaves(stmt) {
+            return false;
+        }
+    }
+    false
+}
+
+fn is_element(place: &Place, at: &[Option<LocalId>]) -> bool {
+    let is = |index: &Expr, at: &Option<LocalId>| match (&index.kind, at) {
+        (ExprKind::Load(place), Some(counter)) => place.root == *counter && place.steps.is_empty(),
+        (ExprKind::Literal(word), None) => *word == 0,
+        _ => false,
+    };
+    match (place.steps.as_slice(), at) {
+        ([Step::Index(index)], [counter]) => is(index, counter),
+        ([Step::Element(row, column)], [first, second]) => is(row, first) && is(column, second),
+        _ => false,
+    }
+}
+
+/// Whether something in a statement leaves a loop or the function.
+fn leaves(stmt: &Stmt) -> bool {
+    stmt.any_stmt(|stmt| {
+        matches!(stmt.kind, StmtKind::Break | StmtKind::Continue | StmtKind::Return(_))
+    })
+}
+
+/// How many elements an array or a matrix has.
+pub(super) fn length(ty: &Type) -> u32 {
+    match ty {
+        Type::Array { len, .. } => *len,
+        Type::Matrix { rows, cols, .. } => rows * cols,
+        _ => 1,
+    }
+}

@@ -1,0 +1,457 @@
+//! Statements, save loops and calls.
+
+use bessemer_ir::visit::Walk;
+use bessemer_ir::{
+    Arm, Block, ConstId, Expr as Ir, ExprKind, Fault, Int, LocalId, Mode, Place, Role, Scalar,
+    Stmt as IrStmt, StmtKind as IrKind, Type,
+};
+
+use super::super::literal;
+use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
+use super::Lower;
+use super::fill::{filled, length, rewritten, unwritten};
+use crate::uncopied::is_table;
+use bessemer_ir::effects::{calls, whole};
+
+/// Elements up to which an initialiser is shorter than what fills the rest.
+const SHORT: u32 = 16;
+
+impl Lower<'_> {
+    /// Lowers the statements of a block into the open one; `tail`: the function ends after them.
+    pub(super) fn block_into(&mut self, block: &Block, tail: bool) {
+        for (index, stmt) in block.0.iter().enumerate() {
+            if !stmt.comments.is_empty() {
+                self.origin = None;
+                self.emit(StmtKind::Comment(stmt.comments.clone()));
+            }
+            self.at(stmt.span);
+            match &stmt.kind {
+                IrKind::Let { local, value: Some(value) }
+                    if matches!(value.kind, ExprKind::Splat(_)) =>
+                {
+                    self.let_filled(*local, value, &block.0[index + 1..]);
+                }
+                IrKind::Let { local, value: Some(value) }
+                    if self.is_idle(value)
+                        && rewritten(
+                            self.context.module,
+                            *local,
+                            &value.ty,
+                            &block.0[index + 1..],
+                        ) =>
+                {
+                    self.let_(*local, None);
+                }
+                _ => self.stmt(stmt, tail && index + 1 == block.0.len()),
+            }
+        }
+    }
+
+    fn stmt(&mut self, stmt: &IrStmt, tail: bool) {
+        match &stmt.kind {
+            IrKind::Let { local, value } => self.let_(*local, value.as_ref()),
+            IrKind::Assign { place, value } => self.assignment(place, value),
+            IrKind::Expr(value) => self.effect(value),
+            IrKind::If { condition, then, otherwise } => {
+                let condition = self.word(condition);
+                let origin = self.origin;
+                let then = self.block(then, tail);
+                let otherwise = self.block(otherwise, tail);
+                self.origin = origin;
+                self.emit(StmtKind::If { condition, then, otherwise });
+            }
+            IrKind::Match { scrutinee, arms, otherwise } => {
+                self.match_(scrutinee, arms, otherwise.as_ref(), tail);
+            }
+            IrKind::For { ended: true, body, .. } => self.while_(body),
+            IrKind::For { variable, from, to, inclusive, reversed, unroll, body, .. } => {
+                self.unroll = *unroll;
+                self.for_(*variable, (from, to), *inclusive, *reversed, body);
+                self.unroll = None;
+            }
+            IrKind::Check { condition, fault } => self.check(condition, *fault),
+            IrKind::Return(value) => self.return_(value.as_ref(), tail),
+            IrKind::Break => self.emit(StmtKind::Break),
+            IrKind::Continue => self.emit(StmtKind::Continue),
+        }
+    }
+
+    /// A local of equal values, of which statements behind it may write some before they are seen.
+    fn let_filled(&mut self, local: LocalId, value: &Ir, rest: &[IrStmt]) {
+        let (module, ty) = (self.context.module, &self.function.local(local).ty);
+        if filled(module, local, ty, rest) {
+            return self.let_(local, None);
+        }
+        let gaps = unwritten(module, local, ty, rest);
+        let ExprKind::Splat(item) = &value.kind else { return };
+        let literal = matches!(item.kind, ExprKind::Literal(_));
+        if gaps.is_empty() {
+            return self.let_(local, None);
+        }
+        let [(from, to)] = gaps[..] else { return self.let_(local, Some(value)) };
+        // An initialiser says less for what is short, or mostly not written.
+        if !literal || to - from > length(ty) / 2 || length(ty) <= SHORT {
+            return self.let_(local, Some(value));
+        }
+        self.let_(local, None);
+        let place = self.place(&whole(local));
+        self.count_from("i", from, to, |lower, index| lower.store(place.at(index), None, item));
+    }
+
+    /// Whether nothing misses a value that is not computed: it reads no place, and calls at most a function that others may call.
+    fn is_idle(&self, value: &Ir) -> bool {
+        let functions = &self.context.module.functions;
+        let called = match &value.kind {
+            ExprKind::Call(id, _) => Some(*id),
+            _ if value.any_expr(|expr| matches!(expr.kind, ExprKind::Call(..))) => return false,
+            _ => None,
+        };
+        let known = called.is_none_or(|id| {
+            functions[id.index()].role == Role::Public && !self.context.faults.fallible(id)
+        });
+        known && !value.any_place(|_, _| true)
+    }
+
+    fn let_(&mut self, local: LocalId, value: Option<&Ir>) {
+        let ty = self.function.local(local).ty.clone();
+        if self.in_place == Some(local) {
+            self.let_in_place(local, value);
+            return;
+        }
+        if let Some(part) = self.part_of_result(local) {
+            value.into_iter().for_each(|value| self.store(part.clone(), None, value));
+            return;
+        }
+        if let Some(Ir { kind: ExprKind::Load(place), .. }) = value {
+            let lent = self.function.local(local).mode == Mode::RefMut;
+            if lent || self.names.contains_key(&local) {
+                self.name_part(local, place, !lent);
+                return;
+            }
+        }
+        let constant = value.is_some() && !self.usage.assigned[local.index()];
+        let sizes = self.sizes.remove(&local).unwrap_or_default();
+        match value {
+            _ if self.counters[local.index()].is_some() => {
+                let value = value.map(|value| Init::Value(self.size(value)));
+                let name = self.bind(local);
+                self.declare(&Type::Scalar(Scalar::Int(Int::U32)), &name, value, false);
+            }
+            None => {
+                let name = self.bind(local);
+                self.begin(&ty, &name, &sizes);
+            }
+            Some(value) if ty.is_word() && !self.is_status_call(value) => {
+                match self.range(value).filter(|_| constant) {
+                    Some(range) => self.let_narrow(local, value, range),
+                    None => {
+                        let value = self.given(value);
+                        let name = self.bind(local);
+                        self.declare(&ty, &name, Some(Init::Value(value)), constant);
+                    }
+                }
+            }
+            // A constant that is not written to needs no copy.
+            Some(Ir { kind: ExprKind::Const(id), .. }) if constant => {
+                let name = self.constant(*id).to_owned();
+                let binding = super::Binding { name, pointer: false, constant: Some(*id) };
+                self.bindings[local.index()] = Some(binding);
+                return;
+            }
+            Some(value) if constant && is_table(self.context.module, value) => {
+                let name = self.bind(local);
+                self.declare_table(&ty, &name, value);
+            }
+            Some(value) => {
+                let name = self.bind(local);
+                self.define_sized(&ty, &name, &sizes, value, constant);
+            }
+        }
+        if !self.usage.read[local.index()] && ty != Type::Unit {
+            let name = self.bindings[local.index()].as_ref().expect("just bound").name.clone();
+            self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(name))));
+        }
+    }
+
+    /// A size that stays as it began, in 32 bits.
+    fn let_narrow(&mut self, local: LocalId, value: &Ir, range: (i128, i128)) {
+        let value = self.size(value);
+        let name = self.bind(local);
+        self.counters[local.index()] = Some(range);
+        self.declare(&Type::Scalar(Scalar::Int(Int::U32)), &name, Some(Init::Value(value)), true);
+    }
+
+    /// A name for a part of what the function is lent, or of what it may read: `double *const gain = &work[36];`.
+    fn name_part(&mut self, local: LocalId, place: &Place, read_only: bool) {
+        let part = self.place(place);
+        let name = self.bind(local);
+        let array = place.ty.is_array();
+        let mut declarator = self.context.names.pointer(&place.ty, &name);
+        if read_only {
+            declarator.ty.insert_str(0, "const ");
+        }
+        self.include_type(&place.ty);
+        self.emit(StmtKind::Declare(
+            declarator,
+            Some(Init::Value(Lower::address(part, &place.ty))),
+        ));
+        self.bindings[local.index()] = Some(super::Binding::new(name, !array));
+    }
+
+    /// The local that is the result stands where the caller wants it.
+    fn let_in_place(&mut self, local: LocalId, value: Option<&Ir>) {
+        let name = self.signature.params[self.function.params as usize].name.clone();
+        let dest = self.result_storage().expect("only aggregates are built in place");
+        self.bindings[local.index()] =
+            Some(super::Binding::new(name, matches!(dest, Expr::Unary(..))));
+        if let Some(value) = value {
+            self.store(dest, None, value);
+        }
+    }
+
+    /// Declares `name` with a value: with an initialiser where C has one for it.
+    pub(super) fn define(&mut self, ty: &Type, name: &str, value: &Ir, constant: bool) {
+        self.define_sized(ty, name, &[], value, constant);
+    }
+
+    fn define_sized(
+        &mut self,
+        ty: &Type,
+        name: &str,
+        sizes: &[Option<ConstId>],
+        value: &Ir,
+        constant: bool,
+    ) {
+        if *ty == Type::Unit {
+            self.effect(value);
+            return;
+        }
+        if ty.is_word() && !self.is_status_call(value) {
+            let value = self.given(value);
+            self.declare(ty, name, Some(Init::Value(value)), constant);
+        } else if self.initialisable(value) {
+            let init = self.initialiser(value);
+            self.declare_sized(ty, name, sizes, Some(init), constant);
+        } else {
+            match value.kind {
+                // Copied whole.
+                ExprKind::Load(_) | ExprKind::Const(_) => {
+                    self.declare_sized(ty, name, sizes, None, false);
+                }
+                _ => self.begin(ty, name, sizes),
+            }
+            self.store(Expr::name(name), None, value);
+        }
+    }
+
+    fn is_status_call(&self, value: &Ir) -> bool {
+        matches!(&value.kind, ExprKind::Call(callee, _) if self.context.faults.fallible(*callee))
+    }
+
+    fn assignment(&mut self, place: &Place, value: &Ir) {
+        if place.ty == Type::Unit {
+            self.effect(value);
+            return;
+        }
+        if let ExprKind::Call(callee, arguments) = &value.kind {
+            self.call_into_place(*callee, arguments, place);
+            return;
+        }
+        let root = place.root.index();
+        let mentioned = self.mentioned[root];
+        let dest = self.place(place);
+        let is_local = place.steps.is_empty() && matches!(dest, Expr::Name(_));
+        if self.counter(place).is_some() {
+            let value = self.size(value);
+            self.assign(dest, value);
+        } else {
+            self.store(dest, Some(place), value);
+        }
+        if is_local {
+            // What is only set is not used, also where it is set to more of itself.
+            self.mentioned[root] = mentioned;
+        }
+    }
+
+    fn check(&mut self, condition: &Ir, fault: Fault) {
+        let then = self.scope(|lower| match fault {
+            Fault::LeftOut => {
+                lower.uses.system.insert("stdlib.h");
+                lower.emit(StmtKind::Expr(Expr::call("abort", Vec::new())));
+            }
+            _ => lower.fail(Expr::name(lower.context.names.status.fault(fault))),
+        });
+        match condition.kind {
+            ExprKind::Literal(0) => self.out.extend(then),
+            ExprKind::Literal(_) => {}
+            _ => {
+                let condition = self.negated(condition);
+                match &condition {
+                    Expr::Name(name) if name == "false" => {}
+                    Expr::Name(name) if name == "true" => self.out.extend(then),
+                    _ => self.emit(StmtKind::If { condition, then, otherwise: Vec::new() }),
+                }
+            }
+        }
+    }
+
+    /// Ends the function with a status that is not OK.
+    pub(super) fn fail(&mut self, status: Expr) {
+        let names = &self.context.names.status;
+        if let Some(hook) = &names.hook {
+            self.uses.headers.insert(names.header.clone());
+            self.emit(StmtKind::Expr(Expr::call(hook, vec![status])));
+            self.emit(StmtKind::Forever);
+            return;
+        }
+        match self.latch.clone() {
+            None => self.emit(StmtKind::Return(Some(status))),
+            Some(latch) => {
+                self.emit(StmtKind::Assign(latch, "=", status.clone()));
+                self.emit(StmtKind::Return(Some(status)));
+            }
+        }
+    }
+
+    fn return_(&mut self, value: Option<&Ir>, tail: bool) {
+        match (value, self.result_storage()) {
+            (Some(_), Some(_)) if self.in_place.is_some() => {}
+            (Some(value), Some(dest)) => self.store(dest, None, value),
+            (Some(value), None) if value.ty.is_word() => {
+                let value = self.given(value);
+                self.emit(StmtKind::Return(Some(value)));
+                return;
+            }
+            (Some(value), None) => self.effect(value),
+            (None, _) => {}
+        }
+        if self.is_fallible() {
+            self.emit_ok();
+        } else if !tail {
+            self.emit(StmtKind::Return(None));
+        }
+    }
+
+    fn match_(&mut self, scrutinee: &Ir, arms: &[Arm], otherwise: Option<&Block>, tail: bool) {
+        if let ([Arm { values, body }], Some(otherwise)) = (arms, otherwise)
+            && let [value] = values[..]
+        {
+            self.match_as_if(scrutinee, value, [body, otherwise], tail);
+            return;
+        }
+        // Of one way there is nothing to choose.
+        if let ([Arm { body, .. }], None, false) = (arms, otherwise, calls(scrutinee)) {
+            let body = self.block(body, tail);
+            self.emit(StmtKind::Block(body));
+            return;
+        }
+        let blocks: Vec<&Block> = arms.iter().map(|arm| &arm.body).chain(otherwise).collect();
+        if blocks.iter().any(|block| breaks(block)) {
+            self.match_as_ifs(scrutinee, arms, otherwise, tail);
+            return;
+        }
+        let value = self.word(scrutinee);
+        let origin = self.origin;
+        let mut list: Vec<SwitchArm> = Vec::new();
+        for (index, arm) in arms.iter().enumerate() {
+            let labels = arm.values.iter().map(|value| self.label(&scrutinee.ty, *value)).collect();
+            // Where the arms name every variant, the last stands for whatever else there might be.
+            let default = otherwise.is_none() && index + 1 == arms.len();
+            list.push(SwitchArm { labels, default, body: self.block(&arm.body, tail) });
+        }
+        if let Some(block) = otherwise {
+            let body = self.block(block, tail);
+            list.push(SwitchArm { labels: Vec::new(), default: true, body });
+        }
+        self.origin = origin;
+        self.emit(StmtKind::Switch { scrutinee: value, arms: list });
+    }
+
+    /// One value, and everything else.
+    fn match_as_if(&mut self, scrutinee: &Ir, value: i128, arms: [&Block; 2], tail: bool) {
+        let (origin, test) = (self.origin, self.word(scrutinee));
+        let [then, otherwise] = arms.map(|block| self.block(block, tail));
+        let value = self.label(&scrutinee.ty, value);
+        self.origin = origin;
+        self.emit(match then.is_empty() && !otherwise.is_empty() {
+            true => StmtKind::If {
+                condition: Expr::binary("!=", test, value),
+                then: otherwise,
+                otherwise: Vec::new(),
+            },
+            false => StmtKind::If { condition: Expr::binary("==", test, value), then, otherwise },
+        });
+    }
+
+    /// A `switch` takes `break` for itself; where an arm leaves a loop, the match becomes `if`s.
+    fn match_as_ifs(
+        &mut self,
+        scrutinee: &Ir,
+        arms: &[Arm],
+        otherwise: Option<&Block>,
+        tail: bool,
+    ) {
+        let origin = self.origin;
+        let mut value = self.word(scrutinee);
+        if !is_simple(&value) || self.is_assigned(scrutinee) {
+            let name = self.fresh("selector");
+            self.declare(&scrutinee.ty, &name, Some(Init::Value(value)), true);
+            value = Expr::name(name);
+        }
+        let mut chain: Vec<Stmt> =
+            otherwise.map(|block| self.block(block, tail)).unwrap_or_default();
+        for (index, arm) in arms.iter().enumerate().rev() {
+            let body = self.block(&arm.body, tail);
+            if otherwise.is_none() && index + 1 == arms.len() {
+                chain = body;
+                continue;
+            }
+            let tests = arm
+                .values
+                .iter()
+                .map(|label| Expr::binary("==", value.clone(), self.label(&scrutinee.ty, *label)));
+            let condition =
+                tests.reduce(|a, b| Expr::binary("||", a, b)).expect("an arm has values");
+            chain = vec![plain(StmtKind::If { condition, then: body, otherwise: chain })];
+        }
+        match <[Stmt; 1]>::try_from(chain) {
+            Ok([stmt]) => self.out.push(Stmt { origin, ..stmt }),
+            Err(body) => self.emit(StmtKind::Block(body)),
+        }
+    }
+
+    /// Whether the value could change while the arms are tried or run.
+    fn is_assigned(&self, expr: &Ir) -> bool {
+        match &expr.kind {
+            ExprKind::Load(place) => self.usage.assigned[place.root.index()],
+            _ => true,
+        }
+    }
+
+    fn label(&self, ty: &Type, value: i128) -> Expr {
+        literal::word(self.context.names, ty, value as u64)
+    }
+}
+
+/// Whether a value can be read again without cost or harm.
+pub(super) fn is_simple(value: &Expr) -> bool {
+    match value {
+        Expr::Name(_) => true,
+        Expr::Unary("-" | "*", inner) => is_simple(inner),
+        Expr::Member(inner, _) | Expr::Arrow(inner, _) => is_simple(inner),
+        Expr::Index(array, index) => is_simple(array) && matches!(**index, Expr::Name(_)),
+        _ => false,
+    }
+}
+
+/// Whether a block leaves the loop around it.
+fn breaks(block: &Block) -> bool {
+    block.0.iter().any(|stmt| match &stmt.kind {
+        IrKind::Break => true,
+        IrKind::If { then, otherwise, .. } => breaks(then) || breaks(otherwise),
+        IrKind::Match { arms, otherwise, .. } => {
+            arms.iter().any(|arm| breaks(&arm.body)) || otherwise.as_ref().is_some_and(breaks)
+        }
+        _ => false,
+    })
+}

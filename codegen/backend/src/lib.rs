@@ -1,0 +1,14 @@
+//! From the typed IR to checked IR, and from that to C99.
+//!
+//! [`validate`] stands before and behind the [`passes`]; [`c`] prints what they leave, and [`kernels`] are its routines of linear
+//! algebra. None of them imports another, save that the C asks the proofs of the passes which sizes fit into 32 bits
+//! (`passes::sizes`).
+//!
+//! Must not know: the author's Rust, and who asks for C.
+
+mod built;
+pub mod c;
+pub mod kernels;
+pub mod passes;
+mod uncopied;
+pub mod validate;

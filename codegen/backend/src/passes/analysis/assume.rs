@@ -1,0 +1,215 @@
+//! Consequences of a condition that is true, or false.
+//!
+//! The meaning: the executions of the state in which the condition has that truth are kept, others may go. A condition
+//! is assumed only behind its evaluation, so that it did not fault.
+
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Span, Type, UnaryOp};
+
+use super::domain::Interval;
+use super::evaluate::{brought_key, is_ordered};
+use super::known::Known;
+use super::state::{State, key};
+use bessemer_ir::used::Rule;
+
+impl<'m> State<'m> {
+    /// Whether `condition` surely holds.
+    pub(crate) fn proves(&self, condition: &Expr) -> bool {
+        if Rule::Interval.told(self.range(condition) == Interval::one(1)) {
+            return true;
+        }
+        match &condition.kind {
+            ExprKind::Logic(LogicOp::And, a, b) => self.proves(a) && self.proves(b),
+            ExprKind::Logic(LogicOp::Or, a, b) => {
+                self.holds(condition)
+                    || self.proves(a)
+                    || Rule::Either.told(self.assuming(a, false).proves(b))
+            }
+            _ => {
+                let below = || self.relations.below_length(condition, |it| self.fails(it));
+                self.holds(condition) || Rule::Length.told(below())
+            }
+        }
+    }
+
+    fn holds(&self, condition: &Expr) -> bool {
+        Rule::Relation.told(self.relations.give(condition, |it| self.fails(it)))
+    }
+
+    /// Whether `condition` surely does not hold.
+    fn fails(&self, condition: &Expr) -> bool {
+        self.range(condition) == Interval::one(0)
+    }
+
+    /// The same where `condition` is `truth`.
+    pub(crate) fn assuming(&self, condition: &Expr, truth: bool) -> State<'m> {
+        let mut state = self.clone();
+        state.assume(condition, truth);
+        state
+    }
+
+    /// From here on `condition` is `truth`.
+    pub(crate) fn assume(&mut self, condition: &Expr, truth: bool) {
+        match &condition.kind {
+            ExprKind::Unary(UnaryOp::Not, x) => self.assume(x, !truth),
+            ExprKind::Logic(op, a, b) if (*op == LogicOp::And) == truth => {
+                self.assume(a, truth);
+                self.assume(b, truth);
+            }
+            ExprKind::Compare(op, a, b) => self.assume_compare(*op, a, b, truth),
+            ExprKind::Load(_) => self.bound(condition, Interval::one(i128::from(truth))),
+            _ if truth => self.relations.learn(condition),
+            _ => {}
+        }
+    }
+
+    pub(super) fn assume_compare(&mut self, op: CompareOp, a: &Expr, b: &Expr, truth: bool) {
+        let float = a.ty.as_float().is_some();
+        let op = match (op, truth) {
+            (op, true) => op,
+            (CompareOp::Eq, false) => CompareOp::Ne,
+            (CompareOp::Ne, false) => CompareOp::Eq,
+            (_, false) if float => return,
+            (CompareOp::Lt, false) => CompareOp::Ge,
+            (CompareOp::Le, false) => CompareOp::Gt,
+            (CompareOp::Gt, false) => CompareOp::Le,
+            (CompareOp::Ge, false) => CompareOp::Lt,
+        };
+        if !float {
+            self.order(op, a, b);
+            self.assume_of_each(op, a, b);
+        }
+        let kind = ExprKind::Compare(op, Box::new(a.clone()), Box::new(b.clone()));
+        let fact = Expr { kind, ty: Type::BOOL, span: Span::default() };
+        self.relations.learn(&fact);
+    }
+
+    /// A number below the smaller of two integers is below each; the larger of two is below what each is below.
+    fn assume_of_each(&mut self, op: CompareOp, a: &Expr, b: &Expr) {
+        let (lower, upper, op) = match op {
+            CompareOp::Lt | CompareOp::Le => (a, b, op),
+            CompareOp::Gt => (b, a, CompareOp::Lt),
+            CompareOp::Ge => (b, a, CompareOp::Le),
+            CompareOp::Eq | CompareOp::Ne => return,
+        };
+        if let ExprKind::Intrinsic(Intrinsic::Max, each) = &lower.kind {
+            Rule::Each.used();
+            each.iter().for_each(|one| self.assume_compare(op, one, upper, true));
+        }
+        if let ExprKind::Intrinsic(Intrinsic::Min, each) = &upper.kind {
+            Rule::Each.used();
+            each.iter().for_each(|one| self.assume_compare(op, lower, one, true));
+        }
+    }
+
+    /// Narrows both sides of an integer comparison that holds.
+    fn order(&mut self, op: CompareOp, a: &Expr, b: &Expr) {
+        if !is_ordered(op, &a.ty) {
+            return;
+        }
+        let (x, y) = (self.range(a), self.range(b));
+        let below = |high: i128| Interval::new(i128::MIN, high);
+        let above = |low: i128| Interval::new(low, i128::MAX);
+        match op {
+            CompareOp::Lt => {
+                self.bound(a, below(y.high.saturating_sub(1)));
+                self.bound(b, above(x.low.saturating_add(1)));
+            }
+            CompareOp::Le => {
+                self.bound(a, below(y.high));
+                self.bound(b, above(x.low));
+            }
+            CompareOp::Gt => self.order(CompareOp::Lt, b, a),
+            CompareOp::Ge => self.order(CompareOp::Le, b, a),
+            CompareOp::Eq => {
+                self.bound(a, y);
+                self.bound(b, x);
+            }
+            // Two that are no variants may still differ.
+            CompareOp::Ne if self.may_stray(a) && self.may_stray(b) => {}
+            CompareOp::Ne => {
+                y.single().into_iter().for_each(|value| self.bound(a, x.without(value)));
+                x.single().into_iter().for_each(|value| self.bound(b, y.without(value)));
+            }
+        }
+    }
+
+    /// From here on the value of `expr` lies within `interval`.
+    pub(crate) fn bound(&mut self, expr: &Expr, interval: Interval) {
+        match &expr.kind {
+            ExprKind::Load(place) => {
+                let (Some(key), Some(_)) = (key(place), self.all(&expr.ty)) else { return };
+                let before = self.range(expr);
+                let range = before.meet(interval);
+                Rule::Place.told(range != before);
+                self.known.insert(key, Known::Within(range));
+            }
+            ExprKind::Cast(x) => self.bound_number(x, interval, &expr.ty),
+            ExprKind::Intrinsic(Intrinsic::Variant, args) => {
+                let Some(key) = args.first().and_then(brought_key) else { return };
+                Rule::Brought.used();
+                let range = self.range(expr).meet(interval);
+                self.known.insert(key, Known::Within(range));
+            }
+            ExprKind::Binary(BinaryOp::Add, a, b) => {
+                if let Some(b) = self.range(b).single() {
+                    Rule::Term.used();
+                    self.bound(a, interval.sub(Interval::one(b)));
+                } else if let Some(a) = self.range(a).single() {
+                    self.bound(b, interval.sub(Interval::one(a)));
+                }
+            }
+            ExprKind::Binary(BinaryOp::Sub, a, b) => {
+                if let Some(b) = self.range(b).single() {
+                    Rule::Term.used();
+                    self.bound(a, interval.add(Interval::one(b)));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// From here on `x`, as a number of type `to`, lies within `interval`.
+    fn bound_number(&mut self, x: &Expr, interval: Interval, to: &Type) {
+        let (Some(range), Some(all)) = (self.all(&x.ty).map(|_| self.range(x)), self.all(to))
+        else {
+            return;
+        };
+        let Type::Enum(id) = x.ty else {
+            if Rule::Converted.told(range.within(all)) {
+                self.bound(x, interval);
+            }
+            return;
+        };
+        // Which variants have such a number; what is none of them may have any.
+        let Some(definition) = self.module.enums.get(id.index()) else { return };
+        let numbers =
+            (0i128..).zip(&definition.variants).map(|(at, it)| (at, i128::from(it.value)));
+        let may =
+            numbers.filter(|(_, number)| interval.contains(*number) || !all.contains(*number));
+        let stray = self.stray(&x.ty).filter(|stray| range.contains(*stray));
+        let left = may.map(|(at, _)| at).filter(|at| range.contains(*at)).chain(stray);
+        if let Some(left) = left.map(Interval::one).reduce(Interval::join) {
+            Rule::Variant.told(left != range);
+            self.bound(x, left);
+        }
+    }
+
+    /// In the arm of a `match` for `values`; `rest`: which also stands for whatever is none of them.
+    pub(crate) fn select(&mut self, scrutinee: &Expr, values: &[i128], rest: bool) {
+        let stray = self.stray(&scrutinee.ty).filter(|_| rest);
+        let ones = values.iter().copied().chain(stray).map(Interval::one);
+        if let Some(range) = ones.reduce(Interval::join) {
+            Rule::Arm.used();
+            self.bound(scrutinee, range);
+        }
+    }
+
+    /// In the last arm of a `match`, where `values` do not occur.
+    pub(crate) fn exclude(&mut self, scrutinee: &Expr, mut values: Vec<i128>) {
+        Rule::Rest.used();
+        values.sort_unstable();
+        let range = values.iter().fold(self.range(scrutinee), |range, value| range.without(*value));
+        let range = values.iter().rev().fold(range, |range, value| range.without(*value));
+        self.bound(scrutinee, range);
+    }
+}

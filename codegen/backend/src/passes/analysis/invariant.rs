@@ -1,0 +1,54 @@
+//! Invariants of loops without a counter: what each pass keeps.
+//!
+//! From what is known before, passes are followed ([`walk`](super::walk)) until nothing new comes; a bound that moves on
+//! the way is given up. One pass more then gives back what every pass shows again.
+
+use bessemer_ir::ExprKind;
+
+use super::known::Known;
+use super::loops::Loop;
+use super::state::State;
+use super::walk::again;
+use bessemer_ir::effects::whole;
+
+impl Loop<'_> {
+    /// The invariant: it holds before the first pass, and each pass that begins with it ends with it.
+    pub(super) fn invariant<'m>(&self, before: &State<'m>) -> State<'m> {
+        let mut before = before.clone();
+        if let ExprKind::Load(place) = &self.counter.kind {
+            before.forget(&[whole(place.root)]);
+        }
+        let next = |head: &State<'m>| {
+            let mut next = before.clone();
+            if let Some(again) = again(self.body, head.clone()) {
+                next.join(&again);
+            }
+            next
+        };
+        let mut head = before.clone();
+        // Each round gives up a bound of a word, a relation, or all that is left.
+        while !head.widen(&next(&head)) {}
+        next(&head)
+    }
+}
+
+impl State<'_> {
+    /// Gives up each bound and each relation that `next` does not keep; whether that was none.
+    fn widen(&mut self, next: &State) -> bool {
+        let (words, relations) = (self.known.len(), self.relations.len());
+        let mut kept = true;
+        self.known.retain(|key, known| match (&mut *known, next.known.get(key)) {
+            (Known::Within(mine), Some(Known::Within(other))) => {
+                let (low, high) = (other.low >= mine.low, other.high <= mine.high);
+                kept &= low && high;
+                mine.low = if low { mine.low } else { i128::MIN };
+                mine.high = if high { mine.high } else { i128::MAX };
+                low || high
+            }
+            (Known::Float(mine), Some(Known::Float(other))) => mine.to_bits() == other.to_bits(),
+            _ => false,
+        });
+        self.relations.join(&next.relations);
+        kept && self.known.len() == words && self.relations.len() == relations
+    }
+}

@@ -1,0 +1,190 @@
+//! Loops: what is known at the head of a pass, and behind the loop.
+//!
+//! The head is reached before the first pass and again after each, so what is known there must hold both times.
+//!
+//! * Nothing is known of what the body writes, save what is shown here.
+//! * **A counter** (`for`): its bounds do not change while the loop runs, and in the body it lies between them.
+//! * **A local that only counts up**: all that the body writes to it adds a literal. Each pass adds at most the sum
+//!   along one path, a loop within it that times its passes; so at the head of pass `k` that times `k` was added.
+//! * **A word that is only given** values: [`given`](super::given).
+//! * **A loop that its body ends** has no counter, and its bounds move: an [`invariant`](super::invariant) is looked
+//!   for instead.
+
+use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Stmt, StmtKind};
+
+use super::domain::Interval;
+use super::known::Known;
+use super::state::{self, Key, State};
+use bessemer_ir::effects::{lent, overlap, whole, writes};
+use bessemer_ir::used::Rule;
+
+/// A `for` that is about to be entered.
+pub(crate) struct Loop<'a> {
+    /// The variable, as a value.
+    pub(crate) counter: &'a Expr,
+    pub(crate) from: &'a Expr,
+    pub(crate) to: &'a Expr,
+    pub(crate) inclusive: bool,
+    /// Whether its body ends it, so that nothing counts its passes.
+    pub(crate) ended: bool,
+    /// The places that the body writes.
+    pub(crate) written: &'a [Place],
+    pub(crate) body: &'a Block,
+}
+
+/// A local that only counts up, as it is before the loop.
+pub(super) struct Counted {
+    local: Expr,
+    before: Interval,
+    /// The most that a pass adds.
+    more: i128,
+}
+
+impl Counted {
+    pub(super) fn key(&self) -> Option<Key> {
+        match &self.local.kind {
+            ExprKind::Load(place) => state::key(place),
+            _ => None,
+        }
+    }
+
+    /// Makes known what it is at most after so many passes.
+    fn bound(&self, passes: i128, state: &mut State) {
+        Rule::Counted.used();
+        let high = self.before.high.saturating_add(self.more.saturating_mul(passes));
+        state.bound(&self.local, Interval { low: self.before.low, high });
+    }
+}
+
+impl Loop<'_> {
+    /// Makes `state` that of the head of a pass, and gives the one behind the loop.
+    pub(crate) fn enter<'m>(&self, state: &mut State<'m>) -> State<'m> {
+        if self.ended {
+            let behind = self.behind(state);
+            *state = self.invariant(state);
+            Rule::Invariant.told(!state.known.is_empty());
+            return behind;
+        }
+        let ranges = (state.range(self.from), state.range(self.to));
+        let counted = self.counted(state);
+        let given = self.given(state, &counted);
+        let behind = self.beyond(state, &counted, &given);
+        self.head(state);
+        for local in counted {
+            local.bound((passes(ranges, self.inclusive) - 1).max(0), state);
+        }
+        state.known.extend(given);
+        behind
+    }
+
+    /// The state behind the loop.
+    pub(super) fn behind<'m>(&self, before: &State<'m>) -> State<'m> {
+        match self.ended {
+            true => self.beyond(before, &[], &[]),
+            false => {
+                let counted = self.counted(before);
+                self.beyond(before, &counted, &self.given(before, &counted))
+            }
+        }
+    }
+
+    fn beyond<'m>(
+        &self,
+        before: &State<'m>,
+        counted: &[Counted],
+        given: &[(Key, Known)],
+    ) -> State<'m> {
+        let most = passes((before.range(self.from), before.range(self.to)), self.inclusive);
+        let mut behind = before.clone();
+        self.forget(&mut behind);
+        counted.iter().for_each(|local| local.bound(most, &mut behind));
+        behind.known.extend(given.iter().cloned());
+        behind
+    }
+
+    /// Makes `state` that of the head of a pass of which the counter is known, and nothing that the body writes.
+    pub(super) fn head(&self, state: &mut State) {
+        let ranges = (state.range(self.from), state.range(self.to));
+        self.forget(state);
+        Rule::Counter.used();
+        let last = if self.inclusive { ranges.1.high } else { ranges.1.high.saturating_sub(1) };
+        state.bound(self.counter, Interval::new(ranges.0.low, last.max(ranges.0.low)));
+        let op = if self.inclusive { CompareOp::Le } else { CompareOp::Lt };
+        state.assume_compare(CompareOp::Le, self.from, self.counter, true);
+        state.assume_compare(op, self.counter, self.to, true);
+    }
+
+    pub(super) fn forget(&self, state: &mut State) {
+        if let ExprKind::Load(place) = &self.counter.kind {
+            state.forget(&[whole(place.root)]);
+        }
+        state.forget(self.written);
+    }
+
+    /// The locals that it only counts up, of which something is known before.
+    fn counted(&self, before: &State) -> Vec<Counted> {
+        let mut head = before.clone();
+        self.forget(&mut head);
+        let counted = |place: &Place| {
+            place.ty.as_int()?;
+            let local = Expr::local(place.root, &place.ty, place.span);
+            let range = before.range(&local);
+            if !place.steps.is_empty() || before.all(&local.ty) == Some(range) {
+                return None;
+            }
+            let more = increase(&self.body.0, place.root, &head)?;
+            Some(Counted { local, before: range, more })
+        };
+        self.written.iter().filter_map(counted).collect()
+    }
+}
+
+/// How many passes there are at most.
+fn passes((from, to): (Interval, Interval), inclusive: bool) -> i128 {
+    to.high.saturating_sub(from.low).saturating_add(i128::from(inclusive)).max(0)
+}
+
+/// The most that statements add to a local, if they do nothing else to it.
+fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<i128> {
+    let of_block = |block: &Block| increase(&block.0, local, state);
+    let mut sum = 0i128;
+    for stmt in stmts {
+        let added = match &stmt.kind {
+            StmtKind::Assign { place, value } if place.root == local => added(place, value)?,
+            StmtKind::If { condition, then, otherwise } if is_left(condition, local) => {
+                of_block(then)?.max(of_block(otherwise)?)
+            }
+            StmtKind::Match { scrutinee, arms, otherwise } if is_left(scrutinee, local) => {
+                let mut most = otherwise.as_ref().map_or(Some(0), of_block)?;
+                for arm in arms {
+                    most = most.max(of_block(&arm.body)?);
+                }
+                most
+            }
+            StmtKind::For { from, to, inclusive, ended: false, body, .. }
+                if is_left(from, local) && is_left(to, local) =>
+            {
+                let passes = passes((state.range(from), state.range(to)), *inclusive);
+                of_block(body)?.saturating_mul(passes)
+            }
+            _ if writes([stmt]).iter().any(|place| overlap(place, &whole(local))) => return None,
+            _ => 0,
+        };
+        sum = sum.saturating_add(added);
+    }
+    Some(sum)
+}
+
+/// Whether the calls in an expression leave a local as it is.
+fn is_left(expr: &Expr, local: LocalId) -> bool {
+    !lent(expr).iter().any(|place| place.root == local)
+}
+
+/// `k` of `local = local + k`.
+fn added(place: &Place, value: &Expr) -> Option<i128> {
+    let ExprKind::Binary(BinaryOp::Add, a, b) = &value.kind else { return None };
+    let (ExprKind::Load(from), ExprKind::Literal(word)) = (&a.kind, &b.kind) else { return None };
+    let same = place.steps.is_empty() && from.steps.is_empty() && from.root == place.root;
+    let added = b.ty.as_int()?.from_word(*word);
+    (same && added >= 0).then_some(added)
+}

@@ -1,0 +1,196 @@
+//! Relations: conditions that hold, and what follows from them.
+//!
+//! The meaning: each condition, evaluated in the state, gives true and does not fault. So a condition is dropped when a
+//! place that it reads is written, and what follows is what any state that satisfies it satisfies, too. Conditions
+//! are kept in one form ([`upright`]), so that what is meant the same looks the same.
+
+use std::collections::HashSet;
+use std::rc::Rc;
+
+use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Place};
+
+use super::glance::{Glance, bit};
+use crate::passes::places::erased;
+use bessemer_ir::effects::reads;
+
+/// A condition that holds, and its fingerprint.
+#[derive(Clone)]
+struct Relation {
+    condition: Rc<Expr>,
+    glance: Glance,
+}
+
+/// The conditions that hold.
+#[derive(Clone, Default)]
+pub(super) struct Relations(Vec<Relation>);
+
+impl Relations {
+    /// From here on `condition` holds.
+    pub(super) fn learn(&mut self, condition: &Expr) {
+        let condition = Rc::new(upright(erased(condition)));
+        let glance = Glance::of(&condition);
+        self.0.push(Relation { condition, glance });
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Forgets the conditions that read one of `written`.
+    pub(super) fn forget(&mut self, written: &[Place]) {
+        let roots = written.iter().fold(0, |roots, place| roots | bit(place.root));
+        self.0.retain(|it| it.glance.roots & roots == 0 || !reads(&it.condition, written));
+    }
+
+    /// Keeps those that hold here and in `other`.
+    pub(super) fn join(&mut self, other: &Relations) {
+        let shared: HashSet<*const Expr> =
+            other.0.iter().map(|it| Rc::as_ptr(&it.condition)).collect();
+        self.0.retain(|it| {
+            let mut alike = other.0.iter().filter(|other| other.glance.like(it.glance));
+            shared.contains(&Rc::as_ptr(&it.condition))
+                || alike.any(|other| it.condition == other.condition)
+        });
+    }
+
+    /// Whether `condition` follows from one that holds; `fails`: conditions that certainly do not.
+    pub(super) fn give(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
+        let condition = upright(erased(condition));
+        let glance = Glance::of(&condition);
+        let mut alike = self.0.iter().filter(|it| it.glance.like(glance));
+        alike.any(|it| gives(&it.condition, &condition, &fails))
+    }
+
+    /// Whether an index is below the length of a slice by way of another value: `i < to <= length`, `i + 1` of
+    /// `i < to < length`, or of a loop up to `max(length, 1) - 1`; `i - 1`, which is checked before, of `i < length`; and
+    /// `length - 1` itself.
+    pub(super) fn below_length(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
+        let condition = erased(condition);
+        let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };
+        if !matches!(&length.kind, ExprKind::Load(place) if place.steps.is_empty()) {
+            return false;
+        }
+        let (base, further) = match &index.kind {
+            ExprKind::Binary(BinaryOp::Add, base, more) => match more.kind {
+                ExprKind::Literal(more) => (base, more),
+                _ => (index, 0),
+            },
+            ExprKind::Binary(BinaryOp::Sub, base, less)
+                if let ExprKind::Literal(less) = less.kind
+                    && base.ty.as_int().is_some_and(|int| !int.signed()) =>
+            {
+                if base == length && less > 0 {
+                    return true;
+                }
+                (base, 0)
+            }
+            _ => (index, 0),
+        };
+        self.0.iter().any(|it| match &it.condition.kind {
+            ExprKind::Compare(CompareOp::Lt, a, end) if a == base => {
+                let by = match further {
+                    0 => Some(CompareOp::Le),
+                    1 => Some(CompareOp::Lt),
+                    _ => None,
+                };
+                let up_to = by.is_some_and(|op| {
+                    let kind = ExprKind::Compare(op, end.clone(), length.clone());
+                    self.give(&Expr { kind, ..condition.clone() }, &fails)
+                });
+                up_to
+                    || further == 0 && end == length
+                    || short_of(end, length).is_some_and(|short| further <= short)
+            }
+            _ => false,
+        })
+    }
+}
+
+/// Whether a condition that holds implies another, by itself or, for a disjunction, because its first half fails.
+fn gives(known: &Expr, condition: &Expr, fails: &impl Fn(&Expr) -> bool) -> bool {
+    if implies(known, condition) {
+        return true;
+    }
+    match &known.kind {
+        ExprKind::Logic(LogicOp::Or, excuse, rest) => {
+            fails(excuse) && gives(rest, condition, fails)
+        }
+        _ => false,
+    }
+}
+
+/// Whether one condition, as [`upright`] leaves it, holds wherever the other does.
+fn implies(fact: &Expr, condition: &Expr) -> bool {
+    let (ExprKind::Compare(known, x, y), ExprKind::Compare(op, a, b)) =
+        (&fact.kind, &condition.kind)
+    else {
+        return fact == condition;
+    };
+    let same = x == a && y == b;
+    let turned = x == b && y == a;
+    match op {
+        CompareOp::Le => same && matches!(known, CompareOp::Lt | CompareOp::Le),
+        CompareOp::Ne => (same || turned) && matches!(known, CompareOp::Lt | CompareOp::Ne),
+        _ => same && known == op,
+    }
+}
+
+/// By how much `max(length, n) - n` falls short of the length, where there is anything below it.
+fn short_of(end: &Expr, length: &Expr) -> Option<u64> {
+    let ExprKind::Binary(BinaryOp::Sub, most, short) = &end.kind else { return None };
+    let ExprKind::Intrinsic(Intrinsic::Max, operands) = &most.kind else { return None };
+    // Of nothing below 0 there is nothing below `n - n`.
+    let unsigned = length.ty.as_int().is_some_and(|int| !int.signed());
+    let same = operands.first() == Some(length) && operands.get(1) == Some(short) && unsigned;
+    match short.kind {
+        ExprKind::Literal(short) if same => Some(short),
+        _ => None,
+    }
+}
+
+/// Comparisons, also those of a disjunction, written with `<`, `<=`, `==` and `!=` only, and without
+/// the `1` that tells `<` from `<=`.
+fn upright(expr: Expr) -> Expr {
+    let Expr { kind, ty, span } = expr;
+    let kind = match kind {
+        ExprKind::Compare(CompareOp::Gt, a, b) => below(*b, *a),
+        ExprKind::Compare(CompareOp::Ge, a, b) => at_most(*b, *a),
+        ExprKind::Compare(CompareOp::Lt, a, b) => below(*a, *b),
+        ExprKind::Compare(CompareOp::Le, a, b) => at_most(*a, *b),
+        ExprKind::Logic(op, a, b) => {
+            ExprKind::Logic(op, Box::new(upright(*a)), Box::new(upright(*b)))
+        }
+        kind => kind,
+    };
+    Expr { kind, ty, span }
+}
+
+/// `a < b`; of `a < b + 1` it is `a <= b`.
+fn below(a: Expr, b: Expr) -> ExprKind {
+    match one_less(&b, BinaryOp::Add) {
+        Some(b) => ExprKind::Compare(CompareOp::Le, Box::new(a), Box::new(b)),
+        None => ExprKind::Compare(CompareOp::Lt, Box::new(a), Box::new(b)),
+    }
+}
+
+/// `a <= b`; of `a <= b - 1` and `a + 1 <= b` it is `a < b`.
+fn at_most(a: Expr, b: Expr) -> ExprKind {
+    let (less, more) = (one_less(&a, BinaryOp::Add), one_less(&b, BinaryOp::Sub));
+    let (op, a, b) = match (less, more) {
+        (Some(a), _) => (CompareOp::Lt, a, b),
+        (None, Some(b)) => (CompareOp::Lt, a, b),
+        (None, None) => (CompareOp::Le, a, b),
+    };
+    ExprKind::Compare(op, Box::new(a), Box::new(b))
+}
+
+/// `x` of `x + 1` (or `x - 1`), which are integers that did not overflow.
+fn one_less(expr: &Expr, op: BinaryOp) -> Option<Expr> {
+    match &expr.kind {
+        ExprKind::Binary(found, x, one) if *found == op && expr.ty.as_int().is_some() => {
+            (one.kind == ExprKind::Literal(1)).then(|| (**x).clone())
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,173 @@
+//! The state: what is known of places, and the relations between them; writes, and where paths meet.
+
+use std::collections::BTreeMap;
+
+use bessemer_ir::{Expr, ExprKind, FunctionId, LocalId, Module, Place, Scalar, Step, Type};
+
+use super::domain::Interval;
+use super::known::{Known, Parts};
+use super::relations::Relations;
+use super::results::Results;
+use bessemer_ir::effects::{overlap, whole};
+
+/// A local and the fields into it; [`BROUGHT`](super::known::BROUGHT) behind them: what an enum there is brought to.
+pub(super) type Key = (LocalId, Vec<u32>);
+
+/// Knowledge at a point of a function.
+#[derive(Clone)]
+pub(crate) struct State<'m> {
+    pub(super) module: &'m Module,
+    /// The summaries of the functions before this one.
+    pub(super) results: &'m [Results],
+    pub(super) known: BTreeMap<Key, Known>,
+    pub(super) relations: Relations,
+    /// Whether nothing is concluded: an operation then gives no more than the range of its type.
+    pub(super) blind: bool,
+}
+
+/// The key of a place that is reached by fields alone; an element of an array has none.
+pub(super) fn key(place: &Place) -> Option<Key> {
+    let fields = place.steps.iter().map(|step| match step {
+        Step::Field(field) => Some(*field),
+        Step::Index(_) | Step::Element(..) | Step::From(_) => None,
+    });
+    Some((place.root, fields.collect::<Option<_>>()?))
+}
+
+pub(super) fn place_of((root, fields): &Key) -> Place {
+    Place { steps: fields.iter().map(|field| Step::Field(*field)).collect(), ..whole(*root) }
+}
+
+impl<'m> State<'m> {
+    /// Nothing is known: every execution is in the meaning.
+    pub(crate) fn new(module: &'m Module) -> State<'m> {
+        let (known, relations) = (BTreeMap::new(), Relations::default());
+        State { module, results: &[], known, relations, blind: false }
+    }
+
+    /// The same, with the summaries of the functions before this one.
+    pub(crate) fn with_results(module: &'m Module, results: &'m [Results]) -> State<'m> {
+        State { results, ..State::new(module) }
+    }
+
+    /// Nothing is known, and nothing is concluded: every number may have each value of its type.
+    pub(crate) fn blind(module: &'m Module) -> State<'m> {
+        State { blind: true, ..State::new(module) }
+    }
+
+    /// All values of a word type; floats have no interval.
+    pub(crate) fn all(&self, ty: &Type) -> Option<Interval> {
+        match ty {
+            Type::Scalar(Scalar::Bool) => Some(Interval::BOOL),
+            Type::Scalar(Scalar::Int(int)) => Some(Interval::of(*int)),
+            Type::Enum(_) => Some(Interval::new(0, self.stray(ty)?)),
+            _ => None,
+        }
+    }
+
+    /// The index that stands for a stray enum, which is none of its variants: one more than the last.
+    pub(super) fn stray(&self, ty: &Type) -> Option<i128> {
+        let Type::Enum(id) = ty else { return None };
+        Some(self.module.enums.get(id.index())?.variants.len() as i128)
+    }
+
+    /// The values of a type that are meant to be: those of an enum are its variants.
+    pub(super) fn meant(&self, ty: &Type) -> Option<Interval> {
+        let all = self.all(ty)?;
+        Some(self.stray(ty).map_or(all, |stray| all.without(stray)))
+    }
+
+    /// Whether an expression is an enum that may be none of its variants.
+    pub(crate) fn may_stray(&self, expr: &Expr) -> bool {
+        self.stray(&expr.ty).is_some_and(|stray| self.range(expr).contains(stray))
+    }
+
+    /// Forgets everything that depends on the places `written`.
+    pub(crate) fn forget(&mut self, written: &[Place]) {
+        for written in written {
+            let (first, next) = (written.root, LocalId(written.root.0.saturating_add(1)));
+            let same_root = self.known.range((first, Vec::new())..(next, Vec::new()));
+            let hit = same_root.map(|(key, _)| key).filter(|key| overlap(&place_of(key), written));
+            for key in hit.cloned().collect::<Vec<_>>() {
+                self.known.remove(&key);
+            }
+        }
+        self.relations.forget(written);
+    }
+
+    /// The words in a value that are known, each with the fields that lead to it: of a struct that is written out, that a call
+    /// gives, or that fields alone lead to, those in its fields.
+    pub(crate) fn parts(&self, value: &Expr) -> Parts {
+        let mut parts = Vec::new();
+        self.collect(value, &[], &mut parts);
+        parts
+    }
+
+    fn collect(&self, value: &Expr, at: &[u32], parts: &mut Parts) {
+        match &value.kind {
+            ExprKind::Struct(fields) => {
+                for (field, part) in (0..).zip(fields) {
+                    self.collect(part, &[at, &[field]].concat(), parts);
+                }
+            }
+            ExprKind::Load(from) if !value.ty.is_word() => {
+                let Some((root, fields)) = key(from) else { return };
+                let held = self.known.range((root, fields.clone())..);
+                let inside = held.map_while(|((other, all), known)| {
+                    let rest = all.strip_prefix(&fields[..]).filter(|_| *other == root)?;
+                    Some(([at, rest].concat(), *known))
+                });
+                parts.extend(inside);
+            }
+            ExprKind::Call(callee, _) if !value.ty.is_word() => {
+                let returned = self.returned(*callee).into_iter().flat_map(Results::all);
+                parts.extend(returned.map(|(inside, known)| ([at, inside].concat(), known)));
+            }
+            _ => parts.extend(self.value(value).map(|known| (at.to_vec(), known))),
+        }
+    }
+
+    /// The numbers in what a call gives.
+    pub(super) fn returned(&self, callee: FunctionId) -> Option<&'m Results> {
+        self.results.get(callee.index())
+    }
+
+    /// Records at `place` the value that is written there, as far as anything is known of it.
+    pub(crate) fn assign(&mut self, place: &Place, value: Parts) {
+        self.forget(std::slice::from_ref(place));
+        if let Some((root, fields)) = key(place) {
+            let known =
+                value.into_iter().map(|(at, known)| ((root, [&fields[..], &at].concat()), known));
+            self.known.extend(known);
+        }
+    }
+
+    /// Keeps what is known here and in `other`.
+    pub(crate) fn join(&mut self, other: &State<'m>) {
+        self.known.retain(|key, known| match (*known, other.known.get(key)) {
+            (Known::Within(a), Some(Known::Within(b))) => {
+                *known = Known::Within(a.join(*b));
+                true
+            }
+            (Known::Float(a), Some(Known::Float(b))) => a.to_bits() == b.to_bits(),
+            _ => false,
+        });
+        self.relations.join(&other.relations);
+    }
+
+    /// Goes on after branches, with what is known at the end of each that reaches its end.
+    pub(crate) fn after(&mut self, ends: Vec<(State<'m>, bool)>) {
+        let reached = ends.into_iter().filter(|(_, diverges)| !diverges).map(|(state, _)| state);
+        if let Some(joined) = joined(reached) {
+            *self = joined;
+        }
+    }
+}
+
+/// The state where several paths meet; nothing if there are none.
+pub(super) fn joined<'m>(paths: impl IntoIterator<Item = State<'m>>) -> Option<State<'m>> {
+    paths.into_iter().reduce(|mut a, b| {
+        a.join(&b);
+        a
+    })
+}

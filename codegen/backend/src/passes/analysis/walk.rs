@@ -1,0 +1,191 @@
+//! Statements, one after another: what is known at the end of a pass, if it was known where the pass began.
+//!
+//! Invariant: each execution of the statements that starts in the state, and does not fault, is in the meaning of what
+//! is given for the point where it comes out, and what a local is given on the way lies in what is told of that. Nothing
+//! is rewritten, and nothing said of checks; conditions that call are not assumed, since to ask again could give another
+//! answer.
+
+use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Module, Place, Stmt, StmtKind};
+
+use super::domain::Interval;
+use super::known::{Known, Parts, the_whole};
+use super::loops::Loop;
+use super::state::{State, joined};
+use bessemer_ir::effects::{calls, lent, whole, writes};
+
+/// The state where the next pass begins, by the end of the body or a `continue`; nothing if none does.
+pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
+    let mut walk = Walk { continued: Vec::new(), held: None, writes: None };
+    let end = walk.block(body, head);
+    joined(walk.continued.into_iter().chain(end))
+}
+
+/// Of each local of a function, what it is given where it is declared or assigned as a whole; nothing where that does not
+/// show, or where it is given nothing.
+pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>> {
+    let held = Some(vec![Held::Nothing; function.locals.len()]);
+    let mut walk = Walk { continued: Vec::new(), held, writes: None };
+    walk.block(&function.body, State::new(module));
+    let shown = |held| match held {
+        Held::Within(interval) => Some(interval),
+        Held::Nothing | Held::Anything => None,
+    };
+    walk.held.into_iter().flatten().map(shown).collect()
+}
+
+/// Each place that the statements of a body write, with the known words of its new value. A place that is lent to a call has none.
+pub(super) fn written_in(body: &Block, head: State) -> Vec<(Place, Parts)> {
+    let mut walk = Walk { continued: Vec::new(), held: None, writes: Some(Vec::new()) };
+    walk.block(body, head);
+    walk.writes.unwrap_or_default()
+}
+
+/// What a local was given so far.
+#[derive(Clone, Copy)]
+enum Held {
+    Nothing,
+    Within(Interval),
+    Anything,
+}
+
+struct Walk<'m> {
+    /// The states at each `continue`.
+    continued: Vec<State<'m>>,
+    /// What each local is given, where that is asked: then the bodies of loops are followed, too.
+    held: Option<Vec<Held>>,
+    /// The places that are written, with the known words of each value, where a caller asks: the bodies of loops are followed then, too.
+    writes: Option<Vec<(Place, Parts)>>,
+}
+
+impl<'m> Walk<'m> {
+    /// The state at the end; nothing if no path leads there.
+    fn block(&mut self, block: &Block, state: State<'m>) -> Option<State<'m>> {
+        block.0.iter().try_fold(state, |state, stmt| self.stmt(stmt, state))
+    }
+
+    /// A local is given a value.
+    fn given(&mut self, local: LocalId, value: Option<Known>) {
+        let Some(held) = self.held.as_mut().and_then(|held| held.get_mut(local.index())) else {
+            return;
+        };
+        *held = match (*held, value) {
+            (Held::Nothing, Some(Known::Within(now))) => Held::Within(now),
+            (Held::Within(before), Some(Known::Within(now))) => Held::Within(before.join(now)),
+            _ => Held::Anything,
+        };
+    }
+
+    /// Notes that a place is given a value.
+    fn wrote(&mut self, place: &Place, value: &Parts) {
+        self.writes.iter_mut().for_each(|all| all.push((place.clone(), value.clone())));
+    }
+
+    /// Notes that a place may be given anything.
+    fn lent(&mut self, places: &[Place]) {
+        places.iter().for_each(|place| self.wrote(place, &Vec::new()));
+    }
+
+    /// The known words of the value of an expression; none if it calls. The state forgets the places that it lends.
+    fn evaluated(&mut self, expr: &Expr, state: &mut State) -> Parts {
+        let (value, written) =
+            (if calls(expr) { Vec::new() } else { state.parts(expr) }, lent(expr));
+        state.forget(&written);
+        self.lent(&written);
+        value
+    }
+
+    fn stmt(&mut self, stmt: &Stmt, mut state: State<'m>) -> Option<State<'m>> {
+        match &stmt.kind {
+            StmtKind::Let { local, value } => {
+                let given = value.as_ref().map(|value| self.evaluated(value, &mut state));
+                if let Some(given) = &given {
+                    self.given(*local, the_whole(given));
+                    self.wrote(&whole(*local), given);
+                }
+                state.assign(&whole(*local), given.unwrap_or_default());
+            }
+            StmtKind::Assign { place, value } => {
+                let value = self.evaluated(value, &mut state);
+                if place.steps.is_empty() {
+                    self.given(place.root, the_whole(&value));
+                }
+                let written = lent(place);
+                state.forget(&written);
+                self.lent(&written);
+                self.wrote(place, &value);
+                state.assign(place, value);
+            }
+            StmtKind::Expr(value) => {
+                self.evaluated(value, &mut state);
+            }
+            StmtKind::Check { condition, .. } => {
+                self.evaluated(condition, &mut state);
+                // Whatever reaches it faults, and the invariant speaks of what does not: so nothing comes behind it. It is
+                // a `panic!` or `unreachable!`; taking it for any condition would join a path that nobody takes.
+                if condition.kind == ExprKind::Literal(0) {
+                    return None;
+                }
+                assume(&mut state, condition, true);
+            }
+            StmtKind::If { condition, then, otherwise } => {
+                self.evaluated(condition, &mut state);
+                let mut other = state.clone();
+                assume(&mut state, condition, true);
+                assume(&mut other, condition, false);
+                let ends = [self.block(then, state), self.block(otherwise, other)];
+                return joined(ends.into_iter().flatten());
+            }
+            StmtKind::Match { scrutinee, arms, otherwise } => {
+                self.evaluated(scrutinee, &mut state);
+                let asks = !calls(scrutinee);
+                let mut ends = Vec::new();
+                for (index, arm) in arms.iter().enumerate() {
+                    let mut state = state.clone();
+                    if asks {
+                        let rest = otherwise.is_none() && index + 1 == arms.len();
+                        state.select(scrutinee, &arm.values, rest);
+                    }
+                    ends.push(self.block(&arm.body, state));
+                }
+                if let Some(otherwise) = otherwise {
+                    if asks {
+                        let values = arms.iter().flat_map(|arm| arm.values.iter().copied());
+                        state.exclude(scrutinee, values.collect());
+                    }
+                    ends.push(self.block(otherwise, state));
+                }
+                return joined(ends.into_iter().flatten());
+            }
+            StmtKind::For { variable, from, to, inclusive, ended, body, .. } => {
+                self.evaluated(from, &mut state);
+                self.evaluated(to, &mut state);
+                let (counter, written) =
+                    (Expr::local(*variable, &from.ty, stmt.span), writes(&body.0));
+                let (inclusive, ended) = (*inclusive, *ended || calls(from) || calls(to));
+                let (counter, written) = (&counter, &written[..]);
+                let inner = Loop { counter, from, to, inclusive, ended, written, body };
+                if self.held.is_none() && self.writes.is_none() {
+                    return Some(inner.behind(&state));
+                }
+                self.lent(&[whole(*variable)]);
+                let behind = inner.enter(&mut state);
+                let outer = std::mem::take(&mut self.continued);
+                self.block(body, state);
+                self.continued = outer;
+                return Some(behind);
+            }
+            StmtKind::Continue => {
+                self.continued.push(state);
+                return None;
+            }
+            StmtKind::Return(_) | StmtKind::Break => return None,
+        }
+        Some(state)
+    }
+}
+
+fn assume(state: &mut State, condition: &Expr, truth: bool) {
+    if !calls(condition) {
+        state.assume(condition, truth);
+    }
+}

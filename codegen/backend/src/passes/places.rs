@@ -1,0 +1,112 @@
+//! Expressions as the passes compare and weigh them, and what may be written part by part.
+
+use bessemer_ir::visit::{Access, VisitMut, Walk, walk_expr_mut, walk_place_mut};
+use bessemer_ir::{Argument, Expr, ExprKind, Place, Routine, Span, Type};
+
+use bessemer_ir::effects::{moves, overlap, reads};
+
+/// Sets the spans of an expression, by what they are.
+struct Locate<F>(F);
+
+impl<F: Fn(Span) -> Span> VisitMut for Locate<F> {
+    fn expr(&mut self, expr: &mut Expr) {
+        expr.span = (self.0)(expr.span);
+        walk_expr_mut(self, expr);
+    }
+    fn place(&mut self, place: &mut Place, _: Access) {
+        place.span = (self.0)(place.span);
+        walk_place_mut(self, place);
+    }
+}
+
+/// The same expression without its spans, to compare with others.
+pub(crate) fn erased(expr: &Expr) -> Expr {
+    let mut expr = expr.clone();
+    Locate(|_| Span::default()).expr(&mut expr);
+    expr
+}
+
+/// The same expression; what comes from nowhere comes from `span`.
+pub(crate) fn located(mut expr: Expr, span: Span) -> Expr {
+    let nowhere = Span::default();
+    Locate(|it| if it == nowhere { span } else { it }).expr(&mut expr);
+    expr
+}
+
+/// How much text an expression makes: what is written twice should be light.
+pub(crate) fn weight(expr: &Expr) -> usize {
+    let mut weight = 0;
+    expr.each_expr(|expr| {
+        weight += match &expr.kind {
+            ExprKind::Call(..) | ExprKind::Routine(..) => 100,
+            ExprKind::Intrinsic(..) => 3,
+            _ => 1,
+        };
+    });
+    weight
+}
+
+/// Whether a routine works element by element, so that it may nest.
+pub(crate) fn elementwise(routine: Routine) -> bool {
+    match routine {
+        Routine::Add
+        | Routine::Sub
+        | Routine::Neg
+        | Routine::Scale
+        | Routine::Unscale
+        | Routine::ComponentMul
+        | Routine::ComponentDiv => true,
+        Routine::Product
+        | Routine::TrMul
+        | Routine::Transpose
+        | Routine::Dot
+        | Routine::Cross
+        | Routine::Norm
+        | Routine::NormSquared => false,
+    }
+}
+
+/// Whether a routine is a column times a row: an element is one product, so that it may nest too.
+pub(crate) fn outer(routine: Routine, operands: &[Expr]) -> bool {
+    routine == Routine::Product && matches!(operands[0].ty, Type::Matrix { cols: 1, .. })
+}
+
+/// Whether writing `value` into `destination` part by part would disturb what is still to be read.
+/// `through_pointer`: whether a call delivers even a word through a pointer.
+pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: bool) -> bool {
+    let written = std::slice::from_ref(destination);
+    match &value.kind {
+        ExprKind::Call(_, arguments) => {
+            through_pointer && arguments.iter().any(|argument| lends(argument, destination))
+        }
+        _ if value.ty.is_word() => false,
+        ExprKind::Load(place) => moves(place, written),
+        ExprKind::Routine(routine, operands) if elementwise(*routine) => {
+            operands.iter().any(|operand| {
+                if operand.ty.is_word() {
+                    reads(operand, written)
+                } else {
+                    disturbs(destination, operand, through_pointer)
+                }
+            })
+        }
+        _ => reads(value, written),
+    }
+}
+
+/// Whether an index of `destination` reads `destination` itself, and C assigns `value` part by part: the index would be
+/// another one after the first part, `nodes[nodes[0].next] = Node { next: 3, value }`.
+pub(crate) fn moves_itself(destination: &Place, value: &Expr) -> bool {
+    let at_once = value.ty.is_word() || matches!(value.kind, ExprKind::Call(..));
+    !at_once && moves(destination, std::slice::from_ref(destination))
+}
+
+/// Whether a callee may see `destination` through `argument` while it runs.
+fn lends(argument: &Argument, destination: &Place) -> bool {
+    let written = std::slice::from_ref(destination);
+    match argument {
+        Argument::Value(value) => value.ty.is_aggregate() && reads(value, written),
+        Argument::Ref(value) => reads(value, written),
+        Argument::RefMut(place) => overlap(place, destination) || moves(place, written),
+    }
+}

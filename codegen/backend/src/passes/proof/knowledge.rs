@@ -1,0 +1,262 @@
+//! Facts about symbols at a point, what follows from them, and formulas.
+
+use std::cell::Cell;
+use std::collections::{BTreeMap, HashSet};
+
+use super::linear::{Linear, Symbol};
+use bessemer_ir::used::Rule;
+
+/// The least and the greatest value.
+pub(super) type Bounds = (i128, i128);
+
+/// A statement about symbols; negation stands at the leaves alone.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Formula {
+    /// The form is 0 or more.
+    Natural(Linear),
+    /// A symbol that is 0 or 1 is 1, or is not.
+    Is(Symbol, bool),
+    All(Vec<Formula>),
+    Any(Vec<Formula>),
+}
+
+impl Formula {
+    pub(super) fn constant(truth: bool) -> Formula {
+        if truth { Formula::All(Vec::new()) } else { Formula::Any(Vec::new()) }
+    }
+
+    pub(super) fn not(&self) -> Formula {
+        match self {
+            Formula::Natural(form) => Formula::Natural(form.below()),
+            Formula::Is(symbol, truth) => Formula::Is(*symbol, !truth),
+            Formula::All(all) => Formula::Any(all.iter().map(Formula::not).collect()),
+            Formula::Any(any) => Formula::All(any.iter().map(Formula::not).collect()),
+        }
+    }
+}
+
+/// How many forms may be subtracted from a goal, one after another.
+const STEPS: u32 = 3;
+/// How many clauses may be taken apart, one within another.
+const CASES: u32 = 2;
+/// How many attempts a goal is worth.
+const ATTEMPTS: u32 = 3000;
+
+/// The facts at a point.
+#[derive(Clone, Default)]
+pub(super) struct Knowledge {
+    pub(super) bounds: BTreeMap<Symbol, Bounds>,
+    /// Forms that are 0 or more.
+    pub(super) forms: Vec<Linear>,
+    /// Of the alternatives of each, one is true.
+    pub(super) clauses: Vec<Vec<Formula>>,
+    /// Nothing is here: what is known contradicts itself.
+    pub(super) dead: bool,
+}
+
+impl Knowledge {
+    /// The bounds of a symbol, which has these by its type.
+    pub(super) fn of(&self, symbol: Symbol, all: &[Bounds]) -> Bounds {
+        self.bounds.get(&symbol).copied().unwrap_or(all[symbol.0 as usize])
+    }
+
+    /// The least value of a form by the bounds of its symbols.
+    fn plain(&self, form: &Linear, all: &[Bounds]) -> i128 {
+        form.parts.iter().fold(form.constant, |sum, (symbol, factor)| {
+            let (low, high) = self.of(*symbol, all);
+            sum + factor * if *factor > 0 { low } else { high }
+        })
+    }
+
+    /// The least and the greatest value of a form by the bounds of its symbols.
+    pub(super) fn range(&self, form: &Linear, all: &[Bounds]) -> Bounds {
+        (self.plain(form, all), -self.plain(&form.below(), all) - 1)
+    }
+
+    pub(super) fn refine(&mut self, symbol: Symbol, (low, high): Bounds, all: &[Bounds]) {
+        let (from, to) = self.of(symbol, all);
+        let narrowed = (from.max(low), to.min(high));
+        self.dead |= narrowed.0 > narrowed.1;
+        if narrowed != (from, to) && !self.dead {
+            self.bounds.insert(symbol, narrowed);
+        }
+    }
+
+    /// From here on the form is 0 or more.
+    fn natural(&mut self, form: &Linear, all: &[Bounds]) {
+        if let Some(number) = form.as_number() {
+            self.dead |= number < 0;
+            return;
+        }
+        // Each symbol by the bounds of the others: factor · symbol >= -(the most of the rest).
+        for (symbol, factor) in &form.parts {
+            let rest = form.plus(-factor, &Linear::symbol(*symbol));
+            let Some(rest) = rest.map(|rest| self.range(&rest, all).1) else { continue };
+            let bound = if *factor > 0 {
+                (-rest.div_euclid(*factor), i128::MAX)
+            } else {
+                (i128::MIN, rest.div_euclid(-factor))
+            };
+            self.refine(*symbol, bound, all);
+        }
+        if form.parts.len() > 1 && !self.forms.contains(form) {
+            self.dead |= self.reaches(&form.below(), 1, all, &Cell::new(ATTEMPTS));
+            self.forms.push(form.clone());
+        }
+    }
+
+    /// From here on a formula is true.
+    pub(super) fn assume(&mut self, formula: &Formula, all: &[Bounds]) {
+        match formula {
+            Formula::Natural(form) => self.natural(form, all),
+            Formula::Is(symbol, truth) => {
+                let is = i128::from(*truth);
+                self.refine(*symbol, (is, is), all);
+            }
+            Formula::All(parts) => parts.iter().for_each(|part| self.assume(part, all)),
+            Formula::Any(parts) => {
+                let may = |part: &&Formula| !self.follows(&part.not(), all, 0);
+                let left: Vec<Formula> = parts.iter().filter(may).cloned().collect();
+                match left.as_slice() {
+                    [] => self.dead = true,
+                    [one] => self.assume(one, all),
+                    _ if self.clauses.contains(&left) => {}
+                    _ => self.clauses.push(left),
+                }
+            }
+        }
+    }
+
+    pub(super) fn assuming(&self, formula: &Formula, all: &[Bounds]) -> Knowledge {
+        let mut knowledge = self.clone();
+        knowledge.assume(formula, all);
+        knowledge
+    }
+
+    /// Whether a formula is surely true.
+    pub(super) fn shows(&self, formula: &Formula, all: &[Bounds]) -> bool {
+        self.follows(formula, all, CASES)
+    }
+
+    fn follows(&self, formula: &Formula, all: &[Bounds], cases: u32) -> bool {
+        if self.dead {
+            return true;
+        }
+        match formula {
+            Formula::Natural(form) => {
+                self.reaches(form, STEPS, all, &Cell::new(ATTEMPTS))
+                    || self.by_cases(formula, all, cases)
+            }
+            Formula::Is(symbol, truth) => {
+                let is = i128::from(*truth);
+                self.of(*symbol, all) == (is, is) || self.by_cases(formula, all, cases)
+            }
+            Formula::All(parts) => parts.iter().all(|part| self.follows(part, all, cases)),
+            Formula::Any(parts) => match parts.split_first() {
+                None => false,
+                Some((first, rest)) => {
+                    self.clauses.iter().any(|clause| clause == parts)
+                        || self.follows(first, all, cases)
+                        || {
+                            let rest = Formula::Any(rest.to_vec());
+                            self.assuming(&first.not(), all).follows(&rest, all, cases)
+                        }
+                }
+            },
+        }
+    }
+
+    /// Whether a form is 0 or more, after known ones are subtracted.
+    fn reaches(&self, goal: &Linear, steps: u32, all: &[Bounds], left: &Cell<u32>) -> bool {
+        self.plain(goal, all) >= 0
+            || Rule::Forms.told(self.least(goal, steps, Some(0), all, left) >= 0)
+    }
+
+    /// The least value of a form, as far as subtracting known ones shows it; no further than `enough`.
+    fn least(
+        &self,
+        goal: &Linear,
+        steps: u32,
+        enough: Option<i128>,
+        all: &[Bounds],
+        left: &Cell<u32>,
+    ) -> i128 {
+        let mut best = self.plain(goal, all);
+        if steps == 0 || goal.parts.is_empty() {
+            return best;
+        }
+        for form in self.forms.iter().rev() {
+            for (symbol, factor) in &form.parts {
+                if enough.is_some_and(|enough| best >= enough) {
+                    return best;
+                }
+                let wanted = goal.factor(*symbol);
+                if wanted == 0 || wanted % factor != 0 || wanted / factor < 0 {
+                    continue;
+                }
+                let Some(attempts) = left.get().checked_sub(1) else { return best };
+                left.set(attempts);
+                if let Some(rest) = goal.plus(-(wanted / factor), form) {
+                    best = best.max(self.least(&rest, steps - 1, enough, all, left));
+                }
+            }
+        }
+        best
+    }
+
+    /// The least and the greatest value of a form, as far as they show.
+    pub(super) fn closest(&self, form: &Linear, all: &[Bounds]) -> Bounds {
+        let least = |form: &Linear| self.least(form, STEPS, None, all, &Cell::new(ATTEMPTS));
+        (least(form), -least(&form.below()) - 1)
+    }
+
+    /// Whether a formula follows from each alternative of a clause.
+    fn by_cases(&self, goal: &Formula, all: &[Bounds], cases: u32) -> bool {
+        let about = symbols(goal);
+        let Some(cases) = cases.checked_sub(1) else { return false };
+        (0..self.clauses.len()).rev().any(|at| {
+            let clause = &self.clauses[at];
+            let touches =
+                clause.iter().any(|part| symbols(part).iter().any(|it| about.contains(it)));
+            touches
+                && Rule::Cases.told({
+                    let mut without = self.clone();
+                    without.clauses.remove(at);
+                    clause.iter().all(|part| without.assuming(part, all).follows(goal, all, cases))
+                })
+        })
+    }
+
+    /// Keeps the facts that hold on both paths; `forms` and `clauses` of one that follow from the other stay.
+    pub(super) fn join(&mut self, other: &Knowledge, all: &[Bounds]) {
+        if other.dead {
+            return;
+        }
+        if self.dead {
+            *self = other.clone();
+            return;
+        }
+        let mine = self.clone();
+        let (known, others): (HashSet<&Linear>, HashSet<&Linear>) =
+            (mine.forms.iter().collect(), other.forms.iter().collect());
+        let follows =
+            |form: &Linear, from: &Knowledge| from.reaches(form, 1, all, &Cell::new(ATTEMPTS));
+        self.forms.retain(|form| others.contains(form) || follows(form, other));
+        let theirs = other.forms.iter().filter(|form| !known.contains(form));
+        self.forms.extend(theirs.filter(|form| follows(form, &mine)).cloned());
+        self.clauses.retain(|clause| other.clauses.contains(clause));
+        self.bounds.retain(|symbol, (low, high)| {
+            let (from, to) = other.of(*symbol, all);
+            (*low, *high) = ((*low).min(from), (*high).max(to));
+            (*low, *high) != all[symbol.0 as usize]
+        });
+    }
+}
+
+fn symbols(formula: &Formula) -> Vec<Symbol> {
+    match formula {
+        Formula::Natural(form) => form.parts.iter().map(|(symbol, _)| *symbol).collect(),
+        Formula::Is(symbol, _) => vec![*symbol],
+        Formula::All(parts) | Formula::Any(parts) => parts.iter().flat_map(symbols).collect(),
+    }
+}

@@ -1,0 +1,537 @@
+//! Values of expressions, and what their operations need.
+//!
+//! The meaning: in an execution at the point, in which nothing has faulted yet, the expression has this value. What an
+//! operation needs is told before its value is made; behind it, it has not faulted, so its result is the exact one.
+
+use std::collections::HashMap;
+
+use bessemer_ir::visit::{Access, VisitMut, walk_expr_mut, walk_place_mut};
+use bessemer_ir::{
+    BinaryOp, CompareOp, EnumId, Expr, ExprKind, Float, Function, FunctionId, Int, Intrinsic,
+    LocalId, LogicOp, Module, Place, Scalar, Span, Step, Type, UnaryOp,
+};
+
+use super::knowledge::{Bounds, Formula, Knowledge};
+use super::linear::{FURTHEST, Linear, Symbol};
+use super::returns::{Numbers, Returns};
+use crate::passes::sites::Site;
+use bessemer_ir::used::Rule;
+
+/// The value of a word.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Value {
+    /// An integer, or the index of a variant; of an enum that is none, the number of its variants.
+    Number(Linear),
+    Truth(Formula),
+    /// A float: its bits if they are known, widened to double precision.
+    Float(Symbol, Option<u64>),
+}
+
+/// The key of a symbol: the same operation on the same values gives the same symbol (value numbering).
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Origin {
+    Float(u64),
+    Unary(UnaryOp, Type),
+    Binary(BinaryOp, Type),
+    /// The exact product, whatever its type.
+    Product,
+    Compare(CompareOp),
+    Cast(Type),
+    Intrinsic(Intrinsic, Type),
+    /// A call of a function without effects, as it is written, while nothing is written.
+    Call(String, u32),
+}
+
+/// A step into a value, its indices as values.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum At {
+    Field(u32),
+    Index(Vec<Linear>),
+}
+
+impl At {
+    /// The field, where it is one.
+    pub(super) fn field(&self) -> Option<u32> {
+        match self {
+            At::Field(field) => Some(*field),
+            At::Index(_) => None,
+        }
+    }
+}
+
+/// The words in a value that are known, each with the fields that lead to it.
+pub(super) type Parts = Vec<(Vec<At>, Value)>;
+
+/// The part that is the value itself: there is one if the value is a word, and its number is known.
+pub(super) fn the_whole(parts: &Parts) -> Option<&Value> {
+    parts.iter().find(|(at, _)| at.is_empty()).map(|(_, value)| value)
+}
+
+/// The truth that has these bounds, if it is one or the other.
+fn truth_of((low, high): &Bounds) -> Option<Formula> {
+    (low == high).then(|| Formula::constant(*low != 0))
+}
+
+/// The steps to a place that fields alone lead to.
+pub(super) fn fields_of(place: &Place) -> Option<Vec<At>> {
+    let field = |step: &Step| match step {
+        Step::Field(field) => Some(At::Field(*field)),
+        _ => None,
+    };
+    place.steps.iter().map(field).collect()
+}
+
+/// The value that each place holds, and what is known of it.
+#[derive(Clone, Default)]
+pub(super) struct Point {
+    pub(super) knowledge: Knowledge,
+    pub(super) places: HashMap<LocalId, Vec<(Vec<At>, Value)>>,
+    /// Changes with every write.
+    pub(super) version: u32,
+}
+
+/// The symbols of a function.
+pub(super) struct Values<'m> {
+    pub(super) module: &'m Module,
+    pub(super) function: &'m Function,
+    /// The summaries of the functions before this one.
+    pub(super) shown: &'m [Returns],
+    /// The bounds of each symbol by its type.
+    pub(super) all: Vec<Bounds>,
+    origins: HashMap<(Origin, Vec<Value>), Symbol>,
+    pub(super) versions: u32,
+    /// The operations that may fault.
+    pub(super) open: Vec<Site>,
+    /// Whether that is told later.
+    pub(super) quiet: bool,
+}
+
+pub(super) fn bounds_of(int: Int) -> Bounds {
+    (int.min(), int.max())
+}
+
+impl<'m> Values<'m> {
+    pub(super) fn new(
+        module: &'m Module,
+        function: &'m Function,
+        shown: &'m [Returns],
+    ) -> Values<'m> {
+        let (all, origins, open) = (Vec::new(), HashMap::new(), Vec::new());
+        Values { module, function, shown, all, origins, versions: 0, open, quiet: false }
+    }
+
+    /// The summary of a function; an empty one if it does not stand before this one.
+    pub(super) fn returned(&self, callee: FunctionId) -> &'m Returns {
+        static NOTHING: Returns = Returns { numbers: Numbers::new(), steady: false, never: false };
+        self.shown.get(callee.index()).unwrap_or(&NOTHING)
+    }
+
+    /// A symbol of which nothing is known but its bounds.
+    pub(super) fn fresh(&mut self, bounds: Bounds) -> Symbol {
+        self.all.push((bounds.0.max(-FURTHEST), bounds.1.min(FURTHEST)));
+        Symbol(self.all.len() as u32 - 1)
+    }
+
+    pub(super) fn next_version(&mut self) -> u32 {
+        self.versions += 1;
+        self.versions
+    }
+
+    pub(super) fn made(&mut self, origin: Origin, of: Vec<Value>, bounds: Bounds) -> Symbol {
+        if let Some(symbol) = self.origins.get(&(origin.clone(), of.clone())) {
+            return *symbol;
+        }
+        let symbol = self.fresh(bounds);
+        self.origins.insert((origin, of), symbol);
+        symbol
+    }
+
+    pub(super) fn variants(&self, id: EnumId) -> i128 {
+        self.module.enums[id.index()].variants.len() as i128
+    }
+
+    /// A value of a type of which nothing is known.
+    pub(super) fn unknown(&mut self, ty: &Type) -> Option<Value> {
+        Some(match ty {
+            Type::Scalar(Scalar::Int(int)) => {
+                Value::Number(Linear::symbol(self.fresh(bounds_of(*int))))
+            }
+            Type::Enum(id) => {
+                let bounds = (0, self.variants(*id));
+                Value::Number(Linear::symbol(self.fresh(bounds)))
+            }
+            Type::Scalar(Scalar::Bool) => Value::Truth(Formula::Is(self.fresh((0, 1)), true)),
+            Type::Scalar(Scalar::Float(_)) => Value::Float(self.fresh((0, 0)), None),
+            _ => return None,
+        })
+    }
+
+    /// The result of an operation of which only the type is known: the same symbol for the same operands.
+    pub(super) fn opaque(&mut self, origin: Origin, of: Vec<Value>, ty: &Type) -> Option<Value> {
+        Some(match ty {
+            Type::Scalar(Scalar::Int(int)) => {
+                Value::Number(Linear::symbol(self.made(origin, of, bounds_of(*int))))
+            }
+            Type::Enum(id) => {
+                let bounds = (0, self.variants(*id));
+                Value::Number(Linear::symbol(self.made(origin, of, bounds)))
+            }
+            Type::Scalar(Scalar::Bool) => {
+                Value::Truth(Formula::Is(self.made(origin, of, (0, 1)), true))
+            }
+            Type::Scalar(Scalar::Float(_)) => Value::Float(self.made(origin, of, (0, 0)), None),
+            _ => return None,
+        })
+    }
+
+    /// Tells of a place where what is needed does not show.
+    pub(super) fn need(&mut self, point: &Point, needed: &Formula, site: Site) {
+        if !self.quiet && !Rule::Shown.told(point.knowledge.shows(needed, &self.all)) {
+            self.open.push(site);
+        }
+    }
+
+    pub(super) fn tell(&mut self, site: Site) {
+        if !self.quiet {
+            self.open.push(site);
+        }
+    }
+
+    pub(super) fn need_within(
+        &mut self,
+        point: &Point,
+        form: Option<&Linear>,
+        bounds: Bounds,
+        site: Site,
+    ) {
+        match form.and_then(|form| within(form, bounds)) {
+            Some(needed) => self.need(point, &needed, site),
+            None => self.tell(site),
+        }
+    }
+
+    pub(super) fn range(&self, point: &Point, form: &Linear) -> Bounds {
+        point.knowledge.range(form, &self.all)
+    }
+
+    /// The number, also where only its bounds tell.
+    pub(super) fn single(&self, point: &Point, form: &Linear) -> Option<i128> {
+        let (low, high) = self.range(point, form);
+        (low == high).then_some(low)
+    }
+
+    pub(super) fn number(&mut self, point: &mut Point, expr: &Expr) -> Linear {
+        match self.value(point, expr) {
+            Some(Value::Number(form)) => form,
+            _ => Linear::symbol(self.fresh((-FURTHEST, FURTHEST))),
+        }
+    }
+
+    pub(super) fn truth(&mut self, point: &mut Point, expr: &Expr) -> Formula {
+        match self.value(point, expr) {
+            Some(Value::Truth(formula)) => formula,
+            _ => Formula::Is(self.fresh((0, 1)), true),
+        }
+    }
+
+    /// The words that are known in what a call gives.
+    pub(super) fn given(&mut self, callee: FunctionId, ty: &Type) -> Parts {
+        let mut parts = Parts::new();
+        for (fields, bounds) in &self.returned(callee).numbers {
+            let inside = |ty: Type, field: &u32| step_type(self.module, &ty, &Step::Field(*field));
+            let word = fields.iter().try_fold(ty.clone(), inside);
+            let value = match word {
+                Some(Type::Scalar(Scalar::Bool)) => match truth_of(bounds) {
+                    Some(truth) => Value::Truth(truth),
+                    None => continue,
+                },
+                Some(_) => Value::Number(Linear::symbol(self.fresh(*bounds))),
+                None => continue,
+            };
+            Rule::Called.used();
+            parts.push((fields.iter().map(|field| At::Field(*field)).collect(), value));
+        }
+        parts
+    }
+
+    /// The bounds of the numbers in a value that fields alone lead to; of a truth, if it is one or the other.
+    pub(super) fn numbers(&self, point: &Point, parts: &Parts) -> Numbers {
+        let number = |(at, value): &(Vec<At>, Value)| {
+            let fields: Option<Vec<u32>> = at.iter().map(At::field).collect();
+            let bounds = match value {
+                Value::Number(form) => point.knowledge.closest(form, &self.all),
+                // As it is written: to show a long one takes long.
+                Value::Truth(formula) if *formula == Formula::constant(true) => (1, 1),
+                Value::Truth(formula) if *formula == Formula::constant(false) => (0, 0),
+                Value::Truth(_) | Value::Float(..) => return None,
+            };
+            Some((fields?, bounds))
+        };
+        parts.iter().filter_map(number).collect()
+    }
+
+    /// The value of an expression; nothing of what has parts. Its operands are looked at from left to right.
+    pub(super) fn value(&mut self, point: &mut Point, expr: &Expr) -> Option<Value> {
+        match &expr.kind {
+            ExprKind::Literal(word) => self.literal(&expr.ty, *word),
+            ExprKind::Const(id) => {
+                let word = *self.module.consts.get(id.index())?.words.first()?;
+                if expr.ty.is_word() { self.literal(&expr.ty, word) } else { None }
+            }
+            ExprKind::Load(place) => {
+                let at = self.steps(point, place);
+                self.load(point, place.root, at, &expr.ty)
+            }
+            ExprKind::Unary(op, x) => self.unary(point, *op, x, expr),
+            ExprKind::Binary(op, a, b) => {
+                let values = (self.value(point, a), self.value(point, b));
+                self.binary(point, *op, a, values, expr)
+            }
+            ExprKind::Compare(op, a, b) => {
+                let values = (self.value(point, a), self.value(point, b));
+                Some(Value::Truth(self.compare(point, *op, &a.ty, values)))
+            }
+            ExprKind::Logic(op, ..) => {
+                let mut operands = operands(*op, expr);
+                let first = self.truth(point, operands.pop()?);
+                let mut within = point.clone();
+                let mut parts = vec![first];
+                while let (Some(last), Some(operand)) = (parts.last(), operands.pop()) {
+                    let reached = if *op == LogicOp::And { last.clone() } else { last.not() };
+                    within.knowledge.assume(&reached, &self.all);
+                    parts.push(self.truth(&mut within, operand));
+                }
+                // What was read on the way is the same here.
+                point.places = within.places;
+                Some(Value::Truth(match op {
+                    LogicOp::And => Formula::All(parts),
+                    LogicOp::Or => Formula::Any(parts),
+                }))
+            }
+            ExprKind::Cast(x) => {
+                let value = self.value(point, x)?;
+                self.cast(point, x, value, &expr.ty)
+            }
+            ExprKind::Intrinsic(which, parts) => {
+                let values: Vec<Value> =
+                    parts.iter().filter_map(|it| self.value(point, it)).collect();
+                self.intrinsic(point, *which, values, expr)
+            }
+            ExprKind::Call(id, arguments) => {
+                for argument in arguments {
+                    match argument {
+                        bessemer_ir::Argument::Value(value) | bessemer_ir::Argument::Ref(value) => {
+                            self.value(point, value);
+                        }
+                        bessemer_ir::Argument::RefMut(place) => {
+                            self.steps(point, place);
+                        }
+                    }
+                }
+                point.knowledge.dead |= self.returned(*id).never;
+                self.call(point, *id, expr)
+            }
+            ExprKind::Struct(parts)
+            | ExprKind::Array(parts)
+            | ExprKind::Matrix(parts)
+            | ExprKind::Routine(_, parts) => {
+                parts.iter().for_each(|part| {
+                    self.value(point, part);
+                });
+                self.unknown(&expr.ty)
+            }
+            ExprKind::Splat(part) => {
+                self.value(point, part);
+                None
+            }
+        }
+    }
+
+    pub(super) fn literal(&mut self, ty: &Type, word: u64) -> Option<Value> {
+        Some(match ty {
+            Type::Scalar(Scalar::Int(int)) => Value::Number(Linear::number(int.from_word(word))),
+            Type::Scalar(Scalar::Bool) => Value::Truth(Formula::constant(word != 0)),
+            Type::Scalar(Scalar::Float(float)) => self.float(match float {
+                Float::F32 => f64::from(f32::from_bits(word as u32)),
+                Float::F64 => f64::from_bits(word),
+            }),
+            Type::Enum(_) => Value::Number(Linear::number(i128::from(word))),
+            _ => return None,
+        })
+    }
+
+    pub(super) fn float(&mut self, value: f64) -> Value {
+        let bits = value.to_bits();
+        let symbol = self.made(Origin::Float(bits), Vec::new(), (0, 0));
+        Value::Float(symbol, (!value.is_nan()).then_some(bits))
+    }
+
+    /// An expression without effects has the same value until something is written.
+    pub(super) fn call(&mut self, point: &Point, id: FunctionId, expr: &Expr) -> Option<Value> {
+        let callee = &self.module.functions[id.index()];
+        let reads = callee.parameters().iter().all(|it| it.mode != bessemer_ir::Mode::RefMut);
+        let mut unknown = self.unknown(&expr.ty)?;
+        if let (Value::Number(form), Some(shown)) =
+            (&unknown, self.returned(id).numbers.get(&[][..]))
+        {
+            Rule::Called.used();
+            let (low, high) = self.range(point, form);
+            let bounds = (low.max(shown.0), high.min(shown.1));
+            unknown = Value::Number(Linear::symbol(self.fresh(bounds)));
+        }
+        let shown = self.returned(id).numbers.get(&[][..]);
+        if let (Value::Truth(_), Some(truth)) = (&unknown, shown.and_then(truth_of)) {
+            return Some(Value::Truth(truth));
+        }
+        if !reads || !self.returned(id).steady {
+            return Some(unknown);
+        }
+        let bounds = match &unknown {
+            Value::Number(form) => self.range(point, form),
+            _ => (0, 1),
+        };
+        let written = format!("{:?}", without_spans(expr));
+        let symbol = self.made(Origin::Call(written, point.version), Vec::new(), bounds);
+        Some(match unknown {
+            Value::Number(_) => Value::Number(Linear::symbol(symbol)),
+            Value::Truth(_) => Value::Truth(Formula::Is(symbol, true)),
+            Value::Float(..) => Value::Float(symbol, None),
+        })
+    }
+
+    /// The steps of a place, and what its indices need.
+    pub(super) fn steps(&mut self, point: &mut Point, place: &Place) -> Vec<At> {
+        let mut container = Some(self.function.local(place.root).ty.clone());
+        let mut all = Vec::new();
+        for step in &place.steps {
+            let at = match step {
+                Step::Field(field) => At::Field(*field),
+                Step::Index(index) | Step::From(index) => {
+                    At::Index(vec![self.number(point, index)])
+                }
+                Step::Element(row, column) => {
+                    At::Index(vec![self.number(point, row), self.number(point, column)])
+                }
+            };
+            let more = i128::from(matches!(step, Step::From(_)));
+            if let (At::Index(indices), Some(container)) = (&at, &container) {
+                let site = Site::of_step(step, place.span);
+                match container {
+                    Type::Array { len, .. } => {
+                        let last = i128::from(*len) - 1 + more;
+                        self.need_within(point, indices.first(), (0, last), site);
+                    }
+                    Type::Matrix { rows, cols, .. } => {
+                        let most = match indices.len() {
+                            1 => vec![i128::from(*rows) * i128::from(*cols) + more],
+                            _ => vec![i128::from(*rows), i128::from(*cols)],
+                        };
+                        for (index, most) in indices.iter().zip(most) {
+                            self.need_within(point, Some(index), (0, most - 1), site);
+                        }
+                    }
+                    Type::Slice(_) => {
+                        let length = LocalId(place.root.0 + 1);
+                        let length = self.load(point, length, Vec::new(), &Type::USIZE);
+                        if let (Some(Value::Number(length)), Some(index)) =
+                            (length, indices.first())
+                        {
+                            let room = length.minus(index).and_then(|it| it.shifted(more - 1));
+                            self.need_within(point, Some(index), (0, FURTHEST), site);
+                            self.need_within(point, room.as_ref(), (0, FURTHEST), site);
+                        }
+                    }
+                    _ => {}
+                }
+            }
+            container = container.and_then(|it| step_type(self.module, &it, step));
+            all.push(at);
+        }
+        all
+    }
+
+    /// The value that a place holds.
+    pub(super) fn load(
+        &mut self,
+        point: &mut Point,
+        root: LocalId,
+        at: Vec<At>,
+        ty: &Type,
+    ) -> Option<Value> {
+        let held = point.places.get(&root).and_then(|all| all.iter().find(|(it, _)| *it == at));
+        if let Some((_, value)) = held {
+            return Some(value.clone());
+        }
+        let value = self.unknown(ty)?;
+        point.places.entry(root).or_default().push((at, value.clone()));
+        Some(value)
+    }
+}
+
+/// The type behind a step; nothing behind the start of a part, which is lent as it is.
+pub(super) fn step_type(module: &Module, container: &Type, step: &Step) -> Option<Type> {
+    Some(match (container, step) {
+        (Type::Struct(id), Step::Field(field)) => {
+            module.structs.get(id.index())?.fields.get(*field as usize)?.ty.clone()
+        }
+        (Type::Array { element, .. } | Type::Slice(element), Step::Index(_)) => (**element).clone(),
+        (Type::Matrix { element, .. }, Step::Index(_) | Step::Element(..)) => {
+            Type::Scalar(*element)
+        }
+        _ => return None,
+    })
+}
+
+/// An expression without where it stands. One of which a span is left only equals fewer others.
+fn without_spans(expr: &Expr) -> Expr {
+    struct Erase;
+    impl VisitMut for Erase {
+        fn expr(&mut self, expr: &mut Expr) {
+            expr.span = Span::default();
+            walk_expr_mut(self, expr);
+        }
+        fn place(&mut self, place: &mut Place, _: Access) {
+            place.span = Span::default();
+            walk_place_mut(self, place);
+        }
+    }
+    let mut expr = expr.clone();
+    Erase.expr(&mut expr);
+    expr
+}
+
+/// The statement that a form lies within bounds.
+pub(super) fn within(form: &Linear, (low, high): Bounds) -> Option<Formula> {
+    let low = low.max(-FURTHEST);
+    let high = high.min(FURTHEST);
+    let above = form.shifted(-low)?;
+    let below = form.times(-1)?.shifted(high)?;
+    Some(Formula::All(vec![Formula::Natural(above), Formula::Natural(below)]))
+}
+
+/// A comparison of two forms.
+pub(super) fn ordered(op: CompareOp, a: &Linear, b: &Linear) -> Option<Formula> {
+    let natural = |form: Option<Linear>| form.map(Formula::Natural);
+    let at_most = |a: &Linear, b: &Linear| natural(b.minus(a));
+    Some(match op {
+        CompareOp::Le => at_most(a, b)?,
+        CompareOp::Ge => at_most(b, a)?,
+        CompareOp::Lt => at_most(b, a)?.not(),
+        CompareOp::Gt => at_most(a, b)?.not(),
+        CompareOp::Eq => Formula::All(vec![at_most(a, b)?, at_most(b, a)?]),
+        CompareOp::Ne => Formula::Any(vec![at_most(a, b)?.not(), at_most(b, a)?.not()]),
+    })
+}
+
+/// The operands of `a && b && c`, the first one last: one is looked at where all before it are true.
+fn operands(op: LogicOp, mut expr: &Expr) -> Vec<&Expr> {
+    let mut operands = Vec::new();
+    while let ExprKind::Logic(found, left, right) = &expr.kind
+        && *found == op
+    {
+        operands.push(&**right);
+        expr = left;
+    }
+    operands.push(expr);
+    operands
+}

@@ -1,0 +1,597 @@
+//! Statements, one after another, and loops.
+//!
+//! * A write changes which value a place holds; places that may be the same memory hold something new.
+//! * Where paths meet, a place holds a new symbol that equals on each path what it held there.
+//! * A number that is returned lies within the bounds that are noted of it: each body is followed once in which what is noted
+//!   counts, whatever was tried before.
+//! * A counter lies between the values that the bounds had when the loop began.
+//! * What a counted loop changes moves by so much in a pass, whatever it was before: by that times the passes at most
+//!   in all of them.
+//! * Of what a loop changes otherwise bounds are guessed: those from before, then those with what a pass ends with. One that
+//!   is not kept is given up, until a pass that begins within all of them ends within all of them. Behind a counted loop it
+//!   lies within what it was before, or at the end of a pass, or where the loop is left.
+
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Step, Stmt,
+    StmtKind, Type, UnaryOp,
+};
+
+use super::knowledge::{Bounds, Formula};
+use super::linear::Linear;
+use super::returns::{self, Numbers, Returns};
+use super::values::{
+    At, Parts, Point, Value, Values, fields_of, ordered, step_type, the_whole, within,
+};
+use super::written::{Target, apart, by_expr, by_stmts};
+use crate::passes::sites::Site;
+use bessemer_ir::used::Rule;
+
+/// The most that a pass may move a number for it to be followed.
+const FAST: i128 = 1 << 32;
+
+/// Within so many trials of loops around it nothing is guessed of a loop: each level would take as many times as long.
+const TRIALS: u32 = 2;
+
+/// Bounds of a word of a local that a loop changes.
+struct Guess {
+    local: LocalId,
+    at: Vec<At>,
+    /// Those from before, those that are held to be kept, and those of its type.
+    start: Bounds,
+    now: Bounds,
+    widest: Bounds,
+    /// Whether a pass has widened them.
+    seen: bool,
+}
+
+pub(super) struct Walk<'m> {
+    values: Values<'m>,
+    function: &'m Function,
+    /// Of each loop around: the points from which another pass begins, and those at which it is left.
+    loops: Vec<(Vec<Point>, Vec<Point>)>,
+    /// Of each local, the numbers that it was given so far, where that is asked.
+    held: Option<Vec<Option<Bounds>>>,
+    /// How many trials are under way, one in the other.
+    trials: u32,
+    /// The numbers in what was returned so far.
+    returned: Option<Numbers>,
+}
+
+impl<'m> Walk<'m> {
+    pub(super) fn new(
+        module: &'m Module,
+        function: &'m Function,
+        shown: &'m [Returns],
+    ) -> Walk<'m> {
+        let values = Values::new(module, function, shown);
+        Walk { values, function, loops: Vec::new(), held: None, trials: 0, returned: None }
+    }
+
+    pub(super) fn run(mut self) -> (Vec<Site>, Returns) {
+        let function = self.function;
+        self.block(&function.body, Point::default());
+        let returns = Returns::of(function, self.returned, self.values.shown);
+        (self.values.open, returns)
+    }
+
+    /// The numbers that each local is given.
+    pub(super) fn held(mut self) -> Vec<Option<Bounds>> {
+        let function = self.function;
+        self.held = Some(vec![None; function.locals.len()]);
+        self.block(&function.body, Point::default());
+        self.held.unwrap_or_default()
+    }
+
+    /// A local is given a value; in a trial, of which nothing has to be true yet, nothing is noted.
+    fn given(&mut self, point: &Point, local: LocalId, value: Option<&Value>) {
+        let Some(held) = self.held.as_mut().filter(|_| !self.values.quiet) else { return };
+        let (low, high) = match value {
+            Some(Value::Number(form)) => point.knowledge.closest(form, &self.values.all),
+            _ => (i128::MIN, i128::MAX),
+        };
+        let held = held[local.index()].get_or_insert((low, high));
+        *held = (held.0.min(low), held.1.max(high));
+    }
+
+    /// The point behind a block; nothing where no path leads there.
+    fn block(&mut self, block: &Block, point: Point) -> Option<Point> {
+        block.0.iter().try_fold(point, |point, stmt| {
+            self.stmt(stmt, point).filter(|point| !point.knowledge.dead)
+        })
+    }
+
+    fn stmt(&mut self, stmt: &Stmt, mut point: Point) -> Option<Point> {
+        match &stmt.kind {
+            StmtKind::Let { local, value } => {
+                let given = value.as_ref().map(|value| self.parts(value, &mut point));
+                if let Some(given) = &given {
+                    self.given(&point, *local, the_whole(given));
+                }
+                self.write(&mut point, &Target::whole(*local), given.unwrap_or_default());
+            }
+            StmtKind::Assign { place, value } => {
+                let value = self.parts(value, &mut point);
+                let at = self.values.steps(&mut point, place);
+                let target = Target { local: place.root, at };
+                if target.at.is_empty() {
+                    self.given(&point, place.root, the_whole(&value));
+                }
+                self.write(&mut point, &target, value);
+            }
+            StmtKind::Expr(value) => {
+                self.evaluated(value, &mut point);
+            }
+            StmtKind::Check { condition, fault: Fault::LeftOut } => {
+                let needed = self.values.truth(&mut point, condition);
+                self.values.need(&point, &needed, Site::of_check(stmt));
+            }
+            StmtKind::Check { condition, .. } => {
+                self.values.value(&mut point, condition);
+                self.assume(&mut point, condition, true);
+            }
+            StmtKind::If { condition, then, otherwise } => {
+                self.evaluated(condition, &mut point);
+                let mut other = point.clone();
+                self.assume(&mut point, condition, true);
+                self.assume(&mut other, condition, false);
+                let ends = [self.block(then, point), self.block(otherwise, other)];
+                return self.joined(ends.into_iter().flatten());
+            }
+            StmtKind::Match { scrutinee, arms, otherwise } => {
+                let value = self.values.number(&mut point, scrutinee);
+                let mut ends = Vec::new();
+                let mut all: Vec<i128> =
+                    arms.iter().flat_map(|arm| arm.values.iter().copied()).collect();
+                for (index, arm) in arms.iter().enumerate() {
+                    // The last arm stands for whatever is no variant.
+                    let rest = otherwise.is_none() && index + 1 == arms.len();
+                    let mut point = point.clone();
+                    self.one_of(&mut point, &value, &arm.values, rest.then_some(&scrutinee.ty));
+                    ends.push(self.block(&arm.body, point));
+                }
+                if let Some(otherwise) = otherwise {
+                    all.sort_unstable();
+                    for number in all.iter().chain(all.iter().rev()) {
+                        if let Some(not) = ordered(CompareOp::Ne, &value, &Linear::number(*number))
+                        {
+                            point.knowledge.assume(&not, &self.values.all);
+                        }
+                    }
+                    ends.push(self.block(otherwise, point));
+                }
+                return self.joined(ends.into_iter().flatten());
+            }
+            StmtKind::For { .. } => return Some(self.repeat(&stmt.kind, point)),
+            StmtKind::Return(value) => {
+                if let Some(value) = value {
+                    let parts = self.parts(value, &mut point);
+                    // In a trial nothing is noted, either.
+                    if !self.values.quiet {
+                        let now = self.values.numbers(&point, &parts);
+                        self.returned = Some(returns::with(self.returned.take(), now));
+                    }
+                }
+                return None;
+            }
+            StmtKind::Break | StmtKind::Continue => {
+                if let Some((continued, left)) = self.loops.last_mut() {
+                    let to = if stmt.kind == StmtKind::Break { left } else { continued };
+                    to.push(point);
+                }
+                return None;
+            }
+        }
+        Some(point)
+    }
+
+    /// The words of a value that are known, each where it is in the value: of a struct that is written out, and of one that
+    /// fields alone lead to, those in its fields. What the value lent may hold anything behind it.
+    fn parts(&mut self, expr: &Expr, point: &mut Point) -> Parts {
+        let mut parts = Vec::new();
+        self.collect(expr, point, &[], &mut parts);
+        self.forget(point, &by_expr(expr));
+        parts
+    }
+
+    fn collect(&mut self, expr: &Expr, point: &mut Point, at: &[At], parts: &mut Parts) {
+        if let ExprKind::Struct(fields) = &expr.kind {
+            for (field, part) in (0..).zip(fields) {
+                self.collect(part, point, &[at, &[At::Field(field)]].concat(), parts);
+            }
+            return;
+        }
+        let value = self.values.value(point, expr);
+        if expr.ty.is_word() {
+            parts.extend(value.map(|value| (at.to_vec(), value)));
+        } else if let ExprKind::Call(callee, _) = expr.kind {
+            let given = self.values.given(callee, &expr.ty).into_iter();
+            parts.extend(given.map(|(inside, value)| ([at, &inside].concat(), value)));
+        } else if let ExprKind::Load(from) = &expr.kind
+            && let Some(steps) = fields_of(from)
+        {
+            let held = point.places.get(&from.root).into_iter().flatten();
+            let inside = held.filter_map(|(other, value)| {
+                let rest = other.strip_prefix(steps.as_slice())?;
+                Some(([at, rest].concat(), value.clone()))
+            });
+            parts.extend(inside);
+        }
+    }
+
+    /// The value of an expression; behind it, what it lent may hold anything.
+    fn evaluated(&mut self, expr: &Expr, point: &mut Point) -> Option<Value> {
+        let value = self.values.value(point, expr);
+        self.forget(point, &by_expr(expr));
+        value
+    }
+
+    /// From here on the value is one of these, or none of the variants of `rest`.
+    fn one_of(&mut self, point: &mut Point, value: &Linear, numbers: &[i128], rest: Option<&Type>) {
+        let stray = match rest {
+            Some(Type::Enum(id)) => {
+                Some(self.values.module.enums[id.index()].variants.len() as i128)
+            }
+            _ => None,
+        };
+        let numbers: Vec<i128> = numbers.iter().copied().chain(stray).collect();
+        let (Some(low), Some(high)) = (numbers.iter().min(), numbers.iter().max()) else { return };
+        let equal = |number: &i128| ordered(CompareOp::Eq, value, &Linear::number(*number));
+        let any: Option<Vec<Formula>> = numbers.iter().map(equal).collect();
+        if let (Some(hull), Some(any)) = (within(value, (*low, *high)), any) {
+            point.knowledge.assume(&hull, &self.values.all);
+            point.knowledge.assume(&Formula::Any(any), &self.values.all);
+        }
+    }
+
+    /// From here on a condition, which was evaluated, has this truth.
+    fn assume(&mut self, point: &mut Point, condition: &Expr, truth: bool) {
+        match &condition.kind {
+            ExprKind::Unary(UnaryOp::Not, inner) => self.assume(point, inner, !truth),
+            ExprKind::Logic(op, a, b) if (*op == LogicOp::And) == truth => {
+                self.assume(point, a, truth);
+                self.assume(point, b, truth);
+            }
+            _ => {
+                let quiet = std::mem::replace(&mut self.values.quiet, true);
+                let formula = self.values.truth(point, condition);
+                self.values.quiet = quiet;
+                let formula = if truth { formula } else { formula.not() };
+                point.knowledge.assume(&formula, &self.values.all);
+            }
+        }
+    }
+
+    /// A target is written.
+    fn write(&mut self, point: &mut Point, target: &Target, value: Parts) {
+        point.version = self.values.next_version();
+        let held = point.places.entry(target.local).or_default();
+        held.retain(|(other, _)| other.iter().zip(&target.at).any(|(a, b)| apart(a, b)));
+        held.extend(value.into_iter().map(|(at, part)| ([&target.at[..], &at].concat(), part)));
+    }
+
+    fn forget(&mut self, point: &mut Point, targets: &[Target]) {
+        targets.iter().for_each(|target| self.write(point, target, Vec::new()));
+    }
+
+    fn joined(&mut self, points: impl IntoIterator<Item = Point>) -> Option<Point> {
+        points.into_iter().reduce(|a, b| self.join(a, b))
+    }
+
+    /// The point where two paths meet.
+    fn join(&mut self, mut a: Point, mut b: Point) -> Point {
+        if a.knowledge.dead || b.knowledge.dead {
+            return if a.knowledge.dead { b } else { a };
+        }
+        let mut places = std::collections::HashMap::new();
+        for (root, held) in std::mem::take(&mut a.places) {
+            let Some(others) = b.places.get(&root) else { continue };
+            let mut kept = Vec::new();
+            for (at, value) in held {
+                let Some((_, other)) = others.iter().find(|(it, _)| *it == at) else { continue };
+                if value == *other {
+                    kept.push((at, value));
+                } else if let (Value::Number(x), Value::Number(y)) = (&value, other) {
+                    let all = &self.values.all;
+                    let (p, q) = (a.knowledge.range(x, all), b.knowledge.range(y, all));
+                    // Whatever bounds a form has, its value is one of the type.
+                    let (low, high) = self.type_bounds(root, &at);
+                    let bounds = (p.0.min(q.0).max(low), p.1.max(q.1).min(high));
+                    let symbol = self.values.fresh(bounds);
+                    let form = Linear::symbol(symbol);
+                    for (knowledge, held) in [(&mut a.knowledge, x), (&mut b.knowledge, y)] {
+                        if let Some(equal) = ordered(CompareOp::Eq, &form, held) {
+                            knowledge.assume(&equal, &self.values.all);
+                        }
+                    }
+                    kept.push((at, Value::Number(form)));
+                }
+            }
+            places.insert(root, kept);
+        }
+        a.knowledge.join(&b.knowledge, &self.values.all);
+        let version = if a.version == b.version { a.version } else { self.values.next_version() };
+        Point { knowledge: a.knowledge, places, version }
+    }
+
+    /// Follows the body of a loop: the point where another pass begins, and those where it is left.
+    fn pass(&mut self, body: &Block, head: Point) -> (Option<Point>, Vec<Point>) {
+        self.loops.push((Vec::new(), Vec::new()));
+        let end = self.block(body, head);
+        let (continued, left) = self.loops.pop().unwrap_or_default();
+        (self.joined(end.into_iter().chain(continued)), left)
+    }
+
+    /// The same without a word of what may fault.
+    fn trial(&mut self, body: &Block, head: Point) -> (Option<Point>, Vec<Point>) {
+        let quiet = std::mem::replace(&mut self.values.quiet, true);
+        self.trials += 1;
+        let ends = self.pass(body, head);
+        self.trials -= 1;
+        self.values.quiet = quiet;
+        ends
+    }
+
+    /// Looks at a loop; the point behind it.
+    fn repeat(&mut self, kind: &StmtKind, mut before: Point) -> Point {
+        let StmtKind::For { variable, from, to, inclusive, reversed, ended, body, .. } = kind
+        else {
+            return before;
+        };
+        let first = self.values.number(&mut before, from);
+        let end = self.values.number(&mut before, to);
+        let mut written = by_stmts(&body.0);
+        written.push(Target::whole(*variable));
+        let mut empty = before.clone();
+        self.forget(&mut empty, &written);
+        if *ended {
+            let guesses = self.guesses(&before, &written, &[]);
+            let (head, _) = self.guessed(&empty, guesses, body);
+            self.pass(body, head);
+            return empty;
+        }
+        let all = self.values.unknown(&from.ty);
+        let (Some(Value::Number(counter)), Some(last)) =
+            (all, end.shifted(i128::from(*inclusive) - 1))
+        else {
+            self.pass(body, empty.clone());
+            return empty;
+        };
+        let mut head = empty.clone();
+        head.places.insert(*variable, vec![(Vec::new(), Value::Number(counter.clone()))]);
+        for (low, high) in [(&first, &counter), (&counter, &last)] {
+            if let Some(order) = ordered(CompareOp::Le, low, high) {
+                head.knowledge.assume(&order, &self.values.all);
+            }
+        }
+        let done = if *reversed { last.minus(&counter) } else { counter.minus(&first) };
+        let most = last.minus(&first).and_then(|it| it.shifted(1));
+        let most = most.map_or(i128::MAX, |it| before.knowledge.closest(&it, &self.values.all).1);
+        let mut behind = empty;
+        let moved = self.moved(&before, &head, &written, body);
+        let moving: Vec<LocalId> = moved.iter().map(|it| it.0).collect();
+        for (local, old, (down, up)) in moved {
+            Rule::Moved.used();
+            let Some(Value::Number(now)) = self.values.unknown(&self.function.local(local).ty)
+            else {
+                continue;
+            };
+            // old + down · done <= now <= old + up · done
+            let steps =
+                done.as_ref().and_then(|done| Some((old.plus(down, done)?, old.plus(up, done)?)));
+            if let Some((low, high)) = steps {
+                self.between(&mut head, &now, [&low, &high]);
+            }
+            head.places.insert(local, vec![(Vec::new(), Value::Number(now))]);
+            let Some(Value::Number(then)) = self.values.unknown(&self.function.local(local).ty)
+            else {
+                continue;
+            };
+            let passes = most.max(0);
+            let ends = (down.min(0).checked_mul(passes), up.max(0).checked_mul(passes));
+            let ends =
+                (ends.0.and_then(|by| old.shifted(by)), ends.1.and_then(|by| old.shifted(by)));
+            if let (Some(low), Some(high)) = ends {
+                self.between(&mut behind, &then, [&low, &high]);
+            }
+            behind.places.insert(local, vec![(Vec::new(), Value::Number(then))]);
+        }
+        let guesses = self.guesses(&before, &written, &moving);
+        let kept = if guesses.is_empty() || head.knowledge.dead {
+            Vec::new()
+        } else {
+            let (with, kept) = self.guessed(&head, guesses, body);
+            head = with;
+            kept
+        };
+        let left = match head.knowledge.dead {
+            true => Vec::new(),
+            false => self.pass(body, head).1,
+        };
+        for Guess { local, at, now: mut hull, .. } in kept {
+            for point in &left {
+                let held = point.places.get(&local).and_then(|it| it.iter().find(|it| it.0 == at));
+                let end = match held {
+                    Some((_, Value::Number(form))) => {
+                        point.knowledge.closest(form, &self.values.all)
+                    }
+                    _ => (i128::MIN, i128::MAX),
+                };
+                hull = (hull.0.min(end.0), hull.1.max(end.1));
+            }
+            let widest = self.type_bounds(local, &at);
+            let symbol = self.values.fresh((hull.0.max(widest.0), hull.1.min(widest.1)));
+            let held = behind.places.entry(local).or_default();
+            held.push((at, Value::Number(Linear::symbol(symbol))));
+        }
+        behind
+    }
+
+    fn between(&mut self, point: &mut Point, form: &Linear, [low, high]: [&Linear; 2]) {
+        for (a, b) in [(low, form), (form, high)] {
+            if let Some(order) = ordered(CompareOp::Le, a, b) {
+                point.knowledge.assume(&order, &self.values.all);
+            }
+        }
+    }
+
+    /// The locals that a pass moves by no more than so much either way, what they hold before, and by how much.
+    fn moved(
+        &mut self,
+        before: &Point,
+        head: &Point,
+        written: &[Target],
+        body: &Block,
+    ) -> Vec<(LocalId, Linear, Bounds)> {
+        let held = |local: LocalId| match before.places.get(&local)?.as_slice() {
+            [(at, Value::Number(form))] if at.is_empty() => Some(form.clone()),
+            _ => None,
+        };
+        let mut locals: Vec<LocalId> = written
+            .iter()
+            .filter(|it| it.at.is_empty() && self.function.local(it.local).ty.as_int().is_some())
+            .map(|it| it.local)
+            .collect();
+        locals.sort_unstable();
+        locals.dedup();
+        let counted: Vec<(LocalId, Linear)> =
+            locals.into_iter().filter_map(|local| Some((local, held(local)?))).collect();
+        if counted.is_empty() {
+            return Vec::new();
+        }
+        let mut trial = head.clone();
+        let mut starts = Vec::new();
+        for (local, _) in &counted {
+            let start = self.values.unknown(&self.function.local(*local).ty);
+            let Some(Value::Number(start)) = start else { return Vec::new() };
+            trial.places.insert(*local, vec![(Vec::new(), Value::Number(start.clone()))]);
+            starts.push(start);
+        }
+        let (again, left) = self.trial(body, trial);
+        let mut found = Vec::new();
+        for ((local, old), start) in counted.into_iter().zip(starts) {
+            let mut by = (0, 0);
+            for point in again.iter().chain(&left) {
+                let now = point.places.get(&local).and_then(|held| match held.as_slice() {
+                    [(at, Value::Number(form))] if at.is_empty() => Some(form),
+                    _ => None,
+                });
+                let more = now.and_then(|now| now.minus(&start));
+                let more = more.map(|it| point.knowledge.closest(&it, &self.values.all));
+                let (low, high) = more.unwrap_or((i128::MIN, i128::MAX));
+                by = (low.min(by.0), high.max(by.1));
+            }
+            if by.0.checked_abs().is_some_and(|by| by < FAST) && by.1 < FAST {
+                found.push((local, old, by));
+            }
+        }
+        found
+    }
+
+    /// The words that a loop writes and of which something is known before, but for locals that are followed otherwise.
+    fn guesses(&mut self, before: &Point, written: &[Target], moving: &[LocalId]) -> Vec<Guess> {
+        let mut guesses: Vec<Guess> = Vec::new();
+        if self.trials >= TRIALS {
+            return guesses;
+        }
+        for Target { local, .. } in written.iter().filter(|it| !moving.contains(&it.local)) {
+            for (at, value) in before.places.get(local).into_iter().flatten() {
+                let Value::Number(form) = value else { continue };
+                let fields = at.iter().all(|step| matches!(step, At::Field(_)));
+                let part = Target { local: *local, at: at.clone() };
+                let meets = written.iter().any(|it| it.meets(&part));
+                let same = |it: &Guess| it.local == *local && it.at == *at;
+                if fields && meets && !guesses.iter().any(same) {
+                    let start = before.knowledge.range(form, &self.values.all);
+                    let widest = self.type_bounds(*local, at);
+                    let at = at.clone();
+                    guesses.push(Guess {
+                        local: *local,
+                        at,
+                        start,
+                        now: start,
+                        widest,
+                        seen: false,
+                    });
+                }
+            }
+        }
+        guesses
+    }
+
+    /// The head of a loop with bounds that each pass keeps, and these.
+    fn guessed(
+        &mut self,
+        empty: &Point,
+        mut guesses: Vec<Guess>,
+        body: &Block,
+    ) -> (Point, Vec<Guess>) {
+        loop {
+            let head = self.head(empty, &guesses);
+            let (again, _) = self.trial(body, head);
+            let Some(again) = again else { break };
+            let mut kept = true;
+            let mut ends = Vec::new();
+            for Guess { local, at, now, widest, seen, .. } in &mut guesses {
+                let held =
+                    again.places.get(local).and_then(|it| it.iter().find(|(it, _)| *it == *at));
+                let end = match held {
+                    Some((_, Value::Number(form))) => {
+                        again.knowledge.closest(form, &self.values.all)
+                    }
+                    _ => *widest,
+                };
+                let end = (end.0.max(widest.0), end.1.min(widest.1));
+                let wider = (end.0.min(now.0), end.1.max(now.1));
+                if wider != *now {
+                    // What a pass widens again may move on for ever.
+                    let low = if *seen && wider.0 < now.0 { widest.0 } else { wider.0 };
+                    let high = if *seen && wider.1 > now.1 { widest.1 } else { wider.1 };
+                    (*now, *seen, kept) = ((low, high), true, false);
+                }
+                ends.push(end);
+            }
+            if kept {
+                // The head is reached only before the first pass and after a pass within the guesses.
+                for (Guess { start, now, .. }, end) in guesses.iter_mut().zip(ends) {
+                    *now = (start.0.min(end.0), start.1.max(end.1));
+                }
+                break;
+            }
+        }
+        Rule::Guessed.told(!guesses.is_empty());
+        (self.head(empty, &guesses), guesses)
+    }
+
+    fn head(&mut self, empty: &Point, guesses: &[Guess]) -> Point {
+        let mut head = empty.clone();
+        for Guess { local, at, now, .. } in guesses {
+            let symbol = self.values.fresh(*now);
+            let held = head.places.entry(*local).or_default();
+            held.retain(|(it, _)| it != at);
+            held.push((at.clone(), Value::Number(Linear::symbol(symbol))));
+        }
+        head
+    }
+
+    /// The bounds that the word at some fields of a local has by its type.
+    fn type_bounds(&mut self, root: LocalId, at: &[At]) -> Bounds {
+        let mut ty = Some(self.function.local(root).ty.clone());
+        for step in at {
+            ty = match (step, ty) {
+                (At::Field(field), Some(ty)) => {
+                    step_type(self.values.module, &ty, &Step::Field(*field))
+                }
+                (At::Index(_), Some(Type::Array { element, .. } | Type::Slice(element))) => {
+                    Some(*element)
+                }
+                (At::Index(_), Some(Type::Matrix { element, .. })) => Some(Type::Scalar(element)),
+                _ => None,
+            };
+        }
+        let unknown = ty.and_then(|ty| self.values.unknown(&ty));
+        match unknown {
+            Some(Value::Number(form)) => Point::default().knowledge.range(&form, &self.values.all),
+            _ => (-super::linear::FURTHEST, super::linear::FURTHEST),
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Copies that the C does not make: a local that begins as what lies somewhere, is never written, and is read only while
+//! that stays as it is, becomes a name for that place; one that is made of numbers and only read is a table.
+//!
+//! Invariant: from the declaration to the last statement that mentions the local, nothing writes what it copies. Memory that
+//! such a local stands for is alive as long as the local is. Must not know: what the name looks like in C.
+
+use std::collections::BTreeMap;
+
+use bessemer_ir::visit::{Visit, Walk, walk_block};
+use bessemer_ir::{
+    Block, Expr, ExprKind, Function, LocalId, Mode, Module, Place, Step, Stmt, StmtKind, Type,
+};
+
+use bessemer_ir::effects::{mentions, overlap, writes, writes_local};
+
+/// A copy of no more words than that is as cheap as reading them elsewhere.
+const WORDS: usize = 4;
+
+/// The locals that are names, and for what; `flat`: in C, matrices are arrays of numbers.
+pub(crate) fn uncopied(
+    module: &Module,
+    function: &Function,
+    flat: bool,
+) -> BTreeMap<LocalId, Place> {
+    let mut names = Names { module, function, flat, found: BTreeMap::new() };
+    names.block(&function.body);
+    names.found
+}
+
+/// Words of a table at most: of more, code that builds them is shorter.
+const TABLE: usize = 64;
+
+/// Statements from which on a table is copied instead.
+const STORED: usize = 4;
+
+/// Equal numbers that a list says at most.
+const LISTED: usize = 16;
+
+/// Whether a value is worth a table: an aggregate of numbers.
+pub(crate) fn is_table(module: &Module, value: &Expr) -> bool {
+    let words = module.leaves(&value.ty).len();
+    value.ty.is_aggregate() && (WORDS + 1..=TABLE).contains(&words) && is_of_numbers(module, value)
+}
+
+/// Whether a value is a table that is copied to where it is wanted: an aggregate of so many numbers that they are not written
+/// one by one.
+pub(crate) fn is_stored_whole(module: &Module, value: &Expr) -> bool {
+    let words = module.leaves(&value.ty).len();
+    let overlaid = |expr: &Expr| match &expr.ty {
+        Type::Struct(id) => module.structs[id.index()].overlaid(),
+        _ => false,
+    };
+    words <= 2 * TABLE
+        && statements(value) >= STORED
+        && is_of_numbers(module, value)
+        && !value.any_expr(overlaid)
+}
+
+/// How many statements would write a value, equal elements at once.
+fn statements(value: &Expr) -> usize {
+    match &value.kind {
+        ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
+            items.iter().map(statements).sum()
+        }
+        _ => 1,
+    }
+}
+
+fn is_of_numbers(module: &Module, value: &Expr) -> bool {
+    match &value.kind {
+        ExprKind::Literal(_) => true,
+        ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
+            items.iter().all(|item| is_of_numbers(module, item))
+        }
+        ExprKind::Splat(item) => match item.kind {
+            ExprKind::Literal(0) => true,
+            ExprKind::Literal(_) => module.leaves(&value.ty).len() <= LISTED,
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+struct Names<'m> {
+    module: &'m Module,
+    function: &'m Function,
+    flat: bool,
+    found: BTreeMap<LocalId, Place>,
+}
+
+impl Visit for Names<'_> {
+    fn block(&mut self, block: &Block) {
+        for (index, stmt) in block.0.iter().enumerate() {
+            if let StmtKind::Let { local, value: Some(value) } = &stmt.kind
+                && let ExprKind::Load(place) = &value.kind
+                && self.is_wanted(*local)
+                && let Some(place) = self.resolved(place)
+                && holds_still(*local, &place, &block.0[index + 1..])
+            {
+                self.found.insert(*local, place);
+            }
+        }
+        walk_block(self, block);
+    }
+}
+
+impl Names<'_> {
+    /// Whether a name would spare a copy, and C has one for it.
+    fn is_wanted(&self, id: LocalId) -> bool {
+        let local = self.function.local(id);
+        let pointed = match &local.ty {
+            Type::Struct(_) => true,
+            Type::Array { element, .. } => !element.is_array(),
+            Type::Matrix { .. } => self.flat,
+            _ => false,
+        };
+        pointed
+            && local.mode == Mode::Value
+            && self.module.leaves(&local.ty).len() > WORDS
+            && !writes_local(&self.function.body, id)
+    }
+
+    /// The place without names for other places in it; none where its indices might move.
+    fn resolved(&self, place: &Place) -> Option<Place> {
+        let still = |step: &Step| match step {
+            Step::Field(_) => true,
+            Step::Index(index) => matches!(index.kind, ExprKind::Literal(_)),
+            _ => false,
+        };
+        if !place.steps.iter().all(still) {
+            return None;
+        }
+        let Some(of) = self.found.get(&place.root) else { return Some(place.clone()) };
+        let steps = of.steps.iter().chain(&place.steps).cloned().collect();
+        Some(Place { root: of.root, steps, ..place.clone() })
+    }
+}
+
+/// Whether nothing writes a place as long as a local may be read.
+fn holds_still(local: LocalId, place: &Place, rest: &[Stmt]) -> bool {
+    let Some(last) = rest.iter().rposition(|stmt| mentions(stmt, local)) else { return false };
+    !writes(&rest[..=last]).iter().any(|written| overlap(written, place))
+}

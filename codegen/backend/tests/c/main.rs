@@ -1,0 +1,216 @@
+//! The C back end: what it emits for the modules in `tests/c/*.ir`, and that every compiler at hand
+//! takes it without a warning. Dropping in a file adds a test.
+
+mod compilers;
+#[allow(dead_code)]
+#[path = "../passes_random/generate.rs"]
+mod generate;
+mod hostile;
+mod packages;
+mod run;
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use bessemer_backend::c::{CFile, Options, Plan, emit};
+use bessemer_backend::kernels::Tuning;
+use bessemer_backend::passes;
+use bessemer_backend::validate::validate;
+use bessemer_ir::Module;
+
+fn load(path: &Path) -> Module {
+    let text = std::fs::read_to_string(path).expect("the file is there");
+    let module = bessemer_ir::text::parse(&text)
+        .unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
+    validate(&module).unwrap_or_else(|errors| panic!("{}: {errors:#?}", path.display()));
+    module
+}
+
+/// The module as the back end takes it.
+fn explicit(path: &Path) -> Module {
+    let passed = passes::explicit(load(path));
+    let explicit = passed.unwrap_or_else(|errors| panic!("{}: {errors:#?}", path.display())).0;
+    passes::lend(explicit, &Tuning::default(), true)
+}
+
+fn modules() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c");
+    let entries = std::fs::read_dir(folder).expect("the folder is there");
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("readable").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "ir"));
+    paths.sort();
+    paths
+}
+
+/// The files one after another, and the report.
+fn show(module: &Module, files: &[CFile]) -> String {
+    let mut text = String::new();
+    for file in files {
+        let _ = writeln!(text, "======== {}\n{}", file.name, file.text);
+    }
+    for entry in Plan::new(module, &Options::default()).report(files) {
+        let _ = writeln!(text, "{entry:?}");
+    }
+    text
+}
+
+#[test]
+fn emitted_c() {
+    for path in modules() {
+        let module = explicit(&path);
+        let files = emit(&module, &Options::default());
+        let name = path.file_stem().expect("a file").to_string_lossy().into_owned();
+        let mut settings = insta::Settings::clone_current();
+        settings.set_snapshot_path("");
+        settings.set_prepend_module_to_snapshot(false);
+        settings.set_omit_expression(true);
+        settings.bind(|| insta::assert_snapshot!(name, show(&module, &files)));
+    }
+}
+
+#[test]
+fn compiles_without_a_warning() {
+    for path in modules() {
+        let files = emit(&explicit(&path), &Options::default());
+        compilers::check(&path.file_stem().expect("a file").to_string_lossy(), &files);
+    }
+}
+
+#[test]
+fn the_map_points_at_code() {
+    for path in modules() {
+        for file in emit(&explicit(&path), &Options::default()) {
+            let lines: Vec<&str> = file.text.lines().collect();
+            for entry in &file.map {
+                let line = lines[entry.c_line as usize - 1].trim();
+                assert!(
+                    !line.is_empty() && !line.starts_with("/*"),
+                    "{}: {entry:?}: {line}",
+                    file.name
+                );
+            }
+            assert!(file.map.is_sorted_by_key(|entry| entry.c_line), "{}", file.name);
+        }
+    }
+}
+
+#[test]
+fn computes_what_the_interpreter_computes() {
+    for path in modules() {
+        let (module, explicit) = (load(&path), explicit(&path));
+        let files = emit(&explicit, &Options::default());
+        let name = path.file_stem().expect("a file").to_string_lossy().into_owned();
+        run::compare(&name, &module, &explicit, &files);
+    }
+}
+
+fn texts(module: &Module) -> Vec<(String, String)> {
+    let files = emit(module, &Options::default());
+    files.into_iter().map(|file| (file.name, file.text)).collect()
+}
+
+fn example(name: &str) -> Module {
+    explicit(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c").join(name))
+}
+
+#[test]
+fn a_line_above_moves_nothing() {
+    for path in modules() {
+        let module = explicit(&path);
+        let text = bessemer_ir::text::print(&module);
+        let moved: Vec<String> = text.lines().map(moved_down).collect();
+        let moved = bessemer_ir::text::parse(&moved.join("\n")).expect("only lines changed");
+        assert_eq!(texts(&module), texts(&moved));
+    }
+}
+
+/// `@0:12:5 …` as `@0:13:5 …`.
+fn moved_down(line: &str) -> String {
+    let Some((before, after)) = line.split_once("@0:") else { return line.to_owned() };
+    let digits = after.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(after.len());
+    let Ok(number) = after[..digits].parse::<u32>() else { return line.to_owned() };
+    if !before.trim().is_empty() {
+        return line.to_owned();
+    }
+    format!("{before}@0:{}{}", number + 1, &after[digits..])
+}
+
+#[test]
+fn a_new_function_leaves_the_others_as_they_were() {
+    let before = example("linear.ir");
+    let mut after = before.clone();
+    let mut added = before.functions[1].clone();
+    added.name = "added".to_owned();
+    added.module = "models::other".to_owned();
+    after.functions.insert(0, added);
+    let after = texts(&after);
+    for file in texts(&before) {
+        assert!(after.contains(&file), "{} changed", file.0);
+    }
+}
+
+#[test]
+fn options_name_things() {
+    let module = example("faults.ir");
+    let options = Options {
+        prefix: "acme_".to_owned(),
+        status: "acme".to_owned(),
+        license: "Apache-2.0".to_owned(),
+        ..Options::default()
+    };
+    let files = emit(&module, &options);
+    compilers::check("options", &files);
+    let header = files.iter().find(|file| file.name == "acme_mixer.h").expect("it has a component");
+    for wanted in [
+        "acme_status_t acme_mixer_step(acme_mixer_t *self",
+        "SPDX-License-Identifier: Apache-2.0",
+        "#ifndef ACME_MIXER_H",
+    ] {
+        assert!(header.text.contains(wanted), "{wanted} in\n{}", header.text);
+    }
+}
+
+#[test]
+fn it_gets_on_with_others() {
+    for name in ["faults.ir", "kernels.ir", "height.ir"] {
+        let module = example(name);
+        packages::link_together(name, &module);
+        packages::stand_beside_a_vendors(name, &module);
+        packages::stand_in_a_folder(name, &module);
+    }
+}
+
+/// `BESSEMER_SEEDS=100..200` tries others.
+#[test]
+fn random_modules_agree() {
+    let seeds = std::env::var("BESSEMER_SEEDS").unwrap_or_else(|_| "0..3".to_owned());
+    let (first, last) = seeds.split_once("..").expect("a range");
+    for seed in first.parse::<u64>().expect("a number")..last.parse().expect("a number") {
+        let module = generate::module(seed);
+        let Ok(()) = validate(&module) else { continue };
+        let (explicit, _) = bessemer_backend::passes::explicit(module.clone()).expect("explicit");
+        let files = emit(&explicit, &Options::default());
+        run::compare("random", &module, &explicit, &files);
+    }
+}
+
+/// Checks that were proved stand in the C, and none of them fails.
+#[test]
+fn kept_checks_hold() {
+    let options = Options { keep_checks: true, ..Options::default() };
+    for path in modules() {
+        let module = load(&path);
+        let (kept, _) = bessemer_backend::passes::explicit_with(module.clone(), true)
+            .unwrap_or_else(|errors| panic!("{}: {errors:#?}", path.display()));
+        let name = path.file_stem().expect("a file").to_string_lossy().into_owned();
+        // What fails fails with either compiler.
+        let compiler = compilers::by_turn(&run::COMPILERS, 1, 0);
+        run::compare_with(
+            &compiler,
+            &format!("kept-{name}"),
+            &module,
+            &kept,
+            &emit(&kept, &options),
+        );
+    }
+}

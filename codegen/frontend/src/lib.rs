@@ -1,0 +1,11 @@
+//! From the tree that the DSL hands on to the typed IR, or to what is told at the author's own line.
+//!
+//! [`typify`] is the way. [`diagnostic`] is how it tells, with the lines of [`source`]; [`termination`] is its proof that a loop
+//! ends.
+//!
+//! Must not know: what the passes do with the IR, and C.
+
+pub mod diagnostic;
+pub mod source;
+mod termination;
+pub mod typify;

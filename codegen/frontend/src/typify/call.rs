@@ -1,0 +1,190 @@
+//! Calls of functions: what is passed, in the order in which Rust computes it.
+
+use bessemer_ir::tree::{self, Builtin, Site};
+use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
+
+use super::lowering::Lowering;
+use super::value::Submatrix;
+use super::words;
+use super::{Result, problem};
+use bessemer_ir::{alias, effects};
+
+/// Two parts of one array where what is checked before the call keeps them apart, if anything does.
+const MAY_MEET: &str = "two arguments are parts of one array, one of them to be written, and nothing shows that they have no element in common";
+const APART: &str = "pass the halves of one `split_at_mut` as they are, and take the parts in the function: `merge(low, n, high)`, there `low[..n]`";
+
+/// A function, and what it is called with.
+pub(super) type Called<'a, 't> = (&'a tree::Function, &'t [tree::Expr]);
+
+impl<'a> Lowering<'a, '_> {
+    /// The operation that a callee is; none if it is a function.
+    pub(super) fn builtin_of(&self, callee: u32) -> Option<Builtin> {
+        match self.source.callees.get(callee as usize)? {
+            tree::Callee::Builtin(builtin) => Some(*builtin),
+            tree::Callee::Function(_) => None,
+        }
+    }
+
+    /// The operation that an expression calls, and what it is called with.
+    pub(super) fn builtin_call<'t>(
+        &self,
+        expr: &'t tree::Expr,
+    ) -> Option<(Builtin, &'t [tree::Expr])> {
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
+        Some((self.builtin_of(*callee)?, arguments))
+    }
+
+    /// The function that an expression calls, and what it is called with.
+    pub(super) fn called<'t>(&self, expr: &'t tree::Expr) -> Option<Called<'a, 't>> {
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
+        match self.source.callees.get(*callee as usize)? {
+            tree::Callee::Function(path) => Some((self.cx.all.get(path.as_str())?, arguments)),
+            tree::Callee::Builtin(_) => None,
+        }
+    }
+
+    pub(super) fn call_function(
+        &mut self,
+        id: FunctionId,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        self.call_with(id, arguments, Vec::new(), expr)
+    }
+
+    /// The same, with more that is passed behind the author's arguments.
+    pub(super) fn call_with(
+        &mut self,
+        id: FunctionId,
+        arguments: &[tree::Expr],
+        more: Vec<Argument>,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let callee = &self.cx.module.functions[id.index()];
+        let parameters: Vec<_> =
+            callee.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
+        let result = callee.result.clone();
+        let (mut passed, mut copies) = (Vec::new(), Vec::new());
+        let mut parameters = parameters.into_iter();
+        for (index, argument) in arguments.iter().enumerate() {
+            let parameter = match self.cx.is_absent(id, index) {
+                true => None,
+                false => match parameters.next() {
+                    Some(parameter) => Some(parameter),
+                    None => break,
+                },
+            };
+            let next = self.settling(
+                |inner| inner.passed(argument, parameter.as_ref(), &mut copies),
+                |inner, _, later| inner.settle_arguments(&mut passed, later),
+            )?;
+            // The length of a slice is a parameter of its own.
+            parameters.by_ref().take(next.len().saturating_sub(1)).for_each(drop);
+            let lenders = match (&parameter, next.as_slice()) {
+                (Some((_, ty)), [one]) => self.lending_arguments(one, ty, argument.site)?,
+                _ => Vec::new(),
+            };
+            lent_twice(&passed, &lenders, argument.site)?;
+            parameters.by_ref().take(lenders.len()).for_each(drop);
+            passed.extend(next);
+            passed.extend(lenders);
+        }
+        passed.extend(more);
+        self.keep_copies(&mut passed);
+        if self.cx.given_back.get(&id).is_some_and(|given| !given.is_empty()) {
+            self.settle_lent(&mut passed);
+        }
+        if !alias::conflicts(&passed).is_empty() {
+            return problem(expr.site, MAY_MEET, APART);
+        }
+        let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
+        let call = self.counted_from_lender(call)?;
+        self.written_back(call, copies)
+    }
+
+    /// What a call passes for an argument: for a slice its length, too, and nothing where no parameter is left of it.
+    fn passed(
+        &mut self,
+        argument: &tree::Expr,
+        parameter: Option<&(Mode, Type)>,
+        copies: &mut Vec<(Submatrix, Place)>,
+    ) -> Result<Vec<Argument>> {
+        let Some((mode, ty)) = parameter else {
+            self.effect(argument)?;
+            return Ok(Vec::new());
+        };
+        let passed = match mode {
+            _ if matches!(ty, Type::Slice(_)) => {
+                return Ok(self.sliced(argument)?.passed(*mode).into());
+            }
+            Mode::RefMut if let Some(part) = self.submatrix(argument)? => {
+                let copy = self.copy_of_part("part", &part, argument.site)?;
+                copies.push((part, copy.clone()));
+                Argument::RefMut(copy)
+            }
+            Mode::RefMut => match self.place(argument)? {
+                Some(place) => Argument::RefMut(place),
+                None => {
+                    self.not_coords(argument)?;
+                    let value = self.value(argument, Some(ty))?;
+                    Argument::RefMut(self.temporary_place(words::ARGUMENT, value))
+                }
+            },
+            Mode::Ref => {
+                let value = self.read(argument, Some(ty))?;
+                Argument::Ref(self.as_asked(value, ty, argument.site)?)
+            }
+            Mode::Value => Argument::Value(self.value(argument, Some(ty))?),
+        };
+        Ok(vec![passed])
+    }
+
+    /// Makes the copies that are passed beside what they are copied from, where a call may write that: `v.axpy(a, &v.clone(), b)`.
+    fn keep_copies(&mut self, passed: &mut [Argument]) {
+        let lent: Vec<_> = passed.iter().filter_map(lent).cloned().collect();
+        for index in 0..passed.len() {
+            let (before, [argument, ..]) = passed.split_at_mut(index) else { break };
+            // What is computed is held anyway; a place would be passed itself.
+            if let Argument::Ref(value) = argument
+                && matches!(value.kind, ExprKind::Load(_))
+                && !matches!(value.ty, Type::Slice(_))
+                && effects::reads(value, &lent)
+            {
+                let mark = self.out.len();
+                *value = self.temporary(words::ARGUMENT, value.clone());
+                let later = self.later(mark);
+                self.settle_arguments(before, &later);
+                self.out.extend(later);
+            }
+        }
+    }
+}
+
+/// The place that an argument lends to be written.
+fn lent(argument: &Argument) -> Option<&Place> {
+    match argument {
+        Argument::RefMut(place) => Some(place),
+        _ => None,
+    }
+}
+
+/// Refuses two values whose slices one array lends, one of them to be written: the C would be lent the array twice.
+fn lent_twice(passed: &[Argument], lenders: &[Argument], site: Site) -> Result<()> {
+    let lent = |argument: &Argument| match argument {
+        Argument::RefMut(place) => Some((place.clone(), true)),
+        Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => Some((place.clone(), false)),
+        _ => None,
+    };
+    let lenders: Vec<_> = lenders.iter().filter_map(lent).collect();
+    let hurt = passed.iter().filter_map(lent).any(|(earlier, mutable)| {
+        lenders.iter().any(|(place, also)| (mutable || *also) && effects::overlap(&earlier, place))
+    });
+    if hurt {
+        return problem(
+            site,
+            "this refers to elements of an array to which another argument refers, too",
+            "pass the parts themselves, as `&mut [T]`, and choose in the function; or exchange by index, `values.swap(i, j)`",
+        );
+    }
+    Ok(())
+}

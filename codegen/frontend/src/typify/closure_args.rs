@@ -1,0 +1,430 @@
+//! Functions that take closures: a copy of the function for each closure that it is called with.
+//!
+//! The copy takes, in the closure's place, what the closure uses: words that it only reads by value, everything
+//! else by reference. Where the function calls its closure, the closure's body stands.
+
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+use bessemer_ir::tree::visit::{Bound, Locals, Visit};
+use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
+use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type};
+
+use super::lowering::{Closure, Lowering, Scope, UNNAMED};
+use super::value::Value;
+use super::words;
+use super::{OUR_FAULT, Result, names, problem};
+use bessemer_ir::effects;
+
+impl<'a> Lowering<'a, '_> {
+    /// A call of a function that takes closures.
+    pub(super) fn call_handing(
+        &mut self,
+        template: &'a tree::Function,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let (mut closures, mut plain) = (Vec::new(), Vec::new());
+        for (param, argument) in template.tree.params.iter().zip(arguments) {
+            match param.closure {
+                true => closures.push((param.name.as_str(), self.handed(argument)?)),
+                false => plain.push(argument.clone()),
+            }
+        }
+        let (id, captured) = self.specialised(template, closures, expr.site)?;
+        self.call_with(id, &plain, captured, expr)
+    }
+
+    /// The closure that an argument is, and what it uses.
+    fn handed(&mut self, argument: &tree::Expr) -> Result<Closure<'a>> {
+        let closure = self.closure_given(argument)?;
+        let known = (*self.closures[closure]).clone();
+        if known.scope.locals.is_none() {
+            return Ok(known);
+        }
+        // It leaves the function that it was written in: what it uses goes with it.
+        self.in_scope_of(&known, None, argument.site, |inner| {
+            inner.captured(known.text.clone(), argument.site)
+        })
+    }
+
+    /// The closure that an argument names, or that is written there.
+    pub(super) fn closure_given(&mut self, argument: &tree::Expr) -> Result<usize> {
+        match &argument.kind {
+            tree::ExprKind::Closure(closure) => {
+                let closure = self.written_here(closure.clone());
+                Ok(self.closure(closure))
+            }
+            tree::ExprKind::Local(name) => match self.closure_named(name) {
+                Some(closure) => Ok(closure),
+                None => problem(argument.site, "this is not a closure", OUR_FAULT),
+            },
+            _ => problem(
+                argument.site,
+                "a function that takes a closure is given one in the DSL",
+                "write one that calls the function: `|x| name(x)`",
+            ),
+        }
+    }
+
+    /// A closure with what it uses, each a place that can be passed.
+    fn captured(&mut self, text: tree::Closure, site: Site) -> Result<Closure<'a>> {
+        let mut captures = Vec::new();
+        for name in names_in(&text) {
+            let Ok(meaning) = self.lookup(&name, site) else { continue };
+            let span = self.span(site);
+            // Neither the parts of an array nor a parameter that is a slice.
+            let plain = |place: &Place| {
+                !matches!(place.ty, Type::Slice(_)) && self.cx.slices_in(&place.ty).is_empty()
+            };
+            match (&meaning, self.place_of(&meaning, span)) {
+                (Value::Closure(_), _) => {}
+                (Value::Nothing, _) => captures.push((name, meaning)),
+                (_, Some(place)) if plain(&place) => captures.push((name, meaning)),
+                _ => {
+                    return problem(
+                        site,
+                        "a closure that is handed to a function uses no slice in the DSL",
+                        "take what it needs of the slice before: `let first = values[0];`",
+                    );
+                }
+            }
+        }
+        let scope = Scope { names: vec![captures], expanding: Vec::new(), locals: None };
+        Ok(Closure { text, source: self.source, scope, outermost: None })
+    }
+
+    /// The copy of a function for closures; and what they use, as the arguments for it.
+    fn specialised(
+        &mut self,
+        template: &'a tree::Function,
+        mut closures: Vec<(&str, Closure<'a>)>,
+        site: Site,
+    ) -> Result<(FunctionId, Vec<Argument>)> {
+        closures.sort_by_key(|(param, _)| *param);
+        let mut given: Vec<_> =
+            closures.iter().filter_map(|(_, closure)| closure.text.name.clone()).collect();
+        given.sort();
+        let span = self.span(site);
+        let all = closures.iter().flat_map(|(_, closure)| closure.scope.names.iter().flatten());
+        let outside: Vec<(String, Place)> = all
+            .filter_map(|(name, meaning)| Some((name.clone(), self.place_of(meaning, span)?)))
+            .collect();
+        let mut inner = Lowering::new(&mut *self.cx, template)?;
+        inner.parameters()?;
+        let first = inner.locals.len();
+        inner.locals.extend(outside.iter().map(|(name, place)| Local {
+            name: name.clone(),
+            ty: place.ty.clone(),
+            mode: Mode::RefMut,
+            span: place.span,
+        }));
+        let params = inner.locals.len();
+        let mut next = first as u32;
+        for (param, mut closure) in closures {
+            for (_, meaning) in closure.scope.names.iter_mut().flatten() {
+                match meaning {
+                    Value::Local(local) => *local = LocalId(next),
+                    Value::Place(place) => {
+                        *place = Place::local(LocalId(next), place.ty.clone(), place.span);
+                    }
+                    _ => continue,
+                }
+                next += 1;
+            }
+            let closure = inner.closure(closure);
+            inner.bind(param, Value::Closure(closure));
+        }
+        inner.body(&template.tree.body)?;
+        let mut lowered = inner.finished(params, span)?;
+        let function = &mut lowered.function;
+        let mut captured = Vec::new();
+        for ((_, place), at) in outside.into_iter().zip(first..) {
+            let written = effects::writes_local(&function.body, LocalId(at as u32));
+            let (mode, argument) = match (written, place.ty.is_word()) {
+                (true, _) => (Mode::RefMut, Argument::RefMut(place)),
+                (false, true) => (Mode::Value, Argument::Value(place.load())),
+                (false, false) => (Mode::Ref, Argument::Ref(place.load())),
+            };
+            function.locals[at].mode = mode;
+            captured.push(argument);
+        }
+        // Behind the body, in which another closure may be handed to the same function.
+        function.name = self.copy_name(template, &given);
+        function.module.clone_from(&self.source.module);
+        function.owner = self.owner();
+        if let tree::Role::Inline { public } = self.source.tree.role {
+            function.role = Role::Inline { public };
+        }
+        Ok((self.cx.add(lowered), captured))
+    }
+
+    /// `bisect_error`, for the closure called `error`; else `bisect_in_step`, for the function that calls it. A copy for an
+    /// instance is named for it, so that no other instance moves its name.
+    fn copy_name(&self, template: &tree::Function, given: &[String]) -> String {
+        let purpose = match given.is_empty() {
+            true => format!("in_{}", names::snake(&self.source.tree.name)),
+            false => given.join("_"),
+        };
+        let instance = self.cx.suffix(&self.source.suffix);
+        let wanted = format!("{}_{purpose}{instance}", template.tree.name);
+        let owner = self.owner();
+        let taken = |name: &str| {
+            let mut all = self.cx.module.functions.iter();
+            all.any(|it| it.module == self.source.module && it.owner == owner && it.name == name)
+        };
+        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
+        let mut candidates = std::iter::once(wanted.clone()).chain(numbered);
+        candidates.find(|name| !taken(name)).unwrap_or(wanted)
+    }
+
+    /// `f(x)`: the body of the closure, its parameters the arguments; none if there is nothing to its value.
+    pub(super) fn apply(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        site: Site,
+    ) -> Result<Expr> {
+        let value = self.applied(name, arguments, site, Self::body_value)?;
+        if value.ty == Type::Unit {
+            return Ok(value);
+        }
+        // The value is held: its operands may be written before it is used. If it has no name, it takes the closure's.
+        if self.naming != UNNAMED {
+            return Ok(self.temporary("value", value));
+        }
+        Ok(self.naming_as("", |inner| inner.temporary(name, value)))
+    }
+
+    /// A condition: what a closure says that is inlined is looked at at once, and need not be held.
+    pub(super) fn asked(&mut self, condition: &tree::Expr) -> Result<Expr> {
+        match &condition.kind {
+            tree::ExprKind::Apply(name, arguments) if self.stands_here(condition) => {
+                self.applied(name, arguments, condition.site, Self::body_value)
+            }
+            tree::ExprKind::Unary(tree::UnaryOp::Not, inner) if self.stands_here(inner) => {
+                Ok(self.asked(inner)?.negated())
+            }
+            _ => self.value(condition, Some(&Type::BOOL)),
+        }
+    }
+
+    /// True for a call of a closure that is inlined in the scope in which its author wrote it.
+    pub(super) fn stands_here(&self, expr: &tree::Expr) -> bool {
+        let tree::ExprKind::Apply(name, _) = &expr.kind else { return false };
+        let closure = self.closure_named(name).filter(|_| name != tree::EACH);
+        closure.is_some_and(|it| self.closures[it].scope.locals.is_some())
+    }
+
+    pub(super) fn applied<T>(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        site: Site,
+        end: impl FnOnce(&mut Self, &tree::Closure) -> Result<T>,
+    ) -> Result<T> {
+        let Some(handed) = self.closure_named(name).map(|it| Rc::clone(&self.closures[it])) else {
+            return problem(
+                site,
+                "a closure that was handed on is not called in another closure in the DSL",
+                "call it before, and use its value",
+            );
+        };
+        let closure = &handed.text;
+        // A closure that was written before what calls it changes nothing there but what it is lent for that.
+        let stays = handed.scope.locals.filter(|_| name != tree::EACH);
+        let mut subjects: Vec<Value> = Vec::new();
+        for (parameter, argument) in closure.parameters.iter().zip(arguments) {
+            let each = name == tree::EACH;
+            let next = self.settling(
+                |inner| inner.argument_for(parameter, argument, &handed, (each, site)),
+                |inner, _, later| {
+                    let (before, written) = (subjects.iter_mut(), effects::writes(later));
+                    for (it, argument) in before.zip(arguments) {
+                        inner.copy_subject(it, argument, &written);
+                    }
+                },
+            )?;
+            subjects.push(next);
+        }
+        self.in_scope_of(&handed, None, site, |inner| {
+            inner.bind_arguments(closure, &subjects, stays)?;
+            match &handed.outermost {
+                Some((label, outermost)) => {
+                    inner.pass_of(label.as_deref(), *outermost, |inner| end(inner, closure))
+                }
+                None => end(inner, closure),
+            }
+        })
+    }
+
+    /// What an argument is to the parameter of a closure; `each`: it is an item that is handed on.
+    fn argument_for(
+        &mut self,
+        parameter: &tree::Pattern,
+        argument: &tree::Expr,
+        handed: &Closure<'a>,
+        (each, site): (bool, Site),
+    ) -> Result<Value> {
+        let name = match parameter {
+            tree::Pattern::Name { name, slot, .. } => Some((name, *slot)),
+            _ => None,
+        };
+        let written = handed.source.tree.role != tree::Role::Expanded;
+        // An item is what it is where it comes from; but a pair that has one name is a value.
+        let whole = name.is_some_and(|(name, _)| !is_hidden(name))
+            && matches!(argument.kind, tree::ExprKind::Tuple(_))
+            && written;
+        if each && !whole {
+            let before = self.locals.len();
+            let item = self.item(argument, Some(parameter))?;
+            self.name_own(parameter, &item, handed.scope.locals.filter(|_| written));
+            let computed = match name {
+                Some((_, NO_SLOT)) => self.just_computed(&item, before),
+                _ => None,
+            };
+            return Ok(computed.map_or(item, |value| Value::Word(Box::new(value))));
+        }
+        if let tree::Pattern::Tuple(_) = parameter
+            && let Some(parts) = self.parts_named(argument)
+        {
+            return Ok(parts);
+        }
+        if let Some(slice) = self.slice_named(argument)? {
+            return Ok(slice);
+        }
+        let taken = name.and_then(|(_, slot)| handed.source.slots.get(slot as usize));
+        let expected = taken.map(|ty| self.cx.pointee(ty, site)).transpose()?;
+        let value = self.value(argument, expected.as_ref())?;
+        if value.ty == Type::Unit {
+            return Ok(self.value_subject(value));
+        }
+        if let ExprKind::Load(place) = &value.kind
+            && !each
+            && handed.scope.locals.is_some()
+        {
+            let mut place = place.clone();
+            // Its indices are checked also where the body does not read it.
+            self.fix(&mut place);
+            return Ok(Value::Place(place));
+        }
+        // In a place of its own: the body may write to what it was computed from.
+        let value = match name {
+            _ if matches!(taken, Some(Ty::Ref(..))) => value,
+            Some((name, _)) => self.naming_as("", |inner| inner.temporary(name, value)),
+            None => self.temporary(words::ARGUMENT, value),
+        };
+        Ok(self.value_subject(value))
+    }
+
+    /// The slice that an argument names.
+    fn slice_named(&self, argument: &tree::Expr) -> Result<Option<Value>> {
+        match &argument.kind {
+            tree::ExprKind::Local(name) => {
+                let meaning = self.lookup(name, argument.site)?;
+                Ok(Some(meaning).filter(|it| matches!(it, Value::Slice(_))))
+            }
+            tree::ExprKind::Ref(_, inner) => self.slice_named(inner),
+            _ => Ok(None),
+        }
+    }
+
+    /// Lowers what stands in a closure, where names mean what they mean there; `each` is what items are handed to.
+    pub(super) fn in_scope_of<T>(
+        &mut self,
+        closure: &Closure<'a>,
+        each: Option<Value>,
+        site: Site,
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<T> {
+        let Scope { names, expanding, locals } = &closure.scope;
+        let each = each.map(|each| (tree::EACH.to_owned(), each));
+        let names = names.iter().cloned().chain([each.into_iter().collect()]).collect();
+        let expanding = if locals.is_some() { expanding } else { &self.expanding }.clone();
+        self.from(closure.source, Scope { names, expanding, locals: *locals }, site, lower)
+    }
+
+    /// Binds the parameters of a closure; to the places themselves where they stay what they are. A local of what calls
+    /// the closure, which comes behind those of whoever wrote it, has the name that he gives it.
+    fn bind_arguments(
+        &mut self,
+        closure: &tree::Closure,
+        subjects: &[Value],
+        stays: Option<usize>,
+    ) -> Result<()> {
+        let mut names = Vec::new();
+        for (pattern, subject) in closure.parameters.iter().zip(subjects) {
+            self.name_own(pattern, subject, stays);
+            // Nothing but its loop changes a counter that is handed on.
+            let counter =
+                |place: &Place| place.steps.is_empty() && self.steady.contains(&place.root);
+            match (pattern, subject) {
+                (
+                    tree::Pattern::Name { name, mutable: false, inner: None, .. },
+                    Value::Place(place),
+                ) if stays.is_some() || counter(place) => self.bind(name, subject.clone()),
+                // What was just computed for a name that no author gave.
+                (tree::Pattern::Name { name, slot: NO_SLOT, .. }, Value::Word(_)) => {
+                    self.bind(name, subject.clone());
+                }
+                _ => names.extend(self.test(pattern, subject, closure.body.site)?.names),
+            }
+        }
+        self.bind_names(&names)
+    }
+
+    /// Gives locals of what calls a closure the names that the closure's author gives them.
+    pub(super) fn name_own(
+        &mut self,
+        pattern: &tree::Pattern,
+        subject: &Value,
+        stays: Option<usize>,
+    ) {
+        match (pattern, subject) {
+            (tree::Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
+                for (pattern, part) in patterns.iter().zip(parts) {
+                    self.name_own(pattern, part, stays);
+                }
+            }
+            (
+                tree::Pattern::Name { name, mutable: false, inner: None, .. },
+                Value::Place(place),
+            ) if place.steps.is_empty()
+                && !is_hidden(name)
+                && stays.is_some_and(|own| place.root.index() >= own) =>
+            {
+                self.locals[place.root.index()].name.clone_from(name);
+            }
+            _ => {}
+        }
+    }
+
+    fn body_value(&mut self, closure: &tree::Closure) -> Result<Expr> {
+        let slot = closure.body.slot;
+        let ty = slot.map(|slot| self.slot(slot, closure.body.site)).transpose()?;
+        let unit = match &ty {
+            Some(ty) => *ty == Type::Unit,
+            // The body of a loop.
+            None => matches!(&closure.body.kind, tree::ExprKind::Block(it) if it.tail.is_none()),
+        };
+        if unit {
+            self.effect(&closure.body)?;
+            let span = self.span(closure.body.site);
+            return Ok(Expr { kind: ExprKind::Struct(Vec::new()), ty: Type::Unit, span });
+        }
+        self.value(&closure.body, ty.as_ref())
+    }
+}
+
+/// Whether no author wrote a name.
+pub(super) fn is_hidden(name: &str) -> bool {
+    name.contains('%')
+}
+
+/// The names that stand in a closure's body, as far as they are not its own parameters.
+fn names_in(closure: &tree::Closure) -> BTreeSet<String> {
+    let (mut named, mut own) = (Locals::default(), Bound::default());
+    named.expr(&closure.body);
+    closure.parameters.iter().for_each(|parameter| own.pattern(parameter));
+    named.0.difference(&own.0).cloned().collect()
+}

@@ -1,0 +1,198 @@
+//! Conditions: those with patterns in them (`if let Some(x) = … && x > 0`), `&&` whose right side needs statements, and
+//! whether a value lies between two others.
+
+use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, LogicOp, Place, Span, Stmt, StmtKind, Type, UnaryOp,
+};
+
+use super::Result;
+use super::lowering::Lowering;
+use super::value::Named;
+use bessemer_ir::effects;
+
+impl Lowering<'_, '_> {
+    /// A condition with patterns in it; its names stand for their places from here on.
+    pub(super) fn pattern_condition(
+        &mut self,
+        expr: &tree::Expr,
+        names: &mut Vec<Named>,
+    ) -> Result<Expr> {
+        match &expr.kind {
+            Tree::Let(pattern, value) => {
+                let subject = self.subject_of(pattern, value)?;
+                let test = self.test(pattern, &subject, expr.site)?;
+                self.alias_names(&test.names);
+                names.extend(test.names);
+                match test.condition {
+                    Some(test) => Ok(test),
+                    None => self.node(ExprKind::Literal(1), Type::BOOL, expr.site),
+                }
+            }
+            Tree::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
+                let left = self.pattern_condition(left, names)?;
+                self.and_then(left, |inner| inner.further_condition(right, names))
+            }
+            _ => self.value(expr, Some(&Type::BOOL)),
+        }
+    }
+
+    /// Lowers the next condition of a chain; the conditions before it bound `names`. A name whose place this condition writes
+    /// is copied first; the other names stand for their places until the whole chain is lowered.
+    pub(super) fn further_condition(
+        &mut self,
+        expr: &tree::Expr,
+        names: &mut Vec<Named>,
+    ) -> Result<Expr> {
+        if names.is_empty() {
+            return self.pattern_condition(expr, names);
+        }
+        self.copy_names(names, |named| named.mutable)?;
+        let known = names.len();
+        let open = self.lenders.open();
+        let (value, stmts) = self.apart(|inner| inner.pattern_condition(expr, names))?;
+        let written = [effects::writes(&stmts), effects::lent(&value)].concat();
+        let mut changed = Vec::new();
+        for (at, named) in names[..known].iter().enumerate() {
+            let writes =
+                |place: &Place| written.iter().any(|written| effects::overlap(place, written));
+            // Nothing reads one behind another of its name.
+            let hidden = names[at + 1..known].iter().any(|it| it.name == named.name);
+            if let Some(place) = named.copied_from().filter(|place| !hidden && writes(place))
+                && named.slot != NO_SLOT
+                && (self.is_borrowed(named, place)?
+                    || !self.slot_is_reference(named.slot, named.site)?)
+            {
+                changed.push(named.slot);
+            }
+        }
+        if changed.is_empty() {
+            self.out.extend(stmts);
+            return Ok(value);
+        }
+        // It is lowered anew, and reads the copies.
+        self.lenders.forget(open);
+        names.truncate(known);
+        self.copy_names(names, |named| changed.contains(&named.slot))?;
+        self.pattern_condition(expr, names)
+    }
+
+    /// Emits the branches of a pattern, or the one that is taken where the lengths alone decide.
+    pub(super) fn branch(&mut self, condition: Expr, then: Block, otherwise: Block, span: Span) {
+        match decided(&condition) {
+            Some(true) => self.out.extend(then.0),
+            Some(false) => self.out.extend(otherwise.0),
+            None => self.emit(StmtKind::If { condition, then, otherwise }, span),
+        }
+    }
+
+    /// `left && right`, where `right` may need statements, which then run only if `left` holds. What
+    /// they declare can be read behind them.
+    pub(super) fn and_then(
+        &mut self,
+        left: Expr,
+        right: impl FnOnce(&mut Self) -> Result<Expr>,
+    ) -> Result<Expr> {
+        let (right, inner) = self.apart(right)?;
+        if inner.is_empty() {
+            return Ok(Expr::logic(LogicOp::And, left, right));
+        }
+        if left.kind == ExprKind::Literal(1) {
+            self.out.extend(inner);
+            return Ok(right);
+        }
+        let span = right.span;
+        let mut kept = Vec::new();
+        for stmt in inner {
+            let Stmt { kind: StmtKind::Let { local, value }, span, comments } = stmt else {
+                kept.push(stmt);
+                continue;
+            };
+            // Where a block is left, nothing is declared.
+            if self.frames.iter().any(|frame| frame.mark == Some(local)) {
+                kept.push(Stmt { kind: StmtKind::Let { local, value }, span, comments });
+                continue;
+            }
+            let ty = self.locals[local.index()].ty.clone();
+            let first = Some(self.zero(&ty, span));
+            // Whose elements the slices in it are is known from where it was lowered.
+            self.out.push(Stmt::new(StmtKind::Let { local, value: first }, span));
+            let place = Place::local(local, ty, span);
+            let assign = value.map(|value| StmtKind::Assign { place, value });
+            kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
+        }
+        let mut inner = kept;
+        let held = self.temporary("holds", left);
+        if let (ExprKind::Load(place), true) = (&held.kind, right.kind != ExprKind::Literal(1)) {
+            let kind = StmtKind::Assign { place: place.clone(), value: right };
+            inner.push(Stmt::new(kind, span));
+        }
+        self.emit_if(held.clone(), Block(inner), span);
+        Ok(held)
+    }
+}
+
+/// Whether a condition has a pattern in it.
+pub(super) fn has_let(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        Tree::Let(..) => true,
+        Tree::Binary(tree::BinaryOp::LogicAnd, left, right) => has_let(left) || has_let(right),
+        _ => false,
+    }
+}
+
+/// Whether a condition holds, where its literals alone say so.
+pub(super) fn decided(condition: &Expr) -> Option<bool> {
+    let number = |expr: &Expr| match (&expr.kind, expr.ty.as_int()) {
+        (ExprKind::Literal(word), Some(int)) => Some(int.from_word(*word)),
+        _ => None,
+    };
+    match &condition.kind {
+        ExprKind::Literal(word) => Some(*word != 0),
+        ExprKind::Unary(UnaryOp::Not, operand) => decided(operand).map(|holds| !holds),
+        ExprKind::Logic(op, left, right) => match (op, decided(left)?) {
+            (LogicOp::And, true) | (LogicOp::Or, false) => decided(right),
+            (_, left) => Some(left),
+        },
+        ExprKind::Compare(op, left, right) => {
+            let order = number(left)?.cmp(&number(right)?);
+            Some(match op {
+                CompareOp::Eq => order.is_eq(),
+                CompareOp::Ne => order.is_ne(),
+                CompareOp::Lt => order.is_lt(),
+                CompareOp::Le => order.is_le(),
+                CompareOp::Gt => order.is_gt(),
+                CompareOp::Ge => order.is_ge(),
+            })
+        }
+        _ => None,
+    }
+}
+
+/// Whether a value is in one of several ranges; none if there are none.
+pub(super) fn within_any(value: &Expr, ranges: &[(i128, i128)], span: Span) -> Option<Expr> {
+    let tests = ranges.iter().map(|range| within(value, *range, span));
+    tests.reduce(|one, other| Expr::logic(LogicOp::Or, one, other).at(span))
+}
+
+/// `low <= value && value <= high`, or what is left of it.
+pub(super) fn within(value: &Expr, (low, high): (i128, i128), span: Span) -> Expr {
+    if value.ty == Type::BOOL {
+        let not = Expr::unary(UnaryOp::Not, value.clone()).at(span);
+        return if low == 1 { value.clone() } else { not };
+    }
+    let compare = |op, limit: i128| {
+        Expr::compare(op, value.clone(), Expr::literal_like(limit as u64, value)).at(span)
+    };
+    let (least, most) = value.ty.as_int().map_or((-1, i128::MAX), |int| (int.min(), int.max()));
+    match (low == least, high == most) {
+        _ if low == high => compare(CompareOp::Eq, low),
+        (true, true) => Expr::bool(true, span),
+        (true, false) => compare(CompareOp::Le, high),
+        (false, true) => compare(CompareOp::Ge, low),
+        (false, false) => {
+            let (above, below) = (compare(CompareOp::Ge, low), compare(CompareOp::Le, high));
+            Expr::logic(LogicOp::And, above, below)
+        }
+    }
+}

@@ -1,0 +1,524 @@
+//! Control flow: statements, and values that control flow decides.
+
+use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Site};
+use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, Span, StmtKind, Type};
+
+use super::conditions::{decided, has_let};
+use super::each::Each;
+use super::expr::Call;
+use super::lowering::{Leaving, Lowering, RESULT, Target};
+use super::syntax::control_with_value;
+use super::value::Value;
+use super::words;
+use super::{OUR_FAULT, Result, order, problem};
+use bessemer_ir::effects;
+
+impl Lowering<'_, '_> {
+    /// Computes `expr` and sends its value to `target`.
+    pub(super) fn into(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+        self.lowered(expr, Some(target))
+    }
+
+    /// Runs `expr` for its effect.
+    pub(super) fn effect(&mut self, expr: &tree::Expr) -> Result<()> {
+        self.lowered(expr, None)
+    }
+
+    /// Runs `expr`, and sends its value to `target` if one is wanted.
+    pub(super) fn lowered(&mut self, expr: &tree::Expr, target: Option<&Target>) -> Result<()> {
+        if let Some(other) = self.in_place(expr) {
+            return self.lowered(&other, target);
+        }
+        if let Some(expansion) = self.expansion(expr) {
+            return self.expanded(expansion, expr.site, |inner, tail| {
+                tail.map_or(Ok(()), |tail| inner.lowered(tail, target))
+            });
+        }
+        if target.is_none() {
+            // The file of a statement is listed before those of what it calls.
+            self.span(expr.site);
+        }
+        match (&expr.kind, target) {
+            (Tree::Apply(name, arguments), Some(_)) if self.stands_here(expr) => {
+                self.applied(name, arguments, expr.site, |inner, closure| {
+                    inner.lowered(&closure.body, target)
+                })
+            }
+            (Tree::If(condition, then, otherwise), _)
+                if target.is_none() || otherwise.is_some() =>
+            {
+                self.if_stmt(expr.site, condition, then, otherwise.as_deref(), target)
+            }
+            (Tree::Match(scrutinee, arms), _) if target.is_none() || control_with_value(expr) => {
+                self.match_stmt(expr.site, scrutinee, arms, target)
+            }
+            (Tree::Block(block), _) => self.run(block, target),
+            (Tree::Labelled(label, body), _) => self.labelled(label, body, target, expr),
+            (Tree::While { label, condition, bound, body }, _) => {
+                let asked = (condition.as_deref(), bound.as_deref());
+                self.while_stmt(expr.site, label.as_deref(), asked, body, target)
+            }
+            (Tree::Return(_) | Tree::Break(..) | Tree::Continue(_) | Tree::Assert(..), _)
+            | (_, None) => self.statement(expr),
+            (_, Some(target)) => self.store(expr, target),
+        }
+    }
+
+    /// `if`, in which what holds in this instance is all that there is.
+    fn if_stmt(
+        &mut self,
+        site: Site,
+        condition: &tree::Expr,
+        then: &tree::Block,
+        otherwise: Option<&tree::Expr>,
+        target: Option<&Target>,
+    ) -> Result<()> {
+        let span = self.span(site);
+        if has_let(condition) {
+            // The names of its patterns are known in the branch alone.
+            let (condition, then) = self.naming_scope(|inner| {
+                let mut names = Vec::new();
+                let condition = inner.pattern_condition(condition, &mut names)?;
+                let then = inner.scoped(|inner| {
+                    inner.bind_names(&names)?;
+                    inner.run(then, target)
+                })?;
+                Ok((condition, then))
+            })?;
+            let otherwise = self.otherwise(otherwise, target)?;
+            self.branch(condition, then, otherwise, span);
+            return Ok(());
+        }
+        let condition = self.asked(condition)?;
+        if let Some(holds) = self.decided(&condition) {
+            return match (holds, otherwise) {
+                (true, _) => self.run(then, target),
+                (false, Some(otherwise)) => self.lowered(otherwise, target),
+                (false, None) => Ok(()),
+            };
+        }
+        let then = self.block(then, target)?;
+        let otherwise = self.otherwise(otherwise, target)?;
+        // Assignments of zero-sized values are erased, so both branches may be empty.
+        let idle = target.is_none() && then.0.is_empty() && otherwise.0.is_empty();
+        if !(idle && order::is_free(&condition)) {
+            self.emit(StmtKind::If { condition, then, otherwise }, span);
+        }
+        Ok(())
+    }
+
+    fn is_unwrap(&self, callee: u32) -> bool {
+        self.builtin_of(callee) == Some(Builtin::Option(OptionMethod::Unwrap))
+    }
+
+    /// `operand?`: leaves with what it is unless there is a value; that value, if there is something to
+    /// it.
+    pub(super) fn try_value(
+        &mut self,
+        label: Option<&str>,
+        operand: &tree::Expr,
+        site: Site,
+    ) -> Result<Option<Expr>> {
+        let span = self.span(site);
+        let place = self.held(operand)?;
+        let target = self.left_by(label, site)?;
+        let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), self.wanted(&target))
+        else {
+            return problem(site, "`?` takes an `Option` or a `Result`", "`match` on the value");
+        };
+        let (taken, left) = match self.case(id, "Some") {
+            Some(some) => (some, "None"),
+            None => match self.case(id, "Ok") {
+                Some(ok) => (ok, "Err"),
+                None => return problem(site, "`?` takes an `Option` or a `Result`", OUR_FAULT),
+            },
+        };
+        let Some((word, case)) = self.case(result, left) else {
+            return problem(site, "this does not fit the result of the function", OUR_FAULT);
+        };
+        let from = self.case(id, left).and_then(|(_, case)| case.field);
+        let payload = from.map(|field| self.part(&place, id, field as usize).load());
+        let wanted = case.field.map(|field| self.cx.field_type(result, field));
+        let condition = self.tag_is(&place, id, taken.0).negated();
+        let then = self.scoped(|inner| {
+            let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;
+            let leave = inner.choice(result, word, payload, site)?;
+            inner.send(leave, &target, span);
+            match target {
+                Target::Return => Ok(()),
+                Target::Place(_) => inner.leave(label, Leaving::Break, site),
+            }
+        })?;
+        self.emit_if(condition, then, span);
+        let value = taken.1.field.map(|field| self.part(&place, id, field as usize));
+        Ok(value.map(|value| value.load()))
+    }
+
+    /// The type of what goes to a target.
+    fn wanted(&self, target: &Target) -> Type {
+        match target {
+            Target::Place(place) => place.ty.clone(),
+            Target::Return => self.result.clone(),
+        }
+    }
+
+    fn send(&mut self, value: Expr, target: &Target, span: Span) {
+        let kind = match target {
+            Target::Place(place) => StmtKind::Assign { place: place.clone(), value },
+            Target::Return => StmtKind::Return(Some(value)),
+        };
+        self.emit(kind, span);
+    }
+
+    fn store(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+        let ty = self.wanted(target);
+        let value = self.value(expr, Some(&ty))?;
+        self.agree(&value.ty, &ty, expr.site)?;
+        if let (Target::Place(place), ExprKind::Load(same)) = (target, &value.kind)
+            && place.root == same.root
+            && place.steps.is_empty()
+            && same.steps.is_empty()
+        {
+            // `|mut sum, x| { sum += x; sum }`.
+            return Ok(());
+        }
+        let span = value.span;
+        self.send(value, target, span);
+        Ok(())
+    }
+
+    /// A block, its value to `target` if one is wanted.
+    pub(super) fn block(&mut self, block: &tree::Block, target: Option<&Target>) -> Result<Block> {
+        self.scoped(|inner| {
+            inner.stmts(block)?;
+            match &block.tail {
+                Some(tail) => inner.lowered(tail, target),
+                // Nothing is wanted, or every path has left: `return`, `break` or `continue`.
+                None => Ok(()),
+            }
+        })
+    }
+
+    /// The same, into the block at hand.
+    fn run(&mut self, block: &tree::Block, target: Option<&Target>) -> Result<()> {
+        let Block(stmts) = self.block(block, target)?;
+        self.out.extend(stmts);
+        Ok(())
+    }
+
+    /// `else`, as far as there is one.
+    fn otherwise(
+        &mut self,
+        otherwise: Option<&tree::Expr>,
+        target: Option<&Target>,
+    ) -> Result<Block> {
+        self.scoped(|inner| otherwise.map_or(Ok(()), |it| inner.lowered(it, target)))
+    }
+
+    /// Lowers an expression for its effect, where it is no control flow that has a value.
+    fn statement(&mut self, expr: &tree::Expr) -> Result<()> {
+        let span = self.span(expr.site);
+        match &expr.kind {
+            Tree::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
+            Tree::AssignEach(places, value) => self.assign_each(places, value),
+            Tree::For { label, name, slot, range, body } => {
+                self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
+            }
+            Tree::Each { label, index, parts, order, cuts, body } => {
+                let (site, label, index) = (expr.site, label.as_deref(), index.as_deref());
+                self.each_stmt(parts, Each { site, label, index, order: *order, cuts, body })
+            }
+            Tree::Unroll(count, inner) => {
+                let mark = self.out.len();
+                self.effect(inner)?;
+                // A loop over the elements of a value may stand behind a copy of it.
+                let loops = self.out[mark..].iter_mut().rev();
+                let mut hints = loops.filter_map(|stmt| match &mut stmt.kind {
+                    StmtKind::For { unroll, .. } => Some(unroll),
+                    _ => None,
+                });
+                if let Some(unroll) = hints.next() {
+                    *unroll = Some(*count);
+                }
+                Ok(())
+            }
+            Tree::Return(value) => self.return_stmt(value.as_deref(), expr.site),
+            Tree::Break(label, value) => {
+                self.break_stmt(label.as_deref(), value.as_deref(), expr.site)
+            }
+            Tree::Continue(label) => self.leave(label.as_deref(), Leaving::Continue, expr.site),
+            Tree::Assert(condition, claim) => self.assert_stmt(condition, *claim, expr.site),
+            Tree::Tuple(parts) if parts.is_empty() => Ok(()),
+            Tree::Call(..)
+                if self.lent_place(expr)?.is_some()
+                    || self.list_effect(expr)?
+                    || self.slice_effect(expr)? =>
+            {
+                Ok(())
+            }
+            Tree::Call(callee, arguments) if self.is_unwrap(*callee) => {
+                self.unwrap(OptionMethod::Unwrap, Call { arguments, expr }).map(|_| ())
+            }
+            Tree::Try(label, operand) => {
+                self.try_value(label.as_deref(), operand, expr.site).map(|_| ())
+            }
+            Tree::Apply(name, arguments) => {
+                let value = self.apply(name, arguments, expr.site)?;
+                if value.ty != Type::Unit {
+                    self.emit(StmtKind::Expr(value), span);
+                }
+                Ok(())
+            }
+            _ => {
+                if self.holds_nothing(expr) {
+                    let left = self.done(expr)?;
+                    self.discard(left);
+                    return Ok(());
+                }
+                let value = self.value(expr, None)?;
+                // What has no value may be done already.
+                if value.ty != Type::Unit || !matches!(value.kind, ExprKind::Literal(_)) {
+                    self.emit(StmtKind::Expr(value), span);
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// The value of a condition in this instance: `if N == 0` is none of the C's business.
+    fn decided(&self, condition: &Expr) -> Option<bool> {
+        if self.source.generics.is_empty() {
+            return None;
+        }
+        decided(condition)
+    }
+
+    fn return_stmt(&mut self, value: Option<&tree::Expr>, site: Site) -> Result<()> {
+        if let Some(value) = value.filter(|_| self.result != Type::Unit) {
+            return self.naming_as(RESULT, |inner| inner.into(value, &Target::Return));
+        }
+        value.map_or(Ok(()), |value| self.effect(value))?;
+        let span = self.span(site);
+        self.emit(StmtKind::Return(None), span);
+        Ok(())
+    }
+
+    fn assert_stmt(
+        &mut self,
+        condition: &tree::Expr,
+        claim: tree::Claim,
+        site: Site,
+    ) -> Result<()> {
+        let naming = std::mem::take(&mut self.naming);
+        let condition = self.value(condition, Some(&Type::BOOL))?;
+        // What an author asserts may do anything, so it is computed first. The library asks for sums at most.
+        let condition = match claim == tree::Claim::Assertion && !super::order::is_free(&condition)
+        {
+            true => self.temporary("asserted", condition),
+            false => condition,
+        };
+        self.naming = naming;
+        let span = self.span(site);
+        let fault = match claim {
+            tree::Claim::Assertion => Fault::Assertion,
+            tree::Claim::Index => Fault::Index,
+            tree::Claim::Capacity => Fault::Capacity,
+            tree::Claim::Clamp => Fault::Clamp,
+        };
+        if !self.expanding.is_empty() && self.decided(&condition) == Some(true) {
+            return Ok(());
+        }
+        self.emit(StmtKind::Check { condition, fault }, span);
+        Ok(())
+    }
+
+    /// Refuses to let a name refer to something else: in the C it is another name of its place.
+    pub(super) fn keeps_what_it_refers_to(
+        &mut self,
+        place: &tree::Expr,
+        value: &tree::Expr,
+    ) -> Result<()> {
+        let Tree::Local(name) = &place.kind else {
+            let element = !self.cx.borrowed.is_empty()
+                && matches!(place.kind, Tree::Field(..) | Tree::Index(..))
+                && self.place_type(place).is_ok_and(|ty| self.type_behind(ty.clone()) != ty);
+            return if element { Self::moved_reference(place.site) } else { Ok(()) };
+        };
+        let refers = match self.lookup(name, place.site)? {
+            Value::Place(_) | Value::Slice(_) => true,
+            // One that may be written also stands for a variable that a closure writes.
+            Value::Local(root) => match self.locals[root.index()].mode {
+                Mode::Value => false,
+                Mode::Ref => true,
+                Mode::RefMut => self.is_reference(value)?,
+            },
+            _ => false,
+        };
+        if refers { Self::moved_reference(place.site) } else { Ok(()) }
+    }
+
+    fn moved_reference(site: Site) -> Result<()> {
+        problem(
+            site,
+            "a reference cannot be made to refer to something else in the DSL",
+            "write to what it refers to (`*name = …`), or choose between two places by an index or an `if`",
+        )
+    }
+
+    fn is_reference(&self, value: &tree::Expr) -> Result<bool> {
+        match (&value.kind, value.slot) {
+            (Tree::Ref(..), _) => Ok(true),
+            (_, Some(slot)) => self.slot_is_reference(slot, value.site),
+            _ => Ok(false),
+        }
+    }
+
+    /// `place = value`, `place op= value`.
+    fn assign(
+        &mut self,
+        op: Option<tree::BinaryOp>,
+        place: &tree::Expr,
+        value: &tree::Expr,
+        site: Site,
+    ) -> Result<()> {
+        if self.is_submatrix(place) {
+            // Without a `*` the name is given another view.
+            return match (op, &place.kind) {
+                (None, Tree::Local(_)) => Self::moved_part(site),
+                _ => self.assign_part(op, place, value, site),
+            };
+        }
+        if op.is_none() {
+            self.keeps_what_it_refers_to(place, value)?;
+        }
+        if op.is_none() && self.holds_nothing(place) {
+            return self.assign_nothing(place, value);
+        }
+        let other = self.in_place(value);
+        let value = other.as_ref().unwrap_or(value);
+        let name = self.name_of(place);
+        let naming = std::mem::replace(&mut self.naming, name);
+        let span = self.span(site);
+        match op {
+            None if control_with_value(value) || self.stands_here(value) => {
+                let mark = self.out.len();
+                let target = self.writable(place)?;
+                let later = self.later(mark);
+                if later.is_empty() {
+                    self.into(value, &Target::Place(target))?;
+                } else {
+                    // Rust computes the value before the place.
+                    let value = self.value(value, Some(&target.ty))?;
+                    self.out.extend(later);
+                    self.emit(StmtKind::Assign { place: target, value }, span);
+                }
+            }
+            None => {
+                let ty = self.place_type(place)?;
+                let mut value = self.value(value, Some(&ty))?;
+                self.agree(&value.ty, &ty, site)?;
+                let place = self.settling(
+                    |inner| inner.writable(place),
+                    |inner, _, later| inner.settle(&mut value, words::OPERAND, later),
+                )?;
+                self.emit(StmtKind::Assign { place, value }, span);
+            }
+            Some(_) if let Some(callee) = self.operator(place.slot).cloned() => {
+                let operands = [place.clone(), value.clone()];
+                let ty = self.place_type(place)?;
+                let value = self.call_of(&callee, &operands, place)?;
+                if value.ty == Type::Unit {
+                    // `impl AddAssign` of a type of the author's: it writes the place itself.
+                    self.emit(StmtKind::Expr(value), span);
+                } else {
+                    self.agree(&value.ty, &ty, site)?;
+                    let place = self.writable(place)?;
+                    self.emit(StmtKind::Assign { place, value }, span);
+                }
+            }
+            Some(op) => {
+                let ty = self.place_type(place)?;
+                let expected = self.compound_operand(op, &ty);
+                let (place, value) = self.compound(place, value, expected, &ty)?;
+                let current = place.load();
+                let value = self.binary_node(op, current, value, site)?;
+                self.agree(&value.ty, &ty, site)?;
+                self.emit(StmtKind::Assign { place, value }, span);
+            }
+        }
+        self.naming = naming;
+        Ok(())
+    }
+
+    /// The place and the operand of `place op= value`: of scalars Rust computes the operand first, of
+    /// matrices the place. The place is written into the statement twice and computed once.
+    fn compound(
+        &mut self,
+        place: &tree::Expr,
+        value: &tree::Expr,
+        expected: Option<Type>,
+        ty: &Type,
+    ) -> Result<(Place, Expr)> {
+        if ty.is_word() {
+            let mut value = self.value(value, expected.as_ref())?;
+            let mut place = self.settling(
+                |inner| inner.writable(place),
+                |inner, place, later| {
+                    let fixed = place.steps.iter().all(order::is_fixed);
+                    // The place is read where the operand stands behind it, which must have been computed by then.
+                    let written = effects::lent(&value);
+                    if !fixed && !order::may_follow(&value, place)
+                        || effects::reads(&place.load(), &written)
+                    {
+                        value = inner.temporary(words::OPERAND, value.clone());
+                    } else {
+                        inner.settle(&mut value, words::OPERAND, later);
+                    }
+                },
+            )?;
+            self.keep_indices(&mut place, order::has_effect);
+            return Ok((place, value));
+        }
+        let mut place = self.writable(place)?;
+        self.keep_indices(&mut place, order::has_effect);
+        let value = self.settling(
+            |inner| inner.value(value, expected.as_ref()),
+            |inner, value, later| {
+                inner.settle_place(&mut place, later);
+                if order::has_effect(value) {
+                    inner.keep_indices(&mut place, |index| !index.is_literal());
+                }
+            },
+        )?;
+        Ok((place, value))
+    }
+
+    /// The name for a value that goes into a place: its last field, or its variable.
+    pub(super) fn name_of(&self, place: &tree::Expr) -> String {
+        match &place.kind {
+            // What a function that stands here calls its parameter has the author's name.
+            Tree::Local(name) if !self.expanding.is_empty() => {
+                match self.lookup(name, place.site) {
+                    Ok(Value::Place(it)) if it.steps.is_empty() => {
+                        self.locals[it.root.index()].name.clone()
+                    }
+                    _ => name.clone(),
+                }
+            }
+            Tree::Local(name) | Tree::Field(_, name) => name.clone(),
+            Tree::Index(base, _) | Tree::Deref(base) | Tree::Ref(_, base) => self.name_of(base),
+            _ => words::VALUE.into(),
+        }
+    }
+
+    /// The place that an assignment writes.
+    pub(super) fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
+        self.not_coords(expr)?;
+        match self.place(expr)? {
+            Some(place) => Ok(place),
+            None => {
+                problem(expr.site, "this is not a place to assign", "assign a variable or a field")
+            }
+        }
+    }
+}

@@ -1,0 +1,344 @@
+//! Slices as values, and values as slices: what is read of a slice in a struct, a variant, a tuple or a result, and how one
+//! gets there.
+//!
+//! Invariant: a slice that was read stays what it is, whatever is written to the place that it was read from.
+//!
+//! Must not know: how lenders are followed ([`lenders`](super::lenders)).
+
+use bessemer_ir::tree::visit::{Visit, walk_pattern};
+use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
+use bessemer_ir::visit::{self, VisitMut};
+use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, StmtKind, StructId, Type};
+
+use super::borrowed::{Borrowed, spot_of};
+use super::lenders::{FROM, LENGTH};
+use super::lowering::{Lowering, UNNAMED};
+use super::syntax::{Writes, control_with_value, slots_of};
+use super::value::{Slice, Value};
+use super::words;
+use super::{OUR_FAULT, Result, problem};
+use bessemer_ir::effects;
+
+impl Lowering<'_, '_> {
+    /// The slice at a place that is one.
+    pub(super) fn slice_at(&mut self, place: Place, site: Site) -> Result<Option<Slice>> {
+        let Some((_, borrowed)) = self.cx.as_borrowed(&place.ty) else { return Ok(None) };
+        let borrowed = borrowed.clone();
+        let base = self.lender_of(&place).unwrap_or_else(|| self.awaited(&place, &borrowed, site));
+        let Borrowed { element, one, .. } = borrowed;
+        let lasting = self.is_lasting(&place);
+        let part = |at: u32| place.inside(Step::Field(at), Type::USIZE).load();
+        let length = if one { Expr::usize(1, place.span) } else { part(LENGTH) };
+        let (mut from, mut length) = (part(FROM), length);
+        if !lasting {
+            // The slice stays what it is, whatever is written to the place.
+            let field = if one { None } else { self.field_name(&place) };
+            let name = field.unwrap_or_else(|| self.locals[place.root.index()].name.clone());
+            let roles = if one { words::ENDS_OF_ONE } else { words::ENDS };
+            let parts = [&mut from, &mut length].into_iter().zip(roles);
+            for (part, role) in parts.filter(|(part, _)| !part.is_literal()) {
+                let held =
+                    self.naming_as(&*name, |inner| inner.temporary_place(role, part.clone()));
+                self.lenders.taken.push(held.root);
+                *part = held.load();
+            }
+        }
+        Ok(Some(Slice::whole(base, element, length.clone()).part(from, length)))
+    }
+
+    /// The name of the field that is the last step of a place.
+    fn field_name(&self, place: &Place) -> Option<String> {
+        let (Step::Field(at), outer) = place.steps.split_last()? else { return None };
+        match self.type_of(place.root, outer) {
+            Type::Struct(id) => Some(self.cx.fields(id)[*at as usize].name.clone()),
+            _ => None,
+        }
+    }
+
+    /// The value of an expression where a slice is wanted in a value; none if no slice is.
+    pub(super) fn wanted_slice(
+        &mut self,
+        expr: &tree::Expr,
+        expected: Option<&Type>,
+    ) -> Result<Option<Expr>> {
+        let slice = expected.and_then(|ty| self.cx.as_borrowed(ty));
+        let Some((id, one)) = slice.map(|(id, it)| (id, it.one)) else { return Ok(None) };
+        if control_with_value(expr) {
+            return Ok(None);
+        }
+        if one {
+            let element = self.base(expr)?;
+            return self.element_value(element, id, expr.site).map(Some);
+        }
+        if let tree::ExprKind::Ref(_, inner) = &expr.kind
+            && let tree::ExprKind::Array(elements) = &inner.kind
+            && elements.is_empty()
+        {
+            // Of no array: nothing is read.
+            let span = self.span(expr.site);
+            return Ok(Some(self.zero(&Type::Struct(id), span)));
+        }
+        let slice = self.sliced(expr)?;
+        Ok(Some(self.borrowed_value(slice, id, expr.site)))
+    }
+
+    /// What a `&mut T` in a value refers to, an element or a place by itself; none if the place is something else.
+    pub(super) fn element_lent(&mut self, place: &Place, site: Site) -> Result<Option<Place>> {
+        let Some((_, Borrowed { element, one: true, .. })) = self.cx.as_borrowed(&place.ty) else {
+            return Ok(None);
+        };
+        if let Some(lender) = self.lender_of(place).filter(|lender| lender.ty == *element) {
+            return Ok(Some(lender));
+        }
+        let slice = self.slice_at(place.clone(), site)?;
+        Ok(slice.map(|slice| slice.at(slice.from.clone())))
+    }
+
+    /// The place itself, or the element that a `&mut T` there refers to.
+    pub(super) fn followed(&mut self, place: Place, site: Site) -> Result<Place> {
+        Ok(self.element_lent(&place, site)?.unwrap_or(place))
+    }
+
+    /// The type itself, or that of the element that a `&mut T` refers to.
+    pub(super) fn type_behind(&self, ty: Type) -> Type {
+        match self.cx.as_borrowed(&ty) {
+            Some((_, Borrowed { element, one: true, .. })) => element.clone(),
+            _ => ty,
+        }
+    }
+
+    /// A place as the value of a `&mut T`: which element of an array it is. One that is no element lends itself, as number 0.
+    fn element_value(&mut self, mut place: Place, id: StructId, site: Site) -> Result<Expr> {
+        if place.ty == Type::Struct(id) {
+            return Ok(place.load());
+        }
+        if self.type_behind(Type::Struct(id)) != place.ty {
+            return problem(site, "this is not what is lent here", OUR_FAULT);
+        }
+        // Rust looks at its indices here.
+        self.fix(&mut place);
+        let one = Expr::usize(1, place.span);
+        let mut base = place.clone();
+        let step = base.steps.pop();
+        base.ty = self.type_of(base.root, &base.steps);
+        let (base, from) = match (step, &base.ty) {
+            (Some(Step::Index(from)), Type::Array { .. } | Type::Slice(_)) => (base, from),
+            _ => (place.clone(), Expr::usize(0, place.span)),
+        };
+        let slice = Slice::whole(base, place.ty, one.clone()).part(from, one);
+        Ok(self.borrowed_value(slice, id, site))
+    }
+
+    /// A slice as a value.
+    fn borrowed_value(&mut self, slice: Slice, id: StructId, site: Site) -> Expr {
+        let span = self.span(site);
+        if let (ExprKind::Load(from), ExprKind::Load(length)) =
+            (&slice.from.kind, &slice.length.kind)
+            && let (Some((Step::Field(FROM), whole)), Some((Step::Field(LENGTH), rest))) =
+                (from.steps.split_last(), length.steps.split_last())
+            && from.root == length.root
+            && whole == rest
+        {
+            let of = Place { root: from.root, steps: whole.to_vec(), ty: Type::Struct(id), span };
+            if self.lender_of(&of).is_some_and(|it| effects::same_place(&it, &slice.base)) {
+                return of.load();
+            }
+        }
+        let one = self.cx.borrowed.get(&id).is_some_and(|it| it.one);
+        let parts = if one { vec![slice.from] } else { vec![slice.from, slice.length] };
+        let kind = ExprKind::Struct(parts);
+        let value = Expr { kind, ty: Type::Struct(id), span };
+        let known = self.lenders.made.iter().find(|(made, _)| *made == value);
+        match known.map(|(_, base)| effects::same_place(base, &slice.base)) {
+            None => self.lenders.made.push((value.clone(), slice.base)),
+            Some(true) => {}
+            // Two that look alike are told apart by their names.
+            Some(false) => {
+                let place = self.temporary_place(UNNAMED, value);
+                let spot = spot_of(&place);
+                self.lenders.known.retain(|it| it.0 != spot);
+                self.lenders.known.push((spot, slice.base));
+                return place.load();
+            }
+        }
+        value
+    }
+
+    /// What a method lends, as a value of a type.
+    pub(super) fn lent_value(&mut self, lent: Value, ty: &Type, site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        match (lent, ty) {
+            (Value::Place(place), _) => match self.cx.as_borrowed(ty) {
+                Some((id, Borrowed { one: true, .. })) => self.element_value(place, id, site),
+                _ => Ok(place.load()),
+            },
+            (Value::Slice(slice), Type::Struct(id)) => Ok(self.borrowed_value(*slice, *id, site)),
+            (Value::Tuple(parts, _), Type::Struct(id)) => {
+                let fields = self.cx.fields(*id).to_vec();
+                let mut values = Vec::new();
+                for (part, field) in parts.into_iter().zip(&fields) {
+                    values.push(self.lent_value(part, &field.ty, site)?);
+                }
+                self.node(ExprKind::Struct(values), ty.clone(), site)
+            }
+            (Value::Maybe(there, lent), Type::Struct(id)) => {
+                let none = self.choice(*id, 0, None, site)?;
+                let place = self.temporary_place(words::FOUND, none);
+                let held = place.load();
+                let Some(inner) = self.payload_type(*id, "Some") else {
+                    return problem(site, "this is not an `Option`", OUR_FAULT);
+                };
+                let then = self.scoped(|it| {
+                    let value = it.lent_value(*lent, &inner, site)?;
+                    let value = it.choice(*id, 1, Some(value), site)?;
+                    it.emit(StmtKind::Assign { place, value }, span);
+                    Ok(())
+                })?;
+                self.emit_if(there, then, span);
+                Ok(held)
+            }
+            _ => problem(site, "this is not what a slice lends", OUR_FAULT),
+        }
+    }
+
+    /// Takes out of a body what is said of a slice and not asked.
+    pub(super) fn leave_unasked(&self, body: &mut Block) {
+        if !self.lenders.taken.is_empty() {
+            Unasked(&self.lenders.taken).block(body);
+        }
+    }
+
+    /// A parameter that is a slice and is made another one: where it begins is in a local from here on.
+    pub(super) fn rebound(&mut self, name: &str, slot: u32, site: Site) -> Result<()> {
+        let ty = self.slot(slot, site)?;
+        let local = tree::Expr::local(name, site);
+        let (value, span) = (self.value(&local, Some(&ty))?, self.span(site));
+        let local = self.let_named(&format!("{name}_left"), value, span);
+        self.bind(name, Value::Local(local));
+        Ok(())
+    }
+
+    /// Whether a part of a local refers to something, and may come to refer to something else.
+    fn is_rebound_within(&self, local: LocalId) -> bool {
+        let (tree, name) = (&self.source.tree, &self.locals[local.index()].name);
+        let refers = |slot: u32| self.source.slots.get(slot as usize).is_some_and(refers_inside);
+        slots_of(tree, name).into_iter().any(refers) && Writes::to(name, &tree.body).part
+    }
+
+    /// Whether a place is in what a value holds a reference to, of which it has a copy, and may come to hold another.
+    pub(super) fn may_come_to_refer(&self, place: &Place) -> bool {
+        let local = &self.locals[place.root.index()];
+        // What stands where it is called knows the value by another name.
+        let changed =
+            !self.expanding.is_empty() || Writes::to(&local.name, &self.source.tree.body).part;
+        changed && self.is_loaned(place)
+    }
+
+    /// A slice that gets a name, by its slot, of elements that stay what they are.
+    pub(super) fn kept_elements(&mut self, slice: Slice, slot: u32, site: Site) -> Result<Slice> {
+        let shared = slot != NO_SLOT && !self.slot_is_exclusive(slot, site)?;
+        Ok(self.kept_if_shared(slice, shared))
+    }
+
+    /// A slice of a loan is copied where the value that holds the loan may be assigned another. `shared`: nothing writes
+    /// through the slice.
+    fn kept_if_shared(&mut self, slice: Slice, shared: bool) -> Slice {
+        let moves = shared && self.is_loan(&slice.base) || self.may_come_to_refer(&slice.base);
+        if !moves || self.is_lasting(&slice.base) {
+            return slice;
+        }
+        let name = self.field_name(&slice.base).unwrap_or_else(|| UNNAMED.into());
+        let base = self.hold_copy(&name, slice.base.clone());
+        Slice { base, ..slice }
+    }
+
+    /// A slice that a loop goes through, whose items have the names of a pattern.
+    pub(super) fn gone_through_kept(&mut self, slice: Slice, pattern: &tree::Pattern) -> Slice {
+        let slots = names_of(pattern);
+        let is_read = |slot: &u32| {
+            self.source.slots.get(*slot as usize).is_some_and(|ty| !matches!(ty, Ty::Ref(_, true)))
+        };
+        let shared = !slots.is_empty() && slots.iter().all(is_read);
+        self.kept_if_shared(slice, shared)
+    }
+
+    /// Whether a reference is on the way to what is at a place.
+    fn is_loaned(&self, place: &Place) -> bool {
+        let steps = &place.steps;
+        (0..steps.len()).any(|at| match (&steps[at], self.type_of(place.root, &steps[..at])) {
+            (Step::Field(field), Type::Struct(id)) => self.cx.known_of(id).loans.contains(field),
+            _ => false,
+        })
+    }
+
+    /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
+    pub(super) fn is_loan(&self, place: &Place) -> bool {
+        let rebound = !place.steps.is_empty() && self.is_rebound_within(place.root);
+        rebound || self.is_loaned(place)
+    }
+
+    /// The type of an expression, if there are slices in it.
+    pub(super) fn borrowing_type(&mut self, expr: &tree::Expr) -> Option<Type> {
+        if !borrows(self.seen_as(expr)?) {
+            return None;
+        }
+        self.seen(expr.slot?, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
+    }
+}
+
+/// The slots of the names in a pattern.
+fn names_of(pattern: &tree::Pattern) -> Vec<u32> {
+    #[derive(Default)]
+    struct Slots(Vec<u32>);
+    impl Visit for Slots {
+        fn pattern(&mut self, pattern: &tree::Pattern) {
+            if let tree::Pattern::Name { slot, .. } = pattern {
+                self.0.push(*slot);
+            }
+            walk_pattern(self, pattern);
+        }
+    }
+    let mut slots = Slots::default();
+    slots.pattern(pattern);
+    slots.0
+}
+
+/// Whether a part of a value of a type refers to something.
+fn refers_inside(ty: &Ty) -> bool {
+    let refers = |ty: &Ty| matches!(ty, Ty::Ref(_, false)) || refers_inside(ty);
+    match ty {
+        Ty::Tuple(parts) => parts.iter().any(refers),
+        Ty::Option(inner) => refers(inner),
+        Ty::Result(value, error) => refers(value) || refers(error),
+        Ty::Ref(inner, true) => refers_inside(inner),
+        _ => false,
+    }
+}
+
+/// Whether a type has a slice in it, or may have one element, by its syntax.
+fn borrows(ty: &Ty) -> bool {
+    match ty {
+        Ty::Tuple(parts) => parts.iter().any(borrows),
+        Ty::Option(inner) => matches!(**inner, Ty::Ref(_, true)) || borrows(inner),
+        Ty::Ref(inner, _) => borrows(inner),
+        Ty::Slice(_) => true,
+        _ => false,
+    }
+}
+
+/// Takes out those of some locals that nothing mentions behind them.
+struct Unasked<'l>(&'l [LocalId]);
+
+impl VisitMut for Unasked<'_> {
+    fn block(&mut self, block: &mut Block) {
+        for at in (0..block.0.len()).rev() {
+            if let StmtKind::Let { local, .. } = &block.0[at].kind
+                && self.0.contains(local)
+                && !effects::mentions(&block.0[at + 1..], *local)
+            {
+                block.0.remove(at);
+            }
+        }
+        visit::walk_block_mut(self, block);
+    }
+}

@@ -1,0 +1,233 @@
+//! Blocks with a label, and statements that nothing reaches. C has no way out of a block, so what follows a `break` stands in the
+//! other branch:
+//!
+//! `'found: { if a { break 'found x; } rest }` is `if a { x } else { rest }`. Where both branches may come to
+//! what follows, or a loop is left, a flag says whether the block has been left.
+//!
+//! Statements behind a `return`, `break` or `continue`, which nothing reaches (MISRA C:2012, rule 2.1), are left out. They
+//! come about where the sizes of an instance or the length of a slice decide a condition.
+
+use bessemer_ir::tree;
+use bessemer_ir::visit::{VisitMut, Walk, walk_block_mut};
+use bessemer_ir::{Arm, Block, Expr, LocalId, Place, Span, Stmt, StmtKind, Type};
+
+use super::Result;
+use super::lowering::{Frame, Lowering, Target};
+use bessemer_ir::effects;
+
+/// A stand-in for the `break` of a block until all of the block is known.
+pub(super) fn left(mark: LocalId) -> StmtKind {
+    StmtKind::Let { local: mark, value: None }
+}
+
+impl Lowering<'_, '_> {
+    /// `'label: { … }`, the value of each `break` and of its end to `target` if it has one.
+    pub(super) fn labelled(
+        &mut self,
+        label: &str,
+        body: &tree::Block,
+        target: Option<&Target>,
+        expr: &tree::Expr,
+    ) -> Result<()> {
+        let (frame, span) = (Frame::of(Some(label), target), self.span(expr.site));
+        self.left(label, frame, span, |inner| inner.block(body, target))
+    }
+
+    /// A block that is left early; `name`: of what says so.
+    pub(super) fn left(
+        &mut self,
+        name: &str,
+        frame: Frame,
+        span: Span,
+        lower: impl FnOnce(&mut Self) -> Result<Block>,
+    ) -> Result<()> {
+        let target = frame.target.clone();
+        let mark = self.local(format!("{name}_done"), Type::BOOL, span);
+        self.frames.push(Frame { mark: Some(mark), ..frame });
+        let lowered = lower(self);
+        let marks = self.frames.iter().filter_map(|frame| frame.mark).collect();
+        self.frames.pop();
+        let lowered = lowered?;
+        let flagged = effects::writes_local(&lowered, mark);
+        let mut leaving = Leaving { mark, marks, flagged };
+        let Block(stmts) = leaving.without_marks(lowered, false);
+        if leaving.flagged {
+            let no = Expr::bool(false, span);
+            self.emit(StmtKind::Let { local: mark, value: Some(no) }, span);
+            // Behind a flag no compiler sees that something has been assigned.
+            stmts.each_stmt(|stmt| {
+                if let StmtKind::Let { local, value: None } = &stmt.kind {
+                    self.valued.insert(*local);
+                }
+            });
+            if let Some(Target::Place(place)) = target {
+                self.valued.insert(place.root);
+            }
+        }
+        self.out.extend(stmts);
+        Ok(())
+    }
+
+    /// Gives what was noted a value where it is declared.
+    pub(super) fn give_values(&self, stmts: &mut [Stmt]) {
+        if self.valued.is_empty() {
+            return;
+        }
+        for stmt in stmts {
+            if let StmtKind::Let { local, value: value @ None } = &mut stmt.kind
+                && self.valued.contains(local)
+            {
+                *value = Some(self.zero(&self.locals[local.index()].ty, stmt.span));
+            }
+            if let StmtKind::For { body, .. } = &mut stmt.kind {
+                self.give_values(&mut body.0);
+            }
+            branches_mut(stmt).into_iter().for_each(|block| self.give_values(&mut block.0));
+        }
+    }
+}
+
+/// The block whose marks are taken out.
+struct Leaving {
+    mark: LocalId,
+    /// The marks of all blocks that may be left here, this one's among them.
+    marks: Vec<LocalId>,
+    /// Whether a flag is needed.
+    flagged: bool,
+}
+
+impl Leaving {
+    /// The block without marks; `followed`: something comes behind it, unless the flag is set.
+    fn without_marks(&mut self, block: Block, followed: bool) -> Block {
+        let mut done = Vec::new();
+        let mut rest = block.0.into_iter();
+        while let Some(next) = rest.next() {
+            if is_mark(&next.kind, self.mark) {
+                if followed {
+                    done.push(Stmt { kind: self.raise(next.span), ..next });
+                }
+                break;
+            }
+            if !next.any_branch(&|kind| is_mark(kind, self.mark)) {
+                done.push(next);
+                continue;
+            }
+            let behind: Vec<Stmt> = rest.collect();
+            done.extend(self.branching(next, behind, followed));
+            break;
+        }
+        Block(done)
+    }
+
+    /// A statement in whose branches the block is left, and what follows it.
+    fn branching(&mut self, mut next: Stmt, behind: Vec<Stmt>, followed: bool) -> Vec<Stmt> {
+        let marks = &self.marks;
+        let mut passing = branches_mut(&mut next);
+        passing.retain(|block| falls_through(block, marks));
+        let shared = match (passing.len(), behind.is_empty()) {
+            (_, true) | (0, _) => None,
+            (1, _) => {
+                passing.into_iter().for_each(|block| block.0.extend(behind.iter().cloned()));
+                None
+            }
+            _ => Some(behind),
+        };
+        let span = next.span;
+        let told =
+            matches!(&next.kind, StmtKind::If { condition, .. } if *condition == self.flag(span));
+        for block in branches_mut(&mut next) {
+            let followed = followed && !told;
+            *block = self.without_marks(std::mem::take(block), followed || shared.is_some());
+        }
+        let mut done = vec![turned(next)];
+        // Nothing comes behind it that the flag could keep from being done.
+        if told {
+            done.retain(|stmt| stmt.branches().any(|it| !it.0.is_empty()));
+        }
+        if let Some(behind) = shared {
+            self.flagged = true;
+            let then = self.without_marks(Block(behind), followed);
+            let condition = self.flag(span).negated();
+            done.push(Stmt::new(StmtKind::if_then(condition, then), span));
+        }
+        done
+    }
+
+    fn flag(&self, span: Span) -> Expr {
+        Expr::local(self.mark, &Type::BOOL, span)
+    }
+
+    fn raise(&mut self, span: Span) -> StmtKind {
+        self.flagged = true;
+        let place = Place::local(self.mark, Type::BOOL, span);
+        StmtKind::Assign { place, value: Expr::bool(true, span) }
+    }
+}
+
+fn is_mark(kind: &StmtKind, mark: LocalId) -> bool {
+    matches!(kind, StmtKind::Let { local, value: None } if *local == mark)
+}
+
+/// The branches of a statement, to change them.
+fn branches_mut(stmt: &mut Stmt) -> Vec<&mut Block> {
+    match &mut stmt.kind {
+        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter_mut().map(|Arm { body, .. }| body).chain(otherwise).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Whether the end of a block may be reached.
+fn falls_through(block: &Block, marks: &[LocalId]) -> bool {
+    !block.0.iter().any(|stmt| match &stmt.kind {
+        StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => true,
+        StmtKind::If { .. } | StmtKind::Match { .. } => {
+            !stmt.branches().any(|block| falls_through(block, marks))
+        }
+        _ => marks.iter().any(|mark| is_mark(&stmt.kind, *mark)),
+    })
+}
+
+/// Without an empty first branch.
+fn turned(mut stmt: Stmt) -> Stmt {
+    if let StmtKind::If { condition, then, otherwise } = &mut stmt.kind
+        && then.0.is_empty()
+        && !otherwise.0.is_empty()
+    {
+        *condition = condition.clone().negated();
+        std::mem::swap(then, otherwise);
+    }
+    stmt
+}
+
+/// Takes what nothing reaches out of a body (MISRA C:2012, rule 2.1): it stands behind a `return`, `break` or `continue`
+/// where the sizes of an instance or the length of a slice decide a condition.
+pub(super) fn leave_out(body: &mut Block) {
+    Unreached.block(body);
+}
+
+struct Unreached;
+
+impl VisitMut for Unreached {
+    fn block(&mut self, block: &mut Block) {
+        walk_block_mut(self, block);
+        if let Some(last) = block.0.iter().position(leaves) {
+            block.0.truncate(last + 1);
+        }
+    }
+}
+
+/// Whether control leaves the block by this statement, whatever the input; the blocks in it have lost what nothing reaches.
+fn leaves(stmt: &Stmt) -> bool {
+    let left = |block: &Block| block.0.last().is_some_and(leaves);
+    match &stmt.kind {
+        StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
+        StmtKind::If { then, otherwise, .. } => left(then) && left(otherwise),
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter().all(|arm| left(&arm.body)) && otherwise.as_ref().is_some_and(left)
+        }
+        _ => false,
+    }
+}

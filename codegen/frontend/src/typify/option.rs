@@ -1,0 +1,198 @@
+//! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
+
+use bessemer_ir::tree::{self, OptionMethod, Site};
+use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
+
+use super::expr::{Call, Operand};
+use super::lowering::Lowering;
+use super::order::is_free;
+use super::{OUR_FAULT, Result, problem, struct_of};
+use bessemer_ir::effects;
+
+/// The remedy where a reference into an `Option` would be kept.
+const LENT_BY_OPTION: &str =
+    "take it apart where it is called: `if let Some(x) = self.last.as_mut() { … }`";
+
+impl Lowering<'_, '_> {
+    /// The value of a method of `Option` or `Result`.
+    pub(super) fn option_method(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
+        use OptionMethod as M;
+        let (case, absent) = match method {
+            M::IsSome => ("Some", false),
+            M::IsNone => ("Some", true),
+            M::IsOk => ("Ok", false),
+            M::IsErr => ("Ok", true),
+            M::Unwrap | M::UnwrapErr => {
+                return match self.unwrap(method, call)? {
+                    Some(value) => Ok(value),
+                    None => problem(expr.site, "this has no value", "write it as a statement"),
+                };
+            }
+            M::Copied => return self.value(&arguments[0], None),
+            M::Take | M::Replace => return self.exchanged(arguments, expr),
+            M::UnwrapOr | M::UnwrapOrDefault | M::Or | M::And | M::OkOr | M::Ok | M::Err => {
+                return self.chosen(method, call);
+            }
+            // A place is lent: each use of one that takes it has looked before.
+            M::AsMut | M::Insert | M::GetOrInsert | M::GetOrInsertWith => {
+                return problem(expr.site, super::borrowed_slices::LENT, LENT_BY_OPTION);
+            }
+        };
+        let (place, id) = self.receiver(&arguments[0])?;
+        let Some((word, _)) = self.case(id, case) else {
+            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
+        };
+        let there = self.tag_is(&place, id, word);
+        Ok(if absent { there.negated() } else { there })
+    }
+
+    /// The place of an `Option` or a `Result`.
+    fn receiver(&mut self, expr: &tree::Expr) -> Result<(Place, StructId)> {
+        let place = self.held(expr)?;
+        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
+        Ok((place, id))
+    }
+
+    /// The word and the payload of the variant that has a value (or, `error`, the reason for none).
+    fn present(&mut self, place: &Place, id: StructId, error: bool) -> (u64, Option<Expr>) {
+        let names = if error { ["Err", "Err"] } else { ["Some", "Ok"] };
+        let found = names.iter().find_map(|name| self.case(id, name));
+        let (word, field) = found.map_or((0, None), |(word, case)| (word, case.field));
+        (word, field.map(|field| self.part(place, id, field as usize).load()))
+    }
+
+    /// `unwrap`: a check, and the value if there is something to it.
+    pub(super) fn unwrap(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Option<Expr>> {
+        let Call { arguments, expr } = call;
+        if method == OptionMethod::Unwrap
+            && let Some(array) = self.unwrapped_array(&arguments[0])?
+        {
+            return Ok(Some(array));
+        }
+        let (place, id) = self.receiver(&arguments[0])?;
+        let (word, value) = self.present(&place, id, method == OptionMethod::UnwrapErr);
+        let condition = self.tag_is(&place, id, word);
+        let span = self.span(expr.site);
+        self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
+        Ok(value)
+    }
+
+    /// `take` and `replace`: what was there, with `None` or another in its place.
+    fn exchanged(&mut self, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
+        let span = self.span(expr.site);
+        let Some(mut place) = self.place(&arguments[0])? else {
+            return problem(expr.site, "this is not a place", "keep it in a variable");
+        };
+        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
+        let next = match arguments.get(1) {
+            None => self.choice(id, 0, None, expr.site)?,
+            Some(value) => {
+                let held = self.payload_type(id, "Some");
+                let mark = self.out.len();
+                let value = self.value(value, held.as_ref())?;
+                self.settle_since(mark, &mut place);
+                if !is_free(&value) {
+                    self.fix(&mut place);
+                }
+                self.choice(id, 1, Some(value), expr.site)?
+            }
+        };
+        let before = self.temporary("before", place.load());
+        self.emit(StmtKind::Assign { place, value: next }, span);
+        Ok(before)
+    }
+
+    pub(super) fn payload_type(&self, id: StructId, case: &str) -> Option<Type> {
+        let field = self.case(id, case)?.1.field?;
+        Some(self.cx.field_type(id, field))
+    }
+
+    /// Methods whose result is one of two values: the second, unless the first is there.
+    fn chosen(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Expr> {
+        let Call { arguments, expr } = call;
+        use OptionMethod as M;
+        let site = expr.site;
+        let ty = self.slot_of(expr)?;
+        let other = match (method, &ty) {
+            (M::UnwrapOr, _) => Some(ty.clone()),
+            (M::OkOr, Type::Struct(id)) => self.payload_type(*id, "Err"),
+            _ => None,
+        };
+        let mut operands = vec![Operand { expr: &arguments[0], expected: None, role: "left" }];
+        if let Some(argument) = arguments.get(1) {
+            operands.push(Operand { expr: argument, expected: other, role: "right" });
+        }
+        let mut values = self.operands(&operands)?.into_iter();
+        let (Some(mut first), second) = (values.next(), values.next()) else {
+            return problem(site, "this takes an `Option`", OUR_FAULT);
+        };
+        // The first is read after the second is computed, and must be what it was before.
+        if second.iter().any(|second| effects::reads(&first, &effects::lent(second))) {
+            first = self.temporary("before", first);
+        }
+        let mut place = self.hold(first);
+        if second.iter().any(|second| !is_free(second)) {
+            self.fix(&mut place);
+        }
+        let id = struct_of(&place.ty, site, "an `Option`")?;
+        let (word, value) = self.present(&place, id, method == M::Err);
+        let mut there = self.tag_is(&place, id, word);
+        let (otherwise, then) = match (method, &ty, second) {
+            (M::UnwrapOr, _, Some(second)) => (second, value),
+            (M::UnwrapOrDefault, _, _) => (self.default_of(&ty, site)?, value),
+            (M::Or, _, Some(second)) => (second, Some(place.load())),
+            (M::And, Type::Struct(result), Some(second)) => {
+                there = there.negated();
+                let (_, error) = self.present(&place, id, true);
+                (second, Some(self.choice(*result, 0, error, site)?))
+            }
+            (M::OkOr, Type::Struct(result), second) => {
+                let ok = self.choice(*result, 1, value, site)?;
+                (self.choice(*result, 0, second, site)?, Some(ok))
+            }
+            (M::Ok | M::Err, Type::Struct(result), _) => {
+                let some = self.choice(*result, 1, value, site)?;
+                (self.choice(*result, 0, None, site)?, Some(some))
+            }
+            _ => return problem(site, "this is not an `Option`", OUR_FAULT),
+        };
+        let Some(then) = then else {
+            return problem(site, "there is nothing to the value", "ask with `is_some`, `is_ok`");
+        };
+        let span = self.span(site);
+        Ok(self.either("choice", otherwise, (there, then), span))
+    }
+
+    /// A value, or another where the condition of that holds.
+    pub(super) fn either(
+        &mut self,
+        role: &str,
+        value: Expr,
+        (condition, other): (Expr, Expr),
+        span: Span,
+    ) -> Expr {
+        let ty = value.ty.clone();
+        let local = self.temporary_local(role, ty.clone(), span);
+        self.held.insert(local);
+        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+        let place = Place::local(local, ty, span);
+        let held = place.load();
+        let assign = StmtKind::Assign { place, value: other };
+        self.follow(&assign);
+        self.emit_if(condition, Block::of(assign, span), span);
+        held
+    }
+
+    fn default_of(&mut self, ty: &Type, site: Site) -> Result<Expr> {
+        let mut inner = ty;
+        while let Type::Array { element, .. } = inner {
+            inner = element;
+        }
+        if matches!(inner, Type::Scalar(_) | Type::Matrix { .. }) {
+            let span = self.span(site);
+            return Ok(self.zero(ty, span));
+        }
+        problem(site, "the default of this type is not known here", "write `unwrap_or(…)`")
+    }
+}

@@ -1,0 +1,454 @@
+//! Patterns: what has to hold for a value to be taken, and what its names stand for.
+//!
+//! A name of a reference is another name for the place. A name of a value is a copy, made where the arm
+//! (or the `let`) begins; before that, in a guard, it is another name too.
+//!
+//! A payload is looked at only behind the test that it is there.
+
+use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, LogicOp, Mode, Place, Scalar, Step, Stmt, StmtKind, StructId,
+    Type,
+};
+
+use super::closure_args::is_hidden;
+use super::conditions::{within, within_any};
+use super::generic::Case;
+use super::lowering::Lowering;
+use super::value::{Named, Value};
+use super::{OUR_FAULT, Result, problem};
+use bessemer_ir::effects;
+
+/// What has to hold for a pattern to take a value, if anything, and the names that it gives then.
+#[derive(Default)]
+pub(super) struct Test {
+    pub condition: Option<Expr>,
+    pub names: Vec<Named>,
+}
+
+impl Test {
+    /// A test that gives no names.
+    pub(super) fn of(condition: Option<Expr>) -> Test {
+        Test { condition, names: Vec::new() }
+    }
+
+    /// A name, which takes every value.
+    pub(super) fn named(name: &str, slot: u32, stands: Value, site: Site) -> Test {
+        let name = Named { name: name.to_owned(), slot, mutable: false, stands, site };
+        Test { condition: None, names: vec![name] }
+    }
+
+    /// The same names, which the author writes again if `mutable`.
+    #[must_use]
+    pub(super) fn changeable(mut self, mutable: bool) -> Test {
+        self.names.iter_mut().for_each(|name| name.mutable = mutable);
+        self
+    }
+
+    /// Both of two. Neither condition has an effect, so one that is false is the whole.
+    #[must_use]
+    pub(super) fn and(mut self, other: Test) -> Test {
+        self.names.extend(other.names);
+        let fails = |it: &Expr| it.kind == ExprKind::Literal(0);
+        self.condition = match (self.condition, other.condition) {
+            (Some(one), _) if fails(&one) => Some(one),
+            (_, Some(other)) if fails(&other) => Some(other),
+            (Some(one), Some(other)) => Some(Expr::logic(LogicOp::And, one, other)),
+            (one, other) => one.or(other),
+        };
+        self
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// What has to hold for `pattern` to take the subject.
+    pub(super) fn test(&mut self, pattern: &Pattern, subject: &Value, site: Site) -> Result<Test> {
+        match (pattern, subject) {
+            (Pattern::Any | Pattern::Rest, _) => Ok(Test::default()),
+            (_, Value::Nothing) => Ok(Self::take_nothing(pattern, site)),
+            (_, Value::Place(place)) => self.test_place(pattern, place, site),
+            (Pattern::Name { name, slot, inner: None, .. }, Value::Submatrix(_)) => {
+                Ok(Test::named(name, *slot, subject.clone(), site))
+            }
+            (Pattern::Or(cases), _) => self.test_any(cases, subject, site),
+            (_, Value::Slice(slice)) => self.test_slice(pattern, slice, site),
+            (_, Value::Maybe(there, lent)) => self.test_maybe(pattern, (there, lent), site),
+            (Pattern::Tuple(patterns), Value::Tuple(parts, _)) => {
+                let pairs = aligned(patterns, parts.len()).into_iter();
+                self.test_all(pairs.map(|(it, index)| (it, parts[index].clone())), site)
+            }
+            (Pattern::Name { name, slot, mutable: false, inner: None }, Value::Tuple(parts, _))
+                if is_hidden(name) || self.source.tree.role == tree::Role::Expanded =>
+            {
+                // One that lends to be changed has no type of its own, and is only taken apart.
+                let ty = if *slot == NO_SLOT { None } else { self.slot(*slot, site).ok() };
+                Ok(Test::named(name, *slot, Value::Tuple(parts.clone(), ty), site))
+            }
+            _ => problem(
+                site,
+                "a tuple that is written out is matched part by part",
+                "give it a name first: `let pair = (a, b);`",
+            ),
+        }
+    }
+
+    fn test_any(&mut self, cases: &[Pattern], subject: &Value, site: Site) -> Result<Test> {
+        let mut any: Option<Expr> = None;
+        for case in cases {
+            let Test { condition, names } = self.test(case, subject, site)?;
+            if !names.is_empty() {
+                return problem(
+                    site,
+                    "names inside `|` stand for different places",
+                    "write an arm for each",
+                );
+            }
+            let Some(next) = condition else { return Ok(Test::default()) };
+            any = Some(match any {
+                Some(any) => Expr::logic(LogicOp::Or, any, next),
+                None => next,
+            });
+        }
+        Ok(Test::of(any))
+    }
+
+    /// The test of all patterns, each of its part.
+    fn test_all<'p>(
+        &mut self,
+        parts: impl IntoIterator<Item = (&'p Pattern, Value)>,
+        site: Site,
+    ) -> Result<Test> {
+        let mut all = Test::default();
+        for (pattern, part) in parts {
+            all = all.and(self.test(pattern, &part, site)?);
+        }
+        Ok(all)
+    }
+
+    /// A number or a range of floats, which is compared as by `==` and `<=`.
+    fn test_float(&mut self, pattern: &Pattern, place: &Place) -> Result<Test> {
+        let bounds = match pattern {
+            Pattern::Range { from, to, inclusive } => {
+                let most = if *inclusive { CompareOp::Le } else { CompareOp::Lt };
+                vec![(CompareOp::Ge, from.as_ref()), (most, to.as_ref())]
+            }
+            Pattern::Value(number) => vec![(CompareOp::Eq, Some(number))],
+            _ => Vec::new(),
+        };
+        let mut all = Test::default();
+        for (op, number) in bounds {
+            if let Some(number) = number {
+                let number = self.value(number, Some(&place.ty))?;
+                let test = Expr::compare(op, place.load(), number).at(place.span);
+                all = all.and(Test::of(Some(test)));
+            }
+        }
+        Ok(all)
+    }
+
+    fn test_place(&mut self, pattern: &Pattern, place: &Place, site: Site) -> Result<Test> {
+        match (pattern, &place.ty) {
+            (Pattern::Any | Pattern::Rest, _) => Ok(Test::default()),
+            _ if let Some(element) = self.element_lent(place, site)? => {
+                self.test_place(pattern, &element, site)
+            }
+            (Pattern::Array(_), _) if let Some(slice) = self.slice_at(place.clone(), site)? => {
+                self.test_slice(pattern, &slice, site)
+            }
+            (Pattern::Array(_), Type::Array { .. })
+                if let Some(slice) = self.all_of(place.clone()) =>
+            {
+                self.test_slice(pattern, &slice, site)
+            }
+            (Pattern::Name { name, slot, mutable, inner }, _) => {
+                let test = Test::named(name, *slot, Value::Place(place.clone()), site);
+                let test = test.changeable(*mutable);
+                match inner {
+                    Some(inner) => Ok(test.and(self.test_place(inner, place, site)?)),
+                    None => Ok(test),
+                }
+            }
+            (Pattern::Or(cases), _) => self.test_any(cases, &Value::Place(place.clone()), site),
+            (Pattern::Tuple(_), Type::Struct(_)) => {
+                let parts = self.inner_patterns(pattern, place, false, site)?;
+                self.test_all(parts, site)
+            }
+            (Pattern::Constructor(name, _) | Pattern::Fields(name, _), Type::Struct(id)) => {
+                let (payload, single, tag) = self.taken(place, *id, name, site)?;
+                let inner = match payload {
+                    None => Self::take_nothing(pattern, site),
+                    Some(payload) => {
+                        let parts = self.inner_patterns(pattern, &payload, single, site)?;
+                        self.test_all(parts, site)?
+                    }
+                };
+                Ok(Test::of(tag).and(inner))
+            }
+            (Pattern::Value(value), Type::Struct(id)) => match self.unit_word(value, *id) {
+                Some(word) => Ok(Test::of(Some(self.tag_is(place, *id, word)))),
+                None => problem(
+                    value.site,
+                    "a constant of this type is not a pattern",
+                    "compare with `==`",
+                ),
+            },
+            (Pattern::Value(_) | Pattern::Range { .. }, Type::Scalar(Scalar::Float(_))) => {
+                self.test_float(pattern, place)
+            }
+            (Pattern::Value(_) | Pattern::Range { .. } | Pattern::Constructor(..), ty)
+                if ty.is_word() =>
+            {
+                let ranges = self.ranges([pattern], ty, site)?;
+                Ok(Test::of(within_any(&place.load(), &ranges, place.span)))
+            }
+            _ => problem(
+                site,
+                "this pattern does not fit what the DSL takes apart",
+                "take apart arrays, tuples, structs and variants",
+            ),
+        }
+    }
+
+    /// The patterns inside of one, each with the part of `whole` that it takes; `single`: that is the only part itself.
+    fn inner_patterns<'p>(
+        &self,
+        pattern: &'p Pattern,
+        whole: &Place,
+        single: bool,
+        site: Site,
+    ) -> Result<Vec<(&'p Pattern, Value)>> {
+        let itself = |it| (it, Value::Place(whole.clone()));
+        let part = |id, at: Option<usize>| match at {
+            Some(at) => Value::Place(self.part(whole, id, at)),
+            None => Value::Nothing,
+        };
+        let mut parts = Vec::new();
+        match (pattern, &whole.ty) {
+            (Pattern::Constructor(_, patterns), _) if single => {
+                parts.extend(patterns.iter().take(1).map(itself));
+            }
+            (Pattern::Fields(_, fields), _) if single => {
+                parts.extend(fields.iter().map(|(_, it)| itself(it)));
+            }
+            (Pattern::Tuple(patterns) | Pattern::Constructor(_, patterns), Type::Struct(id)) => {
+                let fields = self.cx.fields_at(*id);
+                let pairs = aligned(patterns, fields.len()).into_iter();
+                parts.extend(pairs.map(|(it, index)| (it, part(*id, fields[index]))));
+            }
+            (Pattern::Fields(_, fields), Type::Struct(id)) => {
+                for (name, it) in fields {
+                    let Some(at) = self.cx.field_at(*id, name) else {
+                        return problem(site, format!("`{name}` is missing"), OUR_FAULT);
+                    };
+                    parts.push((it, part(*id, at)));
+                }
+            }
+            _ => {}
+        }
+        Ok(parts)
+    }
+
+    /// The variant that an author wrote by name, which must be its own: another's, given by a `use`, would be taken for
+    /// that one.
+    pub(super) fn named_case(&self, id: StructId, name: &str, site: Site) -> Result<(u64, Case)> {
+        match self.case(id, name) {
+            Some(case) if !self.cx.sources.renames(&self.source.file, name) => Ok(case),
+            _ => problem(
+                site,
+                format!("`{name}` is not a variant's own name"),
+                "write the name that the variant has where its enum is declared",
+            ),
+        }
+    }
+
+    /// The variant of an `Option` or a `Result` that `?` goes on with.
+    pub(super) fn going_on(&self, id: StructId) -> Option<&'static str> {
+        ["Some", "Ok"].into_iter().find(|name| self.case(id, name).is_some())
+    }
+
+    /// The variant of a struct that stands for an enum: its word, and what it holds.
+    pub(super) fn case(&self, id: StructId, name: &str) -> Option<(u64, Case)> {
+        let cases = &self.cx.known_of(id).cases;
+        let index = cases.iter().position(|case| case.name == name)?;
+        Some((index as u64, cases[index].clone()))
+    }
+
+    /// The word of the variant without payload that a path has for a value: its name may be another.
+    pub(super) fn unit_word(&self, value: &tree::Expr, id: StructId) -> Option<u64> {
+        let Tree::Path(index, _) = &value.kind else { return None };
+        let word = *self.source.constants.get(*index as usize)?.words.first()?;
+        let case = self.cx.known_of(id).cases.get(usize::try_from(word).ok()?)?;
+        case.field.is_none().then_some(word)
+    }
+
+    /// The content that `Name(…)` takes apart, whether that is the one part itself, and the condition for it.
+    fn taken(
+        &mut self,
+        place: &Place,
+        id: StructId,
+        name: &str,
+        site: Site,
+    ) -> Result<(Option<Place>, bool, Option<Expr>)> {
+        if self.cx.known_of(id).cases.is_empty() {
+            return Ok((Some(place.clone()), false, None));
+        }
+        let name = match name {
+            tree::GOES_ON => self.going_on(id).unwrap_or(name),
+            name => name,
+        };
+        let (word, case) = self.named_case(id, name, site)?;
+        let payload = case.field.map(|field| self.part(place, id, field as usize));
+        Ok((payload, case.single, Some(self.tag_is(place, id, word))))
+    }
+
+    /// `place.tag == word`.
+    pub(super) fn tag_is(&mut self, place: &Place, id: StructId, word: u64) -> Expr {
+        let tag = self.part(place, id, 0);
+        let word = i128::from(word);
+        within(&tag.load(), (word, word), place.span)
+    }
+
+    /// The place of a field.
+    pub(super) fn part(&self, place: &Place, id: StructId, index: usize) -> Place {
+        let ty = self.cx.field_type(id, index as u32);
+        place.inside(Step::Field(index as u32), ty)
+    }
+
+    /// Makes names stand for their places, those of values too: only while nothing is written.
+    pub(super) fn alias_names(&mut self, names: &[Named]) {
+        for named in names {
+            self.bind(&named.name, named.stands.clone());
+        }
+    }
+
+    /// Gives those names of a condition a copy at once that what follows in it may change, or may write what they stand for.
+    pub(super) fn copy_names(
+        &mut self,
+        names: &mut Vec<Named>,
+        changes: impl Fn(&Named) -> bool,
+    ) -> Result<()> {
+        let mut kept = Vec::new();
+        for named in std::mem::take(names) {
+            match changes(&named) && named.copied_from().is_some() {
+                true => self.bind_names(&[named])?,
+                false => kept.push(named),
+            }
+        }
+        *names = kept;
+        Ok(())
+    }
+
+    /// Binds the names of a pattern that takes any such value.
+    pub(super) fn bind_pattern(
+        &mut self,
+        pattern: &Pattern,
+        value: &Value,
+        site: Site,
+    ) -> Result<()> {
+        self.bind_or(pattern, value, site, |_| Ok(None))
+    }
+
+    /// The same of one that may not take the value: then control leaves by `otherwise`, if that gives anything.
+    pub(super) fn bind_or(
+        &mut self,
+        pattern: &Pattern,
+        value: &Value,
+        site: Site,
+        otherwise: impl FnOnce(&mut Self) -> Result<Option<Block>>,
+    ) -> Result<()> {
+        let Test { condition, names } = self.test(pattern, value, site)?;
+        if let Some(taken) = condition
+            && let Some(left) = otherwise(self)?
+        {
+            let span = taken.span;
+            self.branch(taken.negated(), left, Block::default(), span);
+        }
+        self.bind_names(&names)
+    }
+
+    /// Gives names their meaning: another name for a place, or a copy.
+    pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
+        for named in names {
+            let place = match &named.stands {
+                Value::Slice(part) => {
+                    self.bind_part((&named.name, named.slot), part, named.site)?;
+                    continue;
+                }
+                Value::Place(place) => place,
+                other => {
+                    self.bind(&named.name, other.clone());
+                    continue;
+                }
+            };
+            let unnamed = named.slot == NO_SLOT;
+            let borrowed = self.is_borrowed(named, place)?;
+            let reference =
+                !unnamed && !borrowed && self.slot_is_reference(named.slot, named.site)?;
+            if reference {
+                let refers = self.refers_to(named.slot, named.site)?;
+                self.agree(&place.ty, &refers, named.site)?;
+            }
+            // What no author named is read at once.
+            if reference || unnamed || !named.mutable && self.is_lasting(place) {
+                self.bind(&named.name, Value::Place(place.clone()));
+                continue;
+            }
+            let rustc = match borrowed {
+                true => self.refers_to(named.slot, named.site)?,
+                false => self.slot(named.slot, named.site)?,
+            };
+            self.agree(&place.ty, &rustc, named.site)?;
+            let span = self.span(named.site);
+            let local = self.declare(&named.name, rustc, Mode::Value, span);
+            let value = Some(place.load());
+            self.emit(StmtKind::Let { local, value }, span);
+        }
+        Ok(())
+    }
+
+    /// Whether what a name stands for is a value that refers to something: a slice in a value, or what a value refers to, of
+    /// which it has a copy.
+    pub(super) fn is_borrowed(&self, named: &Named, place: &Place) -> Result<bool> {
+        Ok(self.cx.as_borrowed(&place.ty).is_some()
+            || named.slot != NO_SLOT
+                && self.is_loan(place)
+                && !self.slot_is_exclusive(named.slot, named.site)?)
+    }
+
+    /// Whether nothing can write to a place: it is behind `&`, or in a local that the author has no name
+    /// for.
+    pub(super) fn is_lasting(&self, place: &Place) -> bool {
+        let local = &self.locals[place.root.index()];
+        local.mode == Mode::Ref
+            || self.held.contains(&place.root)
+            || place.steps.is_empty() && self.steady.contains(&place.root)
+    }
+}
+
+/// A block without the names that it begins with and does not use.
+pub(super) fn used(mut block: Block) -> Block {
+    let mut at = 0;
+    while let Some(Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }) = block.0.get(at)
+        && matches!(value.kind, ExprKind::Load(_))
+    {
+        if effects::mentions(&block.0[at + 1..], *local) {
+            at += 1;
+        } else {
+            block.0.remove(at);
+        }
+    }
+    block
+}
+
+/// Patterns and the index of the part that each takes; `..` stands for as many as are left.
+pub(super) fn aligned(patterns: &[Pattern], count: usize) -> Vec<(&Pattern, usize)> {
+    let rest = patterns.iter().position(|it| matches!(it, Pattern::Rest));
+    let (before, after) = match rest {
+        Some(rest) => (&patterns[..rest], &patterns[rest + 1..]),
+        None => (patterns, &patterns[patterns.len()..]),
+    };
+    let behind = count.saturating_sub(after.len());
+    let before = before.iter().enumerate().map(|(index, pattern)| (pattern, index));
+    let after = after.iter().enumerate().map(|(index, pattern)| (pattern, behind + index));
+    before.chain(after).filter(|(_, index)| *index < count).collect()
+}

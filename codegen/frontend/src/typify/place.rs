@@ -1,0 +1,340 @@
+//! Places: where values are held; and the names of references, which are other names for their places.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{Expr, ExprKind, Place, Span, Step, Type};
+
+use super::expr::{Operand, two};
+use super::lowering::{Lowering, RESULT, UNNAMED};
+use super::syntax::bare;
+use super::value::Value;
+use super::words;
+use super::{Result, problem};
+use bessemer_ir::effects;
+
+/// Whether a field is all there is: of a point its `coords`, of a translation its `vector`.
+fn is_whole(base: &Type, name: &str) -> bool {
+    matches!(base, Type::Matrix { .. }) && (name == "coords" || name == "vector")
+}
+
+/// The row and the column of nalgebra's `m12`, from 0.
+fn by_name(name: &str) -> Option<(u64, u64)> {
+    let digit = |at: usize| match name.as_bytes().get(at)? {
+        digit @ b'1'..=b'6' => Some(u64::from(digit - b'1')),
+        _ => None,
+    };
+    (name.len() == 3 && name.starts_with('m')).then_some((digit(1)?, digit(2)?))
+}
+
+impl Lowering<'_, '_> {
+    /// The place that `expr` names; none if it is a value.
+    pub(super) fn place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
+        let expr = bare(expr);
+        let span = self.span(expr.site);
+        if self.holds_nothing(expr) {
+            return Ok(None);
+        }
+        match &expr.kind {
+            tree::ExprKind::Local(name) => {
+                let meaning = self.lookup(name, expr.site)?;
+                let place = self.place_of(&meaning, span);
+                place.map(|place| self.followed(place, expr.site)).transpose()
+            }
+            tree::ExprKind::Call(..) => match self.lent_place(expr)? {
+                None if self.gives_element(expr) => {
+                    let held = self.held(expr)?;
+                    self.element_lent(&held, expr.site)
+                }
+                place => Ok(place),
+            },
+            tree::ExprKind::Try(..) => self.tried_place(expr),
+            tree::ExprKind::Field(_, name) if name == "coords" && self.in_coords(expr)? => Ok(None),
+            tree::ExprKind::Field(base, name) if let Some(part) = self.submatrix(base)? => {
+                match self.field_step(&part.ty(), name, expr)?.0 {
+                    Step::Element(row, column) => Ok(Some(Place { span, ..part.at(row, column) })),
+                    _ => Ok(None),
+                }
+            }
+            tree::ExprKind::Field(base, name) => {
+                let base = self.base(base)?;
+                let place = match is_whole(&base.ty, name) {
+                    true => base,
+                    false => {
+                        let (step, ty) = self.field_step(&base.ty, name, expr)?;
+                        Place { span, ..base.inside(step, ty) }
+                    }
+                };
+                self.followed(place, expr.site).map(Some)
+            }
+            tree::ExprKind::Index(base, index) => {
+                if let Some(part) = self.submatrix(base)? {
+                    return self.part_element(&part, index, expr).map(Some);
+                }
+                if let Some(slice) = self.slice(base)? {
+                    return self.slice_element(&slice, index, span).map(Some);
+                }
+                if !self.cx.indexing.is_empty()
+                    && let Ok(owner) = self.place_type(base)
+                    && let Some(place) = self.own_element(&owner, [base, index], expr.site)?
+                {
+                    return Ok(Some(place));
+                }
+                let base = self.base(base)?;
+                self.element(base, index, span).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The subject that is taken apart: a place, or a value held in a temporary.
+    pub(super) fn base(&mut self, expr: &tree::Expr) -> Result<Place> {
+        match self.place(expr)? {
+            Some(place) => Ok(place),
+            None => self.held(expr),
+        }
+    }
+
+    /// The place of the value of an expression.
+    pub(super) fn held(&mut self, expr: &tree::Expr) -> Result<Place> {
+        let value = self.value(expr, None)?;
+        Ok(self.hold(value))
+    }
+
+    /// The place of a value: its own, or a temporary. An index that calls is computed here, once.
+    pub(super) fn hold(&mut self, value: Expr) -> Place {
+        if let ExprKind::Load(mut place) = value.kind {
+            self.keep_indices(&mut place, effects::calls);
+            return place;
+        }
+        let known = self.cx.known(&value.ty);
+        let borrowed = self.cx.as_borrowed(&value.ty).is_some();
+        let named = match self.type_behind(value.ty.clone()) {
+            behind @ Type::Struct(_) => behind,
+            _ => value.ty.clone(),
+        };
+        let role = match &named {
+            Type::Struct(_) if known.shown.is_some() && !borrowed => {
+                match known.cases.first().map(|case| case.name.as_str()) {
+                    Some("None") => words::OPTION.into(),
+                    Some("Err") => words::OUTCOME.into(),
+                    _ => words::TUPLES[1].into(),
+                }
+            }
+            Type::Struct(id) => super::names::role(&self.cx.module.structs[id.index()].name),
+            Type::Matrix { .. } => words::VECTOR.into(),
+            Type::Array { .. } => words::ELEMENTS.into(),
+            _ => words::SELECTOR.into(),
+        };
+        // One that is looked into once has the name of what comes of it, if the author gave that one.
+        let choice = known.shown.is_some()
+            && !known.cases.is_empty()
+            && ![UNNAMED, RESULT].contains(&self.naming.as_str());
+        let naming = if choice { self.naming.clone() } else { String::new() };
+        self.naming_as(naming, |inner| inner.temporary_place(&role, value))
+    }
+
+    fn field_step(&mut self, base: &Type, name: &str, expr: &tree::Expr) -> Result<(Step, Type)> {
+        match base {
+            Type::Struct(id) => {
+                if let Some(Some(index)) = self.cx.field_at(*id, name) {
+                    let step = Step::Field(index as u32);
+                    return Ok((step, self.cx.field_type(*id, index as u32)));
+                }
+            }
+            Type::Matrix { element, rows, cols } => {
+                let (rows, cols) = (u64::from(*rows), u64::from(*cols));
+                let axis = (0..).zip(["x", "y", "z", "w", "a", "b"]).find(|(_, it)| *it == name);
+                let axis = axis.filter(|_| rows == 1 || cols == 1);
+                let axis = axis.map(|(at, _)| if cols == 1 { (at, 0) } else { (0, at) });
+                let at = by_name(name).filter(|_| cols > 1).or(axis);
+                if let Some((row, col)) = at.filter(|(row, col)| *row < rows && *col < cols) {
+                    let [row, col] = [row, col].map(|at| Expr::usize(at, self.span(expr.site)));
+                    return Ok((Step::Element(row, col), Type::Scalar(*element)));
+                }
+            }
+            _ => {}
+        }
+        problem(expr.site, format!("`{name}` is not a field that the DSL knows"), "use an index")
+    }
+
+    fn element(&mut self, mut base: Place, index: &tree::Expr, span: Span) -> Result<Place> {
+        let mark = self.out.len();
+        let (mut step, ty) = match base.ty.clone() {
+            Type::Array { element, .. } => {
+                let index = self.value(index, Some(&Type::USIZE))?;
+                (Step::Index(index), *element)
+            }
+            Type::Matrix { element, rows, cols } => {
+                (self.matrix_step(index, rows, cols, span)?, Type::Scalar(element))
+            }
+            ref bounded if self.contained(bounded).is_some() => {
+                return self.bounded_element(base, index, span);
+            }
+            _ => {
+                return problem(
+                    Site(span.line, span.column),
+                    "only arrays, matrices and vectors have elements in the DSL",
+                    "use `[T; N]`, or a vector",
+                );
+            }
+        };
+        // Whoever gets the place may read it more than once, which must write nothing.
+        if !effects::lent_by_step(&step).is_empty() {
+            self.keep_indices_of(&mut step, |index| !index.is_literal());
+        }
+        self.settle_since(mark, &mut base);
+        Ok(Place { span, ..base.inside(step, ty) })
+    }
+
+    pub(super) fn matrix_step(
+        &mut self,
+        index: &tree::Expr,
+        rows: u32,
+        cols: u32,
+        span: Span,
+    ) -> Result<Step> {
+        if let tree::ExprKind::Tuple(parts) = &index.kind
+            && let [row, col] = parts.as_slice()
+        {
+            let [row, col] = self.row_and_column([row, col])?;
+            return Ok(Step::Element(row, col));
+        }
+        let index = self.value(index, Some(&Type::USIZE))?;
+        let number = |number: u64| Expr::usize(number, span);
+        Ok(match (rows, cols, &index.kind) {
+            (_, 1, _) => Step::Element(index, number(0)),
+            (1, ..) => Step::Element(number(0), index),
+            (rows, _, ExprKind::Literal(word)) => {
+                let rows = u64::from(rows);
+                Step::Element(number(word % rows), number(word / rows))
+            }
+            _ => Step::Index(index),
+        })
+    }
+
+    /// The indices of a row and a column.
+    pub(super) fn row_and_column(&mut self, [row, col]: [&tree::Expr; 2]) -> Result<[Expr; 2]> {
+        let operand = |expr, role| Operand { expr, expected: Some(Type::USIZE), role };
+        let indices = self.operands(&[operand(row, words::ROW), operand(col, words::COLUMN)])?;
+        two(indices, row.site)
+    }
+
+    /// The type at a place that is to be assigned, without computing its indices.
+    pub(super) fn place_type(&mut self, expr: &tree::Expr) -> Result<Type> {
+        if self.is_submatrix(expr) {
+            return self.type_alone(expr);
+        }
+        match &expr.kind {
+            tree::ExprKind::Local(name) => Ok(self.named(name, expr.site)?.ty),
+            tree::ExprKind::Ref(_, inner) => self.place_type(inner),
+            tree::ExprKind::Deref(inner) => {
+                let ty = self.place_type(inner)?;
+                Ok(self.type_behind(ty))
+            }
+            tree::ExprKind::Field(base, name) => {
+                let base = self.place_type(base)?;
+                let base = self.type_behind(base);
+                if is_whole(&base, name) {
+                    return Ok(base);
+                }
+                Ok(self.field_step(&base, name, expr)?.1)
+            }
+            tree::ExprKind::Index(base, index) => {
+                match self.place_type(base).map(|base| self.type_behind(base))? {
+                    other if let Some(own) = self.own_element_type(&other, index, expr.site)? => {
+                        Ok(own)
+                    }
+                    Type::Array { element, .. } | Type::Slice(element) => Ok(*element),
+                    Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
+                    other if let Some((_, slice)) = self.cx.as_borrowed(&other) => {
+                        Ok(slice.element.clone())
+                    }
+                    other => Ok(match self.contained(&other) {
+                        Some((element, ..)) => element,
+                        None => other,
+                    }),
+                }
+            }
+            tree::ExprKind::Slice(base, ..) => self.place_type(base),
+            tree::ExprKind::Call(..) | tree::ExprKind::Try(..) if expr.slot.is_some() => {
+                self.refers_to(expr.slot.unwrap_or_default(), expr.site)
+            }
+            _ => {
+                problem(expr.site, "this is not a place to assign", "assign a variable or a field")
+            }
+        }
+    }
+
+    /// The meaning of a name, also behind `&` and `*`; none of another expression.
+    pub(super) fn meaning(&self, expr: &tree::Expr) -> Option<Value> {
+        match &bare(expr).kind {
+            tree::ExprKind::Local(name) => self.lookup(name, expr.site).ok(),
+            _ => None,
+        }
+    }
+
+    /// The place that a name means; none if it means a value, or none yet.
+    pub(super) fn place_of(&self, meaning: &Value, span: Span) -> Option<Place> {
+        match meaning {
+            Value::Place(place) => Some(place.clone()),
+            Value::Slice(slice) => Some(slice.place()),
+            Value::Local(root) => {
+                Some(Place::local(*root, self.locals[root.index()].ty.clone(), span))
+            }
+            _ => None,
+        }
+    }
+
+    /// A copy of what is at a place, under a name that nothing writes to.
+    pub(super) fn hold_copy(&mut self, name: &str, place: Place) -> Place {
+        self.naming_as("", |inner| inner.temporary_place(name, place.load()))
+    }
+
+    /// `let name = &place`: another name for the place.
+    pub(super) fn alias(
+        &mut self,
+        (name, slot): (&str, u32),
+        value: Option<&tree::Expr>,
+        site: Site,
+    ) -> Result<()> {
+        if let Some(value) = value
+            && self.alias_of_arm((name, slot), value, site)?
+        {
+            return Ok(());
+        }
+        let mut place = value.map_or(Ok(None), |value| self.place(value))?;
+        // What a call lends is not written while it is lent.
+        if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
+            place = Some(self.held(lent)?);
+        }
+        let Some(mut place) = place else {
+            return problem(
+                site,
+                "a reference in a variable names a place in the DSL",
+                "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`",
+            );
+        };
+        let loan = self.is_loan(&place) && !self.slot_is_exclusive(slot, site)?;
+        let moves = loan || value.is_some_and(is_held) || self.may_come_to_refer(&place);
+        if moves && !self.is_lasting(&place) {
+            // A reference that a value holds is a copy there; the value may get another.
+            place = self.hold_copy(name, place);
+        }
+        self.naming_as(name.trim_matches('_'), |inner| inner.fix(&mut place));
+        self.bind(name, Value::Place(place));
+        Ok(())
+    }
+}
+
+/// Whether what `expr` refers to comes from a call, or is gathered: what a fold of references gives is held by itself.
+fn lends(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Ref(false, inner) | tree::ExprKind::Try(_, inner) => lends(inner),
+        tree::ExprKind::Call(..) | tree::ExprKind::Fold { .. } => true,
+        _ => false,
+    }
+}
+
+/// Whether an expression that is a reference is a part of a value: that holds it.
+fn is_held(expr: &tree::Expr) -> bool {
+    matches!(expr.kind, tree::ExprKind::Field(..) | tree::ExprKind::Index(..))
+}

@@ -1,0 +1,68 @@
+//! How often each rule of the proofs decided something, for whoever asks what programs have reached.
+//!
+//! Counters of the process. Nothing that decides reads them.
+
+use core::sync::atomic::{AtomicU64, Ordering};
+
+macro_rules! rules {
+    ($($name:ident: $text:literal,)*) => {
+        /// A rule.
+        #[derive(Clone, Copy)]
+        pub enum Rule {
+            $(#[doc = $text] $name,)*
+        }
+
+        const TEXTS: &[&str] = &[$($text),*];
+    };
+}
+
+rules! {
+    Interval: "analysis: a condition, by intervals",
+    Relation: "analysis: a condition, by one that holds",
+    Length: "analysis: an index, below a length by another value",
+    Each: "analysis: a comparison with the smaller or the larger of two, as one with each",
+    Either: "analysis: a disjunction, where its first part fails",
+    Place: "analysis: a place narrowed by a condition",
+    Converted: "analysis: what is behind a conversion narrowed",
+    Variant: "analysis: variants narrowed by their numbers",
+    Brought: "analysis: what an enum is brought to narrowed",
+    Term: "analysis: a term of a sum or a difference narrowed",
+    Arm: "analysis: narrowed by the arm of a match",
+    Rest: "analysis: narrowed by the last arm of a match",
+    Counter: "analysis: a counter between the bounds of its loop",
+    Counted: "analysis: a local that a loop counts up",
+    Given: "analysis: a word that a loop gives values within an interval",
+    Invariant: "analysis: what a loop keeps that ends itself",
+    Returned: "analysis: a number that a function returns",
+    Shown: "verifier: what an operation needs, shown",
+    Forms: "verifier: a form, by others that are 0 or more",
+    Cases: "verifier: a formula, from each alternative",
+    Product: "verifier: a product, by a division",
+    Moved: "verifier: a local that a loop moves by steps",
+    Guessed: "verifier: bounds that a loop keeps",
+    Called: "verifier: a number that a function returns",
+    Doubted: "a check left out that the verifier did not confirm, and that stands",
+    Ends: "a loop that was shown to end",
+}
+
+static COUNTS: [AtomicU64; TEXTS.len()] = [const { AtomicU64::new(0) }; TEXTS.len()];
+
+impl Rule {
+    /// It decided something.
+    pub fn used(self) {
+        COUNTS[self as usize].fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// The same if it did.
+    pub fn told(self, decided: bool) -> bool {
+        if decided {
+            self.used();
+        }
+        decided
+    }
+}
+
+/// The rules in words, and how often each decided something in this process.
+pub fn counts() -> impl Iterator<Item = (&'static str, u64)> {
+    TEXTS.iter().zip(&COUNTS).map(|(text, count)| (*text, count.load(Ordering::Relaxed)))
+}
