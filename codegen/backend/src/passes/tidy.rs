@@ -263,6 +263,16 @@ fn is_load(expr: &Expr, local: LocalId) -> bool {
 fn put_back_within(stmts: &mut [Stmt], local: LocalId, place: &Place) -> bool {
     let mut found = false;
     for stmt in stmts {
+        let asked = match &stmt.kind {
+            StmtKind::If { condition: asked, .. } | StmtKind::Match { scrutinee: asked, .. } => {
+                lent(asked)
+            }
+            _ => Vec::new(),
+        };
+        // The condition may write there itself: `if !step(&mut x) { x = same; }`.
+        if reads(&place.load(), &asked) {
+            return found;
+        }
         let blocks: Vec<&mut Block> = match &mut stmt.kind {
             StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
             StmtKind::Match { arms, otherwise, .. } => {

@@ -150,6 +150,21 @@ fn a_new_function_leaves_the_others_as_they_were() {
 }
 
 #[test]
+fn what_the_firmware_gives_is_asked_for_though_it_is_written_anew() {
+    let own = example("copies.ir");
+    let mut brought = own.clone();
+    let fresh = brought.functions.iter_mut().find(|function| function.name == "fresh");
+    fresh.expect("it is there").attributes.external = Some("part.h".to_owned());
+    let asks = |module: &Module| {
+        let source = texts(module).into_iter().find(|(name, _)| name == "copies.c");
+        let text = source.expect("it has functions").1;
+        let body = text.split("copies_rewritten(").nth(1).expect("it is defined");
+        body.split("\n}").next().expect("it ends").contains("fresh(")
+    };
+    assert_eq!((asks(&own), asks(&brought)), (false, true));
+}
+
+#[test]
 fn options_name_things() {
     let module = example("faults.ir");
     let options = Options {

@@ -119,11 +119,11 @@ impl Lower<'_> {
             }
             (ExprKind::Matrix(items), Type::Matrix { rows, cols, .. }) => {
                 let sparse = is_sparse(items);
-                if let Some(zero) = items.iter().find(|item| sparse && is_zero(item)) {
+                if let Some(zero) = items.iter().find(|item| sparse && self.is_zero(item)) {
                     self.fill(dest.clone(), &value.ty, zero);
                 }
                 for (index, item) in items.iter().enumerate() {
-                    if sparse && is_zero(item) {
+                    if sparse && self.is_zero(item) {
                         continue;
                     }
                     let layout = self.context.names.layout;
@@ -182,6 +182,16 @@ impl Lower<'_> {
             (ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items), _) => {
                 items.iter().all(|item| self.is_zero_in_c(item))
             }
+            _ => false,
+        }
+    }
+
+    /// Whether a value is zero everywhere, and so is what C leaves out of an initialiser: of an enum, the first variant may
+    /// have another number.
+    fn is_zero(&self, value: &Ir) -> bool {
+        match &value.kind {
+            ExprKind::Literal(_) => self.is_zero_in_c(value),
+            ExprKind::Splat(item) => self.is_zero(item),
             _ => false,
         }
     }
@@ -333,7 +343,7 @@ impl Lower<'_> {
                 items.iter().all(|item| self.initialisable(item))
             }
             ExprKind::Splat(item) => {
-                is_zero(value)
+                self.is_zero(value)
                     || length(&value.ty) <= LISTED
                         && matches!(item.kind, ExprKind::Literal(_) | ExprKind::Const(_))
                         && item.ty.is_word()
@@ -364,7 +374,7 @@ impl Lower<'_> {
                 if !self.context.names.layout.is_flat((*rows, *cols)) =>
             {
                 let item = self.initialiser(item);
-                let (rows, cols) = if is_zero(value) { (1, 1) } else { (*rows, *cols) };
+                let (rows, cols) = if self.is_zero(value) { (1, 1) } else { (*rows, *cols) };
                 let row = (0..cols).map(|_| (None, item.clone())).collect();
                 let row = Init::List { items: row, lines: Lines::Fill };
                 let items = (0..rows).map(|_| (None, row.clone())).collect();
@@ -373,11 +383,11 @@ impl Lower<'_> {
             (ExprKind::Splat(item), ty) => {
                 let count = length(ty);
                 // C's own word for zeros everywhere.
-                if is_zero(value) && count > SHOWN && is_number(&item.ty) {
+                if self.is_zero(value) && count > SHOWN && is_number(&item.ty) {
                     let items = vec![(None, Init::Value(Expr::name("0")))];
                     return Init::List { items, lines: Lines::Fill };
                 }
-                let count = if is_zero(value) && count > SHOWN { 1 } else { count };
+                let count = if self.is_zero(value) && count > SHOWN { 1 } else { count };
                 let items = (0..count).map(|_| (None, self.initialiser(item)));
                 Init::List { items: items.collect(), lines: Lines::Fill }
             }
@@ -464,22 +474,13 @@ fn is_short(ty: &Type) -> bool {
 /// of numbers: what else there is might be read after the loop.
 fn is_sparse(items: &[Ir]) -> bool {
     let numbers = items.iter().all(|item| matches!(item.kind, ExprKind::Literal(_)));
-    let zeros = items.iter().filter(|item| is_zero(item)).count();
+    let zeros = items.iter().filter(|item| item.kind == ExprKind::Literal(0)).count();
     items.len() > LINES as usize && numbers && 2 * zeros > items.len()
 }
 
 /// Whether values are numbers, of which C's `0` is one.
 fn is_number(ty: &Type) -> bool {
     ty.as_int().is_some() || ty.as_float().is_some()
-}
-
-/// Whether every word of a value is zero: what C leaves out of an initialiser is zero too.
-fn is_zero(value: &Ir) -> bool {
-    match &value.kind {
-        ExprKind::Literal(word) => *word == 0,
-        ExprKind::Splat(item) => is_zero(item),
-        _ => false,
-    }
 }
 
 /// Whether a place has an index that reads what one of `written` holds.

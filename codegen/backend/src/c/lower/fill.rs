@@ -114,6 +114,10 @@ pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) 
         return false;
     };
     let Some((outer, to, body)) = through(module, first) else { return false };
+    // A pass that leaves the loop leaves the rest of the elements as they are.
+    if leaves(first) {
+        return false;
+    }
     if let ([inner], Type::Matrix { rows, cols, .. }) = (body.0.as_slice(), ty)
         && let Some((row, last, body)) = through(module, inner)
     {
@@ -188,7 +192,7 @@ fn is_each(ty: &Type, step: &Step, counter: LocalId, to: u32) -> bool {
 /// The counter of a loop from 0, its end and its body.
 fn through<'s>(module: &Module, stmt: &'s Stmt) -> Option<(LocalId, u32, &'s Block)> {
     match &stmt.kind {
-        StmtKind::For { variable, from, to, inclusive: false, body, .. } => {
+        StmtKind::For { variable, from, to, inclusive: false, ended: false, body, .. } => {
             let to = match &to.kind {
                 ExprKind::Literal(word) => *word,
                 ExprKind::Const(id) => *module.consts[id.index()].words.first()?,
@@ -204,28 +208,21 @@ fn through<'s>(module: &Module, stmt: &'s Stmt) -> Option<(LocalId, u32, &'s Blo
     }
 }
 
-/// Whether each path through a block assigns the element at these counters (none: at 0), before anything
-/// else of the local is touched.
+/// Whether each path through a block that nothing leaves assigns the element at these counters (none: at 0), before anything
+/// else of the local is touched; behind that, this element alone is.
 fn assigns(local: LocalId, at: &[Option<LocalId>], block: &Block) -> bool {
-    for stmt in &block.0 {
-        match &stmt.kind {
-            StmtKind::Assign { place, value } if place.root == local => {
-                return is_element(place, at) && !mentions(value, local);
-            }
-            StmtKind::If { condition, then, otherwise } => {
-                let both = assigns(local, at, then) && assigns(local, at, otherwise);
-                if both {
-                    return !mentions(condition, local);
-                }
-            }
-            StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => return false,
-            _ => {}
+    let Some(first) = block.0.iter().position(|stmt| mentions(stmt, local)) else { return false };
+    let assigned = match &block.0[first].kind {
+        StmtKind::Assign { place, value } => {
+            place.root == local && is_element(place, at) && !mentions(value, local)
         }
-        if mentions(stmt, local) || leaves(stmt) {
-            return false;
+        StmtKind::If { condition, then, otherwise } => {
+            !mentions(condition, local) && assigns(local, at, then) && assigns(local, at, otherwise)
         }
-    }
-    false
+        _ => false,
+    };
+    let another = |place: &Place, _| place.root == local && !is_element(place, at);
+    assigned && !block.0[first + 1..].any_place(another)
 }
 
 fn is_element(place: &Place, at: &[Option<LocalId>]) -> bool {

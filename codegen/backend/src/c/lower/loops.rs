@@ -150,9 +150,11 @@ impl Lower<'_> {
             }
             _ => to.0,
         };
-        // Below the first value the counter must not fall where that would leave its type.
-        let falls =
-            !int.signed() || literal_value(&from.1, int).is_some_and(|value| value > int.min());
+        // Below the first value the counter must not fall where that would leave its type; nor from the end of an empty range.
+        let least = self.constant_value(&to.1, int).or(self.type_range(&to.1).map(|it| it.0));
+        let ends = inclusive || least.is_some_and(|least| least > int.min());
+        let falls = !int.signed()
+            || ends && literal_value(&from.1, int).is_some_and(|value| value > int.min());
         if falls {
             let condition = Expr::binary(">", Expr::Postfix(Box::new(i()), "--"), from.0);
             Head { first, condition, step: None, begin: None }

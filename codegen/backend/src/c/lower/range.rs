@@ -69,7 +69,7 @@ impl Lower<'_> {
     }
 
     /// The values that an expression can have by its type; one for a literal.
-    fn type_range(&self, expr: &Ir) -> Option<(i128, i128)> {
+    pub(super) fn type_range(&self, expr: &Ir) -> Option<(i128, i128)> {
         let full = match &expr.ty {
             Type::Scalar(Scalar::Bool) => (0, 1),
             Type::Scalar(Scalar::Int(int)) => (Int::min(*int), Int::max(*int)),

@@ -10,6 +10,7 @@ use super::super::literal;
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
 use super::fill::{filled, length, rewritten, unwritten};
+use crate::passes::reached;
 use crate::uncopied::is_table;
 use bessemer_ir::effects::{calls, whole};
 
@@ -98,7 +99,8 @@ impl Lower<'_> {
         self.count_from("i", from, to, |lower, index| lower.store(place.at(index), None, item));
     }
 
-    /// Whether nothing misses a value that is not computed: it reads no place, and calls at most a function that others may call.
+    /// Whether nothing misses a value that is not computed: it reads no place, and calls at most a function that others may call
+    /// and that reaches nothing of the firmware's.
     fn is_idle(&self, value: &Ir) -> bool {
         let functions = &self.context.module.functions;
         let called = match &value.kind {
@@ -106,8 +108,11 @@ impl Lower<'_> {
             _ if value.any_expr(|expr| matches!(expr.kind, ExprKind::Call(..))) => return false,
             _ => None,
         };
+        let outside = |at: &usize| functions[*at].attributes.external.is_some();
         let known = called.is_none_or(|id| {
-            functions[id.index()].role == Role::Public && !self.context.faults.fallible(id)
+            functions[id.index()].role == Role::Public
+                && !self.context.faults.fallible(id)
+                && !reached(self.context.module, id.index()).iter().any(outside)
         });
         known && !value.any_place(|_, _| true)
     }

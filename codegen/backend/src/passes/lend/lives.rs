@@ -2,12 +2,12 @@
 //!
 //! Statements are counted in the order in which they stand. A temporary lives from the first that mentions it to
 //! the last, and through the whole of each loop that stands between its declaration and a mention: it may carry
-//! something from one pass to the next. What a call is lent lives in the statement of the call. So two lives that
+//! something from one pass to the next, and C reads the bounds of a loop in each pass. What a call is lent lives in the statement of the call. So two lives that
 //! meet in no statement are never alive together, whatever path is run.
 
 use std::collections::BTreeMap;
 
-use bessemer_ir::visit::{self, Access, Visit};
+use bessemer_ir::visit::{self, Access, Visit, Walk as _};
 use bessemer_ir::{Expr, ExprKind, Function, FunctionId, LocalId, Place, Stmt, StmtKind};
 
 use super::row::{Need, Row};
@@ -105,6 +105,14 @@ impl Walk<'_> {
         }
     }
 
+    /// A place is read or written; what its root is a name for is, too.
+    fn named(&mut self, place: &Place) {
+        self.mention(place.root);
+        if let Some(of) = self.names.get(&place.root) {
+            self.mention(of.root);
+        }
+    }
+
     fn extend(&mut self, local: LocalId, from: usize, to: usize) {
         let seen = &mut self.seen[local.index()];
         *seen = Some(seen.map_or((from, to), |(first, last)| (first.min(from), last.max(to))));
@@ -127,6 +135,7 @@ impl Visit for Walk<'_> {
         self.declaration(variable);
         self.loops.push(Loop { first: self.at + 1, mentioned: Vec::new() });
         self.block(body);
+        [from, to].into_iter().for_each(|bound| bound.each_place(|place, _| self.named(place)));
         let Some(Loop { first, mentioned }) = self.loops.pop() else { return };
         for local in mentioned {
             if self.declared[local.index()] < first {
@@ -154,10 +163,7 @@ impl Visit for Walk<'_> {
     }
 
     fn place(&mut self, place: &Place, _: Access) {
-        self.mention(place.root);
-        if let Some(of) = self.names.get(&place.root) {
-            self.mention(of.root);
-        }
+        self.named(place);
         visit::walk_place(self, place);
     }
 }
