@@ -120,15 +120,14 @@ impl Lowering<'_, '_> {
         index: &tree::Expr,
         span: Span,
     ) -> Result<Place> {
-        let mark = self.out.len();
         let is_matrix = self.contained(&place.ty).is_some_and(|(.., columns)| columns.is_some());
-        let mut indices = match is_matrix {
-            true => self.bounded_indices(index)?.into(),
-            false => vec![self.value(index, Some(&Type::USIZE))?],
-        };
-        let later = self.later(mark);
-        self.settle_place(&mut place, &later);
-        self.out.extend(later);
+        let mut indices = self.settling(
+            |inner| match is_matrix {
+                true => inner.bounded_indices(index).map(Vec::from),
+                false => inner.value(index, Some(&Type::USIZE)).map(|index| vec![index]),
+            },
+            |inner, _, later| inner.settle_place(&mut place, later),
+        )?;
         if !is_matrix {
             self.keep_indices(&mut place, |index| !index.is_literal());
             for index in &mut indices {

@@ -90,7 +90,7 @@ impl<'a> Lowering<'a, '_> {
             passed.extend(lenders);
         }
         passed.extend(more);
-        self.keep_copies(&mut passed);
+        self.keep_copies(&mut passed)?;
         if self.cx.given_back.get(&id).is_some_and(|given| !given.is_empty()) {
             self.settle_lent(&mut passed);
         }
@@ -140,7 +140,7 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Makes the copies that are passed beside what they are copied from, where a call may write that: `v.axpy(a, &v.clone(), b)`.
-    fn keep_copies(&mut self, passed: &mut [Argument]) {
+    fn keep_copies(&mut self, passed: &mut [Argument]) -> Result<()> {
         let lent: Vec<_> = passed.iter().filter_map(lent).cloned().collect();
         for index in 0..passed.len() {
             let (before, [argument, ..]) = passed.split_at_mut(index) else { break };
@@ -150,13 +150,13 @@ impl<'a> Lowering<'a, '_> {
                 && !matches!(value.ty, Type::Slice(_))
                 && effects::reads(value, &lent)
             {
-                let mark = self.out.len();
-                *value = self.temporary(words::ARGUMENT, value.clone());
-                let later = self.later(mark);
-                self.settle_arguments(before, &later);
-                self.out.extend(later);
+                *value = self.settling(
+                    |inner| Ok(inner.temporary(words::ARGUMENT, value.clone())),
+                    |inner, _, later| inner.settle_arguments(before, later),
+                )?;
             }
         }
+        Ok(())
     }
 }
 

@@ -204,12 +204,10 @@ impl Lowering<'_, '_> {
         fields: &[(String, tree::Expr)],
         rest: &tree::Expr,
     ) -> Result<Place> {
-        let mark = self.out.len();
-        let place = self.base(rest)?;
-        let later = self.later(mark);
         let names = fields.iter().map(|(name, _)| name.as_str());
-        self.settle_all(values.iter_mut().zip(names), &later);
-        self.out.extend(later);
-        Ok(place)
+        self.settling(
+            |inner| inner.base(rest),
+            |inner, _, later| inner.settle_all(values.iter_mut().zip(names), later),
+        )
     }
 }

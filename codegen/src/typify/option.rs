@@ -89,9 +89,10 @@ impl Lowering<'_, '_> {
             None => self.choice(id, 0, None, expr.site)?,
             Some(value) => {
                 let held = self.payload_type(id, "Some");
-                let mark = self.out.len();
-                let value = self.value(value, held.as_ref())?;
-                self.settle_since(mark, &mut place);
+                let value = self.settling(
+                    |inner| inner.value(value, held.as_ref()),
+                    |inner, _, later| inner.settle_place(&mut place, later),
+                )?;
                 if !is_free(&value) {
                     self.fix(&mut place);
                 }

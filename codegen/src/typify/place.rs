@@ -157,16 +157,10 @@ impl Lowering<'_, '_> {
     }
 
     fn element(&mut self, mut base: Place, index: &tree::Expr, span: Span) -> Result<Place> {
-        let mark = self.out.len();
-        let (mut step, ty) = match base.ty.clone() {
-            Type::Array { element, .. } => {
-                let index = self.value(index, Some(&Type::USIZE))?;
-                (Step::Index(index), *element)
-            }
-            Type::Matrix { element, rows, cols } => {
-                (self.matrix_step(index, rows, cols, span)?, Type::Scalar(element))
-            }
-            ref bounded if self.contained(bounded).is_some() => {
+        let (ty, size) = match &base.ty {
+            Type::Array { element, .. } => ((**element).clone(), None),
+            Type::Matrix { element, rows, cols } => (Type::Scalar(*element), Some((*rows, *cols))),
+            bounded if self.contained(bounded).is_some() => {
                 return self.bounded_element(base, index, span);
             }
             _ => {
@@ -177,11 +171,20 @@ impl Lowering<'_, '_> {
                 );
             }
         };
-        // Whoever gets the place may read it more than once, which must write nothing.
-        if !effects::lent_by_step(&step).is_empty() {
-            self.keep_indices_of(&mut step, |index| !index.is_literal());
-        }
-        self.settle_since(mark, &mut base);
+        let step = self.settling(
+            |inner| {
+                let mut step = match size {
+                    Some((rows, cols)) => inner.matrix_step(index, rows, cols, span)?,
+                    None => Step::Index(inner.value(index, Some(&Type::USIZE))?),
+                };
+                // Whoever gets the place may read it more than once, which must write nothing.
+                if !effects::lent_by_step(&step).is_empty() {
+                    inner.keep_indices_of(&mut step, |index| !index.is_literal());
+                }
+                Ok(step)
+            },
+            |inner, _, later| inner.settle_place(&mut base, later),
+        )?;
         Ok(Place { span, ..base.inside(step, ty) })
     }
 
