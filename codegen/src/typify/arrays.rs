@@ -4,6 +4,7 @@
 use bessemer_ir::tree::{self, Builtin, SliceMethod};
 use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, Type};
 
+use super::lengths::size;
 use super::lowering::Lowering;
 use super::value::{SMALL, Slice};
 use super::words;
@@ -100,11 +101,10 @@ impl Lowering<'_, '_> {
             walk.emit(StmtKind::Assign { place, value }, span);
             Ok(())
         };
-        let count = |count: u32| Expr::usize(u64::from(count), span);
         match inner {
-            None => self.below("i", count(outer), span, |walk, i| copy(walk, &[i]))?,
-            Some(rows) => self.below("col", count(outer), span, |walk, col| {
-                walk.below("row", count(rows), span, |walk, row| copy(walk, &[col, row]))
+            None => self.below("i", size(outer, span), span, |walk, i| copy(walk, &[i]))?,
+            Some(rows) => self.below("col", size(outer, span), span, |walk, col| {
+                walk.below("row", size(rows, span), span, |walk, row| copy(walk, &[col, row]))
             })?,
         }
         Ok(result.load())

@@ -300,7 +300,7 @@ impl Lowering<'_, '_> {
         let room = Expr::compare(CompareOp::Le, length.clone(), capacity).at(span);
         self.check(room, Fault::Capacity, span);
         let before = self.temporary("before", list.length.load());
-        let variable = self.counter("i", span);
+        let variable = self.local("i", Type::USIZE, span);
         let place = list.at([Expr::local(variable, &Type::USIZE, span)]);
         let body = Block::of(StmtKind::Assign { place, value }, span);
         self.emit(StmtKind::for_range(variable, before, length.clone(), body), span);

@@ -11,8 +11,7 @@
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
     Argument, Attributes, Block, CompareOp, EnumId, Expr, ExprKind, Form, Function, FunctionId,
-    Int, LocalId, LogicOp, Mode, Owner, Place, Role, Scalar, Span, Step, Stmt, StmtKind, StructId,
-    Type,
+    Int, LogicOp, Mode, Owner, Place, Role, Scalar, Span, Step, Stmt, StmtKind, StructId, Type,
 };
 
 use super::lowering::Lowering;
@@ -324,22 +323,14 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let flag = self.temporary_place("equal", Expr::bool(true, span));
         let held = flag.load();
-        let variable = self.counter("i", span);
-        let body = self.scoped(|inner| {
-            let place = Place::local(variable, Type::USIZE, span);
-            let same = equal(inner, place.load())?;
+        self.below("i", count, span, |inner, index| {
+            let same = equal(inner, index)?;
             let unequal = StmtKind::Assign { place: flag, value: Expr::bool(false, span) };
             let then = vec![Stmt::new(unequal, span), Stmt::new(StmtKind::Break, span)];
             inner.emit_if(opposite(same), Block(then), span);
             Ok(())
         })?;
-        self.emit(StmtKind::for_range(variable, Expr::usize(0, span), count, body), span);
         Ok(held)
-    }
-
-    /// A local that counts.
-    pub(super) fn counter(&mut self, name: &str, span: Span) -> LocalId {
-        self.local(name, Type::USIZE, span)
     }
 
     /// `left < right` and the like of two values of several words.

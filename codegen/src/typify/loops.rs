@@ -13,6 +13,7 @@ use bessemer_ir::{
 use crate::termination::{self, Loop, Proof};
 
 use super::each::Each;
+use super::lengths::size;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
 use super::order::is_light;
 use super::syntax::{is_named, some_of};
@@ -319,13 +320,40 @@ impl Lowering<'_, '_> {
         body: impl FnOnce(&mut Self, Expr) -> Result<()>,
     ) -> Result<()> {
         self.repeated(None, None, span, |inner| {
-            let variable = inner.counter(name, span);
+            let variable = inner.local(name, Type::USIZE, span);
             inner.counters.push(variable);
             let at = Expr::local(variable, &Type::USIZE, span);
             let body = inner.scoped(|inner| body(inner, at));
             inner.counters.pop();
             Ok(StmtKind::for_below(variable, end, body?))
         })
+    }
+
+    /// Loops through the rows of each column of a matrix, counted by this name; a single row or column needs none.
+    pub(super) fn each_cell(
+        &mut self,
+        name: &str,
+        (rows, cols): (u32, u32),
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr, Expr) -> Result<()>,
+    ) -> Result<()> {
+        self.below_unless_one(name, cols, span, |walk, column| {
+            walk.below_unless_one(words::ROW, rows, span, |walk, row| body(walk, row, column))
+        })
+    }
+
+    /// A loop below a number, unless that is 1.
+    pub(super) fn below_unless_one(
+        &mut self,
+        name: &str,
+        count: u32,
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
+    ) -> Result<()> {
+        match count {
+            1 => body(self, Expr::usize(0, span)),
+            _ => self.below(name, size(count, span), span, body),
+        }
     }
 
     /// Lowers a pass of a loop that several are, the outermost of them at `outermost`.

@@ -292,23 +292,6 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A loop over the indices below `count`.
-    fn each_below(
-        &mut self,
-        count: Expr,
-        span: Span,
-        body: impl FnOnce(&mut Self, Expr),
-    ) -> Result<()> {
-        let variable = self.counter("i", span);
-        let index = Expr::local(variable, &Type::USIZE, span);
-        let body = self.scoped(|inner| {
-            body(inner, index);
-            Ok(())
-        })?;
-        self.emit(StmtKind::for_range(variable, Expr::usize(0, span), count, body), span);
-        Ok(())
-    }
-
     /// A method of slices for its effect; false if it is none.
     pub(super) fn slice_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
         let Some((Builtin::Slice(method), arguments)) = self.builtin_call(expr) else {
@@ -323,12 +306,13 @@ impl Lowering<'_, '_> {
                     _ => divided(slice.length.clone(), Expr::usize(2, span)),
                 };
                 let last = minus(slice.to.clone(), Expr::usize(1, span));
-                self.each_below(half, span, |inner, index| {
+                self.below("i", half, span, |inner, index| {
                     let other = slice.at(minus(last, index.clone()));
                     let one = slice.nth(index);
                     let (value, before) = (other.load(), inner.temporary("before", one.load()));
                     inner.emit(StmtKind::Assign { place: one, value }, span);
                     inner.emit(StmtKind::Assign { place: other, value: before }, span);
+                    Ok(())
                 })?;
             }
             (SliceMethod::CopyFrom, [array, from]) => {
@@ -342,9 +326,10 @@ impl Lowering<'_, '_> {
                         "name as many elements on both sides",
                     );
                 }
-                self.each_below(to.length.clone(), span, |inner, index| {
+                self.below("i", to.length.clone(), span, |inner, index| {
                     let (place, value) = (to.nth(index.clone()), from.nth(index).load());
                     inner.emit(StmtKind::Assign { place, value }, span);
+                    Ok(())
                 })?;
             }
             _ => return Ok(false),
