@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use bessemer_ir::tree::visit::{Bound, Visit};
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
     Arm, Block, Expr, ExprKind, Int, LogicOp, Place, Scalar, Span, StmtKind, StructId, Type,
@@ -464,9 +464,7 @@ fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
 }
 
 fn has_names(pattern: &Pattern) -> bool {
-    let mut bound = Bound::default();
-    bound.pattern(pattern);
-    !bound.0.is_empty()
+    !pattern.bound().is_empty()
 }
 
 /// Whether a pattern takes every value, whatever it is of.

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use bessemer_ir::tree::visit::{Bound, Locals, Visit};
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type};
 
@@ -423,8 +423,6 @@ pub(super) fn is_hidden(name: &str) -> bool {
 
 /// The names that stand in a closure's body, as far as they are not its own parameters.
 fn names_in(closure: &tree::Closure) -> BTreeSet<String> {
-    let (mut named, mut own) = (Locals::default(), Bound::default());
-    named.expr(&closure.body);
-    closure.parameters.iter().for_each(|parameter| own.pattern(parameter));
-    named.0.difference(&own.0).cloned().collect()
+    let own = closure.parameters.iter().flat_map(Walk::bound).collect();
+    closure.body.locals().difference(&own).cloned().collect()
 }

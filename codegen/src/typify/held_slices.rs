@@ -5,7 +5,7 @@
 //!
 //! Must not know: how lenders are followed ([`lenders`](super::lenders)).
 
-use bessemer_ir::tree::visit::{Visit, walk_pattern};
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
 use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, StmtKind, StructId, Type};
@@ -254,7 +254,8 @@ impl Lowering<'_, '_> {
 
     /// A slice that a loop goes through, whose items have the names of a pattern.
     pub(super) fn gone_through_kept(&mut self, slice: Slice, pattern: &tree::Pattern) -> Slice {
-        let slots = names_of(pattern);
+        let mut slots = Vec::new();
+        pattern.each_name(|_, slot| slots.push(slot));
         let is_read = |slot: &u32| {
             self.source.slots.get(*slot as usize).is_some_and(|ty| !matches!(ty, Ty::Ref(_, true)))
         };
@@ -284,23 +285,6 @@ impl Lowering<'_, '_> {
         }
         self.seen(expr.slot?, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
     }
-}
-
-/// The slots of the names in a pattern.
-fn names_of(pattern: &tree::Pattern) -> Vec<u32> {
-    #[derive(Default)]
-    struct Slots(Vec<u32>);
-    impl Visit for Slots {
-        fn pattern(&mut self, pattern: &tree::Pattern) {
-            if let tree::Pattern::Name { slot, .. } = pattern {
-                self.0.push(*slot);
-            }
-            walk_pattern(self, pattern);
-        }
-    }
-    let mut slots = Slots::default();
-    slots.pattern(pattern);
-    slots.0
 }
 
 /// Whether a part of a value of a type refers to something.
