@@ -19,7 +19,7 @@ use super::order::is_free;
 use super::syntax::is_named;
 use super::value::Value;
 use super::words;
-use super::{OUR_FAULT, Result, problem, struct_of};
+use super::{Needed, OUR_FAULT, Result, problem, struct_of};
 
 /// A container in its place.
 struct Bounded {
@@ -106,10 +106,7 @@ impl Lowering<'_, '_> {
     fn list(&mut self, expr: &tree::Expr) -> Result<Bounded> {
         let mut place = self.base(expr)?;
         self.keep_indices(&mut place, |index| !index.is_literal());
-        match self.list_at(&place) {
-            Some(list) => Ok(list),
-            None => problem(expr.site, "this is not a `List`", OUR_FAULT),
-        }
+        self.list_at(&place).needed(expr.site, "this is not a `List`")
     }
 
     /// `list[index]`, `matrix[(row, column)]`: each index is checked against the size, and that against the room that there

@@ -13,7 +13,7 @@ use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Pl
 use super::lowering::{Closure, Lowering, Scope, UNNAMED};
 use super::value::Value;
 use super::words;
-use super::{OUR_FAULT, Result, names, problem};
+use super::{Needed, Result, names, problem};
 use crate::effects;
 
 impl<'a> Lowering<'a, '_> {
@@ -55,10 +55,9 @@ impl<'a> Lowering<'a, '_> {
                 let closure = self.written_here(closure.clone());
                 Ok(self.closure(closure))
             }
-            tree::ExprKind::Local(name) => match self.closure_named(name) {
-                Some(closure) => Ok(closure),
-                None => problem(argument.site, "this is not a closure", OUR_FAULT),
-            },
+            tree::ExprKind::Local(name) => {
+                self.closure_named(name).needed(argument.site, "this is not a closure")
+            }
             _ => problem(
                 argument.site,
                 "a function that takes a closure is given one in the DSL",
@@ -223,13 +222,11 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
         end: impl FnOnce(&mut Self, &tree::Closure) -> Result<T>,
     ) -> Result<T> {
-        let Some(handed) = self.closure_named(name).map(|it| Rc::clone(&self.closures[it])) else {
-            return problem(
-                site,
-                "a closure that was handed on is not called in another closure in the DSL",
-                "call it before, and use its value",
-            );
-        };
+        let handed = self.closure_named(name).map(|it| Rc::clone(&self.closures[it])).or_told(
+            site,
+            "a closure that was handed on is not called in another closure in the DSL",
+            "call it before, and use its value",
+        )?;
         let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);

@@ -17,7 +17,7 @@ use bessemer_ir::{
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 
 /// Up to so many elements are compared one by one.
 const FEW: u32 = 4;
@@ -345,13 +345,7 @@ impl Lowering<'_, '_> {
         if self.cx.known(&sides[0].ty).reversed {
             sides.reverse();
         }
-        let Some(steps) = self.steps_to_parts(&sides[0]) else {
-            return problem(
-                site,
-                "this has no order in the DSL",
-                "compare parts; tuples have an order, arrays of up to 8 elements, and plain enums and structs that derive `PartialOrd` below `#[data]`",
-            );
-        };
+        let steps = self.steps_to_parts(&sides[0]).or_told(site, "this has no order in the DSL", "compare parts; tuples have an order, arrays of up to 8 elements, and plain enums and structs that derive `PartialOrd` below `#[data]`")?;
         let strict = match op {
             CompareOp::Le => CompareOp::Lt,
             CompareOp::Ge => CompareOp::Gt,
@@ -370,10 +364,7 @@ impl Lowering<'_, '_> {
                 }
             });
         }
-        match decided {
-            Some(decided) => Ok(decided),
-            None => problem(site, "what is empty has no order in the DSL", "leave it out"),
-        }
+        decided.or_told(site, "what is empty has no order in the DSL", "leave it out")
     }
 
     /// The number of an enum that `<` compares.

@@ -10,7 +10,7 @@ use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
 use super::value::Value;
 use super::words;
-use super::{OUR_FAULT, Result, order, problem};
+use super::{Needed, OUR_FAULT, Result, order, problem};
 use crate::effects;
 
 impl Lowering<'_, '_> {
@@ -133,9 +133,8 @@ impl Lowering<'_, '_> {
                 None => return problem(site, "`?` takes an `Option` or a `Result`", OUR_FAULT),
             },
         };
-        let Some((word, case)) = self.case(result, left) else {
-            return problem(site, "this does not fit the result of the function", OUR_FAULT);
-        };
+        let (word, case) =
+            self.case(result, left).needed(site, "this does not fit the result of the function")?;
         let from = self.case(id, left).and_then(|(_, case)| case.field);
         let payload = from.map(|field| self.part(&place, id, field as usize).load());
         let wanted = case.field.map(|field| self.cx.field_type(result, field));
@@ -514,11 +513,10 @@ impl Lowering<'_, '_> {
     /// The place that an assignment writes.
     pub(super) fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
         self.not_coords(expr)?;
-        match self.place(expr)? {
-            Some(place) => Ok(place),
-            None => {
-                problem(expr.site, "this is not a place to assign", "assign a variable or a field")
-            }
-        }
+        self.place(expr)?.or_told(
+            expr.site,
+            "this is not a place to assign",
+            "assign a variable or a field",
+        )
     }
 }

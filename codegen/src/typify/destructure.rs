@@ -10,7 +10,7 @@ use bessemer_ir::{Block, Expr, ExprKind, Place, Step, StmtKind, Type};
 use super::lowering::Lowering;
 use super::pattern::{Test, aligned};
 use super::value::Value;
-use super::{Result, problem};
+use super::{Needed, Result, problem};
 
 /// A pattern, and what is done with what it takes.
 type Arm<'t> = (&'t Pattern, Cow<'t, tree::Expr>);
@@ -112,13 +112,11 @@ impl Lowering<'_, '_> {
             Value::Tuple(_, Some(ty)) => self.whole(tuple, ty, site),
             _ => None,
         };
-        let Some(made) = made else {
-            return problem(
-                site,
-                "a tuple with a slice in it, or with what may be changed, is not made in the DSL",
-                "take it apart where it is named: `|(a, b)| …`",
-            );
-        };
+        let made = made.or_told(
+            site,
+            "a tuple with a slice in it, or with what may be changed, is not made in the DSL",
+            "take it apart where it is named: `|(a, b)| …`",
+        )?;
         Ok(made)
     }
 

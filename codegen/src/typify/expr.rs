@@ -112,18 +112,13 @@ impl Lowering<'_, '_> {
                 (None, Some(Type::Struct(id))) => self.parts(*id, &numbered(parts), None, expr),
                 _ => self.constructed("", parts, None, expr),
             },
-            tree::ExprKind::Try(label, operand) => {
-                match self.try_value(label.as_deref(), operand, site)? {
-                    Some(value) => Ok(value),
-                    None => problem(site, "this has no value", "write it as a statement"),
-                }
-            }
+            tree::ExprKind::Try(label, operand) => self
+                .try_value(label.as_deref(), operand, site)?
+                .or_told(site, "this has no value", "write it as a statement"),
             tree::ExprKind::Array(elements) => self.array(elements, expr),
             tree::ExprKind::Repeat(element) => {
                 let ty = self.slot_of(expr)?;
-                let Type::Array { element: inner, .. } = &ty else {
-                    return problem(site, "this is not an array", OUR_FAULT);
-                };
+                let inner = elements_of(&ty).needed(site, "this is not an array")?;
                 let element = self.value(element, Some(inner))?;
                 self.node(ExprKind::Splat(Box::new(element)), ty, site)
             }
@@ -392,13 +387,11 @@ impl Lowering<'_, '_> {
 
     fn array(&mut self, elements: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
-        let Type::Array { element, .. } = &ty else {
-            return problem(expr.site, "this is not an array", OUR_FAULT);
-        };
+        let element = elements_of(&ty).needed(expr.site, "this is not an array")?.clone();
         if let Some(moved) = elements.iter().find(|it| self.is_submatrix(it)) {
             return Self::moved_part(moved.site);
         }
-        let elements = self.alike(elements, Some((**element).clone()), &[])?;
+        let elements = self.alike(elements, Some(element), &[])?;
         self.node(ExprKind::Array(elements), ty, expr.site)
     }
 
@@ -512,11 +505,16 @@ impl Lowering<'_, '_> {
     }
 }
 
-pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
-    match <[T; 2]>::try_from(values) {
-        Ok(values) => Ok(values),
-        Err(_) => problem(site, "this takes two operands", OUR_FAULT),
+/// The type of the elements of an array.
+fn elements_of(ty: &Type) -> Option<&Type> {
+    match ty {
+        Type::Array { element, .. } => Some(element),
+        _ => None,
     }
+}
+
+pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
+    <[T; 2]>::try_from(values).ok().needed(site, "this takes two operands")
 }
 
 fn is_unsuffixed(expr: &tree::Expr) -> bool {

@@ -8,7 +8,7 @@ use super::generic::Case;
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
 use super::syntax::numbered;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
     /// `Name { field: value, ..base }`: a struct, or a variant.
@@ -90,10 +90,9 @@ impl Lowering<'_, '_> {
         for (index, field) in definition.fields.iter().enumerate() {
             parts.push(match index {
                 0 => Expr::literal(word, field.ty.clone(), span),
-                _ if definition.holds(index, word) => match payload.take() {
-                    Some(payload) => payload,
-                    None => return problem(site, "the payload is missing", OUR_FAULT),
-                },
+                _ if definition.holds(index, word) => {
+                    payload.take().needed(site, "the payload is missing")?
+                }
                 _ => self.zero(&field.ty, span),
             });
         }

@@ -15,7 +15,7 @@ use super::order::{is_free, is_settled};
 use super::rewrite::rewritten;
 use super::value::Value;
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
     /// What a call stands for; none if `expr` is something else.
@@ -85,13 +85,11 @@ impl Lowering<'_, '_> {
             Type::Struct(id) => self.going_on(id),
             _ => None,
         };
-        let Some(case) = case else {
-            return problem(
-                expr.site,
-                "a `try_fold` gives an `Option` or a `Result` in the DSL",
-                "let its closure give one",
-            );
-        };
+        let case = case.or_told(
+            expr.site,
+            "a `try_fold` gives an `Option` or a `Result` in the DSL",
+            "let its closure give one",
+        )?;
         let kind = Tree::Constructor(case.to_owned(), vec![value.clone()]);
         self.value(&tree::Expr { kind, site: value.site, slot: expr.slot }, None)
     }

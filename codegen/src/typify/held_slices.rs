@@ -16,7 +16,7 @@ use super::lowering::{Lowering, UNNAMED};
 use super::syntax::{Writes, control_with_value, slots_of};
 use super::value::{Slice, Value};
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 use crate::effects;
 
 impl Lowering<'_, '_> {
@@ -185,9 +185,8 @@ impl Lowering<'_, '_> {
                 let none = self.choice(*id, 0, None, site)?;
                 let place = self.temporary_place(words::FOUND, none);
                 let held = place.load();
-                let Some(inner) = self.payload_type(*id, "Some") else {
-                    return problem(site, "this is not an `Option`", OUR_FAULT);
-                };
+                let inner =
+                    self.payload_type(*id, "Some").needed(site, "this is not an `Option`")?;
                 let then = self.scoped(|it| {
                     let value = it.lent_value(*lent, &inner, site)?;
                     let value = it.choice(*id, 1, Some(value), site)?;

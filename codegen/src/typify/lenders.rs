@@ -21,7 +21,7 @@ use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
 use super::order::indices;
 use super::value::Slice;
-use super::{Problem, Result, problem};
+use super::{Needed, Problem, Result, problem};
 use crate::effects::same_place;
 
 /// The refusal of a slice with two lenders.
@@ -260,17 +260,15 @@ impl Lowering<'_, '_> {
                     "let both be parts of one array",
                 );
             }
-            let Some((lender, slice)) = lenders
+            let (lender, slice) = lenders
                 .first()
                 .filter(|lender| !self.stands(lender.root))
                 .and_then(|lender| Some(((*lender).clone(), self.all_lent(lender)?)))
-            else {
-                return problem(
+                .or_told(
                     site,
                     "whose elements this value refers to is not known here",
                     if one { PASS_GIVEN } else { FIRST_VALUE },
-                );
-            };
+                )?;
             passed.extend(slice.passed(if mutable { Mode::RefMut } else { Mode::Ref }));
             // What had no elements may have some behind the call.
             if let Argument::RefMut(place) = argument {

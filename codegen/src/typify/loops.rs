@@ -19,7 +19,7 @@ use super::order::is_light;
 use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
-use super::{OUR_FAULT, Result, labelled, problem};
+use super::{Needed, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
     pub(super) fn for_stmt(
@@ -234,7 +234,7 @@ impl Lowering<'_, '_> {
             }
         };
         // The last pass comes no further than the condition, so there is one more than the proof says.
-        let Some(int) = low.ty.as_int() else { return problem(site, "no integers", OUR_FAULT) };
+        let int = low.ty.as_int().needed(site, "no integers")?;
         let limit = |value: i128| Expr::literal_like(value as u64, &low);
         let from = if is_light(&low) { low.clone() } else { limit(int.min()) };
         let to = if is_light(&high) && !inclusive { high } else { limit(int.max()) };
@@ -389,10 +389,10 @@ impl Lowering<'_, '_> {
     /// Where the value goes with which the closure's body with this label is left; the function, without one.
     pub(super) fn left_by(&self, label: Option<&str>, site: Site) -> Result<Target> {
         match label {
-            Some(_) => match self.frames[self.depth(label, site)?].target.clone() {
-                Some(target) => Ok(target),
-                None => problem(site, "this leaves what has no value", OUR_FAULT),
-            },
+            Some(_) => self.frames[self.depth(label, site)?]
+                .target
+                .clone()
+                .needed(site, "this leaves what has no value"),
             None => Ok(Target::Return),
         }
     }
@@ -446,10 +446,7 @@ impl Lowering<'_, '_> {
             None => self.frames.iter().rposition(|frame| frame.mark.is_none() || frame.pass),
             Some(_) => self.frames.iter().rposition(|frame| frame.label.as_deref() == label),
         };
-        match found {
-            Some(depth) => Ok(depth),
-            None => problem(site, "there is no such loop here", OUR_FAULT),
-        }
+        found.needed(site, "there is no such loop here")
     }
 
     /// The flag that leaves the loop at `depth`; each loop in between looks at it.

@@ -6,7 +6,7 @@ use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
 use super::expr::{Call, Operand};
 use super::lowering::Lowering;
 use super::order::is_free;
-use super::{OUR_FAULT, Result, problem, struct_of};
+use super::{Needed, OUR_FAULT, Result, problem, struct_of};
 use crate::effects;
 
 /// The remedy where a reference into an `Option` would be kept.
@@ -24,10 +24,11 @@ impl Lowering<'_, '_> {
             M::IsOk => ("Ok", false),
             M::IsErr => ("Ok", true),
             M::Unwrap | M::UnwrapErr => {
-                return match self.unwrap(method, call)? {
-                    Some(value) => Ok(value),
-                    None => problem(expr.site, "this has no value", "write it as a statement"),
-                };
+                return self.unwrap(method, call)?.or_told(
+                    expr.site,
+                    "this has no value",
+                    "write it as a statement",
+                );
             }
             M::Copied => return self.value(&arguments[0], None),
             M::Take | M::Replace => return self.exchanged(arguments, expr),
@@ -40,9 +41,7 @@ impl Lowering<'_, '_> {
             }
         };
         let (place, id) = self.receiver(&arguments[0])?;
-        let Some((word, _)) = self.case(id, case) else {
-            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
-        };
+        let (word, _) = self.case(id, case).needed(expr.site, "this is not an `Option`")?;
         let there = self.tag_is(&place, id, word);
         Ok(if absent { there.negated() } else { there })
     }
@@ -81,9 +80,11 @@ impl Lowering<'_, '_> {
     /// `take` and `replace`: what was there, with `None` or another in its place.
     fn exchanged(&mut self, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         let span = self.span(expr.site);
-        let Some(mut place) = self.place(&arguments[0])? else {
-            return problem(expr.site, "this is not a place", "keep it in a variable");
-        };
+        let mut place = self.place(&arguments[0])?.or_told(
+            expr.site,
+            "this is not a place",
+            "keep it in a variable",
+        )?;
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         let next = match arguments.get(1) {
             None => self.choice(id, 0, None, expr.site)?,
@@ -158,9 +159,8 @@ impl Lowering<'_, '_> {
             }
             _ => return problem(site, "this is not an `Option`", OUR_FAULT),
         };
-        let Some(then) = then else {
-            return problem(site, "there is nothing to the value", "ask with `is_some`, `is_ok`");
-        };
+        let then =
+            then.or_told(site, "there is nothing to the value", "ask with `is_some`, `is_ok`")?;
         let span = self.span(site);
         Ok(self.either("choice", otherwise, (there, then), span))
     }

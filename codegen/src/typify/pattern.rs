@@ -16,7 +16,7 @@ use super::conditions::{within, within_any};
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::value::{Named, Value};
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, Result, problem};
 use crate::effects;
 
 /// What has to hold for a pattern to take a value, if anything, and the names that it gives then.
@@ -237,9 +237,8 @@ impl Lowering<'_, '_> {
             }
             (Pattern::Fields(_, fields), Type::Struct(id)) => {
                 for (name, it) in fields {
-                    let Some(at) = self.cx.field_at(*id, name) else {
-                        return problem(site, format!("`{name}` is missing"), OUR_FAULT);
-                    };
+                    let at =
+                        self.cx.field_at(*id, name).needed(site, format!("`{name}` is missing"))?;
                     parts.push((it, part(*id, at)));
                 }
             }

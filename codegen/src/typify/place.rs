@@ -8,7 +8,7 @@ use super::lowering::{Lowering, RESULT, UNNAMED};
 use super::syntax::bare;
 use super::value::Value;
 use super::words;
-use super::{Result, problem};
+use super::{Needed, Result, problem};
 use crate::effects;
 
 /// Whether a field is all there is: of a point its `coords`, of a translation its `vector`.
@@ -309,13 +309,7 @@ impl Lowering<'_, '_> {
         if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
             place = Some(self.held(lent)?);
         }
-        let Some(mut place) = place else {
-            return problem(
-                site,
-                "a reference in a variable names a place in the DSL",
-                "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`",
-            );
-        };
+        let mut place = place.or_told(site, "a reference in a variable names a place in the DSL", "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`")?;
         let loan = self.is_loan(&place) && !self.slot_is_exclusive(slot, site)?;
         let moves = loan || value.is_some_and(is_held) || self.may_come_to_refer(&place);
         if moves && !self.is_lasting(&place) {

@@ -13,7 +13,7 @@ use super::function::result_of;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
 use super::value::Value;
-use super::{Context, Problem, Result, problem};
+use super::{Context, Needed, Problem, Result, problem};
 
 /// Whether a function lends a place, and whether to be written.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
@@ -266,13 +266,11 @@ impl<'a> Lowering<'a, '_> {
                 let site = function.tree.site;
                 return problem(site, "this lends no place", "end in `&self.field`");
             };
-            let Some(mut place) = inner.place(tail)? else {
-                return problem(
-                    tail.site,
-                    "this is no place that could be lent",
-                    "end in a field or an element: `&self.axes[i]`",
-                );
-            };
+            let mut place = inner.place(tail)?.or_told(
+                tail.site,
+                "this is no place that could be lent",
+                "end in a field or an element: `&self.axes[i]`",
+            )?;
             inner.fix(&mut place);
             Ok(place)
         })

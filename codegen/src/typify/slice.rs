@@ -17,7 +17,7 @@ use super::lowering::Lowering;
 use super::syntax::{Writes, bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;
-use super::{Result, problem};
+use super::{Needed, Result, problem};
 
 impl Lowering<'_, '_> {
     /// A parameter that is a slice.
@@ -97,14 +97,11 @@ impl Lowering<'_, '_> {
         let mut place = self.base(expr)?;
         // Whether anything is asked of the elements or not.
         self.fix(&mut place);
-        match self.all_of(place) {
-            Some(slice) => Ok(slice),
-            None => problem(
-                expr.site,
-                "this has no elements in a row",
-                "take an array, a `List`, or `.as_slice()` of a vector",
-            ),
-        }
+        self.all_of(place).or_told(
+            expr.site,
+            "this has no elements in a row",
+            "take an array, a `List`, or `.as_slice()` of a vector",
+        )
     }
 
     /// All elements of an array, a vector or a list.
