@@ -52,10 +52,10 @@ impl Lowering<'_, '_> {
     /// The `Option` or `Result` of a call, the array in it, and how many elements that has.
     fn array_in(&mut self, expr: &tree::Expr) -> Result<(StructId, Type, u32)> {
         let ty = match self.slot_of(expr)? {
-            Type::Struct(id) => ["Ok", "Some"].iter().find_map(|case| {
-                let field = self.case(id, case)?.1.field?;
-                Some((id, self.cx.field_type(id, field)))
-            }),
+            Type::Struct(id) => {
+                let held = self.going_on(id).and_then(|case| self.payload_type(id, case));
+                held.map(|ty| (id, ty))
+            }
             _ => None,
         };
         match ty {

@@ -55,10 +55,9 @@ impl Lowering<'_, '_> {
 
     /// The word and the payload of the variant that has a value (or, `error`, the reason for none).
     fn present(&mut self, place: &Place, id: StructId, error: bool) -> (u64, Option<Expr>) {
-        let names = if error { ["Err", "Err"] } else { ["Some", "Ok"] };
-        let found = names.iter().find_map(|name| self.case(id, name));
-        let (word, field) = found.map_or((0, None), |(word, case)| (word, case.field));
-        (word, field.map(|field| self.part(place, id, field as usize).load()))
+        let name = if error { Some("Err") } else { self.going_on(id) };
+        let found = name.and_then(|name| self.variant_at(place, id, name));
+        found.map_or((0, None), |(word, value)| (word, value.map(|value| value.load())))
     }
 
     /// `unwrap`: a check, and the value if there is something to it.
