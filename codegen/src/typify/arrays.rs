@@ -2,7 +2,7 @@
 //! matrices from arrays of their elements, `Vector3::from([x, y, z])`, by columns as nalgebra has it, and arrays from matrices.
 
 use bessemer_ir::tree::{self, Builtin, SliceMethod};
-use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, Type};
+use bessemer_ir::{Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, Type};
 
 use super::lengths::size;
 use super::lowering::Lowering;
@@ -22,11 +22,8 @@ impl Lowering<'_, '_> {
         let span = self.span(expr.site);
         let (there, array) = (slice.has(len.into(), whole, span), slice.as_array(ty, span));
         let none = self.choice(id, 0, None, expr.site)?;
-        let place = self.temporary_place("part", none);
-        let (held, value) = (place.load(), self.choice(id, 1, Some(array), expr.site)?);
-        let then = Block::of(StmtKind::Assign { place, value }, span);
-        self.emit_if(there, then, span);
-        Ok(held)
+        let some = self.choice(id, 1, Some(array), expr.site)?;
+        Ok(self.either("part", none, (there, some), span))
     }
 
     /// The same behind `unwrap`: a check, and the elements; none if `expr` is something else.

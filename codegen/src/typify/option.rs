@@ -172,11 +172,7 @@ impl Lowering<'_, '_> {
         (condition, other): (Expr, Expr),
         span: Span,
     ) -> Expr {
-        let ty = value.ty.clone();
-        let local = self.temporary_local(role, ty.clone(), span);
-        self.held.insert(local);
-        self.emit(StmtKind::Let { local, value: Some(value) }, span);
-        let place = Place::local(local, ty, span);
+        let place = self.temporary_place(role, value);
         let held = place.load();
         let assign = StmtKind::Assign { place, value: other };
         self.follow(&assign);
