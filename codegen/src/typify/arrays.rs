@@ -6,7 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, 
 
 use super::lengths::size;
 use super::lowering::Lowering;
-use super::value::{SMALL, Slice};
+use super::value::{SMALL, Slice, step_to};
 use super::words;
 use super::{OUR_FAULT, Result, problem};
 
@@ -134,15 +134,13 @@ fn dimensions(ty: &Type) -> Option<(u32, Option<u32>)> {
 
 /// The part of an array or a matrix at a column and a row, or at an index.
 fn cell(whole: &Place, at: &[Expr], span: Span) -> Place {
-    let zero = Expr::usize(0, span);
     match (&whole.ty, at) {
-        (Type::Matrix { element, rows, .. }, [first, rest @ ..]) => {
-            let (row, col) = match rest {
-                [row, ..] => (row, first),
-                [] if *rows == 1 => (&zero, first),
-                [] => (first, &zero),
+        (Type::Matrix { element, .. }, [first, rest @ ..]) => {
+            let step = match rest {
+                [row, ..] => Step::Element(row.clone(), first.clone()),
+                [] => step_to(&whole.ty, first.clone(), span),
             };
-            whole.inside(Step::Element(row.clone(), col.clone()), Type::Scalar(*element))
+            whole.inside(step, Type::Scalar(*element))
         }
         (Type::Array { element, .. }, [first, rest @ ..]) => {
             cell(&whole.inside(Step::Index(first.clone()), (**element).clone()), rest, span)

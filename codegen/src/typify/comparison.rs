@@ -14,8 +14,10 @@ use bessemer_ir::{
     Int, LogicOp, Mode, Owner, Place, Role, Scalar, Span, Step, Stmt, StmtKind, StructId, Type,
 };
 
+use super::lengths::size;
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
+use super::value::step_to;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem};
 
@@ -150,25 +152,17 @@ impl Lowering<'_, '_> {
                 let kind = ExprKind::Call(function, lent.into());
                 Ok(Expr { kind, ty: Type::BOOL, span })
             }
-            Type::Array { element, len } => self.equal_elements(pair, element, *len, &Step::Index),
+            Type::Array { element, len } => self.equal_elements(pair, element, *len),
             Type::Matrix { element, rows, cols } => {
-                let (element, zero) = (Type::Scalar(*element), || Expr::usize(0, span));
-                let count = |count: u32| Expr::usize(u64::from(count), span);
-                match (*rows, *cols) {
-                    (rows, 1) => {
-                        let step = |row| Step::Element(row, zero());
-                        self.equal_elements(pair, &element, rows, &step)
-                    }
-                    (1, cols) => {
-                        let step = |col| Step::Element(zero(), col);
-                        self.equal_elements(pair, &element, cols, &step)
-                    }
-                    (rows, cols) => self.all_equal(count(cols), span, |inner, col| {
-                        inner.all_equal(count(rows), span, |inner, row| {
-                            inner.equal(&pair.at(&Step::Element(row, col), &element))
-                        })
-                    }),
+                let element = Type::Scalar(*element);
+                if *rows == 1 || *cols == 1 {
+                    return self.equal_elements(pair, &element, rows * cols);
                 }
+                self.all_equal(size(*cols, span), span, |inner, col| {
+                    inner.all_equal(size(*rows, span), span, |inner, row| {
+                        inner.equal(&pair.at(&Step::Element(row, col), &element))
+                    })
+                })
             }
         }
     }
@@ -294,21 +288,14 @@ impl Lowering<'_, '_> {
         Ok(held)
     }
 
-    fn equal_elements(
-        &mut self,
-        pair: &Pair,
-        element: &Type,
-        len: u32,
-        step: &dyn Fn(Expr) -> Step,
-    ) -> Result<Expr> {
+    fn equal_elements(&mut self, pair: &Pair, element: &Type, len: u32) -> Result<Expr> {
         let pair = Pair { span: pair.sides[0].span, ..pair.clone() };
-        let number = |number: u32| Expr::usize(u64::from(number), pair.span);
+        let at = |index| pair.at(&step_to(&pair.sides[0].ty, index, pair.span), element);
         if len > FEW || !element.is_word() {
-            return self.all_equal(number(len), pair.span, |inner, index| {
-                inner.equal(&pair.at(&step(index), element))
-            });
+            let len = size(len, pair.span);
+            return self.all_equal(len, pair.span, |inner, index| inner.equal(&at(index)));
         }
-        let same = (0..len).map(|index| self.equal(&pair.at(&step(number(index)), element)));
+        let same = (0..len).map(|index| self.equal(&at(size(index, pair.span))));
         let same: Vec<Expr> = same.collect::<Result<_>>()?;
         let all = same.into_iter().reduce(|all, next| Expr::logic(LogicOp::And, all, next));
         Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))

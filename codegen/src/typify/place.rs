@@ -6,7 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, Step, Type};
 use super::expr::{Operand, two};
 use super::lowering::{Lowering, RESULT, UNNAMED};
 use super::syntax::bare;
-use super::value::Value;
+use super::value::{Value, step_to};
 use super::words;
 use super::{Needed, Result, problem};
 use crate::effects;
@@ -157,9 +157,10 @@ impl Lowering<'_, '_> {
     }
 
     fn element(&mut self, mut base: Place, index: &tree::Expr, span: Span) -> Result<Place> {
-        let (ty, size) = match &base.ty {
-            Type::Array { element, .. } => ((**element).clone(), None),
-            Type::Matrix { element, rows, cols } => (Type::Scalar(*element), Some((*rows, *cols))),
+        let whole = base.ty.clone();
+        let ty = match &whole {
+            Type::Array { element, .. } => (**element).clone(),
+            Type::Matrix { element, .. } => Type::Scalar(*element),
             bounded if self.contained(bounded).is_some() => {
                 return self.bounded_element(base, index, span);
             }
@@ -173,9 +174,9 @@ impl Lowering<'_, '_> {
         };
         let step = self.settling(
             |inner| {
-                let mut step = match size {
-                    Some((rows, cols)) => inner.matrix_step(index, rows, cols, span)?,
-                    None => Step::Index(inner.value(index, Some(&Type::USIZE))?),
+                let mut step = match &whole {
+                    Type::Matrix { .. } => inner.matrix_step(index, &whole, span)?,
+                    _ => Step::Index(inner.value(index, Some(&Type::USIZE))?),
                 };
                 // Whoever gets the place may read it more than once, which must write nothing.
                 if !effects::lent_by_step(&step).is_empty() {
@@ -191,8 +192,7 @@ impl Lowering<'_, '_> {
     pub(super) fn matrix_step(
         &mut self,
         index: &tree::Expr,
-        rows: u32,
-        cols: u32,
+        matrix: &Type,
         span: Span,
     ) -> Result<Step> {
         if let tree::ExprKind::Tuple(parts) = &index.kind
@@ -202,15 +202,15 @@ impl Lowering<'_, '_> {
             return Ok(Step::Element(row, col));
         }
         let index = self.value(index, Some(&Type::USIZE))?;
-        let number = |number: u64| Expr::usize(number, span);
-        Ok(match (rows, cols, &index.kind) {
-            (_, 1, _) => Step::Element(index, number(0)),
-            (1, ..) => Step::Element(number(0), index),
-            (rows, _, ExprKind::Literal(word)) => {
-                let rows = u64::from(rows);
-                Step::Element(number(word % rows), number(word / rows))
+        Ok(match (step_to(matrix, index, span), matrix) {
+            (
+                Step::Index(Expr { kind: ExprKind::Literal(word), .. }),
+                Type::Matrix { rows, .. },
+            ) => {
+                let [row, col] = [word % u64::from(*rows), word / u64::from(*rows)];
+                Step::Element(Expr::usize(row, span), Expr::usize(col, span))
             }
-            _ => Step::Index(index),
+            (step, _) => step,
         })
     }
 

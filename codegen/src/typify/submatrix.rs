@@ -94,7 +94,7 @@ impl<'a> Lowering<'a, '_> {
         expr: &tree::Expr,
     ) -> Result<Place> {
         let span = self.span(expr.site);
-        let place = match self.matrix_step(index, part.rows, part.cols, span)? {
+        let place = match self.matrix_step(index, &part.ty(), span)? {
             Step::Element(row, column) => {
                 let (row, column) = (self.steady("row", row), self.steady("column", column));
                 self.check_index(&row, CompareOp::Lt, &size(part.rows, span), span);
