@@ -17,6 +17,7 @@ use bessemer_ir::{
 };
 
 use super::borrowed::{Awaited, Borrowed, Copied, Path, Spot, in_field, spot_of};
+use super::call::lent;
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
 use super::order::indices;
@@ -387,11 +388,7 @@ impl Lowering<'_, '_> {
 
 /// The place that a call lends for a parameter.
 fn passed_for<'a>(lender: &Place, arguments: &'a [Argument]) -> Option<&'a Place> {
-    match arguments.get(lender.root.index())? {
-        Argument::RefMut(place) => Some(place),
-        Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => Some(place),
-        _ => None,
-    }
+    lent(arguments.get(lender.root.index())?).map(|(place, _)| place)
 }
 
 /// Whether an index is computed from a local as young as `root`, or younger.
