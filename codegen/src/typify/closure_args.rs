@@ -287,7 +287,7 @@ impl<'a> Lowering<'a, '_> {
         {
             return Ok(parts);
         }
-        if let Some(slice) = self.slice_named(argument)? {
+        if let Some(slice @ Value::Slice(_)) = self.meaning_lent(argument) {
             return Ok(slice);
         }
         let taken = name.and_then(|(_, slot)| handed.source.slots.get(slot as usize));
@@ -312,18 +312,6 @@ impl<'a> Lowering<'a, '_> {
             None => self.temporary(words::ARGUMENT, value),
         };
         Ok(self.value_subject(value))
-    }
-
-    /// The slice that an argument names.
-    fn slice_named(&self, argument: &tree::Expr) -> Result<Option<Value>> {
-        match &argument.kind {
-            tree::ExprKind::Local(name) => {
-                let meaning = self.lookup(name, argument.site)?;
-                Ok(Some(meaning).filter(|it| matches!(it, Value::Slice(_))))
-            }
-            tree::ExprKind::Ref(_, inner) => self.slice_named(inner),
-            _ => Ok(None),
-        }
     }
 
     /// Lowers what stands in a closure, where names mean what they mean there; `each` is what items are handed to.

@@ -137,14 +137,9 @@ impl Lowering<'_, '_> {
 
     /// The parts of such a tuple, if an expression names it.
     pub(super) fn parts_named(&self, expr: &tree::Expr) -> Option<Value> {
-        match &expr.kind {
-            Tree::Local(name) => {
-                self.lookup(name, expr.site).ok().filter(|it| matches!(it, Value::Tuple(..)))
-            }
-            Tree::Ref(_, inner) => self.parts_named(inner),
-            _ => None,
-        }
+        self.meaning_lent(expr).filter(|it| matches!(it, Value::Tuple(..)))
     }
+
     /// `let name = match lent { Some(x) => x, None => return 0 };`, where `x` refers to a place: all arms but one leave, so the
     /// name is that of the place which the one gives. Says whether a value is of that kind.
     pub(super) fn alias_of_arm(

@@ -275,6 +275,15 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// The same, behind `&` alone.
+    pub(super) fn meaning_lent(&self, expr: &tree::Expr) -> Option<Value> {
+        match &expr.kind {
+            tree::ExprKind::Ref(_, inner) => self.meaning_lent(inner),
+            tree::ExprKind::Deref(_) => None,
+            _ => self.meaning(expr),
+        }
+    }
+
     /// The place that a name means; none if it means a value, or none yet.
     pub(super) fn place_of(&self, meaning: &Value, span: Span) -> Option<Place> {
         match meaning {
