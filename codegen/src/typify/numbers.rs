@@ -99,7 +99,7 @@ fn spelt_out(
     })
 }
 
-fn float(double: f64, single: f32, ty: &Type, span: Span) -> Expr {
+pub(super) fn float(double: f64, single: f32, ty: &Type, span: Span) -> Expr {
     let word = match ty.as_float() {
         Some(Float::F32) => u64::from(single.to_bits()),
         _ => double.to_bits(),
