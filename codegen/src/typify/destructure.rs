@@ -69,12 +69,6 @@ impl Lowering<'_, '_> {
                 self.emit(StmtKind::Expr(value), span);
                 Ok(())
             }
-            (_, _) if self.holds_nothing(value) => {
-                self.effect(value)?;
-                let names = Self::take_nothing(pattern, value.site).names;
-                bound.extend(names.into_iter().map(|named| (named.name, Value::Nothing)));
-                Ok(())
-            }
             (Pattern::Name { name, slot, inner: None, .. }, _)
                 if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
             {
@@ -82,7 +76,7 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             (Pattern::Name { name, slot, inner: None, .. }, _)
-                if !self.slot_is_reference(*slot, value.site)? =>
+                if !self.holds_nothing(value) && !self.slot_is_reference(*slot, value.site)? =>
             {
                 let ty = self.slot(*slot, value.site)?;
                 let lowered = self.naming_as(&**name, |inner| inner.value(value, Some(&ty)))?;
