@@ -229,11 +229,11 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let Some(guard) = guard else { return Ok(()) };
         self.alias_names(&test.names);
+        let asked = |inner: &mut Self| inner.value(guard, Some(&Type::BOOL));
+        let span = self.span(site.unwrap_or(guard.site));
         test.condition = Some(match test.condition.take() {
-            Some(test) => {
-                self.short_circuit(LogicOp::And, test, guard, site.unwrap_or(guard.site))?
-            }
-            None => self.value(guard, Some(&Type::BOOL))?,
+            Some(test) => self.short_circuit(LogicOp::And, test, span, asked)?,
+            None => asked(self)?,
         });
         Ok(())
     }

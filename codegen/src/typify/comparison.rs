@@ -260,7 +260,9 @@ impl Lowering<'_, '_> {
             };
             let compare = |inner: &mut Self| match condition {
                 None => inner.equal(&part),
-                Some(absent) => inner.or_else(absent, |inner| inner.equal(&part)),
+                Some(absent) => {
+                    inner.short_circuit(LogicOp::Or, absent, part.span, |inner| inner.equal(&part))
+                }
             };
             all = Some(match all {
                 None => compare(self)?,
@@ -268,24 +270,6 @@ impl Lowering<'_, '_> {
             });
         }
         Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
-    }
-
-    /// `absent || right`, where `right` may need statements.
-    fn or_else(
-        &mut self,
-        absent: Expr,
-        right: impl FnOnce(&mut Self) -> Result<Expr>,
-    ) -> Result<Expr> {
-        let (right, mut inner) = self.apart(right)?;
-        if inner.is_empty() {
-            return Ok(Expr::logic(LogicOp::Or, absent, right));
-        }
-        let span = right.span;
-        let place = self.temporary_place("equal", Expr::bool(true, span));
-        let held = place.load();
-        inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
-        self.emit_if(absent.negated(), Block(inner), span);
-        Ok(held)
     }
 
     fn equal_elements(&mut self, pair: &Pair, element: &Type, len: u32) -> Result<Expr> {

@@ -2,8 +2,8 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Place, Routine, Scalar, Stmt,
-    StmtKind, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Place, Routine, Scalar, StmtKind,
+    Type, UnaryOp,
 };
 
 use super::function::takes_closures;
@@ -213,8 +213,9 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         if let Plain::Logic(op) = plain(op) {
-            let left = self.value(left, Some(&Type::BOOL))?;
-            return self.short_circuit(op, left, right, expr.site);
+            let (left, span) = (self.value(left, Some(&Type::BOOL))?, self.span(expr.site));
+            return self
+                .short_circuit(op, left, span, |inner| inner.value(right, Some(&Type::BOOL)));
         }
         if let Some(callee) = self.operator(expr.slot).cloned() {
             return self.call_of(&callee, &[left.clone(), right.clone()], expr);
@@ -360,29 +361,6 @@ impl Lowering<'_, '_> {
             _ => return problem(site, "this operator does not take these types", "use a method"),
         };
         self.routine_node(routine, arguments, ty, site)
-    }
-
-    /// `&&` and `||`: where the right side needs statements, they run only if it does.
-    pub(super) fn short_circuit(
-        &mut self,
-        op: LogicOp,
-        left: Expr,
-        right: &tree::Expr,
-        site: Site,
-    ) -> Result<Expr> {
-        let (right, mut inner) = self.apart(|inner| inner.value(right, Some(&Type::BOOL)))?;
-        if inner.is_empty() {
-            return Ok(Expr::logic(op, left, right).at(self.span(site)));
-        }
-        let place = self.temporary_place("holds", left);
-        let (held, span) = (place.load(), place.span);
-        inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
-        let condition = match op {
-            LogicOp::And => held.clone(),
-            LogicOp::Or => held.clone().negated(),
-        };
-        self.emit_if(condition, bessemer_ir::Block(inner), span);
-        Ok(held)
     }
 
     fn array(&mut self, elements: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
