@@ -11,6 +11,7 @@ use bessemer_ir::{
 use super::conditions::within_any;
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
+use super::subject::taken_name;
 use super::value::Value;
 use super::words;
 use super::{Result, problem};
@@ -63,7 +64,9 @@ impl Lowering<'_, '_> {
         }
         let before = self.locals.len();
         let subject = self.value_subject(value);
-        self.name_held(&subject, before, arms.iter().map(|arm| &arm.pattern));
+        if let Some(name) = arms.iter().find_map(|arm| taken_name(&arm.pattern)) {
+            self.name_held(&subject, before, name);
+        }
         self.subject_arms((subject, scrutinee), arms, target, span)
     }
 

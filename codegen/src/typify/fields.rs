@@ -5,7 +5,7 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, StmtKind, StructId, Type};
 
 use super::expr::Operand;
 use super::generic::Case;
-use super::lowering::Lowering;
+use super::lowering::{Lowering, local_since};
 use super::order::{has_effect, is_free};
 use super::syntax::numbered;
 use super::{Needed, OUR_FAULT, Result, problem};
@@ -143,9 +143,8 @@ impl Lowering<'_, '_> {
             None => None,
         };
         // Where the rest is a value that was held just now, that becomes the struct.
-        let is_made = |it: &&Place| {
-            it.root.index() >= before && it.steps.is_empty() && self.held.contains(&it.root)
-        };
+        let is_made =
+            |it: &&Place| local_since(it, before).is_some_and(|it| self.held.contains(&it));
         if let Some(made) = rest.as_ref().filter(is_made) {
             for ((value, at), (_, expr)) in values.into_iter().zip(&places).zip(fields) {
                 let Some(at) = at else { continue };

@@ -9,7 +9,7 @@ use bessemer_ir::{
 };
 
 use super::borrowed::{Lenders, Path};
-use super::lowering::{Lowering, RESULT, Target, UNNAMED};
+use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
 use super::syntax::{Writes, control_with_value, ends_in_loop};
 use super::value::Value;
@@ -494,8 +494,8 @@ impl Lowering<'_, '_> {
     /// The local that a value was put together in, and nothing else: it can have the author's name.
     fn made_for(&mut self, value: &Expr, since: usize) -> Option<LocalId> {
         match &value.kind {
-            ExprKind::Load(place) if place.steps.is_empty() && place.root.index() >= since => {
-                self.held.remove(&place.root).then_some(place.root)
+            ExprKind::Load(place) => {
+                local_since(place, since).filter(|local| self.held.remove(local))
             }
             _ => None,
         }
