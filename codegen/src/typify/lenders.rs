@@ -21,7 +21,6 @@ use super::call::lent;
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
 use super::order::indices;
-use super::value::Slice;
 use super::{Needed, Problem, Result, problem};
 use crate::effects::same_place;
 
@@ -96,17 +95,6 @@ impl Lowering<'_, '_> {
         let joins = both.is_some();
         self.cx.joined.extend(both);
         joins
-    }
-
-    /// All elements of the array that lends a slice.
-    fn all_lent(&mut self, lender: &Place) -> Option<Slice> {
-        match &lender.ty {
-            Type::Slice(element) => {
-                let all = Slice::parameter(lender.root, (**element).clone(), lender.span);
-                Some(Slice { base: lender.clone(), ..all })
-            }
-            _ => self.all_of(lender.clone()),
-        }
     }
 
     /// The lender of the slice at a place.
@@ -264,7 +252,7 @@ impl Lowering<'_, '_> {
             let (lender, slice) = lenders
                 .first()
                 .filter(|lender| !self.stands(lender.root))
-                .and_then(|lender| Some(((*lender).clone(), self.all_lent(lender)?)))
+                .and_then(|lender| Some(((*lender).clone(), self.all_of((*lender).clone())?)))
                 .or_told(
                     site,
                     "whose elements this value refers to is not known here",

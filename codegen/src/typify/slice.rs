@@ -104,8 +104,12 @@ impl Lowering<'_, '_> {
         )
     }
 
-    /// All elements of an array, a vector or a list.
+    /// All elements of an array, a vector or a list, or of a parameter that is a slice.
     pub(super) fn all_of(&mut self, place: Place) -> Option<Slice> {
+        if let (Type::Slice(element), []) = (&place.ty, place.steps.as_slice()) {
+            let all = Slice::parameter(place.root, (**element).clone(), place.span);
+            return Some(Slice { base: place, ..all });
+        }
         if let Some((length, items)) = self.list_items(&place) {
             let Type::Array { element, len } = items.ty.clone() else { return None };
             let length = lesser(length.load(), size(len, place.span));
