@@ -2,13 +2,12 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Place, Routine, Scalar, StmtKind,
-    Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Routine, Scalar, Type, UnaryOp,
 };
 
 use super::function::takes_closures;
 use super::lengths::plus;
-use super::lowering::{Lowering, Target};
+use super::lowering::Lowering;
 use super::syntax::{control_with_value, is_question, numbered};
 use super::words;
 use super::{Needed, OUR_FAULT, Result, literal, order, problem};
@@ -404,12 +403,8 @@ impl Lowering<'_, '_> {
             _ => self.slot_of(expr)?,
         };
         let span = self.span(expr.site);
-        let local = self.temporary_local("choice", ty.clone(), span);
-        let first = self.before_loop(expr, &ty, span);
-        self.emit(StmtKind::Let { local, value: first }, span);
-        let place = Place::local(local, ty.clone(), span);
-        self.into(expr, &Target::Place(place.clone()))?;
-        Ok(place.load())
+        let name = self.temporary_name("choice");
+        Ok(self.decided_by(name, ty, Some(expr), span)?.load())
     }
 
     /// Lowers operands left to right. Where a later one needs statements, what came before and could
