@@ -24,10 +24,7 @@ impl Lowering<'_, '_> {
                 let test = self.test(pattern, &subject, expr.site)?;
                 self.alias_names(&test.names);
                 names.extend(test.names);
-                match test.condition {
-                    Some(test) => Ok(test),
-                    None => self.node(ExprKind::Literal(1), Type::BOOL, expr.site),
-                }
+                Ok(test.condition.unwrap_or_else(|| Expr::bool(true, self.span(expr.site))))
             }
             Tree::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
                 let left = self.pattern_condition(left, names)?;

@@ -65,9 +65,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let site = expr.site;
         match &expr.kind {
-            tree::ExprKind::Bool(value) => {
-                self.node(ExprKind::Literal(u64::from(*value)), Type::BOOL, site)
-            }
+            tree::ExprKind::Bool(value) => Ok(Expr::bool(*value, self.span(site))),
             tree::ExprKind::Int(digits, suffix) => {
                 self.integer(digits, false, *suffix, expected, site)
             }
@@ -389,10 +387,7 @@ impl Lowering<'_, '_> {
         self.naming_scope(|inner| {
             let mut test = inner.test(&arm.pattern, &subject, site)?;
             inner.guard(&mut test, arm.guard.as_ref(), Some(site))?;
-            match test.condition {
-                Some(condition) => Ok(condition),
-                None => inner.node(ExprKind::Literal(1), Type::BOOL, site),
-            }
+            Ok(test.condition.unwrap_or_else(|| Expr::bool(true, inner.span(site))))
         })
     }
 
