@@ -247,7 +247,7 @@ impl Lowering<'_, '_> {
     /// The other side of a comparison with a literal.
     fn literal_partner(&mut self, left: &tree::Expr, right: &tree::Expr) -> Result<Option<Type>> {
         for (one, other) in [(left, right), (right, left)] {
-            if is_unsuffixed(one) && !is_unsuffixed(other) {
+            if one.is_unsuffixed() && !other.is_unsuffixed() {
                 return self.type_alone(other).map(Some);
             }
         }
@@ -495,14 +495,6 @@ fn elements_of(ty: &Type) -> Option<&Type> {
 
 pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
     <[T; 2]>::try_from(values).ok().needed(site, "this takes two operands")
-}
-
-fn is_unsuffixed(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Int(_, None) | tree::ExprKind::Float(_, None) => true,
-        tree::ExprKind::Unary(_, operand) => is_unsuffixed(operand),
-        _ => false,
-    }
 }
 
 /// The type of the elements of a matrix, or of anything else itself.

@@ -151,18 +151,9 @@ impl Lowering {
     /// A value that is matched: only its use may say of what type a number is.
     fn matched(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         let mut value = self.value(expr);
-        let number = is_unsuffixed(&value);
+        let number = value.is_unsuffixed();
         value.slot = value.slot.or_else(|| number.then(|| self.see(expr)));
         value
-    }
-}
-
-/// Whether a number stands there whose type does not.
-fn is_unsuffixed(value: &tree::Expr) -> bool {
-    match &value.kind {
-        tree::ExprKind::Int(_, None) | tree::ExprKind::Float(_, None) => true,
-        tree::ExprKind::Unary(_, operand) => is_unsuffixed(operand),
-        _ => false,
     }
 }
 
