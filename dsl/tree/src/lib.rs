@@ -268,6 +268,17 @@ pub struct Expr {
     pub slot: Option<u32>,
 }
 
+impl Expr {
+    /// Whether a number stands there whose type does not.
+    pub fn is_unsuffixed(&self) -> bool {
+        match &self.kind {
+            ExprKind::Int(_, suffix) | ExprKind::Float(_, suffix) => suffix.is_none(),
+            ExprKind::Unary(_, operand) => operand.is_unsuffixed(),
+            _ => false,
+        }
+    }
+}
+
 /// The kinds of [`Expr`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ExprKind {

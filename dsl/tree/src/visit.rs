@@ -1,7 +1,7 @@
 //! Walks over the author's syntax.
 //!
 //! Implement [`Visit`] (to read) or [`VisitMut`] (to rewrite) and override what matters; an override goes on to the
-//! children by calling the `walk_…` function of the same name.
+//! children by calling the `walk_…` function of the same name. [`Walk`] does with a closure what looks at each node by itself.
 //!
 //! Invariant: every expression, statement, arm and pattern is met exactly once, in the order of the source.
 
@@ -273,27 +273,91 @@ visitor! {
     walk_block_mut walk_stmt_mut walk_arm_mut walk_pattern_mut walk_expr_mut parts_mut cuts_mut places_mut
 }
 
-/// The names of the locals that stand in what is walked, wherever they are declared.
-#[derive(Clone, Debug, Default)]
-pub struct Locals(pub BTreeSet<String>);
+/// A node in which something is looked for: what one closure can tell needs no visitor of its own.
+///
+/// The walks are [`Visit`]'s, the node itself included.
+pub trait Walk {
+    /// Starts a visitor on the node.
+    fn walk<V: Visit>(&self, visitor: &mut V);
 
-impl Visit for Locals {
+    /// Shows each expression, outer before inner.
+    fn each_expr(&self, see: impl FnMut(&Expr)) {
+        self.walk(&mut Exprs(see));
+    }
+
+    /// Whether this holds of an expression.
+    fn any_expr(&self, mut test: impl FnMut(&Expr) -> bool) -> bool {
+        let mut found = false;
+        self.each_expr(|expr| found = found || test(expr));
+        found
+    }
+
+    /// Shows each name that is bound, by a pattern or a `let`, and its slot.
+    fn each_name(&self, see: impl FnMut(&str, u32)) {
+        self.walk(&mut Names(see));
+    }
+
+    /// The names that are bound.
+    fn bound(&self) -> BTreeSet<String> {
+        let mut names = BTreeSet::new();
+        self.each_name(|name, _| {
+            names.insert(name.into());
+        });
+        names
+    }
+
+    /// The names of the locals that stand there, wherever they are declared.
+    fn locals(&self) -> BTreeSet<String> {
+        let mut names = BTreeSet::new();
+        self.each_expr(|expr| {
+            if let ExprKind::Local(name) = &expr.kind {
+                names.insert(name.clone());
+            }
+        });
+        names
+    }
+}
+
+impl Walk for Block {
+    fn walk<V: Visit>(&self, visitor: &mut V) {
+        visitor.block(self);
+    }
+}
+
+impl Walk for Pattern {
+    fn walk<V: Visit>(&self, visitor: &mut V) {
+        visitor.pattern(self);
+    }
+}
+
+impl Walk for Expr {
+    fn walk<V: Visit>(&self, visitor: &mut V) {
+        visitor.expr(self);
+    }
+}
+
+struct Exprs<F>(F);
+
+impl<F: FnMut(&Expr)> Visit for Exprs<F> {
     fn expr(&mut self, expr: &Expr) {
-        if let ExprKind::Local(name) = &expr.kind {
-            self.0.insert(name.clone());
-        }
+        (self.0)(expr);
         walk_expr(self, expr);
     }
 }
 
-/// The names that patterns bind in what is walked.
-#[derive(Clone, Debug, Default)]
-pub struct Bound(pub BTreeSet<String>);
+struct Names<F>(F);
 
-impl Visit for Bound {
+impl<F: FnMut(&str, u32)> Visit for Names<F> {
+    fn stmt(&mut self, stmt: &Stmt) {
+        if let Stmt::Let { name, slot, .. } = stmt {
+            (self.0)(name, *slot);
+        }
+        walk_stmt(self, stmt);
+    }
+
     fn pattern(&mut self, pattern: &Pattern) {
-        if let Pattern::Name { name, .. } = pattern {
-            self.0.insert(name.clone());
+        if let Pattern::Name { name, slot, .. } = pattern {
+            (self.0)(name, *slot);
         }
         walk_pattern(self, pattern);
     }

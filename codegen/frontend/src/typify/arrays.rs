@@ -2,10 +2,11 @@
 //! matrices from arrays of their elements, `Vector3::from([x, y, z])`, by columns as nalgebra has it, and arrays from matrices.
 
 use bessemer_ir::tree::{self, Builtin, SliceMethod};
-use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, Type};
+use bessemer_ir::{Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, Type};
 
+use super::lengths::size;
 use super::lowering::Lowering;
-use super::value::{SMALL, Slice};
+use super::value::{SMALL, Slice, step_to};
 use super::words;
 use super::{OUR_FAULT, Result, problem};
 
@@ -21,11 +22,8 @@ impl Lowering<'_, '_> {
         let span = self.span(expr.site);
         let (there, array) = (slice.has(len.into(), whole, span), slice.as_array(ty, span));
         let none = self.choice(id, 0, None, expr.site)?;
-        let place = self.temporary_place("part", none);
-        let (held, value) = (place.load(), self.choice(id, 1, Some(array), expr.site)?);
-        let then = Block::of(StmtKind::Assign { place, value }, span);
-        self.emit_if(there, then, span);
-        Ok(held)
+        let some = self.choice(id, 1, Some(array), expr.site)?;
+        Ok(self.either("part", none, (there, some), span))
     }
 
     /// The same behind `unwrap`: a check, and the elements; none if `expr` is something else.
@@ -51,10 +49,10 @@ impl Lowering<'_, '_> {
     /// The `Option` or `Result` of a call, the array in it, and how many elements that has.
     fn array_in(&mut self, expr: &tree::Expr) -> Result<(StructId, Type, u32)> {
         let ty = match self.slot_of(expr)? {
-            Type::Struct(id) => ["Ok", "Some"].iter().find_map(|case| {
-                let field = self.case(id, case)?.1.field?;
-                Some((id, self.cx.field_type(id, field)))
-            }),
+            Type::Struct(id) => {
+                let held = self.going_on(id).and_then(|case| self.payload_type(id, case));
+                held.map(|ty| (id, ty))
+            }
             _ => None,
         };
         match ty {
@@ -100,11 +98,10 @@ impl Lowering<'_, '_> {
             walk.emit(StmtKind::Assign { place, value }, span);
             Ok(())
         };
-        let count = |count: u32| Expr::usize(u64::from(count), span);
         match inner {
-            None => self.below("i", count(outer), span, |walk, i| copy(walk, &[i]))?,
-            Some(rows) => self.below("col", count(outer), span, |walk, col| {
-                walk.below("row", count(rows), span, |walk, row| copy(walk, &[col, row]))
+            None => self.below("i", size(outer, span), span, |walk, i| copy(walk, &[i]))?,
+            Some(rows) => self.below("col", size(outer, span), span, |walk, col| {
+                walk.below("row", size(rows, span), span, |walk, row| copy(walk, &[col, row]))
             })?,
         }
         Ok(result.load())
@@ -137,15 +134,13 @@ fn dimensions(ty: &Type) -> Option<(u32, Option<u32>)> {
 
 /// The part of an array or a matrix at a column and a row, or at an index.
 fn cell(whole: &Place, at: &[Expr], span: Span) -> Place {
-    let zero = Expr::usize(0, span);
     match (&whole.ty, at) {
-        (Type::Matrix { element, rows, .. }, [first, rest @ ..]) => {
-            let (row, col) = match rest {
-                [row, ..] => (row, first),
-                [] if *rows == 1 => (&zero, first),
-                [] => (first, &zero),
+        (Type::Matrix { element, .. }, [first, rest @ ..]) => {
+            let step = match rest {
+                [row, ..] => Step::Element(row.clone(), first.clone()),
+                [] => step_to(&whole.ty, first.clone(), span),
             };
-            whole.inside(Step::Element(row.clone(), col.clone()), Type::Scalar(*element))
+            whole.inside(step, Type::Scalar(*element))
         }
         (Type::Array { element, .. }, [first, rest @ ..]) => {
             cell(&whole.inside(Step::Index(first.clone()), (**element).clone()), rest, span)

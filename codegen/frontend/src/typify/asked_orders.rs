@@ -6,7 +6,7 @@
 use bessemer_ir::tree::{
     self, BinaryOp as Op, Builtin, Callee, ExprKind as Tree, OptionMethod, Site, Ty,
 };
-use bessemer_ir::{Argument, Expr, ExprKind, Scalar, Type};
+use bessemer_ir::{Expr, Scalar, Type};
 
 use super::Result;
 use super::lowering::Lowering;
@@ -64,9 +64,7 @@ impl Lowering<'_, '_> {
                         return Ok(Some(answer));
                     }
                     let order = inner.value(&closure.body, None)?;
-                    let id = inner.function_at(path, site)?;
-                    let call = ExprKind::Call(id, vec![Argument::Value(order)]);
-                    inner.node(call, Type::BOOL, site).map(Some)
+                    inner.call_implied(path, [order], Type::BOOL, site).map(Some)
                 })
             }
             _ => self.answered_of_two(op, order, site),

@@ -13,7 +13,7 @@ use super::pattern::Test;
 use super::syntax::is_rest;
 use super::value::{Slice, Value};
 use super::words;
-use super::{Result, problem};
+use super::{Needed, Result, problem};
 
 impl Lowering<'_, '_> {
     /// The slice that a method of slices lends or that an expression is; none if it is neither.
@@ -179,9 +179,11 @@ impl Lowering<'_, '_> {
 
     /// `*part`: its elements as an array.
     pub(super) fn part_value(&mut self, part: &Slice, site: Site) -> Result<Expr> {
-        let Some(len) = number(&part.length).and_then(|length| u32::try_from(length).ok()) else {
-            return problem(site, "a slice is no value", "match what `&` refers to");
-        };
+        let len = number(&part.length).and_then(|length| u32::try_from(length).ok()).or_told(
+            site,
+            "a slice is no value",
+            "match what `&` refers to",
+        )?;
         let ty = Type::Array { element: Box::new(part.element.clone()), len };
         Ok(part.as_array(ty, self.span(site)))
     }

@@ -19,7 +19,7 @@ use super::order::is_free;
 use super::syntax::is_named;
 use super::value::Value;
 use super::words;
-use super::{OUR_FAULT, Result, problem, struct_of};
+use super::{Needed, OUR_FAULT, Result, problem, struct_of};
 
 /// A container in its place.
 struct Bounded {
@@ -106,10 +106,7 @@ impl Lowering<'_, '_> {
     fn list(&mut self, expr: &tree::Expr) -> Result<Bounded> {
         let mut place = self.base(expr)?;
         self.keep_indices(&mut place, |index| !index.is_literal());
-        match self.list_at(&place) {
-            Some(list) => Ok(list),
-            None => problem(expr.site, "this is not a `List`", OUR_FAULT),
-        }
+        self.list_at(&place).needed(expr.site, "this is not a `List`")
     }
 
     /// `list[index]`, `matrix[(row, column)]`: each index is checked against the size, and that against the room that there
@@ -120,15 +117,14 @@ impl Lowering<'_, '_> {
         index: &tree::Expr,
         span: Span,
     ) -> Result<Place> {
-        let mark = self.out.len();
         let is_matrix = self.contained(&place.ty).is_some_and(|(.., columns)| columns.is_some());
-        let mut indices = match is_matrix {
-            true => self.bounded_indices(index)?.into(),
-            false => vec![self.value(index, Some(&Type::USIZE))?],
-        };
-        let later = self.later(mark);
-        self.settle_place(&mut place, &later);
-        self.out.extend(later);
+        let mut indices = self.settling(
+            |inner| match is_matrix {
+                true => inner.bounded_indices(index).map(Vec::from),
+                false => inner.value(index, Some(&Type::USIZE)).map(|index| vec![index]),
+            },
+            |inner, _, later| inner.settle_place(&mut place, later),
+        )?;
         if !is_matrix {
             self.keep_indices(&mut place, |index| !index.is_literal());
             for index in &mut indices {
@@ -301,7 +297,7 @@ impl Lowering<'_, '_> {
         let room = Expr::compare(CompareOp::Le, length.clone(), capacity).at(span);
         self.check(room, Fault::Capacity, span);
         let before = self.temporary("before", list.length.load());
-        let variable = self.counter("i", span);
+        let variable = self.local("i", Type::USIZE, span);
         let place = list.at([Expr::local(variable, &Type::USIZE, span)]);
         let body = Block::of(StmtKind::Assign { place, value }, span);
         self.emit(StmtKind::for_range(variable, before, length.clone(), body), span);

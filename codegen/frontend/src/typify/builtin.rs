@@ -1,13 +1,16 @@
 //! The DSL's own operations: which IR node each is, and the type of its result.
 
 use bessemer_ir::tree::{self, Builtin, MatrixMethod};
-use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
+use bessemer_ir::{
+    Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, StmtKind, Type, UnaryOp,
+};
 
 use super::expr::Call;
 use super::kernels::shape;
 use super::lengths::size;
 use super::lowering::Lowering;
 use super::numbers::number;
+use super::order::is_free;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem};
 
@@ -75,8 +78,20 @@ impl Lowering<'_, '_> {
     /// How many rows, columns or elements a matrix has.
     fn size(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
-        let shape = shape(&self.type_alone(&arguments[0])?);
-        let (_, rows, cols) = shape.needed(expr.site, "this takes a matrix or vector")?;
+        let ty = match self.submatrix(&arguments[0])? {
+            Some(part) => part.ty(),
+            None => {
+                let value = self.value(&arguments[0], None)?;
+                let ty = value.ty.clone();
+                // Nothing of it is asked, but what it does is done, and its faults are faults.
+                if !is_free(&value) {
+                    let span = value.span;
+                    self.emit(StmtKind::Expr(value), span);
+                }
+                ty
+            }
+        };
+        let (_, rows, cols) = shape(&ty).needed(expr.site, "this takes a matrix or vector")?;
         let count = match method {
             MatrixMethod::Rows => rows,
             MatrixMethod::Cols => cols,

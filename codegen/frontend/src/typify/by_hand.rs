@@ -7,7 +7,7 @@
 //!
 //! Must not know: which methods end an iterator.
 
-use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
+use bessemer_ir::tree::visit::{Visit, Walk, walk_expr, walk_stmt};
 use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Order, Pattern, Site, Stmt};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Int, Scalar, Span, Stmt as Made, StmtKind, Type,
@@ -181,20 +181,10 @@ fn is_for_each(function: &tree::Function) -> bool {
     else {
         return false;
     };
-    let mut loops = Loops(false);
-    loops.block(pass);
-    body.tail.is_none() && cuts.is_empty() && parts.len() == 1 && !loops.0
-}
-
-/// Looks for a loop, or the end of one.
-struct Loops(bool);
-
-impl Visit for Loops {
-    fn expr(&mut self, expr: &tree::Expr) {
-        use Tree::{Break, Each, For, While};
-        self.0 |= matches!(expr.kind, Break(..) | For { .. } | Each { .. } | While { .. });
-        walk_expr(self, expr);
-    }
+    use Tree::{Break, Each, For, While};
+    let loops =
+        |it: &tree::Expr| matches!(it.kind, Break(..) | For { .. } | Each { .. } | While { .. });
+    body.tail.is_none() && cuts.is_empty() && parts.len() == 1 && !pass.any_expr(loops)
 }
 
 /// How often a name stands where a function runs: in a loop, more than once.

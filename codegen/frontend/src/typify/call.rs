@@ -90,7 +90,7 @@ impl<'a> Lowering<'a, '_> {
             passed.extend(lenders);
         }
         passed.extend(more);
-        self.keep_copies(&mut passed);
+        self.keep_copies(&mut passed)?;
         if self.cx.given_back.get(&id).is_some_and(|given| !given.is_empty()) {
             self.settle_lent(&mut passed);
         }
@@ -140,8 +140,9 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Makes the copies that are passed beside what they are copied from, where a call may write that: `v.axpy(a, &v.clone(), b)`.
-    fn keep_copies(&mut self, passed: &mut [Argument]) {
-        let lent: Vec<_> = passed.iter().filter_map(lent).cloned().collect();
+    fn keep_copies(&mut self, passed: &mut [Argument]) -> Result<()> {
+        let written = passed.iter().filter_map(lent).filter(|(_, written)| *written);
+        let lent: Vec<_> = written.map(|(place, _)| place.clone()).collect();
         for index in 0..passed.len() {
             let (before, [argument, ..]) = passed.split_at_mut(index) else { break };
             // What is computed is held anyway; a place would be passed itself.
@@ -150,34 +151,30 @@ impl<'a> Lowering<'a, '_> {
                 && !matches!(value.ty, Type::Slice(_))
                 && effects::reads(value, &lent)
             {
-                let mark = self.out.len();
-                *value = self.temporary(words::ARGUMENT, value.clone());
-                let later = self.later(mark);
-                self.settle_arguments(before, &later);
-                self.out.extend(later);
+                *value = self.settling(
+                    |inner| Ok(inner.temporary(words::ARGUMENT, value.clone())),
+                    |inner, _, later| inner.settle_arguments(before, later),
+                )?;
             }
         }
+        Ok(())
     }
 }
 
-/// The place that an argument lends to be written.
-fn lent(argument: &Argument) -> Option<&Place> {
+/// The place that an argument lends, and whether to be written.
+pub(super) fn lent(argument: &Argument) -> Option<(&Place, bool)> {
     match argument {
-        Argument::RefMut(place) => Some(place),
+        Argument::RefMut(place) => Some((place, true)),
+        Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => Some((place, false)),
         _ => None,
     }
 }
 
 /// Refuses two values whose slices one array lends, one of them to be written: the C would be lent the array twice.
 fn lent_twice(passed: &[Argument], lenders: &[Argument], site: Site) -> Result<()> {
-    let lent = |argument: &Argument| match argument {
-        Argument::RefMut(place) => Some((place.clone(), true)),
-        Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => Some((place.clone(), false)),
-        _ => None,
-    };
-    let lenders: Vec<_> = lenders.iter().filter_map(lent).collect();
     let hurt = passed.iter().filter_map(lent).any(|(earlier, mutable)| {
-        lenders.iter().any(|(place, also)| (mutable || *also) && effects::overlap(&earlier, place))
+        let mut lenders = lenders.iter().filter_map(lent);
+        lenders.any(|(place, also)| (mutable || also) && effects::overlap(earlier, place))
     });
     if hurt {
         return problem(

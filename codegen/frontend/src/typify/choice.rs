@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use bessemer_ir::tree::visit::{Bound, Visit};
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
     Arm, Block, Expr, ExprKind, Int, LogicOp, Place, Scalar, Span, StmtKind, StructId, Type,
@@ -11,6 +11,7 @@ use bessemer_ir::{
 use super::conditions::within_any;
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
+use super::subject::taken_name;
 use super::value::Value;
 use super::words;
 use super::{Result, problem};
@@ -63,7 +64,9 @@ impl Lowering<'_, '_> {
         }
         let before = self.locals.len();
         let subject = self.value_subject(value);
-        self.name_held(&subject, before, arms.iter().map(|arm| &arm.pattern));
+        if let Some(name) = arms.iter().find_map(|arm| taken_name(&arm.pattern)) {
+            self.name_held(&subject, before, name);
+        }
         self.subject_arms((subject, scrutinee), arms, target, span)
     }
 
@@ -229,11 +232,11 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let Some(guard) = guard else { return Ok(()) };
         self.alias_names(&test.names);
+        let asked = |inner: &mut Self| inner.value(guard, Some(&Type::BOOL));
+        let span = self.span(site.unwrap_or(guard.site));
         test.condition = Some(match test.condition.take() {
-            Some(test) => {
-                self.short_circuit(LogicOp::And, test, guard, site.unwrap_or(guard.site))?
-            }
-            None => self.value(guard, Some(&Type::BOOL))?,
+            Some(test) => self.short_circuit(LogicOp::And, test, span, asked)?,
+            None => asked(self)?,
         });
         Ok(())
     }
@@ -464,9 +467,7 @@ fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
 }
 
 fn has_names(pattern: &Pattern) -> bool {
-    let mut bound = Bound::default();
-    bound.pattern(pattern);
-    !bound.0.is_empty()
+    !pattern.bound().is_empty()
 }
 
 /// Whether a pattern takes every value, whatever it is of.

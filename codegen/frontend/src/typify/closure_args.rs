@@ -6,14 +6,14 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use bessemer_ir::tree::visit::{Bound, Locals, Visit};
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type};
 
 use super::lowering::{Closure, Lowering, Scope, UNNAMED};
 use super::value::Value;
 use super::words;
-use super::{OUR_FAULT, Result, names, problem};
+use super::{Needed, Result, names, problem};
 use bessemer_ir::effects;
 
 impl<'a> Lowering<'a, '_> {
@@ -55,10 +55,9 @@ impl<'a> Lowering<'a, '_> {
                 let closure = self.written_here(closure.clone());
                 Ok(self.closure(closure))
             }
-            tree::ExprKind::Local(name) => match self.closure_named(name) {
-                Some(closure) => Ok(closure),
-                None => problem(argument.site, "this is not a closure", OUR_FAULT),
-            },
+            tree::ExprKind::Local(name) => {
+                self.closure_named(name).needed(argument.site, "this is not a closure")
+            }
             _ => problem(
                 argument.site,
                 "a function that takes a closure is given one in the DSL",
@@ -223,13 +222,11 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
         end: impl FnOnce(&mut Self, &tree::Closure) -> Result<T>,
     ) -> Result<T> {
-        let Some(handed) = self.closure_named(name).map(|it| Rc::clone(&self.closures[it])) else {
-            return problem(
-                site,
-                "a closure that was handed on is not called in another closure in the DSL",
-                "call it before, and use its value",
-            );
-        };
+        let handed = self.closure_named(name).map(|it| Rc::clone(&self.closures[it])).or_told(
+            site,
+            "a closure that was handed on is not called in another closure in the DSL",
+            "call it before, and use its value",
+        )?;
         let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);
@@ -290,7 +287,7 @@ impl<'a> Lowering<'a, '_> {
         {
             return Ok(parts);
         }
-        if let Some(slice) = self.slice_named(argument)? {
+        if let Some(slice @ Value::Slice(_)) = self.meaning_lent(argument) {
             return Ok(slice);
         }
         let taken = name.and_then(|(_, slot)| handed.source.slots.get(slot as usize));
@@ -315,18 +312,6 @@ impl<'a> Lowering<'a, '_> {
             None => self.temporary(words::ARGUMENT, value),
         };
         Ok(self.value_subject(value))
-    }
-
-    /// The slice that an argument names.
-    fn slice_named(&self, argument: &tree::Expr) -> Result<Option<Value>> {
-        match &argument.kind {
-            tree::ExprKind::Local(name) => {
-                let meaning = self.lookup(name, argument.site)?;
-                Ok(Some(meaning).filter(|it| matches!(it, Value::Slice(_))))
-            }
-            tree::ExprKind::Ref(_, inner) => self.slice_named(inner),
-            _ => Ok(None),
-        }
     }
 
     /// Lowers what stands in a closure, where names mean what they mean there; `each` is what items are handed to.
@@ -423,8 +408,6 @@ pub(super) fn is_hidden(name: &str) -> bool {
 
 /// The names that stand in a closure's body, as far as they are not its own parameters.
 fn names_in(closure: &tree::Closure) -> BTreeSet<String> {
-    let (mut named, mut own) = (Locals::default(), Bound::default());
-    named.expr(&closure.body);
-    closure.parameters.iter().for_each(|parameter| own.pattern(parameter));
-    named.0.difference(&own.0).cloned().collect()
+    let own = closure.parameters.iter().flat_map(Walk::bound).collect();
+    closure.body.locals().difference(&own).cloned().collect()
 }

@@ -11,14 +11,15 @@
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
     Argument, Attributes, Block, CompareOp, EnumId, Expr, ExprKind, Form, Function, FunctionId,
-    Int, LocalId, LogicOp, Mode, Owner, Place, Role, Scalar, Span, Step, Stmt, StmtKind, StructId,
-    Type,
+    Int, LogicOp, Mode, Owner, Place, Role, Scalar, Span, Step, Stmt, StmtKind, StructId, Type,
 };
 
+use super::lengths::size;
 use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
+use super::value::step_to;
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 
 /// Up to so many elements are compared one by one.
 const FEW: u32 = 4;
@@ -151,25 +152,17 @@ impl Lowering<'_, '_> {
                 let kind = ExprKind::Call(function, lent.into());
                 Ok(Expr { kind, ty: Type::BOOL, span })
             }
-            Type::Array { element, len } => self.equal_elements(pair, element, *len, &Step::Index),
+            Type::Array { element, len } => self.equal_elements(pair, element, *len),
             Type::Matrix { element, rows, cols } => {
-                let (element, zero) = (Type::Scalar(*element), || Expr::usize(0, span));
-                let count = |count: u32| Expr::usize(u64::from(count), span);
-                match (*rows, *cols) {
-                    (rows, 1) => {
-                        let step = |row| Step::Element(row, zero());
-                        self.equal_elements(pair, &element, rows, &step)
-                    }
-                    (1, cols) => {
-                        let step = |col| Step::Element(zero(), col);
-                        self.equal_elements(pair, &element, cols, &step)
-                    }
-                    (rows, cols) => self.all_equal(count(cols), span, |inner, col| {
-                        inner.all_equal(count(rows), span, |inner, row| {
-                            inner.equal(&pair.at(&Step::Element(row, col), &element))
-                        })
-                    }),
+                let element = Type::Scalar(*element);
+                if *rows == 1 || *cols == 1 {
+                    return self.equal_elements(pair, &element, rows * cols);
                 }
+                self.all_equal(size(*cols, span), span, |inner, col| {
+                    inner.all_equal(size(*rows, span), span, |inner, row| {
+                        inner.equal(&pair.at(&Step::Element(row, col), &element))
+                    })
+                })
             }
         }
     }
@@ -267,7 +260,9 @@ impl Lowering<'_, '_> {
             };
             let compare = |inner: &mut Self| match condition {
                 None => inner.equal(&part),
-                Some(absent) => inner.or_else(absent, |inner| inner.equal(&part)),
+                Some(absent) => {
+                    inner.short_circuit(LogicOp::Or, absent, part.span, |inner| inner.equal(&part))
+                }
             };
             all = Some(match all {
                 None => compare(self)?,
@@ -277,39 +272,14 @@ impl Lowering<'_, '_> {
         Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
     }
 
-    /// `absent || right`, where `right` may need statements.
-    fn or_else(
-        &mut self,
-        absent: Expr,
-        right: impl FnOnce(&mut Self) -> Result<Expr>,
-    ) -> Result<Expr> {
-        let (right, mut inner) = self.apart(right)?;
-        if inner.is_empty() {
-            return Ok(Expr::logic(LogicOp::Or, absent, right));
-        }
-        let span = right.span;
-        let place = self.temporary_place("equal", Expr::bool(true, span));
-        let held = place.load();
-        inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
-        self.emit_if(absent.negated(), Block(inner), span);
-        Ok(held)
-    }
-
-    fn equal_elements(
-        &mut self,
-        pair: &Pair,
-        element: &Type,
-        len: u32,
-        step: &dyn Fn(Expr) -> Step,
-    ) -> Result<Expr> {
+    fn equal_elements(&mut self, pair: &Pair, element: &Type, len: u32) -> Result<Expr> {
         let pair = Pair { span: pair.sides[0].span, ..pair.clone() };
-        let number = |number: u32| Expr::usize(u64::from(number), pair.span);
+        let at = |index| pair.at(&step_to(&pair.sides[0].ty, index, pair.span), element);
         if len > FEW || !element.is_word() {
-            return self.all_equal(number(len), pair.span, |inner, index| {
-                inner.equal(&pair.at(&step(index), element))
-            });
+            let len = size(len, pair.span);
+            return self.all_equal(len, pair.span, |inner, index| inner.equal(&at(index)));
         }
-        let same = (0..len).map(|index| self.equal(&pair.at(&step(number(index)), element)));
+        let same = (0..len).map(|index| self.equal(&at(size(index, pair.span))));
         let same: Vec<Expr> = same.collect::<Result<_>>()?;
         let all = same.into_iter().reduce(|all, next| Expr::logic(LogicOp::And, all, next));
         Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
@@ -324,22 +294,14 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let flag = self.temporary_place("equal", Expr::bool(true, span));
         let held = flag.load();
-        let variable = self.counter("i", span);
-        let body = self.scoped(|inner| {
-            let place = Place::local(variable, Type::USIZE, span);
-            let same = equal(inner, place.load())?;
+        self.below("i", count, span, |inner, index| {
+            let same = equal(inner, index)?;
             let unequal = StmtKind::Assign { place: flag, value: Expr::bool(false, span) };
             let then = vec![Stmt::new(unequal, span), Stmt::new(StmtKind::Break, span)];
             inner.emit_if(opposite(same), Block(then), span);
             Ok(())
         })?;
-        self.emit(StmtKind::for_range(variable, Expr::usize(0, span), count, body), span);
         Ok(held)
-    }
-
-    /// A local that counts.
-    pub(super) fn counter(&mut self, name: &str, span: Span) -> LocalId {
-        self.local(name, Type::USIZE, span)
     }
 
     /// `left < right` and the like of two values of several words.
@@ -354,13 +316,7 @@ impl Lowering<'_, '_> {
         if self.cx.known(&sides[0].ty).reversed {
             sides.reverse();
         }
-        let Some(steps) = self.steps_to_parts(&sides[0]) else {
-            return problem(
-                site,
-                "this has no order in the DSL",
-                "compare parts; tuples have an order, arrays of up to 8 elements, and plain enums and structs that derive `PartialOrd` below `#[data]`",
-            );
-        };
+        let steps = self.steps_to_parts(&sides[0]).or_told(site, "this has no order in the DSL", "compare parts; tuples have an order, arrays of up to 8 elements, and plain enums and structs that derive `PartialOrd` below `#[data]`")?;
         let strict = match op {
             CompareOp::Le => CompareOp::Lt,
             CompareOp::Ge => CompareOp::Gt,
@@ -379,10 +335,7 @@ impl Lowering<'_, '_> {
                 }
             });
         }
-        match decided {
-            Some(decided) => Ok(decided),
-            None => problem(site, "what is empty has no order in the DSL", "leave it out"),
-        }
+        decided.or_told(site, "what is empty has no order in the DSL", "leave it out")
     }
 
     /// The number of an enum that `<` compares.

@@ -24,10 +24,7 @@ impl Lowering<'_, '_> {
                 let test = self.test(pattern, &subject, expr.site)?;
                 self.alias_names(&test.names);
                 names.extend(test.names);
-                match test.condition {
-                    Some(test) => Ok(test),
-                    None => self.node(ExprKind::Literal(1), Type::BOOL, expr.site),
-                }
+                Ok(test.condition.unwrap_or_else(|| Expr::bool(true, self.span(expr.site))))
             }
             Tree::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
                 let left = self.pattern_condition(left, names)?;
@@ -86,8 +83,38 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `left && right`, where `right` may need statements, which then run only if `left` holds. What
-    /// they declare can be read behind them.
+    /// `&&` and `||`: where the right side needs statements, they run only if it does.
+    pub(super) fn short_circuit(
+        &mut self,
+        op: LogicOp,
+        left: Expr,
+        span: Span,
+        right: impl FnOnce(&mut Self) -> Result<Expr>,
+    ) -> Result<Expr> {
+        let (right, inner) = self.apart(right)?;
+        match inner.is_empty() {
+            true => Ok(Expr::logic(op, left, right).at(span)),
+            false => Ok(self.right_behind(op, left, right, inner)),
+        }
+    }
+
+    /// The same of a right side that needs statements.
+    fn right_behind(&mut self, op: LogicOp, left: Expr, right: Expr, mut inner: Vec<Stmt>) -> Expr {
+        let span = left.span;
+        let place = self.temporary_place("holds", left);
+        let held = place.load();
+        if op == LogicOp::Or || right.kind != ExprKind::Literal(1) {
+            inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
+        }
+        let condition = match op {
+            LogicOp::And => held.clone(),
+            LogicOp::Or => held.clone().negated(),
+        };
+        self.emit_if(condition, Block(inner), span);
+        held
+    }
+
+    /// `left && right`, the same, but what the statements declare can be read behind them.
     pub(super) fn and_then(
         &mut self,
         left: Expr,
@@ -101,7 +128,6 @@ impl Lowering<'_, '_> {
             self.out.extend(inner);
             return Ok(right);
         }
-        let span = right.span;
         let mut kept = Vec::new();
         for stmt in inner {
             let Stmt { kind: StmtKind::Let { local, value }, span, comments } = stmt else {
@@ -121,14 +147,7 @@ impl Lowering<'_, '_> {
             let assign = value.map(|value| StmtKind::Assign { place, value });
             kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
         }
-        let mut inner = kept;
-        let held = self.temporary("holds", left);
-        if let (ExprKind::Load(place), true) = (&held.kind, right.kind != ExprKind::Literal(1)) {
-            let kind = StmtKind::Assign { place: place.clone(), value: right };
-            inner.push(Stmt::new(kind, span));
-        }
-        self.emit_if(held.clone(), Block(inner), span);
-        Ok(held)
+        Ok(self.right_behind(LogicOp::And, left, right, kept))
     }
 }
 

@@ -10,7 +10,7 @@ use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
 use super::value::Value;
 use super::words;
-use super::{OUR_FAULT, Result, order, problem};
+use super::{Needed, Result, order, problem};
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
@@ -126,20 +126,15 @@ impl Lowering<'_, '_> {
         else {
             return problem(site, "`?` takes an `Option` or a `Result`", "`match` on the value");
         };
-        let (taken, left) = match self.case(id, "Some") {
-            Some(some) => (some, "None"),
-            None => match self.case(id, "Ok") {
-                Some(ok) => (ok, "Err"),
-                None => return problem(site, "`?` takes an `Option` or a `Result`", OUR_FAULT),
-            },
-        };
-        let Some((word, case)) = self.case(result, left) else {
-            return problem(site, "this does not fit the result of the function", OUR_FAULT);
-        };
-        let from = self.case(id, left).and_then(|(_, case)| case.field);
-        let payload = from.map(|field| self.part(&place, id, field as usize).load());
+        let taken = self.going_on(id).and_then(|name| self.variant_at(&place, id, name));
+        let (taken, value) = taken.needed(site, "`?` takes an `Option` or a `Result`")?;
+        let left = if self.case(id, "None").is_some() { "None" } else { "Err" };
+        let (word, case) =
+            self.case(result, left).needed(site, "this does not fit the result of the function")?;
+        let payload = self.variant_at(&place, id, left).and_then(|(_, from)| from);
+        let payload = payload.map(|from| from.load());
         let wanted = case.field.map(|field| self.cx.field_type(result, field));
-        let condition = self.tag_is(&place, id, taken.0).negated();
+        let condition = self.tag_is(&place, id, taken).negated();
         let then = self.scoped(|inner| {
             let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;
             let leave = inner.choice(result, word, payload, site)?;
@@ -150,7 +145,6 @@ impl Lowering<'_, '_> {
             }
         })?;
         self.emit_if(condition, then, span);
-        let value = taken.1.field.map(|field| self.part(&place, id, field as usize));
         Ok(value.map(|value| value.load()))
     }
 
@@ -514,11 +508,10 @@ impl Lowering<'_, '_> {
     /// The place that an assignment writes.
     pub(super) fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
         self.not_coords(expr)?;
-        match self.place(expr)? {
-            Some(place) => Ok(place),
-            None => {
-                problem(expr.site, "this is not a place to assign", "assign a variable or a field")
-            }
-        }
+        self.place(expr)?.or_told(
+            expr.site,
+            "this is not a place to assign",
+            "assign a variable or a field",
+        )
     }
 }

@@ -10,7 +10,7 @@ use bessemer_ir::{Block, Expr, ExprKind, Place, Step, StmtKind, Type};
 use super::lowering::Lowering;
 use super::pattern::{Test, aligned};
 use super::value::Value;
-use super::{Result, problem};
+use super::{Needed, Result, problem};
 
 /// A pattern, and what is done with what it takes.
 type Arm<'t> = (&'t Pattern, Cow<'t, tree::Expr>);
@@ -69,12 +69,6 @@ impl Lowering<'_, '_> {
                 self.emit(StmtKind::Expr(value), span);
                 Ok(())
             }
-            (_, _) if self.holds_nothing(value) => {
-                self.effect(value)?;
-                let names = Self::take_nothing(pattern, value.site).names;
-                bound.extend(names.into_iter().map(|named| (named.name, Value::Nothing)));
-                Ok(())
-            }
             (Pattern::Name { name, slot, inner: None, .. }, _)
                 if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
             {
@@ -82,7 +76,7 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             (Pattern::Name { name, slot, inner: None, .. }, _)
-                if !self.slot_is_reference(*slot, value.site)? =>
+                if !self.holds_nothing(value) && !self.slot_is_reference(*slot, value.site)? =>
             {
                 let ty = self.slot(*slot, value.site)?;
                 let lowered = self.naming_as(&**name, |inner| inner.value(value, Some(&ty)))?;
@@ -112,13 +106,11 @@ impl Lowering<'_, '_> {
             Value::Tuple(_, Some(ty)) => self.whole(tuple, ty, site),
             _ => None,
         };
-        let Some(made) = made else {
-            return problem(
-                site,
-                "a tuple with a slice in it, or with what may be changed, is not made in the DSL",
-                "take it apart where it is named: `|(a, b)| …`",
-            );
-        };
+        let made = made.or_told(
+            site,
+            "a tuple with a slice in it, or with what may be changed, is not made in the DSL",
+            "take it apart where it is named: `|(a, b)| …`",
+        )?;
         Ok(made)
     }
 
@@ -139,14 +131,9 @@ impl Lowering<'_, '_> {
 
     /// The parts of such a tuple, if an expression names it.
     pub(super) fn parts_named(&self, expr: &tree::Expr) -> Option<Value> {
-        match &expr.kind {
-            Tree::Local(name) => {
-                self.lookup(name, expr.site).ok().filter(|it| matches!(it, Value::Tuple(..)))
-            }
-            Tree::Ref(_, inner) => self.parts_named(inner),
-            _ => None,
-        }
+        self.meaning_lent(expr).filter(|it| matches!(it, Value::Tuple(..)))
     }
+
     /// `let name = match lent { Some(x) => x, None => return 0 };`, where `x` refers to a place: all arms but one leave, so the
     /// name is that of the place which the one gives. Says whether a value is of that kind.
     pub(super) fn alias_of_arm(

@@ -187,9 +187,7 @@ impl Lowering<'_, '_> {
             (Some(Ty::Option(_)), _) => true,
             (Some(Ty::Ref(inner, _)), _) => matches!(**inner, Ty::Option(_)),
             (None, Tree::Local(_) | Tree::Field(..) | Tree::Ref(..)) => match self.place_type(of) {
-                Ok(Type::Struct(id)) => {
-                    ["Some", "None"].iter().all(|name| self.case(id, name).is_some())
-                }
+                Ok(Type::Struct(id)) => self.going_on(id) == Some("Some"),
                 _ => false,
             },
             _ => false,

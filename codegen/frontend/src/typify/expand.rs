@@ -13,7 +13,7 @@ use bessemer_ir::{Expr, ExprKind, Type};
 
 use super::call::Called;
 use super::items::begins_at_once;
-use super::lowering::{Lowering, Scope};
+use super::lowering::{Lowering, Scope, local_since};
 use super::syntax::generates;
 use super::value::Value;
 use super::{Problem, Result, diagnostic, problem};
@@ -45,11 +45,8 @@ impl<'a> Lowering<'a, '_> {
             None => Ok(inner.nothing(site)),
         })?;
         // A local of its own, which nothing names from here on.
-        if let ExprKind::Load(place) = &value.kind
-            && place.steps.is_empty()
-            && place.root.index() >= before
-        {
-            self.held.insert(place.root);
+        if let ExprKind::Load(place) = &value.kind {
+            self.held.extend(local_since(place, before));
         }
         Ok(value)
     }

@@ -2,13 +2,13 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Place, Routine, Scalar, Stmt,
-    StmtKind, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LocalId, LogicOp, Routine, Scalar, Type,
+    UnaryOp,
 };
 
 use super::function::takes_closures;
 use super::lengths::plus;
-use super::lowering::{Lowering, Target};
+use super::lowering::Lowering;
 use super::syntax::{control_with_value, is_question, numbered};
 use super::words;
 use super::{Needed, OUR_FAULT, Result, literal, order, problem};
@@ -66,9 +66,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let site = expr.site;
         match &expr.kind {
-            tree::ExprKind::Bool(value) => {
-                self.node(ExprKind::Literal(u64::from(*value)), Type::BOOL, site)
-            }
+            tree::ExprKind::Bool(value) => Ok(Expr::bool(*value, self.span(site))),
             tree::ExprKind::Int(digits, suffix) => {
                 self.integer(digits, false, *suffix, expected, site)
             }
@@ -112,18 +110,13 @@ impl Lowering<'_, '_> {
                 (None, Some(Type::Struct(id))) => self.parts(*id, &numbered(parts), None, expr),
                 _ => self.constructed("", parts, None, expr),
             },
-            tree::ExprKind::Try(label, operand) => {
-                match self.try_value(label.as_deref(), operand, site)? {
-                    Some(value) => Ok(value),
-                    None => problem(site, "this has no value", "write it as a statement"),
-                }
-            }
+            tree::ExprKind::Try(label, operand) => self
+                .try_value(label.as_deref(), operand, site)?
+                .or_told(site, "this has no value", "write it as a statement"),
             tree::ExprKind::Array(elements) => self.array(elements, expr),
             tree::ExprKind::Repeat(element) => {
                 let ty = self.slot_of(expr)?;
-                let Type::Array { element: inner, .. } = &ty else {
-                    return problem(site, "this is not an array", OUR_FAULT);
-                };
+                let inner = elements_of(&ty).needed(site, "this is not an array")?;
                 let element = self.value(element, Some(inner))?;
                 self.node(ExprKind::Splat(Box::new(element)), ty, site)
             }
@@ -218,8 +211,9 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         if let Plain::Logic(op) = plain(op) {
-            let left = self.value(left, Some(&Type::BOOL))?;
-            return self.short_circuit(op, left, right, expr.site);
+            let (left, span) = (self.value(left, Some(&Type::BOOL))?, self.span(expr.site));
+            return self
+                .short_circuit(op, left, span, |inner| inner.value(right, Some(&Type::BOOL)));
         }
         if let Some(callee) = self.operator(expr.slot).cloned() {
             return self.call_of(&callee, &[left.clone(), right.clone()], expr);
@@ -253,7 +247,7 @@ impl Lowering<'_, '_> {
     /// The other side of a comparison with a literal.
     fn literal_partner(&mut self, left: &tree::Expr, right: &tree::Expr) -> Result<Option<Type>> {
         for (one, other) in [(left, right), (right, left)] {
-            if is_unsuffixed(one) && !is_unsuffixed(other) {
+            if one.is_unsuffixed() && !other.is_unsuffixed() {
                 return self.type_alone(other).map(Some);
             }
         }
@@ -266,9 +260,20 @@ impl Lowering<'_, '_> {
         let open = self.lenders.open();
         let ty = self.read(expr, None).map(|value| value.ty);
         self.out = statements;
-        self.locals.truncate(locals);
         self.lenders.forget(open);
+        self.forget_locals(locals);
         ty
+    }
+
+    /// Drops all locals but the first ones, and what is known of them: others will have their numbers.
+    fn forget_locals(&mut self, first: usize) {
+        let stays = |local: &LocalId| local.index() < first;
+        self.locals.truncate(first);
+        self.lenders.taken.retain(stays);
+        self.hands.retain(|_, hand| stays(&hand.taken.1));
+        for known in [&mut self.held, &mut self.steady, &mut self.valued] {
+            known.retain(stays);
+        }
     }
 
     /// The expected type of the right operand of an arithmetic operator.
@@ -367,38 +372,13 @@ impl Lowering<'_, '_> {
         self.routine_node(routine, arguments, ty, site)
     }
 
-    /// `&&` and `||`: where the right side needs statements, they run only if it does.
-    pub(super) fn short_circuit(
-        &mut self,
-        op: LogicOp,
-        left: Expr,
-        right: &tree::Expr,
-        site: Site,
-    ) -> Result<Expr> {
-        let (right, mut inner) = self.apart(|inner| inner.value(right, Some(&Type::BOOL)))?;
-        if inner.is_empty() {
-            return Ok(Expr::logic(op, left, right).at(self.span(site)));
-        }
-        let place = self.temporary_place("holds", left);
-        let (held, span) = (place.load(), place.span);
-        inner.push(Stmt::new(StmtKind::Assign { place, value: right }, span));
-        let condition = match op {
-            LogicOp::And => held.clone(),
-            LogicOp::Or => held.clone().negated(),
-        };
-        self.emit_if(condition, bessemer_ir::Block(inner), span);
-        Ok(held)
-    }
-
     fn array(&mut self, elements: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
-        let Type::Array { element, .. } = &ty else {
-            return problem(expr.site, "this is not an array", OUR_FAULT);
-        };
+        let element = elements_of(&ty).needed(expr.site, "this is not an array")?.clone();
         if let Some(moved) = elements.iter().find(|it| self.is_submatrix(it)) {
             return Self::moved_part(moved.site);
         }
-        let elements = self.alike(elements, Some((**element).clone()), &[])?;
+        let elements = self.alike(elements, Some(element), &[])?;
         self.node(ExprKind::Array(elements), ty, expr.site)
     }
 
@@ -419,10 +399,7 @@ impl Lowering<'_, '_> {
         self.naming_scope(|inner| {
             let mut test = inner.test(&arm.pattern, &subject, site)?;
             inner.guard(&mut test, arm.guard.as_ref(), Some(site))?;
-            match test.condition {
-                Some(condition) => Ok(condition),
-                None => inner.node(ExprKind::Literal(1), Type::BOOL, site),
-            }
+            Ok(test.condition.unwrap_or_else(|| Expr::bool(true, inner.span(site))))
         })
     }
 
@@ -433,12 +410,8 @@ impl Lowering<'_, '_> {
             _ => self.slot_of(expr)?,
         };
         let span = self.span(expr.site);
-        let local = self.temporary_local("choice", ty.clone(), span);
-        let first = self.before_loop(expr, &ty, span);
-        self.emit(StmtKind::Let { local, value: first }, span);
-        let place = Place::local(local, ty.clone(), span);
-        self.into(expr, &Target::Place(place.clone()))?;
-        Ok(place.load())
+        let name = self.temporary_name("choice");
+        Ok(self.decided_by(name, ty, Some(expr), span)?.load())
     }
 
     /// Lowers operands left to right. Where a later one needs statements, what came before and could
@@ -512,19 +485,16 @@ impl Lowering<'_, '_> {
     }
 }
 
-pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
-    match <[T; 2]>::try_from(values) {
-        Ok(values) => Ok(values),
-        Err(_) => problem(site, "this takes two operands", OUR_FAULT),
+/// The type of the elements of an array.
+fn elements_of(ty: &Type) -> Option<&Type> {
+    match ty {
+        Type::Array { element, .. } => Some(element),
+        _ => None,
     }
 }
 
-fn is_unsuffixed(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Int(_, None) | tree::ExprKind::Float(_, None) => true,
-        tree::ExprKind::Unary(_, operand) => is_unsuffixed(operand),
-        _ => false,
-    }
+pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
+    <[T; 2]>::try_from(values).ok().needed(site, "this takes two operands")
 }
 
 /// The type of the elements of a matrix, or of anything else itself.

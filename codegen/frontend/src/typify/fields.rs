@@ -5,10 +5,10 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, StmtKind, StructId, Type};
 
 use super::expr::Operand;
 use super::generic::Case;
-use super::lowering::Lowering;
+use super::lowering::{Lowering, local_since};
 use super::order::{has_effect, is_free};
 use super::syntax::numbered;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
     /// `Name { field: value, ..base }`: a struct, or a variant.
@@ -90,10 +90,9 @@ impl Lowering<'_, '_> {
         for (index, field) in definition.fields.iter().enumerate() {
             parts.push(match index {
                 0 => Expr::literal(word, field.ty.clone(), span),
-                _ if definition.holds(index, word) => match payload.take() {
-                    Some(payload) => payload,
-                    None => return problem(site, "the payload is missing", OUR_FAULT),
-                },
+                _ if definition.holds(index, word) => {
+                    payload.take().needed(site, "the payload is missing")?
+                }
                 _ => self.zero(&field.ty, span),
             });
         }
@@ -144,9 +143,8 @@ impl Lowering<'_, '_> {
             None => None,
         };
         // Where the rest is a value that was held just now, that becomes the struct.
-        let is_made = |it: &&Place| {
-            it.root.index() >= before && it.steps.is_empty() && self.held.contains(&it.root)
-        };
+        let is_made =
+            |it: &&Place| local_since(it, before).is_some_and(|it| self.held.contains(&it));
         if let Some(made) = rest.as_ref().filter(is_made) {
             for ((value, at), (_, expr)) in values.into_iter().zip(&places).zip(fields) {
                 let Some(at) = at else { continue };
@@ -204,12 +202,10 @@ impl Lowering<'_, '_> {
         fields: &[(String, tree::Expr)],
         rest: &tree::Expr,
     ) -> Result<Place> {
-        let mark = self.out.len();
-        let place = self.base(rest)?;
-        let later = self.later(mark);
         let names = fields.iter().map(|(name, _)| name.as_str());
-        self.settle_all(values.iter_mut().zip(names), &later);
-        self.out.extend(later);
-        Ok(place)
+        self.settling(
+            |inner| inner.base(rest),
+            |inner, _, later| inner.settle_all(values.iter_mut().zip(names), later),
+        )
     }
 }

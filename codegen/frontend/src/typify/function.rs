@@ -9,7 +9,7 @@ use bessemer_ir::{
 };
 
 use super::borrowed::{Lenders, Path};
-use super::lowering::{Lowering, RESULT, Target, UNNAMED};
+use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
 use super::syntax::{Writes, control_with_value, ends_in_loop};
 use super::value::Value;
@@ -323,7 +323,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The value of a local that a loop assigns: C compilers do not see that the loop runs.
-    pub(super) fn before_loop(&self, value: &tree::Expr, ty: &Type, span: Span) -> Option<Expr> {
+    fn before_loop(&self, value: &tree::Expr, ty: &Type, span: Span) -> Option<Expr> {
         (ends_in_loop(value) && *ty != Type::Unit).then(|| self.zero(ty, span))
     }
 
@@ -494,14 +494,14 @@ impl Lowering<'_, '_> {
     /// The local that a value was put together in, and nothing else: it can have the author's name.
     fn made_for(&mut self, value: &Expr, since: usize) -> Option<LocalId> {
         match &value.kind {
-            ExprKind::Load(place) if place.steps.is_empty() && place.root.index() >= since => {
-                self.held.remove(&place.root).then_some(place.root)
+            ExprKind::Load(place) => {
+                local_since(place, since).filter(|local| self.held.remove(local))
             }
             _ => None,
         }
     }
 
-    /// `let name = if …`: declared first, then assigned on every path.
+    /// `let name = if …`.
     pub(super) fn let_control(
         &mut self,
         name: &str,
@@ -509,15 +509,25 @@ impl Lowering<'_, '_> {
         value: Option<&tree::Expr>,
         span: Span,
     ) -> Result<()> {
+        let place = self.decided_by(name.to_owned(), ty, value, span)?;
+        self.bind(name, Value::Local(place.root));
+        Ok(())
+    }
+
+    /// A local that control flow decides: declared first, then assigned on every path.
+    pub(super) fn decided_by(
+        &mut self,
+        name: String,
+        ty: Type,
+        value: Option<&tree::Expr>,
+        span: Span,
+    ) -> Result<Place> {
         let local = self.local(name, ty.clone(), span);
         let first = value.and_then(|value| self.before_loop(value, &ty, span));
         self.emit(StmtKind::Let { local, value: first }, span);
-        if let Some(value) = value {
-            let place = Place::local(local, ty, span);
-            self.into(value, &Target::Place(place))?;
-        }
-        self.bind(name, Value::Local(local));
-        Ok(())
+        let place = Place::local(local, ty, span);
+        value.map_or(Ok(()), |value| self.into(value, &Target::Place(place.clone())))?;
+        Ok(place)
     }
 
     /// A temporary that holds `value`; named for what it is part of.
@@ -564,11 +574,7 @@ impl Lowering<'_, '_> {
         self.emit(StmtKind::if_then(condition, then), span);
     }
 
-    pub(super) fn temporary_local(&mut self, role: &str, ty: Type, span: Span) -> LocalId {
-        self.local(self.temporary_name(role), ty, span)
-    }
-
-    fn temporary_name(&self, role: &str) -> String {
+    pub(super) fn temporary_name(&self, role: &str) -> String {
         if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) }
     }
 

@@ -7,15 +7,16 @@ use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
 use bessemer_ir::tree::{
     self, Builtin, Desugared, EACH, ExprKind as Tree, Pattern, Start, Together,
 };
-use bessemer_ir::{Expr, ExprKind, Float, LocalId, Scalar, Stmt, StmtKind, Type};
+use bessemer_ir::{Expr, LocalId, Scalar, Stmt, StmtKind, Type};
 
 use super::items::handing;
 use super::lowering::Lowering;
+use super::numbers::float;
 use super::order::{is_free, is_settled};
 use super::rewrite::rewritten;
 use super::value::Value;
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
     /// What a call stands for; none if `expr` is something else.
@@ -85,13 +86,11 @@ impl Lowering<'_, '_> {
             Type::Struct(id) => self.going_on(id),
             _ => None,
         };
-        let Some(case) = case else {
-            return problem(
-                expr.site,
-                "a `try_fold` gives an `Option` or a `Result` in the DSL",
-                "let its closure give one",
-            );
-        };
+        let case = case.or_told(
+            expr.site,
+            "a `try_fold` gives an `Option` or a `Result` in the DSL",
+            "let its closure give one",
+        )?;
         let kind = Tree::Constructor(case.to_owned(), vec![value.clone()]);
         self.value(&tree::Expr { kind, site: value.site, slot: expr.slot }, None)
     }
@@ -111,20 +110,17 @@ impl Lowering<'_, '_> {
             return Ok(self.zero(ty, span));
         }
         // Rust's empty sum of floats is -0, which adds nothing to anything.
-        let float = if number == 0.0 { -0.0 } else { number };
-        let word = match ty {
-            Type::Scalar(Scalar::Float(Float::F64)) => float.to_bits(),
-            Type::Scalar(Scalar::Float(Float::F32)) => u64::from((float as f32).to_bits()),
-            Type::Scalar(Scalar::Int(_)) => number as u64,
-            _ => {
-                return problem(
-                    expr.site,
-                    "only numbers and matrices are summed up in the DSL",
-                    "use `fold`",
-                );
-            }
-        };
-        self.node(ExprKind::Literal(word), ty.clone(), expr.site)
+        let double = if number == 0.0 { -0.0 } else { number };
+        let span = self.span(expr.site);
+        match ty {
+            Type::Scalar(Scalar::Float(_)) => Ok(float(double, double as f32, ty, span)),
+            Type::Scalar(Scalar::Int(_)) => Ok(Expr::literal(number as u64, ty.clone(), span)),
+            _ => problem(
+                expr.site,
+                "only numbers and matrices are summed up in the DSL",
+                "use `fold`",
+            ),
+        }
     }
 }
 

@@ -18,7 +18,7 @@ use bessemer_ir::{Expr, Int, Scalar, StmtKind, Type};
 use super::call::Called;
 use super::each::Each;
 use super::items::handing;
-use super::lowering::{Closure, Lowering};
+use super::lowering::{Closure, Lowering, local_since};
 use super::seq::elements_through;
 use super::syntax::generates;
 use super::value::Value;
@@ -205,13 +205,8 @@ impl<'a> Lowering<'a, '_> {
             _ => {
                 let before = self.locals.len();
                 let subject = self.subject(expr)?;
-                if let (Value::Place(place), Some(tree::Pattern::Name { name, .. })) =
-                    (&subject, taken)
-                    && place.steps.is_empty()
-                    && place.root.index() >= before
-                    && self.held.contains(&place.root)
-                {
-                    self.locals[place.root.index()].name.clone_from(name);
+                if let Some(tree::Pattern::Name { name, .. }) = taken {
+                    self.name_held(&subject, before, name);
                 }
                 Ok(subject)
             }
@@ -221,9 +216,9 @@ impl<'a> Lowering<'a, '_> {
     /// What a subject holds that was computed last, where it is read once, and next.
     pub(super) fn just_computed(&mut self, subject: &Value, before: usize) -> Option<Expr> {
         let Value::Place(place) = subject else { return None };
-        let own = place.steps.is_empty() && place.root.index() >= before;
+        let own = local_since(place, before)?;
         let is_it = |last: &mut bessemer_ir::Stmt| match &last.kind {
-            StmtKind::Let { local, value: Some(_) } => own && *local == place.root,
+            StmtKind::Let { local, value: Some(_) } => *local == own,
             _ => false,
         };
         match self.out.pop_if(is_it)?.kind {

@@ -5,7 +5,7 @@
 //!
 //! Must not know: how lenders are followed ([`lenders`](super::lenders)).
 
-use bessemer_ir::tree::visit::{Visit, walk_pattern};
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
 use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, StmtKind, StructId, Type};
@@ -16,7 +16,7 @@ use super::lowering::{Lowering, UNNAMED};
 use super::syntax::{Writes, control_with_value, slots_of};
 use super::value::{Slice, Value};
 use super::words;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem};
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
@@ -185,9 +185,8 @@ impl Lowering<'_, '_> {
                 let none = self.choice(*id, 0, None, site)?;
                 let place = self.temporary_place(words::FOUND, none);
                 let held = place.load();
-                let Some(inner) = self.payload_type(*id, "Some") else {
-                    return problem(site, "this is not an `Option`", OUR_FAULT);
-                };
+                let inner =
+                    self.payload_type(*id, "Some").needed(site, "this is not an `Option`")?;
                 let then = self.scoped(|it| {
                     let value = it.lent_value(*lent, &inner, site)?;
                     let value = it.choice(*id, 1, Some(value), site)?;
@@ -254,7 +253,8 @@ impl Lowering<'_, '_> {
 
     /// A slice that a loop goes through, whose items have the names of a pattern.
     pub(super) fn gone_through_kept(&mut self, slice: Slice, pattern: &tree::Pattern) -> Slice {
-        let slots = names_of(pattern);
+        let mut slots = Vec::new();
+        pattern.each_name(|_, slot| slots.push(slot));
         let is_read = |slot: &u32| {
             self.source.slots.get(*slot as usize).is_some_and(|ty| !matches!(ty, Ty::Ref(_, true)))
         };
@@ -284,23 +284,6 @@ impl Lowering<'_, '_> {
         }
         self.seen(expr.slot?, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
     }
-}
-
-/// The slots of the names in a pattern.
-fn names_of(pattern: &tree::Pattern) -> Vec<u32> {
-    #[derive(Default)]
-    struct Slots(Vec<u32>);
-    impl Visit for Slots {
-        fn pattern(&mut self, pattern: &tree::Pattern) {
-            if let tree::Pattern::Name { slot, .. } = pattern {
-                self.0.push(*slot);
-            }
-            walk_pattern(self, pattern);
-        }
-    }
-    let mut slots = Slots::default();
-    slots.pattern(pattern);
-    slots.0
 }
 
 /// Whether a part of a value of a type refers to something.

@@ -145,7 +145,7 @@ impl Lowering<'_, '_> {
     }
 
     /// A call of a function that no call names.
-    fn call_implied(
+    pub(super) fn call_implied(
         &mut self,
         path: &str,
         values: impl IntoIterator<Item = Expr>,

@@ -12,7 +12,7 @@ use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
 use super::lowering::Lowering;
-use super::syntax::{Writes, generates};
+use super::syntax::{Writes, bare, generates};
 use super::value::Value;
 
 /// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
@@ -172,6 +172,8 @@ impl<'a> Lowering<'a, '_> {
             self.stand_in(elements, "items%", Value::Submatrix(Box::new(part)));
             return Ok(());
         }
+        // What a slice that is held has is borrowed, and the slice itself is copied.
+        let held = self.is_held_slice(elements);
         match &mut elements.kind {
             Tree::From(first) => {
                 let slot = elements.slot.unwrap_or(NO_SLOT) as usize;
@@ -186,6 +188,7 @@ impl<'a> Lowering<'a, '_> {
                 self.settle_elements(base, owned)?;
                 return self.settle_number(&mut cut.count, "count%", &SIZE);
             }
+            _ if held => {}
             // What is borrowed.
             Tree::Local(name) if !owned || !self.is_changeable(name) => return Ok(()),
             Tree::Field(base, _) if !owned && is_variable(base) => return Ok(()),
@@ -205,6 +208,14 @@ impl<'a> Lowering<'a, '_> {
         };
         self.stand_in(elements, "items%", given);
         Ok(())
+    }
+
+    /// Whether an expression names a slice that a variable holds, which may come to hold another.
+    fn is_held_slice(&mut self, expr: &tree::Expr) -> bool {
+        let named = bare(expr);
+        !self.cx.borrowed.is_empty()
+            && is_variable(named)
+            && self.place_type(named).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some())
     }
 
     /// Copies what a value refers to, which may come to refer to something else.

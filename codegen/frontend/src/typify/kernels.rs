@@ -5,10 +5,11 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, LocalId, Mode,
-    Place, Routine, Scalar, Span, Step, StmtKind, Type, UnaryOp,
+    Argument, BinaryOp, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Mode, Place, Routine,
+    Scalar, Step, StmtKind, Type, UnaryOp,
 };
 
+use super::lengths::size;
 use super::lowering::Lowering;
 use super::words;
 use super::{Context, Needed, OUR_FAULT, Result, problem};
@@ -114,16 +115,18 @@ impl Lowering<'_, '_> {
             return Ok(());
         };
         let element = Type::Scalar(element);
-        let at = |root| Expr::local(root, &Type::USIZE, span);
-        let column = self.counter("column", span);
-        let row = self.counter("row", span);
-        let start = Expr::binary(BinaryOp::Mul, Expr::usize(rows.into(), span), at(column));
-        let index = Expr::binary(BinaryOp::Add, at(row), start);
-        let cell = matrix.inside(Step::Element(at(row), at(column)), element.clone());
-        let part = columns.inside(Step::Index(index), element);
-        let (place, value) = if to_columns { (part, cell.load()) } else { (cell, part.load()) };
-        self.assign_looping(place, value, [(Some(row), rows), (Some(column), cols)], span);
-        Ok(())
+        self.below(words::COLUMN, size(cols, span), span, |walk, column| {
+            walk.below(words::ROW, size(rows, span), span, |walk, row| {
+                let start = Expr::binary(BinaryOp::Mul, size(rows, span), column.clone());
+                let index = Expr::binary(BinaryOp::Add, row.clone(), start);
+                let cell = matrix.inside(Step::Element(row, column), element.clone());
+                let part = columns.inside(Step::Index(index), element);
+                let (place, value) =
+                    if to_columns { (part, cell.load()) } else { (cell, part.load()) };
+                walk.emit(StmtKind::Assign { place, value }, span);
+                Ok(())
+            })
+        })
     }
 
     /// A routine of values: a kernel, where it is large enough for one.
@@ -182,63 +185,41 @@ impl Lowering<'_, '_> {
         }
         let span = self.span(site);
         let result = self.temporary_place(name, self.zero(&ty, span));
-        let row = self.counter_of(rows, "row", span);
-        let col = self.counter_of(cols, "col", span);
-        let mut counters = vec![(row, rows), (col, cols)];
-        let index = |counter: Option<LocalId>| match counter {
-            Some(counter) => Expr::local(counter, &Type::USIZE, span),
-            None => Expr::usize(0, span),
-        };
-        let cell = |matrix: &Place, row, col| {
-            matrix.inside(Step::Element(index(row), index(col)), Type::Scalar(element))
+        let cell = |matrix: &Place, row: &Expr, column: &Expr| {
+            let step = Step::Element(row.clone(), column.clone());
+            matrix.inside(step, Type::Scalar(element))
         };
         // A number is the same at each row and column.
-        let at = |operand: &Expr, row, col| match &operand.kind {
+        let at = |operand: &Expr, row: &Expr, column: &Expr| match &operand.kind {
             ExprKind::Load(matrix) if matches!(matrix.ty, Type::Matrix { .. }) => {
-                cell(matrix, row, col).load()
+                cell(matrix, row, column).load()
             }
             _ => operand.clone(),
         };
         let joined = |op, one, other| Expr::binary(op, one, other).at(span);
-        let place = cell(&result, row, col);
-        let value = match (op, operands.as_slice()) {
-            (Some(op), [one @ Expr { ty: Type::Matrix { cols: terms, .. }, .. }, other])
-                if routine == Routine::Product =>
-            {
-                let k = self.counter_of(*terms, "k", span);
-                counters.insert(0, (k, *terms));
-                let term = joined(op, at(one, row, k), at(other, k, col));
-                joined(BinaryOp::Add, place.load(), term)
-            }
-            (Some(op), [one, other]) => joined(op, at(one, row, col), at(other, row, col)),
-            (None, [one]) => Expr::unary(UnaryOp::Neg, at(one, row, col)).at(span),
-            _ => return problem(site, "this is no matrix", OUR_FAULT),
-        };
-        self.assign_looping(place, value, counters, span);
+        self.each_cell("col", (rows, cols), span, |walk, row, column| {
+            let place = cell(&result, &row, &column);
+            let value = match (op, operands.as_slice()) {
+                (Some(op), [one @ Expr { ty: Type::Matrix { cols: terms, .. }, .. }, other])
+                    if routine == Routine::Product =>
+                {
+                    return walk.below_unless_one("k", *terms, span, |walk, k| {
+                        let term = joined(op, at(one, &row, &k), at(other, &k, &column));
+                        let value = joined(BinaryOp::Add, place.load(), term);
+                        walk.emit(StmtKind::Assign { place, value }, span);
+                        Ok(())
+                    });
+                }
+                (Some(op), [one, other]) => {
+                    joined(op, at(one, &row, &column), at(other, &row, &column))
+                }
+                (None, [one]) => Expr::unary(UnaryOp::Neg, at(one, &row, &column)).at(span),
+                _ => return problem(site, "this is no matrix", OUR_FAULT),
+            };
+            walk.emit(StmtKind::Assign { place, value }, span);
+            Ok(())
+        })?;
         Ok(result.load())
-    }
-
-    /// Assigns in a loop for each counter, innermost first.
-    fn assign_looping(
-        &mut self,
-        place: Place,
-        value: Expr,
-        counters: impl IntoIterator<Item = (Option<LocalId>, u32)>,
-        span: Span,
-    ) {
-        let mut stmt = StmtKind::Assign { place, value };
-        for (counter, count) in counters {
-            if let Some(counter) = counter {
-                let count = Expr::usize(count.into(), span);
-                stmt = StmtKind::for_below(counter, count, Block::of(stmt, span));
-            }
-        }
-        self.emit(stmt, span);
-    }
-
-    /// A counter, unless there is one row or column.
-    fn counter_of(&mut self, count: u32, name: &str, span: Span) -> Option<LocalId> {
-        (count > 1).then(|| self.counter(name, span))
     }
 }
 

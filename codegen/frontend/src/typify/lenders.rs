@@ -17,11 +17,11 @@ use bessemer_ir::{
 };
 
 use super::borrowed::{Awaited, Borrowed, Copied, Path, Spot, in_field, spot_of};
+use super::call::lent;
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
 use super::order::indices;
-use super::value::Slice;
-use super::{Problem, Result, problem};
+use super::{Needed, Problem, Result, problem};
 use bessemer_ir::effects::same_place;
 
 /// The refusal of a slice with two lenders.
@@ -95,17 +95,6 @@ impl Lowering<'_, '_> {
         let joins = both.is_some();
         self.cx.joined.extend(both);
         joins
-    }
-
-    /// All elements of the array that lends a slice.
-    fn all_lent(&mut self, lender: &Place) -> Option<Slice> {
-        match &lender.ty {
-            Type::Slice(element) => {
-                let all = Slice::parameter(lender.root, (**element).clone(), lender.span);
-                Some(Slice { base: lender.clone(), ..all })
-            }
-            _ => self.all_of(lender.clone()),
-        }
     }
 
     /// The lender of the slice at a place.
@@ -260,17 +249,15 @@ impl Lowering<'_, '_> {
                     "let both be parts of one array",
                 );
             }
-            let Some((lender, slice)) = lenders
+            let (lender, slice) = lenders
                 .first()
                 .filter(|lender| !self.stands(lender.root))
-                .and_then(|lender| Some(((*lender).clone(), self.all_lent(lender)?)))
-            else {
-                return problem(
+                .and_then(|lender| Some(((*lender).clone(), self.all_of((*lender).clone())?)))
+                .or_told(
                     site,
                     "whose elements this value refers to is not known here",
                     if one { PASS_GIVEN } else { FIRST_VALUE },
-                );
-            };
+                )?;
             passed.extend(slice.passed(if mutable { Mode::RefMut } else { Mode::Ref }));
             // What had no elements may have some behind the call.
             if let Argument::RefMut(place) = argument {
@@ -389,11 +376,7 @@ impl Lowering<'_, '_> {
 
 /// The place that a call lends for a parameter.
 fn passed_for<'a>(lender: &Place, arguments: &'a [Argument]) -> Option<&'a Place> {
-    match arguments.get(lender.root.index())? {
-        Argument::RefMut(place) => Some(place),
-        Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => Some(place),
-        _ => None,
-    }
+    lent(arguments.get(lender.root.index())?).map(|(place, _)| place)
 }
 
 /// Whether an index is computed from a local as young as `root`, or younger.

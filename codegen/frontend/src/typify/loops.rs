@@ -13,12 +13,13 @@ use bessemer_ir::{
 use crate::termination::{self, Loop, Proof};
 
 use super::each::Each;
+use super::lengths::size;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
 use super::order::is_light;
 use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
-use super::{OUR_FAULT, Result, labelled, problem};
+use super::{Needed, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
     pub(super) fn for_stmt(
@@ -233,7 +234,7 @@ impl Lowering<'_, '_> {
             }
         };
         // The last pass comes no further than the condition, so there is one more than the proof says.
-        let Some(int) = low.ty.as_int() else { return problem(site, "no integers", OUR_FAULT) };
+        let int = low.ty.as_int().needed(site, "no integers")?;
         let limit = |value: i128| Expr::literal_like(value as u64, &low);
         let from = if is_light(&low) { low.clone() } else { limit(int.min()) };
         let to = if is_light(&high) && !inclusive { high } else { limit(int.max()) };
@@ -319,13 +320,40 @@ impl Lowering<'_, '_> {
         body: impl FnOnce(&mut Self, Expr) -> Result<()>,
     ) -> Result<()> {
         self.repeated(None, None, span, |inner| {
-            let variable = inner.counter(name, span);
+            let variable = inner.local(name, Type::USIZE, span);
             inner.counters.push(variable);
             let at = Expr::local(variable, &Type::USIZE, span);
             let body = inner.scoped(|inner| body(inner, at));
             inner.counters.pop();
             Ok(StmtKind::for_below(variable, end, body?))
         })
+    }
+
+    /// Loops through the rows of each column of a matrix, counted by this name; a single row or column needs none.
+    pub(super) fn each_cell(
+        &mut self,
+        name: &str,
+        (rows, cols): (u32, u32),
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr, Expr) -> Result<()>,
+    ) -> Result<()> {
+        self.below_unless_one(name, cols, span, |walk, column| {
+            walk.below_unless_one(words::ROW, rows, span, |walk, row| body(walk, row, column))
+        })
+    }
+
+    /// A loop below a number, unless that is 1.
+    pub(super) fn below_unless_one(
+        &mut self,
+        name: &str,
+        count: u32,
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
+    ) -> Result<()> {
+        match count {
+            1 => body(self, Expr::usize(0, span)),
+            _ => self.below(name, size(count, span), span, body),
+        }
     }
 
     /// Lowers a pass of a loop that several are, the outermost of them at `outermost`.
@@ -361,10 +389,10 @@ impl Lowering<'_, '_> {
     /// Where the value goes with which the closure's body with this label is left; the function, without one.
     pub(super) fn left_by(&self, label: Option<&str>, site: Site) -> Result<Target> {
         match label {
-            Some(_) => match self.frames[self.depth(label, site)?].target.clone() {
-                Some(target) => Ok(target),
-                None => problem(site, "this leaves what has no value", OUR_FAULT),
-            },
+            Some(_) => self.frames[self.depth(label, site)?]
+                .target
+                .clone()
+                .needed(site, "this leaves what has no value"),
             None => Ok(Target::Return),
         }
     }
@@ -418,10 +446,7 @@ impl Lowering<'_, '_> {
             None => self.frames.iter().rposition(|frame| frame.mark.is_none() || frame.pass),
             Some(_) => self.frames.iter().rposition(|frame| frame.label.as_deref() == label),
         };
-        match found {
-            Some(depth) => Ok(depth),
-            None => problem(site, "there is no such loop here", OUR_FAULT),
-        }
+        found.needed(site, "there is no such loop here")
     }
 
     /// The flag that leaves the loop at `depth`; each loop in between looks at it.

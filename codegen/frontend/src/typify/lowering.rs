@@ -52,6 +52,11 @@ pub(super) struct Lowering<'a, 'c> {
     pub expanding: Vec<&'a str>,
 }
 
+/// The local that a place is, if it is none of the first ones.
+pub(super) fn local_since(place: &Place, first: usize) -> Option<LocalId> {
+    (place.steps.is_empty() && place.root.index() >= first).then_some(place.root)
+}
+
 /// Where a value goes.
 #[derive(Clone)]
 pub(super) enum Target {

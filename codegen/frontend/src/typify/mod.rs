@@ -85,14 +85,19 @@ fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -
     Err(Problem { site, message: message.into(), help: help.into() })
 }
 
-/// What is there, unless the compiler is wrong.
-trait Needed<T> {
-    fn needed(self, site: Site, message: &str) -> Result<T>;
+/// What is there, or a problem.
+trait Needed<T>: Sized {
+    fn or_told(self, site: Site, message: impl Into<String>, help: &str) -> Result<T>;
+
+    /// The same where the compiler is wrong if it is not there.
+    fn needed(self, site: Site, message: impl Into<String>) -> Result<T> {
+        self.or_told(site, message, OUR_FAULT)
+    }
 }
 
 impl<T> Needed<T> for Option<T> {
-    fn needed(self, site: Site, message: &str) -> Result<T> {
-        self.map_or_else(|| problem(site, message, OUR_FAULT), Ok)
+    fn or_told(self, site: Site, message: impl Into<String>, help: &str) -> Result<T> {
+        self.map_or_else(|| problem(site, message, help), Ok)
     }
 }
 

@@ -15,7 +15,7 @@ use super::expr::{Operand, two};
 use super::lengths::{lesser, plus};
 use super::lowering::Lowering;
 use super::value::Value;
-use super::{Result, problem, words};
+use super::{Needed, Result, problem, words};
 
 /// The numbers that stand beside elements.
 pub(super) struct Numbers<'t> {
@@ -184,10 +184,7 @@ impl Lowering<'_, '_> {
 
 /// The integers that a loop counts in.
 fn counting(ty: &Type, site: Site) -> Result<Int> {
-    match ty.as_int() {
-        Some(int) => Ok(int),
-        None => problem(site, "a loop counts in integers in the DSL", "number with `0..`"),
-    }
+    ty.as_int().or_told(site, "a loop counts in integers in the DSL", "number with `0..`")
 }
 
 /// Whether a pass hands on what it goes through: then who asks for it is another.

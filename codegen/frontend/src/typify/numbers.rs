@@ -16,7 +16,7 @@ use super::expr::{Call, Operand};
 use super::lowering::Lowering;
 use super::order::is_light;
 use super::words;
-use super::{OUR_FAULT, Result, problem, struct_of};
+use super::{Needed, OUR_FAULT, Result, problem, struct_of};
 
 /// The value of a method for `x` and what it is called with, of type `ty`; none if they are of types that it does not take.
 fn spelt_out(
@@ -99,7 +99,7 @@ fn spelt_out(
     })
 }
 
-fn float(double: f64, single: f32, ty: &Type, span: Span) -> Expr {
+pub(super) fn float(double: f64, single: f32, ty: &Type, span: Span) -> Expr {
     let word = match ty.as_float() {
         Some(Float::F32) => u64::from(single.to_bits()),
         _ => double.to_bits(),
@@ -175,10 +175,8 @@ impl Lowering<'_, '_> {
         }
         let (span, mut values) = (self.span(expr.site), values.into_iter());
         let value = values.next().and_then(|x| spelt_out(method, x, values.next(), &ty, span));
-        match value {
-            Some(value) => Ok(value.at(span)),
-            None => problem(expr.site, format!("{method:?} takes other operands"), OUR_FAULT),
-        }
+        let value = value.needed(expr.site, format!("{method:?} takes other operands"))?;
+        Ok(value.at(span))
     }
 
     /// The type of the first operand, where a literal beside it has it too.

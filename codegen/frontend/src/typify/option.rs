@@ -6,7 +6,7 @@ use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
 use super::expr::{Call, Operand};
 use super::lowering::Lowering;
 use super::order::is_free;
-use super::{OUR_FAULT, Result, problem, struct_of};
+use super::{Needed, OUR_FAULT, Result, problem, struct_of};
 use bessemer_ir::effects;
 
 /// The remedy where a reference into an `Option` would be kept.
@@ -24,10 +24,11 @@ impl Lowering<'_, '_> {
             M::IsOk => ("Ok", false),
             M::IsErr => ("Ok", true),
             M::Unwrap | M::UnwrapErr => {
-                return match self.unwrap(method, call)? {
-                    Some(value) => Ok(value),
-                    None => problem(expr.site, "this has no value", "write it as a statement"),
-                };
+                return self.unwrap(method, call)?.or_told(
+                    expr.site,
+                    "this has no value",
+                    "write it as a statement",
+                );
             }
             M::Copied => return self.value(&arguments[0], None),
             M::Take | M::Replace => return self.exchanged(arguments, expr),
@@ -40,9 +41,7 @@ impl Lowering<'_, '_> {
             }
         };
         let (place, id) = self.receiver(&arguments[0])?;
-        let Some((word, _)) = self.case(id, case) else {
-            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
-        };
+        let (word, _) = self.case(id, case).needed(expr.site, "this is not an `Option`")?;
         let there = self.tag_is(&place, id, word);
         Ok(if absent { there.negated() } else { there })
     }
@@ -56,10 +55,9 @@ impl Lowering<'_, '_> {
 
     /// The word and the payload of the variant that has a value (or, `error`, the reason for none).
     fn present(&mut self, place: &Place, id: StructId, error: bool) -> (u64, Option<Expr>) {
-        let names = if error { ["Err", "Err"] } else { ["Some", "Ok"] };
-        let found = names.iter().find_map(|name| self.case(id, name));
-        let (word, field) = found.map_or((0, None), |(word, case)| (word, case.field));
-        (word, field.map(|field| self.part(place, id, field as usize).load()))
+        let name = if error { Some("Err") } else { self.going_on(id) };
+        let found = name.and_then(|name| self.variant_at(place, id, name));
+        found.map_or((0, None), |(word, value)| (word, value.map(|value| value.load())))
     }
 
     /// `unwrap`: a check, and the value if there is something to it.
@@ -81,17 +79,20 @@ impl Lowering<'_, '_> {
     /// `take` and `replace`: what was there, with `None` or another in its place.
     fn exchanged(&mut self, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         let span = self.span(expr.site);
-        let Some(mut place) = self.place(&arguments[0])? else {
-            return problem(expr.site, "this is not a place", "keep it in a variable");
-        };
+        let mut place = self.place(&arguments[0])?.or_told(
+            expr.site,
+            "this is not a place",
+            "keep it in a variable",
+        )?;
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         let next = match arguments.get(1) {
             None => self.choice(id, 0, None, expr.site)?,
             Some(value) => {
                 let held = self.payload_type(id, "Some");
-                let mark = self.out.len();
-                let value = self.value(value, held.as_ref())?;
-                self.settle_since(mark, &mut place);
+                let value = self.settling(
+                    |inner| inner.value(value, held.as_ref()),
+                    |inner, _, later| inner.settle_place(&mut place, later),
+                )?;
                 if !is_free(&value) {
                     self.fix(&mut place);
                 }
@@ -157,9 +158,8 @@ impl Lowering<'_, '_> {
             }
             _ => return problem(site, "this is not an `Option`", OUR_FAULT),
         };
-        let Some(then) = then else {
-            return problem(site, "there is nothing to the value", "ask with `is_some`, `is_ok`");
-        };
+        let then =
+            then.or_told(site, "there is nothing to the value", "ask with `is_some`, `is_ok`")?;
         let span = self.span(site);
         Ok(self.either("choice", otherwise, (there, then), span))
     }
@@ -172,11 +172,7 @@ impl Lowering<'_, '_> {
         (condition, other): (Expr, Expr),
         span: Span,
     ) -> Expr {
-        let ty = value.ty.clone();
-        let local = self.temporary_local(role, ty.clone(), span);
-        self.held.insert(local);
-        self.emit(StmtKind::Let { local, value: Some(value) }, span);
-        let place = Place::local(local, ty, span);
+        let place = self.temporary_place(role, value);
         let held = place.load();
         let assign = StmtKind::Assign { place, value: other };
         self.follow(&assign);

@@ -137,8 +137,8 @@ impl Lowering<'_, '_> {
     /// The struct of an `Option`, the word of `Some`, and the place of what is in it.
     fn held_in(&mut self, place: &Place, expr: &tree::Expr) -> Result<(StructId, u64, Place)> {
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
-        match self.case(id, "Some").map(|(word, case)| (word, case.field)) {
-            Some((word, Some(field))) => Ok((id, word, self.part(place, id, field as usize))),
+        match self.variant_at(place, id, "Some") {
+            Some((word, Some(held))) => Ok((id, word, held)),
             _ => problem(expr.site, "there is nothing to this value", "keep a `bool`"),
         }
     }

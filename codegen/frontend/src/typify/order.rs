@@ -56,13 +56,6 @@ impl Lowering<'_, '_> {
         self.settle_all(indices_mut(place).map(|index| (index, words::INDEX)), later);
     }
 
-    /// The same where the statements since `mark` are those to come.
-    pub(super) fn settle_since(&mut self, mark: usize, place: &mut Place) {
-        let later = self.later(mark);
-        self.settle_place(place, &later);
-        self.out.extend(later);
-    }
-
     /// Computes now what of the arguments so far the statements to come could change.
     pub(super) fn settle_arguments(&mut self, passed: &mut [Argument], later: &[Stmt]) {
         let mut values = Vec::new();

@@ -16,7 +16,7 @@ use super::conditions::{within, within_any};
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::value::{Named, Value};
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, Result, problem};
 use bessemer_ir::effects;
 
 /// What has to hold for a pattern to take a value, if anything, and the names that it gives then.
@@ -237,9 +237,8 @@ impl Lowering<'_, '_> {
             }
             (Pattern::Fields(_, fields), Type::Struct(id)) => {
                 for (name, it) in fields {
-                    let Some(at) = self.cx.field_at(*id, name) else {
-                        return problem(site, format!("`{name}` is missing"), OUR_FAULT);
-                    };
+                    let at =
+                        self.cx.field_at(*id, name).needed(site, format!("`{name}` is missing"))?;
                     parts.push((it, part(*id, at)));
                 }
             }
@@ -271,6 +270,17 @@ impl Lowering<'_, '_> {
         let cases = &self.cx.known_of(id).cases;
         let index = cases.iter().position(|case| case.name == name)?;
         Some((index as u64, cases[index].clone()))
+    }
+
+    /// The word of a variant, and the place of what it holds in a value, if that is anything.
+    pub(super) fn variant_at(
+        &self,
+        place: &Place,
+        id: StructId,
+        name: &str,
+    ) -> Option<(u64, Option<Place>)> {
+        let (word, case) = self.case(id, name)?;
+        Some((word, case.field.map(|field| self.part(place, id, field as usize))))
     }
 
     /// The word of the variant without payload that a path has for a value: its name may be another.

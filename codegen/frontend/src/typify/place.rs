@@ -6,9 +6,9 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, Step, Type};
 use super::expr::{Operand, two};
 use super::lowering::{Lowering, RESULT, UNNAMED};
 use super::syntax::bare;
-use super::value::Value;
+use super::value::{Value, step_to};
 use super::words;
-use super::{Result, problem};
+use super::{Needed, Result, problem};
 use bessemer_ir::effects;
 
 /// Whether a field is all there is: of a point its `coords`, of a translation its `vector`.
@@ -157,16 +157,11 @@ impl Lowering<'_, '_> {
     }
 
     fn element(&mut self, mut base: Place, index: &tree::Expr, span: Span) -> Result<Place> {
-        let mark = self.out.len();
-        let (mut step, ty) = match base.ty.clone() {
-            Type::Array { element, .. } => {
-                let index = self.value(index, Some(&Type::USIZE))?;
-                (Step::Index(index), *element)
-            }
-            Type::Matrix { element, rows, cols } => {
-                (self.matrix_step(index, rows, cols, span)?, Type::Scalar(element))
-            }
-            ref bounded if self.contained(bounded).is_some() => {
+        let whole = base.ty.clone();
+        let ty = match &whole {
+            Type::Array { element, .. } => (**element).clone(),
+            Type::Matrix { element, .. } => Type::Scalar(*element),
+            bounded if self.contained(bounded).is_some() => {
                 return self.bounded_element(base, index, span);
             }
             _ => {
@@ -177,19 +172,27 @@ impl Lowering<'_, '_> {
                 );
             }
         };
-        // Whoever gets the place may read it more than once, which must write nothing.
-        if !effects::lent_by_step(&step).is_empty() {
-            self.keep_indices_of(&mut step, |index| !index.is_literal());
-        }
-        self.settle_since(mark, &mut base);
+        let step = self.settling(
+            |inner| {
+                let mut step = match &whole {
+                    Type::Matrix { .. } => inner.matrix_step(index, &whole, span)?,
+                    _ => Step::Index(inner.value(index, Some(&Type::USIZE))?),
+                };
+                // Whoever gets the place may read it more than once, which must write nothing.
+                if !effects::lent_by_step(&step).is_empty() {
+                    inner.keep_indices_of(&mut step, |index| !index.is_literal());
+                }
+                Ok(step)
+            },
+            |inner, _, later| inner.settle_place(&mut base, later),
+        )?;
         Ok(Place { span, ..base.inside(step, ty) })
     }
 
     pub(super) fn matrix_step(
         &mut self,
         index: &tree::Expr,
-        rows: u32,
-        cols: u32,
+        matrix: &Type,
         span: Span,
     ) -> Result<Step> {
         if let tree::ExprKind::Tuple(parts) = &index.kind
@@ -199,15 +202,15 @@ impl Lowering<'_, '_> {
             return Ok(Step::Element(row, col));
         }
         let index = self.value(index, Some(&Type::USIZE))?;
-        let number = |number: u64| Expr::usize(number, span);
-        Ok(match (rows, cols, &index.kind) {
-            (_, 1, _) => Step::Element(index, number(0)),
-            (1, ..) => Step::Element(number(0), index),
-            (rows, _, ExprKind::Literal(word)) => {
-                let rows = u64::from(rows);
-                Step::Element(number(word % rows), number(word / rows))
+        Ok(match (step_to(matrix, index, span), matrix) {
+            (
+                Step::Index(Expr { kind: ExprKind::Literal(word), .. }),
+                Type::Matrix { rows, .. },
+            ) => {
+                let [row, col] = [word % u64::from(*rows), word / u64::from(*rows)];
+                Step::Element(Expr::usize(row, span), Expr::usize(col, span))
             }
-            _ => Step::Index(index),
+            (step, _) => step,
         })
     }
 
@@ -272,6 +275,15 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// The same, behind `&` alone.
+    pub(super) fn meaning_lent(&self, expr: &tree::Expr) -> Option<Value> {
+        match &expr.kind {
+            tree::ExprKind::Ref(_, inner) => self.meaning_lent(inner),
+            tree::ExprKind::Deref(_) => None,
+            _ => self.meaning(expr),
+        }
+    }
+
     /// The place that a name means; none if it means a value, or none yet.
     pub(super) fn place_of(&self, meaning: &Value, span: Span) -> Option<Place> {
         match meaning {
@@ -306,13 +318,7 @@ impl Lowering<'_, '_> {
         if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
             place = Some(self.held(lent)?);
         }
-        let Some(mut place) = place else {
-            return problem(
-                site,
-                "a reference in a variable names a place in the DSL",
-                "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`",
-            );
-        };
+        let mut place = place.or_told(site, "a reference in a variable names a place in the DSL", "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`")?;
         let loan = self.is_loan(&place) && !self.slot_is_exclusive(slot, site)?;
         let moves = loan || value.is_some_and(is_held) || self.may_come_to_refer(&place);
         if moves && !self.is_lasting(&place) {

@@ -4,7 +4,7 @@
 //! A function that chooses between places to be read is a function of the C that gives a copy: while a reference lives,
 //! nothing writes to what it refers to. One that chooses among those to be written gives the index of the element.
 
-use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
+use bessemer_ir::tree::visit::{self, VisitMut, Walk};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
@@ -13,7 +13,7 @@ use super::function::result_of;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
 use super::value::Value;
-use super::{Context, Problem, Result, problem};
+use super::{Context, Needed, Problem, Result, problem};
 
 /// Whether a function lends a place, and whether to be written.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
@@ -21,20 +21,6 @@ pub(super) fn lends(function: &tree::Function) -> Option<bool> {
         Some(Ty::Ref(inner, mutable)) if !matches!(**inner, Ty::Slice(_)) => Some(*mutable),
         _ => None,
     }
-}
-
-/// Whether a body is left before its end.
-fn leaves(body: &tree::Block) -> bool {
-    struct Leaves(bool);
-    impl Visit for Leaves {
-        fn expr(&mut self, expr: &tree::Expr) {
-            self.0 |= matches!(expr.kind, Tree::Return(_));
-            visit::walk_expr(self, expr);
-        }
-    }
-    let mut found = Leaves(false);
-    found.block(body);
-    found.0
 }
 
 /// Whether a statement names what the place is made of: the place is the same whatever the values are, and nothing is done
@@ -84,9 +70,7 @@ fn taken_apart(body: &mut tree::Block, name: &str, count: usize) -> Option<Vec<S
     };
     let at = body.stmts.iter().position(|stmt| parts(stmt).is_some())?;
     let stmt = body.stmts.remove(at);
-    let mut named = Locals::default();
-    named.block(body);
-    if named.0.contains(name) {
+    if body.locals().contains(name) {
         body.stmts.insert(at, stmt);
         return None;
     }
@@ -118,7 +102,7 @@ impl<'a> Context<'a> {
             let stands = match lends(function) {
                 Some(written) if !holds_nothing => {
                     (written || body.stmts.iter().all(is_named_first))
-                        && !leaves(body)
+                        && !body.any_expr(|it| matches!(it.kind, Tree::Return(_)))
                         && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
                 }
                 _ => false,
@@ -282,13 +266,11 @@ impl<'a> Lowering<'a, '_> {
                 let site = function.tree.site;
                 return problem(site, "this lends no place", "end in `&self.field`");
             };
-            let Some(mut place) = inner.place(tail)? else {
-                return problem(
-                    tail.site,
-                    "this is no place that could be lent",
-                    "end in a field or an element: `&self.axes[i]`",
-                );
-            };
+            let mut place = inner.place(tail)?.or_told(
+                tail.site,
+                "this is no place that could be lent",
+                "end in a field or an element: `&self.axes[i]`",
+            )?;
             inner.fix(&mut place);
             Ok(place)
         })

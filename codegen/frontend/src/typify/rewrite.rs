@@ -10,9 +10,9 @@
 //!
 //! Must not know: what any such function computes.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
-use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
+use bessemer_ir::tree::visit::{self, Visit, VisitMut, Walk};
 use bessemer_ir::tree::{
     self, Arm, BinaryOp, Block, Expr, ExprKind, FunctionTree, NO_SLOT, Pattern, Role, Site, Stmt,
     UnaryOp,
@@ -134,10 +134,12 @@ impl<'e> Rewriting<'e> {
         let (first, written) = (computed_first(body), self.writes_when_asked(body));
         let mut values: Vec<_> = rule.params.iter().zip(arguments).collect();
         // A reference that is given is that to the same place behind the others, too.
-        let mut followed = Followed::default();
-        followed.expr(body);
+        let is_followed = |name: &str| {
+            let is_it = |it: &Expr| matches!(&it.kind, ExprKind::Local(it) if it == name);
+            body.any_expr(|it| matches!(&it.kind, ExprKind::Deref(inner) if is_it(inner)))
+        };
         let moved = |at: usize| {
-            if followed.0.contains(&rule.params[at].name) {
+            if is_followed(&rule.params[at].name) {
                 return false;
             }
             let later = rule.params.iter().zip(arguments).skip(at + 1);
@@ -303,27 +305,7 @@ pub(super) fn is_plain(expr: &Expr) -> bool {
 /// Whether computing an expression may change what another reads that was to be computed before: it does more than read, and
 /// speaks of the same variable.
 fn may_move(later: &Expr, read: &Expr) -> bool {
-    let named = |expr: &Expr| {
-        let mut named = Locals::default();
-        named.expr(expr);
-        named.0
-    };
-    !is_pure(later) && !named(later).is_disjoint(&named(read))
-}
-
-/// The names of references that are followed.
-#[derive(Default)]
-struct Followed(HashSet<String>);
-
-impl Visit for Followed {
-    fn expr(&mut self, expr: &Expr) {
-        if let ExprKind::Deref(inner) = &expr.kind
-            && let ExprKind::Local(name) = &inner.kind
-        {
-            self.0.insert(name.clone());
-        }
-        visit::walk_expr(self, expr);
-    }
+    !is_pure(later) && !later.locals().is_disjoint(&read.locals())
 }
 
 /// Whether an expression changes nothing, as far as its syntax shows; it may fault.

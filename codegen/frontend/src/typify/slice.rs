@@ -17,7 +17,7 @@ use super::lowering::Lowering;
 use super::syntax::{Writes, bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;
-use super::{Result, problem};
+use super::{Needed, Result, problem};
 
 impl Lowering<'_, '_> {
     /// A parameter that is a slice.
@@ -97,18 +97,19 @@ impl Lowering<'_, '_> {
         let mut place = self.base(expr)?;
         // Whether anything is asked of the elements or not.
         self.fix(&mut place);
-        match self.all_of(place) {
-            Some(slice) => Ok(slice),
-            None => problem(
-                expr.site,
-                "this has no elements in a row",
-                "take an array, a `List`, or `.as_slice()` of a vector",
-            ),
-        }
+        self.all_of(place).or_told(
+            expr.site,
+            "this has no elements in a row",
+            "take an array, a `List`, or `.as_slice()` of a vector",
+        )
     }
 
-    /// All elements of an array, a vector or a list.
+    /// All elements of an array, a vector or a list, or of a parameter that is a slice.
     pub(super) fn all_of(&mut self, place: Place) -> Option<Slice> {
+        if let (Type::Slice(element), []) = (&place.ty, place.steps.as_slice()) {
+            let all = Slice::parameter(place.root, (**element).clone(), place.span);
+            return Some(Slice { base: place, ..all });
+        }
         if let Some((length, items)) = self.list_items(&place) {
             let Type::Array { element, len } = items.ty.clone() else { return None };
             let length = lesser(length.load(), size(len, place.span));
@@ -292,23 +293,6 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A loop over the indices below `count`.
-    fn each_below(
-        &mut self,
-        count: Expr,
-        span: Span,
-        body: impl FnOnce(&mut Self, Expr),
-    ) -> Result<()> {
-        let variable = self.counter("i", span);
-        let index = Expr::local(variable, &Type::USIZE, span);
-        let body = self.scoped(|inner| {
-            body(inner, index);
-            Ok(())
-        })?;
-        self.emit(StmtKind::for_range(variable, Expr::usize(0, span), count, body), span);
-        Ok(())
-    }
-
     /// A method of slices for its effect; false if it is none.
     pub(super) fn slice_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
         let Some((Builtin::Slice(method), arguments)) = self.builtin_call(expr) else {
@@ -323,12 +307,13 @@ impl Lowering<'_, '_> {
                     _ => divided(slice.length.clone(), Expr::usize(2, span)),
                 };
                 let last = minus(slice.to.clone(), Expr::usize(1, span));
-                self.each_below(half, span, |inner, index| {
+                self.below("i", half, span, |inner, index| {
                     let other = slice.at(minus(last, index.clone()));
                     let one = slice.nth(index);
                     let (value, before) = (other.load(), inner.temporary("before", one.load()));
                     inner.emit(StmtKind::Assign { place: one, value }, span);
                     inner.emit(StmtKind::Assign { place: other, value: before }, span);
+                    Ok(())
                 })?;
             }
             (SliceMethod::CopyFrom, [array, from]) => {
@@ -342,9 +327,10 @@ impl Lowering<'_, '_> {
                         "name as many elements on both sides",
                     );
                 }
-                self.each_below(to.length.clone(), span, |inner, index| {
+                self.below("i", to.length.clone(), span, |inner, index| {
                     let (place, value) = (to.nth(index.clone()), from.nth(index).load());
                     inner.emit(StmtKind::Assign { place, value }, span);
+                    Ok(())
                 })?;
             }
             _ => return Ok(false),

@@ -5,7 +5,7 @@ use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Sc
 
 use super::lengths;
 use super::lowering::Lowering;
-use super::{OUR_FAULT, Result, problem};
+use super::{Needed, Result};
 
 /// Where a stepped range begins, and what it takes to get on.
 pub(super) struct Steps {
@@ -26,9 +26,7 @@ impl Lowering<'_, '_> {
         [from, to]: [&Expr; 2],
     ) -> Result<Option<Steps>> {
         let Some(step) = &range.step else { return Ok(None) };
-        let Some(int) = ty.as_int() else {
-            return problem(site, "only integers are stepped through", OUR_FAULT);
-        };
+        let int = ty.as_int().needed(site, "only integers are stepped through")?;
         let ends = [from.clone(), to.clone()];
         self.naming_as(name, |inner| inner.steps_of(int, (step, range.inclusive), ends)).map(Some)
     }

@@ -8,7 +8,7 @@
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern};
 use bessemer_ir::{Expr, Place, Stmt, Type};
 
-use super::lowering::Lowering;
+use super::lowering::{Lowering, local_since};
 use super::order::is_settled;
 use super::value::Value;
 use super::{Result, words};
@@ -63,24 +63,16 @@ impl Lowering<'_, '_> {
     pub(super) fn subject_of(&mut self, pattern: &Pattern, expr: &tree::Expr) -> Result<Value> {
         let before = self.locals.len();
         let subject = self.subject(expr)?;
-        self.name_held(&subject, before, std::iter::once(pattern));
+        taken_name(pattern).into_iter().for_each(|name| self.name_held(&subject, before, name));
         Ok(subject)
     }
 
     /// Names the temporary that a subject is held in, if it is none of the locals `before`.
-    pub(super) fn name_held<'t>(
-        &mut self,
-        subject: &Value,
-        before: usize,
-        mut patterns: impl Iterator<Item = &'t Pattern>,
-    ) {
+    pub(super) fn name_held(&mut self, subject: &Value, before: usize, name: &str) {
         if let Value::Place(place) = subject
-            && place.root.index() >= before
-            && place.steps.is_empty()
-            && self.held.contains(&place.root)
-            && let Some(name) = patterns.find_map(taken_name)
+            && let Some(local) = local_since(place, before).filter(|it| self.held.contains(it))
         {
-            self.locals[place.root.index()].name = name.to_owned();
+            self.locals[local.index()].name = name.to_owned();
         }
     }
 
@@ -161,7 +153,7 @@ impl Lowering<'_, '_> {
 }
 
 /// The only name in `Some(name)`, of what does not change.
-fn taken_name(pattern: &Pattern) -> Option<&str> {
+pub(super) fn taken_name(pattern: &Pattern) -> Option<&str> {
     let Pattern::Constructor(_, parts) = pattern else { return None };
     match parts.as_slice() {
         [Pattern::Name { name, mutable: false, inner: None, .. }] => Some(name),

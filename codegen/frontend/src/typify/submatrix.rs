@@ -94,7 +94,7 @@ impl<'a> Lowering<'a, '_> {
         expr: &tree::Expr,
     ) -> Result<Place> {
         let span = self.span(expr.site);
-        let place = match self.matrix_step(index, part.rows, part.cols, span)? {
+        let place = match self.matrix_step(index, &part.ty(), span)? {
             Step::Element(row, column) => {
                 let (row, column) = (self.steady("row", row), self.steady("column", column));
                 self.check_index(&row, CompareOp::Lt, &size(part.rows, span), span);
@@ -206,36 +206,11 @@ impl<'a> Lowering<'a, '_> {
         span: Span,
         assigned: impl Fn(Place, Step) -> (Place, Expr),
     ) -> Result<()> {
-        let zero = || Expr::usize(0, span);
-        let emit = |walk: &mut Self, row: Expr, column: Expr| {
+        self.each_cell(words::COLUMN, (part.rows, part.cols), span, |walk, row, column| {
             let at = part.at(row.clone(), column.clone());
             let (place, value) = assigned(at, Step::Element(row, column));
             walk.emit(StmtKind::Assign { place, value }, span);
             Ok(())
-        };
-        let down = |walk: &mut Self, column: Expr| {
-            walk.each_number(words::ROW, part.rows, span, |walk, row| emit(walk, row, column))
-        };
-        match (part.rows, part.cols) {
-            (_, 1) => down(self, zero()),
-            (1, cols) => self
-                .each_number(words::COLUMN, cols, span, |walk, column| emit(walk, zero(), column)),
-            (_, cols) => self.each_number(words::COLUMN, cols, span, down),
-        }
-    }
-
-    /// A loop over the numbers below `count`.
-    fn each_number(
-        &mut self,
-        name: &str,
-        count: u32,
-        span: Span,
-        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
-    ) -> Result<()> {
-        self.repeated(None, None, span, |walk| {
-            let counter = walk.counter(name, span);
-            let body = walk.scoped(|walk| body(walk, Expr::local(counter, &Type::USIZE, span)))?;
-            Ok(StmtKind::for_below(counter, size(count, span), body))
         })
     }
 

@@ -1,6 +1,6 @@
 //! Properties that the author's syntax shows by itself.
 
-use bessemer_ir::tree::{self, visit};
+use bessemer_ir::tree::{self, visit::Walk};
 
 /// An expression without `&` and `*`: a reference is another name for what it refers to.
 pub(super) fn bare(expr: &tree::Expr) -> &tree::Expr {
@@ -89,7 +89,16 @@ pub(super) struct Writes<'n> {
 impl<'n> Writes<'n> {
     pub(super) fn to(name: &'n str, block: &tree::Block) -> Writes<'n> {
         let mut writes = Writes { name, whole: false, part: false };
-        visit::Visit::block(&mut writes, block);
+        block.each_expr(|expr| match &expr.kind {
+            tree::ExprKind::Assign(_, place, _) | tree::ExprKind::Ref(true, place) => {
+                writes.note(place, true);
+            }
+            tree::ExprKind::AssignEach(places, _) => writes.each(places),
+            tree::ExprKind::Call(_, arguments) => {
+                arguments.iter().take(1).for_each(|first| writes.note(first, false));
+            }
+            _ => {}
+        });
         writes
     }
 
@@ -114,52 +123,12 @@ impl<'n> Writes<'n> {
     }
 }
 
-impl visit::Visit for Writes<'_> {
-    fn expr(&mut self, expr: &tree::Expr) {
-        match &expr.kind {
-            tree::ExprKind::Assign(_, place, _) | tree::ExprKind::Ref(true, place) => {
-                self.note(place, true);
-            }
-            tree::ExprKind::AssignEach(places, _) => self.each(places),
-            tree::ExprKind::Call(_, arguments) => {
-                arguments.iter().take(1).for_each(|first| self.note(first, false));
-            }
-            _ => {}
-        }
-        visit::walk_expr(self, expr);
-    }
-}
-
 /// The slots of the locals of a name in a function, wherever they are declared.
 pub(super) fn slots_of(tree: &tree::FunctionTree, name: &str) -> Vec<u32> {
-    struct Declared<'n> {
-        name: &'n str,
-        slots: Vec<u32>,
-    }
-
-    impl visit::Visit for Declared<'_> {
-        fn stmt(&mut self, stmt: &tree::Stmt) {
-            if let tree::Stmt::Let { name, slot, .. } = stmt
-                && name == self.name
-            {
-                self.slots.push(*slot);
-            }
-            visit::walk_stmt(self, stmt);
-        }
-
-        fn pattern(&mut self, pattern: &tree::Pattern) {
-            if let tree::Pattern::Name { name, slot, .. } = pattern
-                && name == self.name
-            {
-                self.slots.push(*slot);
-            }
-            visit::walk_pattern(self, pattern);
-        }
-    }
     let params = tree.params.iter().filter(|it| it.name == name).map(|it| it.slot);
-    let mut declared = Declared { name, slots: params.collect() };
-    visit::Visit::block(&mut declared, &tree.body);
-    declared.slots
+    let mut slots: Vec<u32> = params.collect();
+    tree.body.each_name(|known, slot| slots.extend((known == name).then_some(slot)));
+    slots
 }
 
 /// Whether a function gives an iterator.

@@ -52,6 +52,15 @@ impl Named {
     }
 }
 
+/// The step to an element of an array, or of a matrix of one row or column, by its number; of another matrix by columns.
+pub(super) fn step_to(whole: &Type, index: Expr, span: Span) -> Step {
+    match whole {
+        Type::Matrix { cols: 1, .. } => Step::Element(index, Expr::usize(0, span)),
+        Type::Matrix { rows: 1, .. } => Step::Element(Expr::usize(0, span), index),
+        _ => Step::Index(index),
+    }
+}
+
 /// Parts of up to so many elements are written out where they are read.
 pub(super) const SMALL: u32 = 16;
 
@@ -103,12 +112,7 @@ impl Slice {
         if let Some(part) = &self.within {
             return part.nth(index);
         }
-        let step = match &self.base.ty {
-            Type::Matrix { cols: 1, .. } => Step::Element(index, Expr::usize(0, self.base.span)),
-            Type::Matrix { rows: 1, .. } => Step::Element(Expr::usize(0, self.base.span), index),
-            _ => Step::Index(index),
-        };
-        self.base.inside(step, self.element.clone())
+        self.base.inside(step_to(&self.base.ty, index, self.base.span), self.element.clone())
     }
 
     /// An element, by its index in the slice.

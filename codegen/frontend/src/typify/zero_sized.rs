@@ -1,7 +1,7 @@
 //! Zero-sized types: structs without fields, `PhantomData`, `()`. C has no such types, so their values vanish
 //! from structs, variants, parameters and results; an expression that computes one runs for its effect.
 
-use bessemer_ir::tree::visit::{Bound, Visit};
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, Definition, ExprKind as Tree, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
 
@@ -173,10 +173,8 @@ impl Lowering<'_, '_> {
 
     /// Gives the names of a pattern to what holds nothing, which every pattern takes.
     pub(super) fn take_nothing(pattern: &Pattern, site: Site) -> Test {
-        let mut bound = Bound::default();
-        bound.pattern(pattern);
         let named = |name: &String| Test::named(name, NO_SLOT, Value::Nothing, site);
-        bound.0.iter().map(named).fold(Test::default(), Test::and)
+        pattern.bound().iter().map(named).fold(Test::default(), Test::and)
     }
 
     /// Refuses to keep what holds nothing, wherever it was not left out.

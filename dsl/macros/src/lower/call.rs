@@ -14,6 +14,7 @@ use syn::spanned::Spanned;
 
 use super::link::is_range;
 use super::names::{GENERATING, callee_name, plain, text};
+use super::pattern::is_constant_name;
 use super::refuse;
 use super::syntax::{is_constructor_name, last_segment};
 use super::walk::Lowering;
@@ -176,10 +177,8 @@ pub fn companion_name(method: &syn::Ident) -> syn::Ident {
 /// The path of the companion: none if the path is a constructor.
 pub(super) fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
     let mut path = function.path.clone();
-    let upper =
-        |ident: &syn::Ident| ident.to_string().starts_with(|first: char| first.is_uppercase());
     let last = path.segments.last()?.clone();
-    if upper(&last.ident) {
+    if is_constant_name(&last.ident) {
         return None;
     }
     if associated(function.qself.as_ref(), &path) {

@@ -13,6 +13,7 @@ use super::handed::is_of_type;
 use super::names::{plain, site, text};
 use super::pattern::alone;
 use super::refuse::Refusals;
+use super::signature::Names;
 use super::syntax::names;
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
@@ -241,17 +242,12 @@ impl Lowering {
 
 /// The names that a function declares `mut`, of which a copy may differ from what was copied.
 pub fn mutable_names(signature: &syn::Signature, body: &syn::Block) -> Vec<String> {
-    struct Mutable(Vec<String>);
-    impl<'ast> Visit<'ast> for Mutable {
-        fn visit_pat_ident(&mut self, it: &'ast syn::PatIdent) {
-            self.0.extend(it.mutability.map(|_| text(&it.ident)));
-            visit::visit_pat_ident(self, it);
-        }
-    }
-    let mut mutable = Mutable(Vec::new());
-    mutable.visit_signature(signature);
-    mutable.visit_block(body);
-    mutable.0
+    let mut mutable = Vec::new();
+    let note = |it: &syn::PatIdent| mutable.extend(it.mutability.map(|_| text(&it.ident)));
+    let mut names = Names(note);
+    names.visit_signature(signature);
+    names.visit_block(body);
+    mutable
 }
 
 /// Refuses what would leave the caller of a function that stands where it is called.

@@ -56,7 +56,7 @@ impl Lowering {
     /// An operand, and the slot that is still to see it, if one is.
     fn glanced(&mut self, op: BinaryOp, expr: &mut syn::Expr) -> (tree::Expr, Option<u32>) {
         let mut operand = self.value(expr);
-        if sign(op).is_none() || operand.slot.is_some() || is_literal(&operand) {
+        if sign(op).is_none() || operand.slot.is_some() || operand.is_unsuffixed() {
             return (operand, None);
         }
         operand.slot = Some(self.slot());
@@ -247,14 +247,6 @@ pub(super) fn is_builtin(operand: &tree::Expr) -> bool {
     match &operand.kind {
         ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bool(_) => true,
         ExprKind::Binary(op, ..) => sign(*op).is_none(),
-        _ => false,
-    }
-}
-
-fn is_literal(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Int(_, suffix) | ExprKind::Float(_, suffix) => suffix.is_none(),
-        ExprKind::Unary(_, operand) => is_literal(operand),
         _ => false,
     }
 }

@@ -130,7 +130,7 @@ pub fn borrows(signature: &syn::Signature) -> bool {
 /// `(x, y): (f64, f64)` is `x_y`, and `let (x, y) = x_y;`.
 pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
     let mut taken: Vec<String> = Vec::new();
-    Names(&mut taken).visit_signature(signature);
+    Names(|it: &syn::PatIdent| taken.push(text(&it.ident))).visit_signature(signature);
     let mut apart = Vec::new();
     for input in &mut signature.inputs {
         let syn::FnArg::Typed(it) = input else { continue };
@@ -138,7 +138,7 @@ pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
             continue;
         }
         let mut parts = Vec::new();
-        Names(&mut parts).visit_pat(&it.pat);
+        Names(|it: &syn::PatIdent| parts.push(text(&it.ident))).visit_pat(&it.pat);
         let mut name = if parts.is_empty() { "unused".to_owned() } else { parts.join("_") };
         while taken.contains(&name) {
             name.push_str("_parts");
@@ -151,12 +151,12 @@ pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
     body.stmts.splice(0..0, apart);
 }
 
-/// The names that a pattern binds.
-pub(super) struct Names<'a>(pub(super) &'a mut Vec<String>);
+/// Does something with each name that patterns bind.
+pub(super) struct Names<F>(pub(super) F);
 
-impl<'ast> Visit<'ast> for Names<'_> {
+impl<'ast, F: FnMut(&syn::PatIdent)> Visit<'ast> for Names<F> {
     fn visit_pat_ident(&mut self, it: &'ast syn::PatIdent) {
-        self.0.push(text(&it.ident));
+        (self.0)(it);
         visit::visit_pat_ident(self, it);
     }
 }

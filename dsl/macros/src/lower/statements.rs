@@ -7,6 +7,7 @@ use syn::parse_quote;
 use super::each::is_mutable;
 use super::expr::is_unit_control;
 use super::names::{site, slot_name, text};
+use super::pattern::alone;
 use super::syntax::bare;
 use super::walk::Lowering;
 use super::{pattern, refuse, signature};
@@ -151,18 +152,9 @@ impl Lowering {
     /// A value that is matched: only its use may say of what type a number is.
     fn matched(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         let mut value = self.value(expr);
-        let number = is_unsuffixed(&value);
+        let number = value.is_unsuffixed();
         value.slot = value.slot.or_else(|| number.then(|| self.see(expr)));
         value
-    }
-}
-
-/// Whether a number stands there whose type does not.
-fn is_unsuffixed(value: &tree::Expr) -> bool {
-    match &value.kind {
-        tree::ExprKind::Int(_, None) | tree::ExprKind::Float(_, None) => true,
-        tree::ExprKind::Unary(_, operand) => is_unsuffixed(operand),
-        _ => false,
     }
 }
 
@@ -200,15 +192,10 @@ fn without_value(stmt: &mut syn::Stmt) {
 
 /// Whether a `let` takes its value apart.
 fn takes_apart(local: &syn::Local) -> bool {
-    let simple = |pattern: &syn::Pat| match pattern {
-        syn::Pat::Ident(it) => it.by_ref.is_none() && it.subpat.is_none(),
-        syn::Pat::Wild(_) => true,
-        _ => false,
+    let bare = match &local.pat {
+        syn::Pat::Type(it) => &it.pat,
+        pattern => pattern,
     };
     let diverges = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
-    diverges
-        || !match &local.pat {
-            syn::Pat::Type(it) => simple(&it.pat),
-            pattern => simple(pattern),
-        }
+    diverges || !matches!(bare, syn::Pat::Wild(_)) && alone(bare).is_none()
 }

@@ -3,7 +3,7 @@
 //! Must not know: syntax. Each form is lowered in a file of its own.
 
 use bessemer_tree as tree;
-use bessemer_tree::visit::{Bound, Visit};
+use bessemer_tree::visit::Walk;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
@@ -90,11 +90,9 @@ pub struct Closure {
 impl Closure {
     /// Whether a parameter has this name, or this name and more marks.
     fn takes(&self, name: &str) -> bool {
-        let mut bound = Bound::default();
-        self.parameters.iter().for_each(|parameter| bound.pattern(parameter));
         let is_it =
-            |own: &String| own.strip_prefix(name).is_some_and(|it| it.trim_matches('%').is_empty());
-        bound.0.iter().any(is_it)
+            |own: String| own.strip_prefix(name).is_some_and(|it| it.trim_matches('%').is_empty());
+        self.parameters.iter().flat_map(Walk::bound).any(is_it)
     }
 }
 
