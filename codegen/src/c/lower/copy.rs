@@ -186,6 +186,11 @@ impl Lower<'_> {
         }
     }
 
+    /// Whether C sets all of these equal values itself, where an initialiser leaves them out.
+    fn is_left_out(&self, value: &Ir) -> bool {
+        is_zero(value) && self.is_zero_in_c(value)
+    }
+
     /// Whether a value stands where it belongs from the start.
     fn is_part(&self, item: &Ir) -> bool {
         matches!(&item.kind, ExprKind::Load(place)
@@ -333,7 +338,7 @@ impl Lower<'_> {
                 items.iter().all(|item| self.initialisable(item))
             }
             ExprKind::Splat(item) => {
-                is_zero(value)
+                self.is_left_out(value)
                     || length(&value.ty) <= LISTED
                         && matches!(item.kind, ExprKind::Literal(_) | ExprKind::Const(_))
                         && item.ty.is_word()
@@ -373,11 +378,11 @@ impl Lower<'_> {
             (ExprKind::Splat(item), ty) => {
                 let count = length(ty);
                 // C's own word for zeros everywhere.
-                if is_zero(value) && count > SHOWN && is_number(&item.ty) {
+                if self.is_left_out(value) && count > SHOWN && is_number(&item.ty) {
                     let items = vec![(None, Init::Value(Expr::name("0")))];
                     return Init::List { items, lines: Lines::Fill };
                 }
-                let count = if is_zero(value) && count > SHOWN { 1 } else { count };
+                let count = if self.is_left_out(value) && count > SHOWN { 1 } else { count };
                 let items = (0..count).map(|_| (None, self.initialiser(item)));
                 Init::List { items: items.collect(), lines: Lines::Fill }
             }
@@ -473,7 +478,7 @@ fn is_number(ty: &Type) -> bool {
     ty.as_int().is_some() || ty.as_float().is_some()
 }
 
-/// Whether every word of a value is zero: what C leaves out of an initialiser is zero too.
+/// Whether every word of a value is zero. Of an enum, C may have another number for it.
 fn is_zero(value: &Ir) -> bool {
     match &value.kind {
         ExprKind::Literal(word) => *word == 0,
