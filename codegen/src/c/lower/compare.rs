@@ -96,13 +96,24 @@ impl Lower<'_> {
     /// Bits beside a number, which may leave them as they are.
     fn picked(&mut self, op: &'static str, left: Expr, right: Expr) -> Expr {
         let number = self.may_be_constant(&left) || self.may_be_constant(&right);
-        let [left, right] = [left, right].map(|it| match &it {
-            Expr::Cast(ty, _) if number && matches!(ty.as_str(), "uint8_t" | "uint16_t") => {
-                self.comparable(it)
-            }
-            _ => it,
+        let [left, right] = [left, right].map(|it| match it {
+            Expr::Cast(ty, inner) if number => self.turned_over(ty, *inner),
+            it => it,
         });
         Expr::binary(op, left, right)
+    }
+
+    /// What is cast to a type; of a complement that is small, from a function.
+    fn turned_over(&mut self, ty: String, inner: Expr) -> Expr {
+        let mut small = [Int::U8, Int::U16].into_iter();
+        let int = small.find(|int| scalar_type(Scalar::Int(*int)) == ty);
+        match (inner, int) {
+            (Expr::Unary("~", operand), Some(int)) => {
+                let all = literal::integer(int, Int::max(int));
+                self.helper(Helper::Xor(int), vec![*operand, all])
+            }
+            (inner, _) => Expr::Cast(ty, Box::new(inner)),
+        }
     }
 
     /// All bits turned over of what was widened.
