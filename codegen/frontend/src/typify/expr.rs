@@ -384,8 +384,12 @@ impl Lowering<'_, '_> {
 
     fn cast(&mut self, operand: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
-        // rustc gives an integer literal the type that it is cast to, if that is an integer.
-        let expected = ty.as_int().map(|_| ty.clone());
+        // rustc gives a literal the type that it is cast to, if that is of its kind.
+        let of_kind = match ty.as_float() {
+            Some(_) => is_unsuffixed_float(operand),
+            None => ty.as_int().is_some(),
+        };
+        let expected = of_kind.then(|| ty.clone());
         let operand = self.value(operand, expected.as_ref())?;
         if !operand.ty.is_word() || !matches!(ty, Type::Scalar(_)) {
             return problem(expr.site, "`as` converts scalars", "convert the parts");
@@ -495,6 +499,14 @@ fn elements_of(ty: &Type) -> Option<&Type> {
 
 pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
     <[T; 2]>::try_from(values).ok().needed(site, "this takes two operands")
+}
+
+fn is_unsuffixed_float(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Float(_, None) => true,
+        tree::ExprKind::Unary(_, operand) => is_unsuffixed_float(operand),
+        _ => false,
+    }
 }
 
 /// The type of the elements of a matrix, or of anything else itself.

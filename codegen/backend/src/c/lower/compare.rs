@@ -2,7 +2,8 @@
 //!
 //! gcc takes `(uint8_t)(255U - x)` and `(uint8_t)(x ^ 255U)` for `(uint8_t)~x`, the number perhaps behind the name of a
 //! constant, and warns of any comparison with that. The same value in 32 bits, or from a function, means what it says.
-//! Of what was widened, `~(uint64_t)x`, it warns too, so that a function gives that.
+//! Of what was widened, `~(uint64_t)x`, and of what a signed type held, `(uint8_t)(int8_t)~x`, it warns too, so that a
+//! function gives that.
 
 use bessemer_ir::{Float, Int, Scalar};
 
@@ -17,6 +18,7 @@ impl Lower<'_> {
     pub(super) fn comparable(&mut self, value: Expr) -> Expr {
         let (ty, inner) = match value {
             Expr::Unary("~", operand) => return self.complement(*operand),
+            Expr::Binary(op @ ("&" | "|"), left, right) => return self.picked(op, *left, *right),
             Expr::Cast(ty, inner) => (ty, inner),
             other => return other,
         };
@@ -49,7 +51,68 @@ impl Lower<'_> {
             {
                 self.helper(Helper::Xor(int), vec![*left, *right])
             }
+            Expr::Binary(op @ ("&" | "|"), left, right) => {
+                Expr::Cast(ty, Box::new(self.picked(op, *left, *right)))
+            }
+            Expr::Cast(to, operand) => match self.held(int, to, *operand) {
+                // In 32 bits now, of which the narrower type is left.
+                Expr::Binary("&", bits, of_inner) => {
+                    let mask = if int == Int::U8 { Expr::name(mask) } else { *of_inner };
+                    Expr::binary("&", *bits, mask)
+                }
+                held => Expr::Cast(ty, Box::new(held)),
+            },
             other => Expr::Cast(ty, Box::new(other)),
+        }
+    }
+
+    /// What the small type `to` holds under a cast to `int`: that of the same width has its complements, too.
+    fn held(&mut self, int: Int, to: String, operand: Expr) -> Expr {
+        let signed = match (int, to.as_str()) {
+            (Int::U8, "int8_t") => Int::I8,
+            (Int::U16, "int16_t") => Int::I16,
+            _ => return self.comparable(Expr::Cast(to, Box::new(operand))),
+        };
+        match operand {
+            Expr::Unary("~", operand) => {
+                let all = literal::integer(signed, -1);
+                self.helper(Helper::Xor(signed), vec![*operand, all])
+            }
+            Expr::Binary("-", left, right) if self.may_be_constant(&left) => {
+                let bits = [*left, *right].map(|it| self.helper(Helper::Extend(signed), vec![it]));
+                let [left, right] = bits;
+                let mask = Expr::name(format!("{}U", Int::max(int)));
+                Expr::binary("&", Expr::binary("-", left, right), mask)
+            }
+            Expr::Binary("^", left, right)
+                if self.may_be_constant(&left) || self.may_be_constant(&right) =>
+            {
+                self.helper(Helper::Xor(signed), vec![*left, *right])
+            }
+            other => self.comparable(Expr::Cast(to, Box::new(other))),
+        }
+    }
+
+    /// Bits beside a number, which may leave them as they are.
+    fn picked(&mut self, op: &'static str, left: Expr, right: Expr) -> Expr {
+        let number = self.may_be_constant(&left) || self.may_be_constant(&right);
+        let [left, right] = [left, right].map(|it| match it {
+            Expr::Cast(ty, inner) if number => self.turned_over(ty, *inner),
+            it => it,
+        });
+        Expr::binary(op, left, right)
+    }
+
+    /// What is cast to a type; of a complement that is small, from a function.
+    fn turned_over(&mut self, ty: String, inner: Expr) -> Expr {
+        let mut small = [Int::U8, Int::U16].into_iter();
+        let int = small.find(|int| scalar_type(Scalar::Int(*int)) == ty);
+        match (inner, int) {
+            (Expr::Unary("~", operand), Some(int)) => {
+                let all = literal::integer(int, Int::max(int));
+                self.helper(Helper::Xor(int), vec![*operand, all])
+            }
+            (inner, _) => Expr::Cast(ty, Box::new(inner)),
         }
     }
 
@@ -74,7 +137,7 @@ impl Lower<'_> {
     fn may_be_constant(&self, value: &Expr) -> bool {
         match value {
             Expr::Name(name) => !self.signature.params.iter().any(|param| param.name == *name),
-            Expr::Cast(_, inner) => self.may_be_constant(inner),
+            Expr::Cast(_, inner) | Expr::Unary("-", inner) => self.may_be_constant(inner),
             _ => false,
         }
     }

@@ -2,8 +2,8 @@
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    Arm, Block, ConstId, Expr as Ir, ExprKind, Fault, Int, LocalId, Mode, Place, Role, Scalar,
-    Stmt as IrStmt, StmtKind as IrKind, Type,
+    Arm, Block, CompareOp, ConstId, Expr as Ir, ExprKind, Fault, Int, LocalId, Mode, Place, Role,
+    Scalar, Stmt as IrStmt, StmtKind as IrKind, Type,
 };
 
 use super::super::literal;
@@ -374,18 +374,22 @@ impl Lower<'_> {
 
     /// One value, and everything else.
     fn match_as_if(&mut self, scrutinee: &Ir, value: i128, arms: [&Block; 2], tail: bool) {
-        let (origin, test) = (self.origin, self.word(scrutinee));
+        let label = Ir::literal(value as u64, scrutinee.ty.clone(), scrutinee.span);
+        let decided = self.decided(CompareOp::Eq, scrutinee, &label);
+        let (origin, test) = (self.origin, decided.is_none().then(|| self.word(scrutinee)));
         let [then, otherwise] = arms.map(|block| self.block(block, tail));
         let value = self.label(&scrutinee.ty, value);
         self.origin = origin;
-        self.emit(match then.is_empty() && !otherwise.is_empty() {
-            true => StmtKind::If {
-                condition: Expr::binary("!=", test, value),
-                then: otherwise,
-                otherwise: Vec::new(),
-            },
-            false => StmtKind::If { condition: Expr::binary("==", test, value), then, otherwise },
-        });
+        let turned = then.is_empty() && !otherwise.is_empty();
+        let condition = match test {
+            Some(test) => {
+                let test = self.comparable(test);
+                Expr::binary(if turned { "!=" } else { "==" }, test, value)
+            }
+            None => Expr::name(if decided == Some(!turned) { "true" } else { "false" }),
+        };
+        let (then, otherwise) = if turned { (otherwise, Vec::new()) } else { (then, otherwise) };
+        self.emit(StmtKind::If { condition, then, otherwise });
     }
 
     /// A `switch` takes `break` for itself; where an arm leaves a loop, the match becomes `if`s.
