@@ -212,6 +212,7 @@ pub struct Parts {
 
 pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -> Option<Parts> {
     lower::check_attributes(subject.attributes, refusals);
+    lower::check_hygiene(subject.signature, subject.body, refusals);
     if let (true, Some(reason)) =
         (scope.is_generic(), attributes::of_one_instance(&subject.asked.attributes))
     {
@@ -236,7 +237,9 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         refusals.add(&subject.signature.generics, refuse::ENTRY_GENERIC);
     }
     let mut parameters = lower::parameters(signature, refusals);
-    let mut walk = Lowering::new(&signature.ident, subject.is_method(), std::mem::take(refusals));
+    let implements = matches!(subject.home, Home::Implementation(_) | Home::OfRust(_));
+    let name = Some(&signature.ident).filter(|_| !implements);
+    let mut walk = Lowering::new(name, subject.is_method(), std::mem::take(refusals));
     walk.mutable = lower::mutable_names(signature, &copy);
     for Parameter { param, ident, place, .. } in &mut parameters {
         if param.items && outside {
@@ -398,15 +401,21 @@ pub fn owner_bound(scope: Scope<'_>, owner: &TokenStream) -> Option<TokenStream>
 
 /// The interface that a function is part of, with what stands for its parameters.
 fn interface(home: Home<'_>, scope: Scope<'_>) -> TokenStream {
-    let (name, told) = match home {
+    let (name, told, module) = match home {
         Home::Module | Home::Block => return quote! { ::core::option::Option::None },
-        Home::Interface(name) => (lower::text(name), scope.outer().told()),
+        Home::Interface(name) => {
+            (lower::text(name), scope.outer().told(), quote! { ::core::module_path!() })
+        }
         Home::Implementation(path) | Home::OfRust(path) => {
             let name = path.segments.last().map(|last| lower::text(&last.ident));
-            (name.unwrap_or_default(), scope.told_of(path))
+            let module = match home {
+                Home::OfRust(_) => quote! { "core" },
+                _ => quote! { <Self as #path>::__marked_interface() },
+            };
+            (name.unwrap_or_default(), scope.told_of(path), module)
         }
     };
-    quote! { ::core::option::Option::Some((#name, #told)) }
+    quote! { ::core::option::Option::Some((#name, #told, #module)) }
 }
 
 impl Subject<'_> {

@@ -298,7 +298,9 @@ fn definition(
     kind: TokenStream,
 ) -> TokenStream {
     let docs = docs::lines(attributes);
-    let (equal, ordered) = (derives("PartialEq", attributes), derives("PartialOrd", attributes));
+    let [equal, ordered, cloned, ranked] =
+        ["PartialEq", "PartialOrd", "Clone", "Ord"].map(|name| derives(name, attributes));
+    let ranked = ranked || !ordered;
     let given = said(attributes, On::Type);
     let (named, site) = (place::named(name), place::site(name));
     let (declared, arguments, told) = (scope.declared(), scope.applied(), scope.told());
@@ -315,9 +317,17 @@ fn definition(
             #[allow(private_bounds)]
             impl #declared ::bessemer::generate::DslType for #name #arguments #bounds {
                 fn ty(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Ty {
+                    #[allow(unused_imports)]
+                    use ::bessemer::generate::NotImplemented as _;
                     let arguments = #told;
+                    let asked = ::bessemer::generate::Asked::<Self>::of();
+                    let own = ::bessemer::generate::Own {
+                        clone: !#cloned && asked.clones(),
+                        order: !#ranked && asked.orders(),
+                        drop: asked.drops(),
+                    };
                     cx.definition(
-                        #named, &[#(#docs),*], #site, arguments, (#equal, #ordered, #given),
+                        #named, &[#(#docs),*], #site, arguments, (#equal, #ordered, own, #given),
                         &|cx: &mut ::bessemer::generate::Builder| #kind,
                     )
                 }

@@ -34,6 +34,10 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         }
     };
     lower::check_attributes(&it.attrs, &mut refusals);
+    let named = syn::Path::from(it.ident.clone());
+    if operators::known(&named).is_some() || refuse::known_trait(&named).is_some() {
+        refusals.add(&it.ident, refuse::RUST_TRAIT);
+    }
     let beside = interface(&mut it, &mut refusals);
     let errors = refusals.into_tokens();
     quote! { #errors #it #beside }
@@ -68,10 +72,11 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
             other => refusals.add(refuse::first_token(other), refuse::INTERFACE_ITEM),
         }
     }
-    // Implementations ask for it: a trait without the attribute is told in every build.
+    // Implementations ask for it: a trait without the attribute is told in every build. It tells the module, since another may
+    // have an interface of this name.
     hidden.push(syn::parse_quote! {
         #[doc(hidden)]
-        fn __marked_interface() where Self: Sized {}
+        fn __marked_interface() -> &'static str where Self: Sized { ::core::module_path!() }
     });
     it.items.extend(hidden);
     beside
@@ -234,7 +239,7 @@ fn marked(scope: Scope<'_>, owner: &syn::Type, path: &syn::Path) -> TokenStream 
     quote! {
         const _: () = {
             #[allow(dead_code)]
-            fn ask #declared() #bounds { #ask }
+            fn ask #declared() #bounds { #ask; }
         };
     }
 }

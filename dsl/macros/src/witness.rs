@@ -49,7 +49,7 @@ impl Copy<'_> {
             let given = names.clone();
             bound(stmts, &mut names);
             names.retain(|name| {
-                used.get(&name.to_string()).is_some_and(|&last| last >= end.statements)
+                used.get(&lower::text(name)).is_some_and(|&last| last >= end.statements)
             });
             let body = match passed.get(index) {
                 Some(slot) => quote! { { #(#stmts)* __pass(&#slot, (#(#names,)*)) } },
@@ -179,7 +179,7 @@ fn last_uses(stmts: &[syn::Stmt]) -> HashMap<String, usize> {
         for token in tokens {
             match token {
                 TokenTree::Group(group) => note(group.stream(), at, last),
-                TokenTree::Ident(name) => _ = last.insert(name.to_string(), at),
+                TokenTree::Ident(name) => _ = last.insert(lower::text(&name), at),
                 TokenTree::Literal(text) => {
                     let text = text.to_string();
                     let words = text.split(|it: char| !it.is_alphanumeric() && it != '_');
@@ -222,7 +222,7 @@ fn bound(stmts: &[syn::Stmt], names: &mut Vec<syn::Ident>) {
     }
     impl Bound<'_> {
         fn add(&mut self, name: &syn::Ident) {
-            self.0.retain(|known| known != name);
+            self.0.retain(|known| lower::text(known) != lower::text(name));
             self.0.push(name.clone());
         }
     }

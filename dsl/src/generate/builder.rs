@@ -13,6 +13,7 @@ use bessemer_tree::attributes::{Given, Range};
 use bessemer_tree::number::Scalar;
 use bessemer_tree::{Argument, DefinitionKind, Package, Refusal, Site, Ty};
 
+use super::own::Own;
 use crate::Plain;
 
 /// What a package is made of, so far.
@@ -163,6 +164,7 @@ pub(super) fn type_text(ty: &Ty) -> String {
         Ty::Ref(inner, true) => format!("&mut {}", type_text(inner)),
         Ty::Known(name, inner) => match &**inner {
             Ty::Matrix(scalar, ..) => format!("{name}<{}>", scalar.name()),
+            Ty::Scalar(_) => name.clone(),
             inner => format!("{name}<{}>", type_text(inner)),
         },
     }
@@ -184,11 +186,12 @@ impl Builder {
         docs: &[&str],
         site: (u32, u32),
         arguments: Arguments,
-        (equal, ordered, given): (bool, bool, Option<Said>),
+        (equal, ordered, own, given): (bool, bool, Own, Option<Said>),
         kind: &dyn Fn(&mut Builder) -> DefinitionKind,
     ) -> Ty {
         let path = path(named.module, named.name, &arguments);
         if self.known.insert(path.clone()) {
+            own.refuse(self, &named, site);
             let kind = kind(self);
             self.package.types.push(tree::Definition {
                 path: path.clone(),

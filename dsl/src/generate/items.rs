@@ -97,8 +97,8 @@ pub struct Generics {
     pub scope: Arguments,
     /// Of its own.
     pub own: Arguments,
-    /// The interface that it is part of, and of its parameters.
-    pub interface: Option<(&'static str, Arguments)>,
+    /// The interface that it is part of, what stands for its parameters, and the module that it stands in.
+    pub interface: Option<(&'static str, Arguments, &'static str)>,
 }
 
 /// The type that stands for the parameter `name`.
@@ -206,8 +206,8 @@ impl Builder {
         let home = owner.as_deref().unwrap_or(named.module);
         let path = match &generics.interface {
             None => path(home, named.name, &generics.own),
-            Some((name, arguments)) => {
-                let interface = path(home, name, arguments);
+            Some((name, arguments, module)) => {
+                let interface = path(home, &format!("<{module}::{name}>"), arguments);
                 path(&interface, named.name, &generics.own)
             }
         };
@@ -236,7 +236,7 @@ impl Builder {
                 file: named.file.to_owned(),
                 owner,
                 generics: generics.scope,
-                interface: generics.interface.map(|(name, _)| name.to_owned()),
+                interface: generics.interface.map(|(name, ..)| name.to_owned()),
                 suffix,
                 tree,
                 slots: witness.slots,
@@ -255,7 +255,7 @@ impl Builder {
         let known = known.map(|owner| owner.arguments.as_slice()).unwrap_or_default();
         // An operator may take what its type is made of, and the type itself besides.
         let told = |name, argument| !operators::is_sign(name) && known.contains(argument);
-        let interface = generics.interface.iter().flat_map(|(name, arguments)| {
+        let interface = generics.interface.iter().flat_map(|(name, arguments, _)| {
             arguments.iter().filter(|(_, argument)| !told(name, argument))
         });
         interface.chain(&generics.own).map(|(_, argument)| argument.clone()).collect()

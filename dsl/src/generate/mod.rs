@@ -15,6 +15,7 @@ pub mod iterator;
 pub mod matrices;
 pub mod numbers;
 mod operators;
+mod own;
 pub mod slice;
 mod slot;
 pub mod spatial;
@@ -34,6 +35,7 @@ pub use items::{
 pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, sign};
+pub use own::{Asked, NotImplemented, Own};
 pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
 };

@@ -270,9 +270,9 @@ scalars! {
     usize => Scalar::Int(Int::Usize);
 }
 
-// A character is its code point. `PhantomData` tells types apart, and holds nothing.
+// A character is its code point, and a type of its own for traits and what is generic. `PhantomData` tells types apart, and holds nothing.
 dsl_types! {
-    [] [] char as Self => |_| Ty::Scalar(Scalar::Int(Int::U32));
+    [] [] char as Self => |_| Ty::Known("char".into(), Box::new(Ty::Scalar(Scalar::Int(Int::U32))));
     [] [] () as Self => |_| Ty::Unit;
     [T: ?Sized] [T: ?Sized] PhantomData<T> as Self => |_| Ty::Unit;
     [T: DslType, const N: usize] [T, const N: usize] [T; N] as Self

@@ -221,6 +221,7 @@ fn kind(ty: &Ty) -> Option<(Kind, Option<Float>)> {
     Some(match ty {
         Ty::Ref(inner, _) => return kind(inner),
         Ty::Scalar(_) => (Kind::Number, None),
+        Ty::Known(_, inner) if matches!(**inner, Ty::Scalar(_)) => (Kind::Number, None),
         Ty::Matrix(scalar, ..) => (Kind::Matrix, float(scalar)),
         Ty::Known(name, inner) => {
             let kind = match name.trim_end_matches(|digit: char| digit.is_ascii_digit()) {

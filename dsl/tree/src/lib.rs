@@ -81,7 +81,7 @@ pub enum Ty {
     Slice(Box<Ty>),
     /// `&T`, or `&mut T` when true.
     Ref(Box<Ty>, bool),
-    /// A type of nalgebra's, by its name, whose values are those of another: `Rotation3` is a matrix.
+    /// A type of nalgebra's or of Rust's, by its name, whose values are those of another: `Rotation3` is a matrix, `char` a number.
     Known(String, Box<Ty>),
 }
 

@@ -91,9 +91,10 @@ pub(super) fn slice_of(ty: &Ty) -> Option<&Ty> {
     }
 }
 
-/// The type of numbers that the function was implemented for: Rust's own, so it is nobody's owner.
+/// The type of numbers or characters that the function was implemented for: Rust's own, so it is nobody's owner.
 fn number_of(source: &tree::Function) -> Option<&str> {
-    source.owner.as_deref().filter(|path| bessemer_ir::Scalar::from_name(path).is_some())
+    let is_one = |path: &&str| *path == "char" || bessemer_ir::Scalar::from_name(path).is_some();
+    source.owner.as_deref().filter(is_one)
 }
 
 fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
@@ -108,7 +109,13 @@ impl<'a, 'c> Lowering<'a, 'c> {
             && number_of(source).is_none()
             && !cx.types.contains_key(path)
         {
-            return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
+            let remedy = match path.contains("::") {
+                true => "mark it `#[data]`",
+                false => {
+                    "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that"
+                }
+            };
+            return problem(site, format!("`{path}` was not built"), remedy);
         }
         // What is lent to be read may be a copy.
         let result = match slot_type(source, source.tree.result, site)? {

@@ -167,6 +167,7 @@ impl<'a> Context<'a> {
             Ty::Ref(inner, _) => self.type_name(inner),
             Ty::Known(name, inner) => match &**inner {
                 Ty::Matrix(scalar, ..) => format!("{}_{}", snake(name), scalar.name()),
+                Ty::Scalar(_) => snake(name),
                 inner => format!("{}_{}", snake(name), self.type_name(inner)),
             },
         }

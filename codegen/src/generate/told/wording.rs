@@ -255,8 +255,11 @@ fn builders(message: &Message<'_>) -> Option<Words> {
                 help,
             );
         }
-        if *name == "mem" {
-            return words("a module of the author's own is named as Rust's `mem`", help);
+        if ["array", "cmp", "mem"].contains(name) {
+            return words(
+                format!("a module of the author's own is named as Rust's `{name}`"),
+                help,
+            );
         }
     }
     None

@@ -91,7 +91,7 @@ impl Lowering {
             arguments.extend(it.args.iter_mut().map(|argument| self.handed(argument)));
         }
         let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == "self");
-        if own && self.method && it.method == self.name {
+        if own && self.method && self.name.as_ref().is_some_and(|name| it.method == name) {
             return self.refused(&it.method, refuse::RECURSION);
         }
         it.method = companion_name(&it.method);
@@ -109,7 +109,7 @@ impl Lowering {
     /// Whether `path` names the function that is being lowered.
     fn is_itself(&self, path: &syn::Path) -> bool {
         let names: Vec<_> = path.segments.iter().map(|segment| text(&segment.ident)).collect();
-        let name = self.name.as_str();
+        let Some(name) = self.name.as_deref() else { return false };
         match self.method {
             true => names == ["Self", name],
             false => names == [name] || names == ["self", name],

@@ -16,7 +16,7 @@ use super::refuse::Refusals;
 use super::signature::Names;
 use super::syntax::names;
 use super::walk::{Closure, Lowering};
-use super::{pattern, refuse};
+use super::{macros, pattern, refuse};
 
 impl Lowering {
     /// `let f = |x| …;`: the closure is known by its name from here on.
@@ -87,11 +87,15 @@ impl Lowering {
     /// `core::array::from_fn(|i| …)`: a loop through the array, whose elements the closure gives by their indices.
     pub(super) fn array_from_fn(&mut self, it: &mut syn::ExprCall) -> Option<ExprKind> {
         let syn::Expr::Path(function) = &*it.func else { return None };
-        let mut segments = function.path.segments.iter().rev();
-        let last = segments.next()?.ident.clone();
-        if last != "from_fn" || segments.next()?.ident != "array" || it.args.len() != 1 {
+        let (home, last) = macros::in_module(&function.path)?;
+        if home != "array" || last != "from_fn" || it.args.len() != 1 {
             return None;
         }
+        let last = last.clone();
+        if !matches!(it.args[0], syn::Expr::Closure(_)) {
+            return None;
+        }
+        self.ask_home(&function.path);
         let syn::Expr::Closure(closure) = &mut it.args[0] else { return None };
         self.scoped(|walk| {
             let (index, looks) = match closure.inputs.first()? {

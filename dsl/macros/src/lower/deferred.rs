@@ -94,7 +94,7 @@ impl Lowering {
         match bare(expr) {
             syn::Expr::Closure(_) | syn::Expr::Lit(_) => true,
             syn::Expr::Reference(it) => is_plain(&it.expr),
-            syn::Expr::Path(it) => !self.mutable.iter().any(|name| it.path.is_ident(name)),
+            syn::Expr::Path(it) => !self.mutable.iter().any(|name| names(&it.path, name)),
             syn::Expr::Unary(it) if matches!(it.op, syn::UnOp::Neg(_)) => {
                 matches!(bare(&it.expr), syn::Expr::Lit(_))
             }
@@ -141,8 +141,8 @@ struct Named {
 
 impl VisitMut for Named {
     fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
-        let is_it =
-            |expr: &syn::Expr| matches!(expr, syn::Expr::Path(it) if it.path.is_ident(&self.name));
+        let name = text(&self.name);
+        let is_it = |expr: &syn::Expr| matches!(expr, syn::Expr::Path(it) if it.path.get_ident().is_some_and(|it| text(it) == name));
         let again = matches!(expr, syn::Expr::MethodCall(it) if it.method == "clone" && is_it(&it.receiver));
         if again || is_it(expr) {
             let range = &self.range;

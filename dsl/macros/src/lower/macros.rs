@@ -30,6 +30,13 @@ impl Lowering {
         }
     }
 
+    /// Lets rustc be asked whether the module of [`in_module`] is Rust's, where it is named without its crate.
+    pub(super) fn ask_home(&mut self, path: &syn::Path) {
+        if let (2, Some(home)) = (path.segments.len(), path.segments.first()) {
+            self.ask(&home.ident);
+        }
+    }
+
     /// Lowers `assert!(condition)` and the like, `panic!()` and the like; every other macro is refused.
     pub(super) fn macro_call(&mut self, mac: &mut syn::Macro) -> Option<tree::Expr> {
         use syn::punctuated::Punctuated;
@@ -72,6 +79,16 @@ impl Lowering {
             }
         };
         Some(plain(tree::ExprKind::Assert(Box::new(condition), claim)))
+    }
+}
+
+/// The module and the name of a function that may be one of core's: `core::mem::swap`, `mem::swap`.
+pub(super) fn in_module(path: &syn::Path) -> Option<(&syn::Ident, &syn::Ident)> {
+    let parts: Vec<_> = path.segments.iter().map(|part| &part.ident).collect();
+    match parts.as_slice() {
+        [_, home, name] if refuse::library(path).is_some() => Some((home, name)),
+        [home, name] => Some((home, name)),
+        _ => None,
     }
 }
 

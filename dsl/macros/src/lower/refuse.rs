@@ -137,6 +137,7 @@ reasons! {
     CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
     CLOSURE_MOVE: "a closure that takes a copy of what changes is not in the DSL", "leave `move` out, or copy before to a name without `mut`: `let k = k;`";
     EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
+    HYGIENE: "a macro makes a name here that it is given as well: the two are one in the DSL", "give the name in the macro another name";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
     STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";
     SORTING: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, or `a.cmp(b)`, of parts of both if need be; or `sort_by_key`";
@@ -168,6 +169,7 @@ reasons! {
     OWN_UNEQUAL: "`!=` is the opposite of `==` in the DSL", "leave `ne` out: Rust makes it of `eq`";
     OWN_ORDER: "an order of one's own is not in the DSL", "write a method with a name, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd` (enums without payload), or compare parts";
     FOREIGN_OPERAND: "operators and conversions are those of numbers and of types of the author's own in the DSL", "write a method with a name, `fn as_array(self) -> [f64; 2]`";
+    RUST_TRAIT: "by this name the DSL means a trait of Rust's", "give it another name";
     STD_TRAIT: "this trait is Rust's own: no model calls it", "leave the attribute out";
     NOT_A_TRAIT: "`#[interface]` stands on a trait", "a struct, an enum and an `impl` block take `#[data]` or `#[component]`, a function `#[function]`";
     INTERFACE_ITEM: "this is not part of an interface of the DSL", "write methods, constants and types";

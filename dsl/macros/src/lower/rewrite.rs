@@ -51,18 +51,12 @@ impl Lowering {
     /// `core::mem::swap(&mut a, &mut b)`, `core::cmp::max(a, b)`: by the companions that these have.
     fn of_core(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
         let syn::Expr::Path(syn::ExprPath { path, .. }) = &*it.func else { return None };
-        let names: Vec<_> = path.segments.iter().map(|part| text(&part.ident)).collect();
-        let (home, name) = match names.as_slice() {
-            [_, home, name] if refuse::library(path).is_some() => (home, name.as_str()),
-            [home, name] => (home, name.as_str()),
-            _ => return None,
-        };
+        let (home, name) = macros::in_module(path)?;
+        let name = text(name);
         let (module, functions) = OF_CORE.into_iter().find(|(module, _)| home == module)?;
-        if names.len() == 2 {
-            self.ask(&path.segments[0].ident);
-        }
+        self.ask_home(path);
         let mut arguments = it.args.clone();
-        let name = match name {
+        let name = match name.as_str() {
             "take" => {
                 arguments.push(parse_quote! { Default::default() });
                 "replace"
@@ -123,7 +117,7 @@ impl Lowering {
 
 /// Whether computing `value` may change what `end` reads: whoever writes a variable names it.
 fn may_change(value: &syn::Expr, end: &syn::Expr) -> bool {
-    !is_plain(value) && root(end).is_some_and(|root| names(value, &root.to_string()))
+    !is_plain(value) && root(end).is_some_and(|root| names(value, &text(root)))
 }
 
 /// The variable that a plain expression is, or is a part of.

@@ -36,11 +36,11 @@ pub(super) fn names(expr: &impl ToTokens, name: &str) -> bool {
     times_named(expr, name) > 0
 }
 
-/// How often a name stands in an expression, as what it may be.
+/// How often a name, which is without the `r#` of a raw one, stands in an expression, as what it may be.
 pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
     fn count(tokens: proc_macro2::TokenStream, name: &str) -> usize {
         let of = |token| match token {
-            proc_macro2::TokenTree::Ident(ident) => usize::from(ident == name),
+            proc_macro2::TokenTree::Ident(ident) => usize::from(text(&ident) == name),
             proc_macro2::TokenTree::Group(group) => count(group.stream(), name),
             _ => 0,
         };

@@ -41,8 +41,9 @@ pub struct Lowering {
     pub macros: Vec<syn::Ident>,
     /// `const` items of the body: the builder needs them too.
     pub items: Vec<syn::Item>,
-    /// The function's own name, and whether it is a method: to tell a direct recursion.
-    pub(super) name: String,
+    /// The function's own name, and whether it is a method: to tell a direct recursion. None where the type may have another
+    /// method of this name, which Rust takes first.
+    pub(super) name: Option<String>,
     pub(super) method: bool,
     /// Whether what is matched is a place, so that `ref` in a pattern names a part of it.
     pub(super) lent: bool,
@@ -98,8 +99,8 @@ impl Closure {
 
 impl Lowering {
     /// A walk over the function or method called `name`, with nothing seen yet.
-    pub fn new(name: &syn::Ident, method: bool, refusals: Refusals) -> Lowering {
-        let (scopes, name) = (vec![Vec::new()], text(name));
+    pub fn new(name: Option<&syn::Ident>, method: bool, refusals: Refusals) -> Lowering {
+        let (scopes, name) = (vec![Vec::new()], name.map(text));
         Lowering { refusals, scopes, name, method, ..Lowering::default() }
     }
 

@@ -1,0 +1,93 @@
+//! What Rust does with a type by itself, and its author may have written otherwise: copies, the order of values, their end.
+//!
+//! The C copies and compares part by part, and does nothing where a value ends.
+
+use alloc::format;
+use core::marker::PhantomData;
+use core::mem::needs_drop;
+
+use super::builder::{Builder, Named};
+
+/// What of this an author wrote for a type, as far as it is not derived where the DSL sees it.
+pub struct Own {
+    /// `Clone`.
+    pub clone: bool,
+    /// `Ord`, beside a `PartialOrd` that is derived.
+    pub order: bool,
+    /// `Drop`, of the type or of a part.
+    pub drop: bool,
+}
+
+impl Own {
+    /// What there is to tell of a type, with what to do about it.
+    pub(super) fn refuse(&self, cx: &mut Builder, named: &Named, site: (u32, u32)) {
+        let name = named.name;
+        let derived = |of: &str| format!("`{name}` does not derive `{of}` where the DSL sees it");
+        let told = [
+            (
+                self.clone,
+                derived("Clone"),
+                "write `#[derive(Clone)]` below `#[data]`: in the C a copy has the same parts; what makes others is a method of \
+                 another name",
+            ),
+            (
+                self.order,
+                derived("Ord"),
+                "write `#[derive(Ord)]` below `#[data]`, beside `PartialOrd`; another order is a method with a name, \
+                 `fn is_before(&self, other: &Self) -> bool`",
+            ),
+            (
+                self.drop,
+                format!("`{name}` has a `Drop`, and nothing ends a value in the C"),
+                "write a method, and call it where the value ends",
+            ),
+        ];
+        for (_, message, remedy) in told.into_iter().filter(|it| it.0) {
+            cx.refuse(named.file, bessemer_tree::Site(site.0, site.1), message, remedy);
+        }
+    }
+}
+
+/// Asks whether a type has a trait: a method of [`Asked`] itself answers for one that has, which Rust prefers to that of
+/// [`NotImplemented`].
+pub struct Asked<T>(PhantomData<T>);
+
+impl<T> Asked<T> {
+    /// The question.
+    pub fn of() -> Asked<T> {
+        Asked(PhantomData)
+    }
+
+    /// Whether something is done where a value of it ends.
+    pub fn drops(&self) -> bool {
+        needs_drop::<T>()
+    }
+}
+
+impl<T: Clone> Asked<T> {
+    /// Whether it has `Clone`.
+    pub fn clones(&self) -> bool {
+        true
+    }
+}
+
+impl<T: Ord> Asked<T> {
+    /// Whether it has `Ord`.
+    pub fn orders(&self) -> bool {
+        true
+    }
+}
+
+/// The answers for a type without.
+pub trait NotImplemented {
+    /// It has no `Clone`.
+    fn clones(&self) -> bool {
+        false
+    }
+    /// It has no `Ord`.
+    fn orders(&self) -> bool {
+        false
+    }
+}
+
+impl<T> NotImplemented for Asked<T> {}

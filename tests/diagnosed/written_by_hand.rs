@@ -1,0 +1,65 @@
+//! What Rust does with a value by itself, written by hand: its copy, its order, its end.
+
+use core::cmp::Ordering;
+
+use bessemer::prelude::*;
+
+/// A counter whose copy is another.
+#[data]
+#[derive(Copy)]
+pub struct Counter {
+    /// How often.
+    pub count: i32,
+}
+
+impl Clone for Counter {
+    fn clone(&self) -> Counter {
+        Counter { count: self.count + 1 }
+    }
+}
+
+/// A rank whose greatest comes first.
+#[data]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd)]
+pub struct Rank {
+    /// The number.
+    pub number: i32,
+}
+
+impl Ord for Rank {
+    fn cmp(&self, other: &Rank) -> Ordering {
+        other.number.cmp(&self.number)
+    }
+}
+
+/// What notes where it ends.
+#[data]
+pub struct Noted<'a> {
+    /// The notes.
+    pub notes: &'a mut [i32],
+}
+
+impl Drop for Noted<'_> {
+    fn drop(&mut self) {
+        self.notes[0] += 1;
+    }
+}
+
+/// The next.
+#[function]
+pub fn next(counter: Counter) -> Counter {
+    counter.clone()
+}
+
+/// Which is before.
+#[function]
+pub fn before(one: Rank, other: Rank) -> bool {
+    one.cmp(&other) == Ordering::Less
+}
+
+/// The first note.
+#[function]
+pub fn first(notes: &mut [i32; 3]) -> i32 {
+    let noted = Noted { notes };
+    noted.notes[0]
+}
