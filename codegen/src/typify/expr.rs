@@ -266,7 +266,7 @@ impl Lowering<'_, '_> {
         let open = self.lenders.open();
         let ty = self.read(expr, None).map(|value| value.ty);
         self.out = statements;
-        self.locals.truncate(locals);
+        self.drop_locals(locals);
         self.lenders.forget(open);
         ty
     }
@@ -307,7 +307,7 @@ impl Lowering<'_, '_> {
         if ty == Type::Unit {
             return problem(
                 site,
-                "values that hold nothing are not compared in the DSL",
+                "zero-sized values are not compared in the DSL",
                 "leave the comparison out: there is one value alone",
             );
         }

@@ -34,6 +34,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub held: HashSet<LocalId>,
     /// The counters of loops over ranges, which only their loop changes, and parameters that nobody does.
     pub steady: HashSet<LocalId>,
+    /// The locals that their author may write again, and their types as rustc sees them.
+    pub changing: HashMap<LocalId, tree::Ty>,
     /// Locals that have to have a value where they are declared.
     pub valued: HashSet<LocalId>,
     /// The arrays whose elements the slices in its locals are.
@@ -100,6 +102,16 @@ impl<'a> Lowering<'a, '_> {
             Value::Closure(closure) if known == name => Some(*closure),
             _ => None,
         })
+    }
+
+    /// Forgets all but the first locals, of which nothing is left.
+    pub(super) fn drop_locals(&mut self, but: usize) {
+        self.locals.truncate(but);
+        let stays = |local: &LocalId| local.index() < but;
+        for set in [&mut self.held, &mut self.steady, &mut self.valued] {
+            set.retain(stays);
+        }
+        self.changing.retain(|local, _| stays(local));
     }
 
     /// A closure that a name can mean.

@@ -1,6 +1,6 @@
 //! Properties that the author's syntax shows by itself.
 
-use bessemer_ir::tree::{self, visit};
+use bessemer_ir::tree;
 
 /// An expression without `&` and `*`: a reference is another name for what it refers to.
 pub(super) fn bare(expr: &tree::Expr) -> &tree::Expr {
@@ -75,91 +75,6 @@ pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
         tree::Pattern::Name { inner: Some(inner), .. } => matches!(**inner, tree::Pattern::Rest),
         _ => false,
     }
-}
-
-/// The writes to a name in a block, as its syntax shows them.
-pub(super) struct Writes<'n> {
-    name: &'n str,
-    /// Whether all of it is assigned, or lent to be.
-    pub whole: bool,
-    /// Whether it or a part of it may be: each call on it counts.
-    pub part: bool,
-}
-
-impl<'n> Writes<'n> {
-    pub(super) fn to(name: &'n str, block: &tree::Block) -> Writes<'n> {
-        let mut writes = Writes { name, whole: false, part: false };
-        visit::Visit::block(&mut writes, block);
-        writes
-    }
-
-    fn note(&mut self, place: &tree::Expr, whole: bool) {
-        match &place.kind {
-            tree::ExprKind::Local(name) if name == self.name => {
-                (self.whole, self.part) = (self.whole || whole, true);
-            }
-            tree::ExprKind::Field(base, _)
-            | tree::ExprKind::Index(base, _)
-            | tree::ExprKind::Deref(base) => self.note(base, false),
-            _ => {}
-        }
-    }
-
-    fn each(&mut self, places: &tree::Places) {
-        match places {
-            tree::Places::None => {}
-            tree::Places::One(place) => self.note(place, true),
-            tree::Places::Each(parts) => parts.iter().for_each(|part| self.each(part)),
-        }
-    }
-}
-
-impl visit::Visit for Writes<'_> {
-    fn expr(&mut self, expr: &tree::Expr) {
-        match &expr.kind {
-            tree::ExprKind::Assign(_, place, _) | tree::ExprKind::Ref(true, place) => {
-                self.note(place, true);
-            }
-            tree::ExprKind::AssignEach(places, _) => self.each(places),
-            tree::ExprKind::Call(_, arguments) => {
-                arguments.iter().take(1).for_each(|first| self.note(first, false));
-            }
-            _ => {}
-        }
-        visit::walk_expr(self, expr);
-    }
-}
-
-/// The slots of the locals of a name in a function, wherever they are declared.
-pub(super) fn slots_of(tree: &tree::FunctionTree, name: &str) -> Vec<u32> {
-    struct Declared<'n> {
-        name: &'n str,
-        slots: Vec<u32>,
-    }
-
-    impl visit::Visit for Declared<'_> {
-        fn stmt(&mut self, stmt: &tree::Stmt) {
-            if let tree::Stmt::Let { name, slot, .. } = stmt
-                && name == self.name
-            {
-                self.slots.push(*slot);
-            }
-            visit::walk_stmt(self, stmt);
-        }
-
-        fn pattern(&mut self, pattern: &tree::Pattern) {
-            if let tree::Pattern::Name { name, slot, .. } = pattern
-                && name == self.name
-            {
-                self.slots.push(*slot);
-            }
-            visit::walk_pattern(self, pattern);
-        }
-    }
-    let params = tree.params.iter().filter(|it| it.name == name).map(|it| it.slot);
-    let mut declared = Declared { name, slots: params.collect() };
-    visit::Visit::block(&mut declared, &tree.body);
-    declared.slots
 }
 
 /// Whether a function gives an iterator.
