@@ -160,7 +160,7 @@ impl Context<'_> {
     /// The type of the elements of a slice.
     pub(super) fn element_type(&mut self, element: &Ty, site: Site) -> Result<Type> {
         match self.value_type(element, site)? {
-            Type::Unit => problem(site, "a slice of what holds nothing is not in the DSL", COUNT),
+            Type::Unit => problem(site, "a slice of zero-sized elements is not in the DSL", COUNT),
             element => Ok(element),
         }
     }

@@ -196,7 +196,7 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         if slot == NO_SLOT || self.slot_is_reference(slot, site)? {
-            let part = self.kept_elements(part.clone(), slot, site)?;
+            let part = self.kept_elements(part.clone());
             self.bind(name, Value::Slice(Box::new(part)));
             return Ok(());
         }

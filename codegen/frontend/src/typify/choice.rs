@@ -152,6 +152,7 @@ impl Lowering<'_, '_> {
             // Assigned, it is a copy of its own.
             let value = self.named(name, taken.arm.site)?;
             let place = self.let_local(name, value);
+            self.note_changing(place.root, NO_SLOT);
             self.bind(name, Value::Local(place.root));
         }
         self.lowered(&taken.arm.body, target)

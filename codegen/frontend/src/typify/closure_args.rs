@@ -8,7 +8,9 @@ use std::rc::Rc;
 
 use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
-use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type};
+use bessemer_ir::{
+    Argument, Expr, ExprKind, Function, FunctionId, Local, LocalId, Mode, Place, Role, Type,
+};
 
 use super::lowering::{Closure, Lowering, Scope, UNNAMED};
 use super::value::Value;
@@ -109,9 +111,12 @@ impl<'a> Lowering<'a, '_> {
         let outside: Vec<(String, Place)> = all
             .filter_map(|(name, meaning)| Some((name.clone(), self.place_of(meaning, span)?)))
             .collect();
+        let changing: Vec<_> = outside.iter().map(|(_, place)| self.rustc_at(place)).collect();
         let mut inner = Lowering::new(&mut *self.cx, template)?;
         inner.parameters()?;
         let first = inner.locals.len();
+        let changing = (first as u32..).map(LocalId).zip(changing);
+        inner.changing.extend(changing.filter_map(|(local, ty)| Some((local, ty?))));
         inner.locals.extend(outside.iter().map(|(name, place)| Local {
             name: name.clone(),
             ty: place.ty.clone(),
@@ -148,33 +153,48 @@ impl<'a> Lowering<'a, '_> {
             function.locals[at].mode = mode;
             captured.push(argument);
         }
-        // Behind the body, in which another closure may be handed to the same function.
-        function.name = self.copy_name(template, &given);
         function.module.clone_from(&self.source.module);
         function.owner = self.owner();
         if let tree::Role::Inline { public } = self.source.tree.role {
             function.role = Role::Inline { public };
         }
-        Ok((self.cx.add(lowered), captured))
+        // Behind the body, in which another closure may be handed to the same function.
+        let id = match self.named_copy(template, &given, function) {
+            Some(known) => known,
+            None => self.cx.add(lowered),
+        };
+        Ok((id, captured))
     }
 
     /// `bisect_error`, for the closure called `error`; else `bisect_in_step`, for the function that calls it. A copy for an
-    /// instance is named for it, so that no other instance moves its name.
-    fn copy_name(&self, template: &tree::Function, given: &[String]) -> String {
+    /// instance is named for it, so that no other instance moves its name. Gives the copy that is known already: what is
+    /// lowered again, or for its type alone, has no copy more.
+    fn named_copy(
+        &self,
+        template: &tree::Function,
+        given: &[String],
+        copy: &mut Function,
+    ) -> Option<FunctionId> {
         let purpose = match given.is_empty() {
             true => format!("in_{}", names::snake(&self.source.tree.name)),
             false => given.join("_"),
         };
         let instance = self.cx.suffix(&self.source.suffix);
         let wanted = format!("{}_{purpose}{instance}", template.tree.name);
-        let owner = self.owner();
-        let taken = |name: &str| {
-            let mut all = self.cx.module.functions.iter();
-            all.any(|it| it.module == self.source.module && it.owner == owner && it.name == name)
-        };
-        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
-        let mut candidates = std::iter::once(wanted.clone()).chain(numbered);
-        candidates.find(|name| !taken(name)).unwrap_or(wanted)
+        let all = &self.cx.module.functions;
+        let mut number = 1;
+        copy.name.clone_from(&wanted);
+        loop {
+            let same = |it: &Function| {
+                it.module == copy.module && it.owner == copy.owner && it.name == copy.name
+            };
+            let taken = all.iter().position(same)?;
+            if all[taken].locals == copy.locals && all[taken].body == copy.body {
+                return Some(FunctionId(taken as u32));
+            }
+            number += 1;
+            copy.name = format!("{wanted}_{number}");
+        }
     }
 
     /// `f(x)`: the body of the closure, its parameters the arguments; none if there is nothing to its value.

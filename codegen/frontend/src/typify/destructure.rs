@@ -72,16 +72,19 @@ impl Lowering<'_, '_> {
             (Pattern::Name { name, slot, inner: None, .. }, _)
                 if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
             {
-                bound.push((name.clone(), self.slice_for((name, *slot), value)?));
+                bound.push((name.clone(), self.slice_for(name, value)?));
                 Ok(())
             }
-            (Pattern::Name { name, slot, inner: None, .. }, _)
+            (Pattern::Name { name, slot, mutable, inner: None }, _)
                 if !self.holds_nothing(value) && !self.slot_is_reference(*slot, value.site)? =>
             {
                 let ty = self.slot(*slot, value.site)?;
                 let lowered = self.naming_as(&**name, |inner| inner.value(value, Some(&ty)))?;
                 self.agree(&lowered.ty, &ty, value.site)?;
                 let place = self.let_local(&**name, lowered);
+                if *mutable {
+                    self.note_changing(place.root, *slot);
+                }
                 bound.push((name.clone(), Value::Local(place.root)));
                 Ok(())
             }

@@ -46,7 +46,7 @@ impl Lowering<'_, '_> {
                 Some(found) => numbers.push(found),
                 None => {
                     let mut seq = self.seq(part, site)?;
-                    seq.slice = self.gone_through_kept(seq.slice, &part.pattern);
+                    seq.slice = self.kept_elements(seq.slice);
                     seqs.push(seq);
                 }
             }

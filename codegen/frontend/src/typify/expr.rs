@@ -2,8 +2,7 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LocalId, LogicOp, Routine, Scalar, Type,
-    UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Routine, Scalar, Type, UnaryOp,
 };
 
 use super::function::takes_closures;
@@ -261,19 +260,8 @@ impl Lowering<'_, '_> {
         let ty = self.read(expr, None).map(|value| value.ty);
         self.out = statements;
         self.lenders.forget(open);
-        self.forget_locals(locals);
+        self.drop_locals(locals);
         ty
-    }
-
-    /// Drops all locals but the first ones, and what is known of them: others will have their numbers.
-    fn forget_locals(&mut self, first: usize) {
-        let stays = |local: &LocalId| local.index() < first;
-        self.locals.truncate(first);
-        self.lenders.taken.retain(stays);
-        self.hands.retain(|_, hand| stays(&hand.taken.1));
-        for known in [&mut self.held, &mut self.steady, &mut self.valued] {
-            known.retain(stays);
-        }
     }
 
     /// The expected type of the right operand of an arithmetic operator.
@@ -312,7 +300,7 @@ impl Lowering<'_, '_> {
         if ty == Type::Unit {
             return problem(
                 site,
-                "values that hold nothing are not compared in the DSL",
+                "zero-sized values are not compared in the DSL",
                 "leave the comparison out: there is one value alone",
             );
         }

@@ -11,7 +11,7 @@ use bessemer_ir::{
 use super::borrowed::{Lenders, Path};
 use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
-use super::syntax::{Writes, control_with_value, ends_in_loop};
+use super::syntax::{control_with_value, ends_in_loop};
 use super::value::Value;
 use super::{Context, Needed, Result, names, problem};
 
@@ -136,6 +136,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             result,
             held: HashSet::new(),
             steady: HashSet::new(),
+            changing: HashMap::new(),
             valued: HashSet::new(),
             lenders: Lenders::default(),
             frames: Vec::new(),
@@ -206,8 +207,10 @@ impl Lowering<'_, '_> {
             let ty = self.cx.pointee(ty, param.site)?;
             let span = self.span(param.site);
             let local = self.declare(&param.name, ty, mode, span);
-            if mode == Mode::Value && !param.mutable {
-                self.steady.insert(local);
+            match mode {
+                Mode::Value if !param.mutable => _ = self.steady.insert(local),
+                Mode::Ref => {}
+                _ => self.note_changing(local, param.slot),
             }
             self.lending_parameters(param, local)?;
         }
@@ -393,6 +396,9 @@ impl Lowering<'_, '_> {
                     if !value.map_or(Ok(false), |value| self.take_tried(&whole, value))? {
                         self.let_stmt((name, *mutable), slot, value, *site)?;
                     }
+                    if *mutable && let Value::Local(local) = self.lookup(name, *site)? {
+                        self.note_changing(local, slot);
+                    }
                     *site
                 }
                 tree::Stmt::Apart { pattern, value, otherwise, site } => {
@@ -444,9 +450,11 @@ impl Lowering<'_, '_> {
             }
         };
         let absent = self.slot_is_nothing(slot);
+        // Where it is called, what is assigned to a reference lies elsewhere: it holds what it refers to.
+        let gathers = mutable && self.source.tree.role == tree::Role::Expanded;
         match (refers.is_some_and(|ty| slice_of(ty).is_some()), rewritten) {
-            (true, Some(value)) => return self.let_slice((name, slot), value, site),
-            _ if refers.is_some() && !absent && !self.gathers(name) => {
+            (true, Some(value)) => return self.let_slice((name, slot), mutable, value, site),
+            _ if refers.is_some() && !absent && !gathers => {
                 return self.alias((name, slot), value, site);
             }
             _ => {}
@@ -489,13 +497,6 @@ impl Lowering<'_, '_> {
             }
             _ => inner.let_control(name, ty, rewritten, span),
         })
-    }
-
-    /// Whether a name of a function that stands where it is called is that of a variable which is assigned: it holds what a
-    /// reference refers to, since what is assigned to it lies elsewhere.
-    fn gathers(&self, name: &str) -> bool {
-        self.source.tree.role == tree::Role::Expanded
-            && Writes::to(name, &self.source.tree.body).whole
     }
 
     /// The local that a value was put together in, and nothing else: it can have the author's name.

@@ -99,7 +99,7 @@ impl Context<'_> {
         let types =
             parts.iter().map(|ty| self.content_type(ty, site)).collect::<Result<Vec<_>>>()?;
         if types.contains(&Type::Unit) {
-            return problem(site, "a part of this tuple holds nothing", "leave it out");
+            return problem(site, "a part of this tuple is zero-sized", "leave it out");
         }
         let words: String = types.iter().map(|ty| self.word(ty)).collect();
         let name = format!("{}{words}", capitalised(&arity(types.len())));
@@ -148,7 +148,7 @@ impl Context<'_> {
         if element == Type::Unit || n == 0 {
             return problem(
                 site,
-                "this list holds nothing",
+                "this list is zero-sized",
                 "give it room for an element, or keep the count",
             );
         }
@@ -299,7 +299,8 @@ impl Context<'_> {
         let Enum { name, module, docs, given, span, .. } = named.clone();
         let tag = EnumId(self.module.enums.len() as u32);
         let mut fields = vec![field(words::TAG, "Which variant it is.", Type::Enum(tag))];
-        let mut cases = Vec::new();
+        // The tag refers to nothing.
+        let (mut cases, mut rustc) = (Vec::new(), vec![Ty::Unit]);
         for variant in variants {
             let payload = self.payload(&named, variant, site)?;
             let held = payload.map(|(ty, single)| {
@@ -307,6 +308,7 @@ impl Context<'_> {
                 let name = if name == "tag" { "tag_".to_owned() } else { name };
                 // Of one part, what is said of the part.
                 let part = variant.fields.first().filter(|_| single);
+                rustc.push(part.map_or(Ty::Unit, |part| part.ty.clone()));
                 let mut given = part.map(|part| part.given.clone()).unwrap_or_default();
                 given.sizes = self.sizes(&named.module, &ty, &given.sizes);
                 fields.push(Field { name, docs: variant.docs.clone(), ty, given });
@@ -326,7 +328,8 @@ impl Context<'_> {
         let item = Struct { name, module, docs, fields, form, given, span, ..Struct::default() };
         let id = self.add_struct(item);
         let ty = Type::Struct(id);
-        self.note(&ty).cases = cases;
+        let known = self.note(&ty);
+        (known.cases, known.rustc) = (cases, rustc);
         Ok(ty)
     }
 
@@ -341,7 +344,7 @@ impl Context<'_> {
         if kept.len() > 1 && kept.contains(&false) {
             return problem(
                 site,
-                format!("a part of `{}` holds nothing", variant.name),
+                format!("a part of `{}` is zero-sized", variant.name),
                 "leave it out of the variant",
             );
         }
@@ -359,6 +362,7 @@ impl Context<'_> {
                     span: named.span,
                     ..Struct::default()
                 });
+                self.note_fields(id, &variant.fields, &kept);
                 Ok(Some((Type::Struct(id), false)))
             }
         }

@@ -5,15 +5,14 @@
 //!
 //! Must not know: how lenders are followed ([`lenders`](super::lenders)).
 
-use bessemer_ir::tree::visit::Walk;
-use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
+use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::visit::{self, VisitMut};
 use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, StmtKind, StructId, Type};
 
 use super::borrowed::{Borrowed, spot_of};
 use super::lenders::{FROM, LENGTH};
 use super::lowering::{Lowering, UNNAMED};
-use super::syntax::{Writes, control_with_value, slots_of};
+use super::syntax::control_with_value;
 use super::value::{Slice, Value};
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem};
@@ -217,64 +216,14 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Whether a part of a local refers to something, and may come to refer to something else.
-    fn is_rebound_within(&self, local: LocalId) -> bool {
-        let (tree, name) = (&self.source.tree, &self.locals[local.index()].name);
-        let refers = |slot: u32| self.source.slots.get(slot as usize).is_some_and(refers_inside);
-        slots_of(tree, name).into_iter().any(refers) && Writes::to(name, &tree.body).part
-    }
-
-    /// Whether a place is in what a value holds a reference to, of which it has a copy, and may come to hold another.
-    pub(super) fn may_come_to_refer(&self, place: &Place) -> bool {
-        let local = &self.locals[place.root.index()];
-        // What stands where it is called knows the value by another name.
-        let changed =
-            !self.expanding.is_empty() || Writes::to(&local.name, &self.source.tree.body).part;
-        changed && self.is_loaned(place)
-    }
-
-    /// A slice that gets a name, by its slot, of elements that stay what they are.
-    pub(super) fn kept_elements(&mut self, slice: Slice, slot: u32, site: Site) -> Result<Slice> {
-        let shared = slot != NO_SLOT && !self.slot_is_exclusive(slot, site)?;
-        Ok(self.kept_if_shared(slice, shared))
-    }
-
-    /// A slice of a loan is copied where the value that holds the loan may be assigned another. `shared`: nothing writes
-    /// through the slice.
-    fn kept_if_shared(&mut self, slice: Slice, shared: bool) -> Slice {
-        let moves = shared && self.is_loan(&slice.base) || self.may_come_to_refer(&slice.base);
-        if !moves || self.is_lasting(&slice.base) {
+    /// A slice of a loan is copied: the value that holds the loan may be assigned another.
+    pub(super) fn kept_elements(&mut self, slice: Slice) -> Slice {
+        if !self.is_loan(&slice.base) || self.is_lasting(&slice.base) {
             return slice;
         }
         let name = self.field_name(&slice.base).unwrap_or_else(|| UNNAMED.into());
         let base = self.hold_copy(&name, slice.base.clone());
         Slice { base, ..slice }
-    }
-
-    /// A slice that a loop goes through, whose items have the names of a pattern.
-    pub(super) fn gone_through_kept(&mut self, slice: Slice, pattern: &tree::Pattern) -> Slice {
-        let mut slots = Vec::new();
-        pattern.each_name(|_, slot| slots.push(slot));
-        let is_read = |slot: &u32| {
-            self.source.slots.get(*slot as usize).is_some_and(|ty| !matches!(ty, Ty::Ref(_, true)))
-        };
-        let shared = !slots.is_empty() && slots.iter().all(is_read);
-        self.kept_if_shared(slice, shared)
-    }
-
-    /// Whether a reference is on the way to what is at a place.
-    fn is_loaned(&self, place: &Place) -> bool {
-        let steps = &place.steps;
-        (0..steps.len()).any(|at| match (&steps[at], self.type_of(place.root, &steps[..at])) {
-            (Step::Field(field), Type::Struct(id)) => self.cx.known_of(id).loans.contains(field),
-            _ => false,
-        })
-    }
-
-    /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
-    pub(super) fn is_loan(&self, place: &Place) -> bool {
-        let rebound = !place.steps.is_empty() && self.is_rebound_within(place.root);
-        rebound || self.is_loaned(place)
     }
 
     /// The type of an expression, if there are slices in it.
@@ -283,18 +232,6 @@ impl Lowering<'_, '_> {
             return None;
         }
         self.seen(expr.slot?, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
-    }
-}
-
-/// Whether a part of a value of a type refers to something.
-fn refers_inside(ty: &Ty) -> bool {
-    let refers = |ty: &Ty| matches!(ty, Ty::Ref(_, false)) || refers_inside(ty);
-    match ty {
-        Ty::Tuple(parts) => parts.iter().any(refers),
-        Ty::Option(inner) => refers(inner),
-        Ty::Result(value, error) => refers(value) || refers(error),
-        Ty::Ref(inner, true) => refers_inside(inner),
-        _ => false,
     }
 }
 

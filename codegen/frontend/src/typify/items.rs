@@ -12,7 +12,7 @@ use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
 use super::lowering::Lowering;
-use super::syntax::{Writes, bare, generates};
+use super::syntax::{bare, generates};
 use super::value::Value;
 
 /// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
@@ -120,7 +120,6 @@ impl<'a> Lowering<'a, '_> {
             Tree::Each { parts, cuts, .. } => {
                 for part in parts {
                     self.settle_elements(&mut part.array, part.owned)?;
-                    self.settle_loan(part)?;
                     if let Some(group) = &mut part.group {
                         self.settle_number(&mut group.size, "size%", &SIZE)?;
                     }
@@ -137,7 +136,10 @@ impl<'a> Lowering<'a, '_> {
     fn settle_number(&mut self, number: &mut tree::Expr, name: &str, ty: &Ty) -> Result<()> {
         let stays = match &number.kind {
             Tree::Int(..) => true,
-            Tree::Local(name) => !Writes::to(name, &self.source.tree.body).whole,
+            Tree::Local(name) => match self.lookup(name, number.site)? {
+                Value::Local(local) => !self.changing.contains_key(&local),
+                _ => true,
+            },
             _ => false,
         };
         if stays {
@@ -191,17 +193,23 @@ impl<'a> Lowering<'a, '_> {
             _ if held => {}
             // What is borrowed.
             Tree::Local(name) if !owned || !self.is_changeable(name) => return Ok(()),
-            Tree::Field(base, _) if !owned && is_variable(base) => return Ok(()),
-            Tree::Ref(_, inner) if is_variable(inner) => return Ok(()),
             _ => {}
         }
+        let borrowed = match &elements.kind {
+            Tree::Field(..) if !owned => self.is_borrowed_variable(elements)?,
+            Tree::Ref(_, inner) => self.is_borrowed_variable(inner)?,
+            _ => false,
+        };
+        if borrowed {
+            return Ok(());
+        }
         let given = match self.slice(elements)? {
-            Some(slice) => Value::Slice(Box::new(slice)),
+            Some(slice) => Value::Slice(Box::new(self.kept_elements(slice))),
             None => {
                 let mut place = self.base(elements)?;
                 self.fix(&mut place);
-                match owned && !self.held.contains(&place.root) {
-                    true => self.own("items%", place.load(), false),
+                match (owned || self.is_loan(&place)) && !self.held.contains(&place.root) {
+                    true => self.own("items%", place.load(), None),
                     false => Value::Place(place),
                 }
             }
@@ -218,26 +226,18 @@ impl<'a> Lowering<'a, '_> {
             && self.place_type(named).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some())
     }
 
-    /// Copies what a value refers to, which may come to refer to something else.
-    fn settle_loan(&mut self, part: &mut tree::Part) -> Result<()> {
-        if !matches!(part.array.kind, Tree::Field(..)) {
-            return Ok(());
+    /// Whether elements are those of a variable that is borrowed, and stays what it is.
+    fn is_borrowed_variable(&mut self, elements: &tree::Expr) -> Result<bool> {
+        if !is_variable(elements) {
+            return Ok(false);
         }
-        let Some(place) = self.place(&part.array)? else { return Ok(()) };
-        let root = place.root;
-        let Some(slice) = self.all_of(place) else { return Ok(()) };
-        let kept = self.gone_through_kept(slice, &part.pattern);
-        if kept.base.root != root {
-            self.stand_in(&mut part.array, "items%", Value::Slice(Box::new(kept)));
-        }
-        Ok(())
+        Ok(!self.place(elements)?.is_some_and(|place| self.is_loan(&place)))
     }
 
     /// Whether a name is that of a value which may be written to.
     fn is_changeable(&self, name: &str) -> bool {
         let Ok(Value::Local(root)) = self.lookup(name, Site::default()) else { return false };
-        let stays = self.steady.contains(&root) || self.held.contains(&root);
-        self.locals[root.index()].mode == Mode::Value && !stays
+        self.locals[root.index()].mode == Mode::Value && self.changing.contains_key(&root)
     }
 
     /// Puts a name in the place of an expression: one that nothing else has here, since a loop goes through several parts.

@@ -34,6 +34,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub held: HashSet<LocalId>,
     /// The counters of loops over ranges, which only their loop changes, and parameters that nobody does.
     pub steady: HashSet<LocalId>,
+    /// The locals that their author may write again, and their types as rustc sees them.
+    pub changing: HashMap<LocalId, tree::Ty>,
     /// Locals that have to have a value where they are declared.
     pub valued: HashSet<LocalId>,
     /// The arrays whose elements the slices in its locals are.
@@ -105,6 +107,18 @@ impl<'a> Lowering<'a, '_> {
             Value::Closure(closure) if known == name => Some(*closure),
             _ => None,
         })
+    }
+
+    /// Drops all locals but the first ones, and what is known of them: others will have their numbers.
+    pub(super) fn drop_locals(&mut self, first: usize) {
+        let stays = |local: &LocalId| local.index() < first;
+        self.locals.truncate(first);
+        self.lenders.taken.retain(stays);
+        self.hands.retain(|_, hand| stays(&hand.taken.1));
+        for known in [&mut self.held, &mut self.steady, &mut self.valued] {
+            known.retain(stays);
+        }
+        self.changing.retain(|local, _| stays(local));
     }
 
     /// A closure that a name can mean.

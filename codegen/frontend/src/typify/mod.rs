@@ -38,6 +38,7 @@ mod labelled;
 mod lenders;
 mod lengths;
 mod literal;
+mod loans;
 mod loops;
 mod lowering;
 mod names;
@@ -235,8 +236,8 @@ struct Known<'a> {
     error: Option<tree::Ty>,
     /// The author's fields, if some hold nothing, and where the others are.
     fields: Vec<(String, Option<usize>)>,
-    /// The fields that are references.
-    loans: Vec<u32>,
+    /// The types of the fields of a struct, or of an enum with payload, as rustc sees them.
+    rustc: Vec<tree::Ty>,
     /// The function that compares two values part by part.
     equality: Option<FunctionId>,
     /// The function that its author wrote for `==`.

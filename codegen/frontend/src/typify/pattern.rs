@@ -93,23 +93,26 @@ impl Lowering<'_, '_> {
     }
 
     fn test_any(&mut self, cases: &[Pattern], subject: &Value, site: Site) -> Result<Test> {
-        let mut any: Option<Expr> = None;
+        let (mut any, mut known): (Option<Expr>, Option<Vec<Named>>) = (None, None);
         for case in cases {
-            let Test { condition, names } = self.test(case, subject, site)?;
-            if !names.is_empty() {
+            let Test { condition, mut names } = self.test(case, subject, site)?;
+            names.sort_by(|one, other| one.name.cmp(&other.name));
+            // Each of `x @ 1 | x @ 2` is another name of one place.
+            let first = known.get_or_insert_with(|| names.clone());
+            if first.len() != names.len() || !first.iter().zip(&names).all(same_names) {
                 return problem(
                     site,
                     "names inside `|` stand for different places",
                     "write an arm for each",
                 );
             }
-            let Some(next) = condition else { return Ok(Test::default()) };
+            let Some(next) = condition else { return Ok(Test { condition: None, names }) };
             any = Some(match any {
                 Some(any) => Expr::logic(LogicOp::Or, any, next),
                 None => next,
             });
         }
-        Ok(Test::of(any))
+        Ok(Test { condition: any, names: known.unwrap_or_default() })
     }
 
     /// The test of all patterns, each of its part.
@@ -410,6 +413,9 @@ impl Lowering<'_, '_> {
             self.agree(&place.ty, &rustc, named.site)?;
             let span = self.span(named.site);
             let local = self.declare(&named.name, rustc, Mode::Value, span);
+            if named.mutable {
+                self.note_changing(local, named.slot);
+            }
             let value = Some(place.load());
             self.emit(StmtKind::Let { local, value }, span);
         }
@@ -433,6 +439,16 @@ impl Lowering<'_, '_> {
             || self.held.contains(&place.root)
             || place.steps.is_empty() && self.steady.contains(&place.root)
     }
+}
+
+/// Whether two names are one, and stand for one place.
+fn same_names((one, other): (&Named, &Named)) -> bool {
+    let same = match (&one.stands, &other.stands) {
+        (Value::Place(one), Value::Place(other)) => effects::same_place(one, other),
+        (Value::Nothing, Value::Nothing) => true,
+        _ => false,
+    };
+    same && one.name == other.name && one.mutable == other.mutable
 }
 
 /// A block without the names that it begins with and does not use.

@@ -319,8 +319,8 @@ impl Lowering<'_, '_> {
             place = Some(self.held(lent)?);
         }
         let mut place = place.or_told(site, "a reference in a variable names a place in the DSL", "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`")?;
-        let loan = self.is_loan(&place) && !self.slot_is_exclusive(slot, site)?;
-        let moves = loan || value.is_some_and(is_held) || self.may_come_to_refer(&place);
+        let read = !self.slot_is_exclusive(slot, site)?;
+        let moves = read && (self.is_loan(&place) || value.is_some_and(is_held));
         if moves && !self.is_lasting(&place) {
             // A reference that a value holds is a copy there; the value may get another.
             place = self.hold_copy(name, place);

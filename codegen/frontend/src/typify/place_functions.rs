@@ -306,24 +306,28 @@ impl<'a> Lowering<'a, '_> {
             // A value of its own, `table.clone()` too.
             let ty = self.cx.value_type(inner, argument.site)?;
             let value = self.value(argument, Some(&ty))?;
-            return Ok(self.own(name, value, *written));
+            return Ok(self.own(name, value, written.then_some(&**inner)));
         }
-        let ty = self.cx.value_type(ty, argument.site)?;
-        let value = self.value(argument, Some(&ty))?;
+        let lowered = self.cx.value_type(ty, argument.site)?;
+        let value = self.value(argument, Some(&lowered))?;
         match value.kind {
             _ if mutable || !(self.is_steady(&value) || is_constant(&value)) => {
-                Ok(self.own(name, value, mutable))
+                Ok(self.own(name, value, mutable.then_some(ty)))
             }
             ExprKind::Load(place) => Ok(Value::Place(place)),
             _ => Ok(Value::Word(Box::new(value))),
         }
     }
 
-    /// A local with this value, which is written if `mutable`.
-    pub(super) fn own(&mut self, name: &str, value: Expr, mutable: bool) -> Value {
-        Value::Place(self.naming_as("", |inner| match mutable {
-            true => inner.mutable_place(name, value),
-            false => inner.temporary_place(name, value),
+    /// A local with this value, which is written if it is `changing`: its type as rustc sees it.
+    pub(super) fn own(&mut self, name: &str, value: Expr, changing: Option<&Ty>) -> Value {
+        Value::Place(self.naming_as("", |inner| match changing {
+            Some(ty) => {
+                let place = inner.mutable_place(name, value);
+                inner.changing.insert(place.root, ty.clone());
+                place
+            }
+            None => inner.temporary_place(name, value),
         }))
     }
 }

@@ -161,6 +161,10 @@ impl Lowering<'_, '_> {
                 self.one_of_several(seq, index)
             }
             Some((way @ (Grouping::Windows | Grouping::Whole | Grouping::All), size)) => {
+                let index = match seq.part.reversed {
+                    true => minus(minus(seq.count.clone(), Expr::usize(1, index.span)), index),
+                    false => index,
+                };
                 return self.name_group(seq, (*way, size.clone()), index, site);
             }
             _ => seq.element(index, bare),

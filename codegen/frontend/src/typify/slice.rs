@@ -14,7 +14,7 @@ use super::expr::Call;
 use super::function::{result_of, slice_of};
 use super::lengths::{compared, divided, is_number, least, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
-use super::syntax::{Writes, bare, control_with_value};
+use super::syntax::{bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;
 use super::{Needed, Result, problem};
@@ -36,6 +36,9 @@ impl Lowering<'_, '_> {
         }
         let (element, span) = (self.cx.element_type(element, param.site)?, self.span(param.site));
         let local = self.slice_local(&param.name, element, mutable, span);
+        if mutable {
+            self.note_changing(local, param.slot);
+        }
         self.bind(&param.name, Value::Local(local));
         Ok(())
     }
@@ -59,11 +62,12 @@ impl Lowering<'_, '_> {
     pub(super) fn let_slice(
         &mut self,
         (name, slot): (&str, u32),
+        mutable: bool,
         value: &tree::Expr,
         site: Site,
     ) -> Result<()> {
         let decided = control_with_value(value);
-        if decided || Writes::to(name, &self.source.tree.body).whole {
+        if decided || mutable {
             let (ty, span) = (self.slot(slot, site)?, self.span(site));
             return self.naming_as(name, |inner| {
                 if decided {
@@ -74,19 +78,15 @@ impl Lowering<'_, '_> {
                 Ok(())
             });
         }
-        let slice = self.slice_for((name, slot), value)?;
+        let slice = self.slice_for(name, value)?;
         self.bind(name, slice);
         Ok(())
     }
 
     /// What a name of elements means.
-    pub(super) fn slice_for(
-        &mut self,
-        (name, slot): (&str, u32),
-        value: &tree::Expr,
-    ) -> Result<Value> {
+    pub(super) fn slice_for(&mut self, name: &str, value: &tree::Expr) -> Result<Value> {
         let slice = self.naming_as(name, |inner| inner.sliced(value))?;
-        Ok(Value::Slice(Box::new(self.kept_elements(slice, slot, value.site)?)))
+        Ok(Value::Slice(Box::new(self.kept_elements(slice))))
     }
 
     /// The slice that is lent, or all elements of an array or a list.

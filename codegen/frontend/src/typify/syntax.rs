@@ -1,6 +1,6 @@
 //! Properties that the author's syntax shows by itself.
 
-use bessemer_ir::tree::{self, visit::Walk};
+use bessemer_ir::tree;
 
 /// An expression without `&` and `*`: a reference is another name for what it refers to.
 pub(super) fn bare(expr: &tree::Expr) -> &tree::Expr {
@@ -75,60 +75,6 @@ pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
         tree::Pattern::Name { inner: Some(inner), .. } => matches!(**inner, tree::Pattern::Rest),
         _ => false,
     }
-}
-
-/// The writes to a name in a block, as its syntax shows them.
-pub(super) struct Writes<'n> {
-    name: &'n str,
-    /// Whether all of it is assigned, or lent to be.
-    pub whole: bool,
-    /// Whether it or a part of it may be: each call on it counts.
-    pub part: bool,
-}
-
-impl<'n> Writes<'n> {
-    pub(super) fn to(name: &'n str, block: &tree::Block) -> Writes<'n> {
-        let mut writes = Writes { name, whole: false, part: false };
-        block.each_expr(|expr| match &expr.kind {
-            tree::ExprKind::Assign(_, place, _) | tree::ExprKind::Ref(true, place) => {
-                writes.note(place, true);
-            }
-            tree::ExprKind::AssignEach(places, _) => writes.each(places),
-            tree::ExprKind::Call(_, arguments) => {
-                arguments.iter().take(1).for_each(|first| writes.note(first, false));
-            }
-            _ => {}
-        });
-        writes
-    }
-
-    fn note(&mut self, place: &tree::Expr, whole: bool) {
-        match &place.kind {
-            tree::ExprKind::Local(name) if name == self.name => {
-                (self.whole, self.part) = (self.whole || whole, true);
-            }
-            tree::ExprKind::Field(base, _)
-            | tree::ExprKind::Index(base, _)
-            | tree::ExprKind::Deref(base) => self.note(base, false),
-            _ => {}
-        }
-    }
-
-    fn each(&mut self, places: &tree::Places) {
-        match places {
-            tree::Places::None => {}
-            tree::Places::One(place) => self.note(place, true),
-            tree::Places::Each(parts) => parts.iter().for_each(|part| self.each(part)),
-        }
-    }
-}
-
-/// The slots of the locals of a name in a function, wherever they are declared.
-pub(super) fn slots_of(tree: &tree::FunctionTree, name: &str) -> Vec<u32> {
-    let params = tree.params.iter().filter(|it| it.name == name).map(|it| it.slot);
-    let mut slots: Vec<u32> = params.collect();
-    tree.body.each_name(|known, slot| slots.extend((known == name).then_some(slot)));
-    slots
 }
 
 /// Whether a function gives an iterator.

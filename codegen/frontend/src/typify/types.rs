@@ -219,7 +219,7 @@ impl<'a> Context<'a> {
                 Type::Unit => {
                     return problem(
                         site,
-                        "an array of what holds nothing is not in the DSL",
+                        "an array of zero-sized elements is not in the DSL",
                         super::borrowed::COUNT,
                     );
                 }

@@ -26,14 +26,14 @@ impl Context<'_> {
         if let tree::DefinitionKind::Struct { initial: Some(_), .. } = kind {
             return problem(
                 site,
-                "a component of fields that hold nothing has no state to keep",
+                "a component whose fields are zero-sized has no state to keep",
                 "mark it and its `impl` blocks `#[data]`, or give it a field",
             );
         }
         if definition.given.name.is_some() {
             return problem(
                 site,
-                "a struct that holds nothing is no type in the C, and has no name there",
+                "a zero-sized struct is no type in the C, and has no name there",
                 "leave the name out, or give one to its methods",
             );
         }
@@ -59,10 +59,9 @@ impl Context<'_> {
 
     /// Notes which of the author's fields are in the C, where not all are.
     pub(super) fn note_fields(&mut self, id: StructId, fields: &[tree::Field], kept: &[bool]) {
-        let held = fields.iter().zip(kept).filter(|(_, kept)| **kept).map(|(field, _)| field);
-        let loans = (0..).zip(held).filter(|(_, field)| matches!(field.ty, Ty::Ref(_, false)));
+        let held = fields.iter().zip(kept).filter(|(_, kept)| **kept);
         let known = self.note(&Type::Struct(id));
-        known.loans = loans.map(|(at, _)| at).collect();
+        known.rustc = held.map(|(field, _)| field.ty.clone()).collect();
         if kept.iter().all(|kept| *kept) {
             return;
         }
@@ -182,7 +181,7 @@ impl Lowering<'_, '_> {
         match self.locals.iter().find(|local| local.ty == Type::Unit) {
             Some(local) => problem(
                 Site(local.span.line, local.span.column),
-                "what holds nothing is not kept here in the DSL",
+                "a zero-sized value is not kept here in the DSL",
                 "leave it out: there is one value alone",
             ),
             None => Ok(()),

@@ -207,7 +207,7 @@ impl Lowering {
                 part.owned &= link == Link::IntoIter;
             }
             // Behind `zip`, or before it: one of the two is gone through from its end.
-            (Link::Rev, Source::One(part)) if part.group.is_none() => {
+            (Link::Rev, Source::One(part)) if part.group.as_ref().is_none_or(is_row) => {
                 part.reversed = !part.reversed;
             }
             (Link::StepBy, Source::One(part)) if part.group.is_none() && has_elements(part) => {
@@ -310,6 +310,11 @@ fn is_all(part: &tree::Part) -> bool {
 /// Whether that part has elements at its indices.
 fn is_straight(part: &tree::Part) -> bool {
     is_all(part) && has_elements(part)
+}
+
+/// Whether an item is elements in a row, and so is an iterator from its end on.
+fn is_row(group: &tree::Group) -> bool {
+    matches!(group.way, Grouping::Windows | Grouping::Whole | Grouping::All)
 }
 
 /// Whether elements come again and again, from the first on.

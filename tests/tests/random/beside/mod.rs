@@ -1,7 +1,8 @@
 //! Random bodies whose operands, indices and closures write what stands beside them: small, and many of them.
 //!
-//! The grammar is data (`grammar.txt`), and so is what the bodies call (`given.txt`). A loan is kept as long as
-//! the production lasts that makes it, so that rustc takes what comes out; what it refuses all the same is counted.
+//! The grammar is data (`grammar.txt`; of references and patterns, `referring.txt`), and so is what the bodies call
+//! (`given.txt`). A loan is kept as long as the production lasts that makes it, so that rustc takes what comes out; what it
+//! refuses all the same is counted.
 
 use bessemer_tests::random::Random;
 
@@ -9,13 +10,13 @@ use super::writer::{Entry, Program};
 
 /// What every body may call.
 pub const GIVEN: &str = include_str!("given.txt");
-const GRAMMAR: &str = include_str!("grammar.txt");
+const GRAMMAR: &str = concat!(include_str!("grammar.txt"), include_str!("referring.txt"));
 
 /// How many parts lie inside each other at most.
 const DEPTH: usize = 4;
 
 /// The variables: the name, what it begins as, and how `t` is told of it.
-const VARIABLES: [(char, &str, &str); 11] = [
+const VARIABLES: [(char, &str, &str); 15] = [
     ('n', "n0 as usize % 3", "beside_tells_k(n as i16, t);"),
     ('k', "k0", "beside_tells_k(k, t);"),
     ('f', "f0", "beside_tells_f(f, t);"),
@@ -43,7 +44,23 @@ const VARIABLES: [(char, &str, &str); 11] = [
         "Matrix3::new(1.0, f0, 0.5, -3.0, 0.75, 2.0, a0[0] as f64, -1.5, 4.0)",
         "for x in m.iter() { beside_tells_f(*x, t); }",
     ),
+    // What the references refer to, which nothing writes.
+    ('u', "[a0, [k0, 4, -3], [a0[2], 7, k0]]", ""),
+    (
+        'd',
+        "(&u[0], if n0 & 1 == 0 { Some(&u[1]) } else { None }, k0)",
+        "for x in d.0 { beside_tells_k(*x, t); } beside_tells_k(d.1.map_or(9, |x| x[0]) ^ d.2, t);",
+    ),
+    ('g', "[(&u[1], 3), (&u[2], k0)]", "for y in g { beside_tells_k(y.0[0] ^ y.1, t); }"),
+    (
+        'h',
+        "[BesideRef { r: &u[2], o: None, k: 3 }, BesideRef { r: &u[0], o: Some(&u[1]), k: k0 }]",
+        "for y in h { beside_tells_k(y.r[0] ^ y.k ^ y.o.map_or(5, |x| x[1]), t); }",
+    ),
 ];
+
+/// The variables that refer to parts of `u`.
+const REFERRING: [char; 3] = ['d', 'g', 'h'];
 
 /// A line of the grammar.
 struct Production {
@@ -195,7 +212,9 @@ pub fn program(random: &mut Random, name: &str) -> Program {
     ]);
     let value = body.part(kind, DEPTH);
     text += &format!("let z = {value};\n{tells}(z, t);\n");
-    let used = |name: char| mentions(&text).any(|it| it.0 == name);
+    let used = |name: char| {
+        mentions(&text).any(|it| it.0 == name || name == 'u' && REFERRING.contains(&it.0))
+    };
     let all = VARIABLES.iter().filter(|it| used(it.0));
     let declared: String =
         all.clone().map(|it| format!("let mut {} = {};\n", it.0, it.1)).collect();
