@@ -302,8 +302,11 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         let mut place = value.map_or(Ok(None), |value| self.place(value))?;
+        let exclusive = self.slot_is_exclusive(slot, site)?;
+        let called = |value: &tree::Expr| matches!(value.kind, tree::ExprKind::Apply(..));
+        let lent = value.filter(|value| lends(value) || called(value) && !exclusive);
         // What a call lends is not written while it is lent.
-        if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
+        if let (None, Some(lent)) = (&place, lent) {
             place = Some(self.held(lent)?);
         }
         let Some(mut place) = place else {
@@ -313,7 +316,7 @@ impl Lowering<'_, '_> {
                 "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`",
             );
         };
-        let loan = self.is_loan(&place) && !self.slot_is_exclusive(slot, site)?;
+        let loan = self.is_loan(&place) && !exclusive;
         let moves = loan || value.is_some_and(is_held) || self.may_come_to_refer(&place);
         if moves && !self.is_lasting(&place) {
             // A reference that a value holds is a copy there; the value may get another.
