@@ -118,6 +118,17 @@ impl<T> Option<T> {
     }
 }
 
+#[library(OptionDefaultCompanion, expand)]
+impl<T: Default> Option<T> {
+    /// What is there, else the default of its type.
+    pub fn unwrap_or_default(option: Self) -> T {
+        match option {
+            Some(value) => value,
+            None => T::default(),
+        }
+    }
+}
+
 #[library(CopiedMutCompanions, rewrite)]
 impl<T> Option<&mut T> {
     /// A copy of what is referred to.

@@ -2,6 +2,9 @@
 //!
 //! Must not know: how any of it becomes C. Of an option of the same name: `optional.rs`.
 
+// They are what they would be written with.
+#![allow(clippy::manual_unwrap_or_default)]
+
 use crate::library;
 
 #[library(ResultCompanions, rewrite)]
@@ -98,6 +101,17 @@ impl<T, E> Result<T, E> {
         E: Copy,
     {
         matches!(result, Err(error) if f(error))
+    }
+}
+
+#[library(ResultDefaultCompanion, expand)]
+impl<T: Default, E> Result<T, E> {
+    /// What is there, else the default of its type.
+    pub fn unwrap_or_default(result: Self) -> T {
+        match result {
+            Ok(value) => value,
+            Err(_) => T::default(),
+        }
     }
 }
 

@@ -30,8 +30,6 @@ companions! {
         fn __b_unwrap(self) -> T = Unwrap: Option(OptionMethod::Unwrap);
         fn __b_expect(self, _message: &str) -> T = Unwrap;
         fn __b_unwrap_or(self, _other: T) -> T = UnwrapOr: Option(OptionMethod::UnwrapOr);
-        fn __b_unwrap_or_default(self) -> T where T: Default
-            = UnwrapOrDefault: Option(OptionMethod::UnwrapOrDefault);
         fn __b_or(self, _other: Option<T>) -> Option<T> = Or: Option(OptionMethod::Or);
         fn __b_and[U](self, _other: Option<U>) -> Option<U> = And: Option(OptionMethod::And);
         fn __b_take(&mut self) -> Option<T> = Take: Option(OptionMethod::Take);
@@ -62,7 +60,6 @@ companions! {
         fn __b_unwrap_err(self) -> E = UnwrapErr: Option(OptionMethod::UnwrapErr);
         fn __b_expect_err(self, _message: &str) -> E = UnwrapErr;
         fn __b_unwrap_or(self, _other: T) -> T = UnwrapOr;
-        fn __b_unwrap_or_default(self) -> T where T: Default = UnwrapOrDefault;
         fn __b_ok(self) -> Option<T> = Ok: Option(OptionMethod::Ok);
         fn __b_err(self) -> Option<E> = Err: Option(OptionMethod::Err);
         fn __b_or(self, _other: Result<T, E>) -> Result<T, E> = Or;

@@ -111,9 +111,12 @@ pub mod prelude {
     };
     pub use crate::optional::{
         BoolCompanions as _, CopiedMutCompanions as _, FlattenCompanion as _,
-        OptionCompanions as _, TransposeCompanion as _, UnzipCompanion as _,
+        OptionCompanions as _, OptionDefaultCompanion as _, TransposeCompanion as _,
+        UnzipCompanion as _,
     };
-    pub use crate::outcome::{ResultCompanions as _, TransposeBackCompanion as _};
+    pub use crate::outcome::{
+        ResultCompanions as _, ResultDefaultCompanion as _, TransposeBackCompanion as _,
+    };
     pub use crate::rotation::{
         PlaneRotationCompanion as _, SpaceRotationCompanions as _, TurnCompanions as _,
     };

@@ -138,7 +138,7 @@ builtins! {
 
     /// Methods of `Option` and `Result` without a closure.
     OptionMethod {
-        IsSome, IsNone, IsOk, IsErr, Unwrap, UnwrapErr, UnwrapOr, UnwrapOrDefault, Copied, Or, And, Take, Replace,
+        IsSome, IsNone, IsOk, IsErr, Unwrap, UnwrapErr, UnwrapOr, Copied, Or, And, Take, Replace,
         OkOr, Ok, Err, AsMut, Insert, GetOrInsert,
         /// `get_or_insert_with`: its closure is computed in its place.
         GetOrInsertWith,

@@ -458,12 +458,46 @@ fn names_twice(pattern: &Pattern) -> bool {
 
 /// An arm with names inside `|` as an arm for each.
 fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
-    match &arm.pattern {
-        Pattern::Or(cases) if cases.iter().any(has_names) => cases
-            .iter()
-            .map(|pattern| tree::Arm { pattern: pattern.clone(), ..arm.clone() })
-            .collect(),
-        _ => vec![arm.clone()],
+    let arms = alternatives(&arm.pattern).into_iter();
+    arms.map(|pattern| tree::Arm { pattern, ..arm.clone() }).collect()
+}
+
+/// The patterns that a pattern with names inside `|` stands for, in the order in which Rust tries them.
+fn alternatives(pattern: &Pattern) -> Vec<Pattern> {
+    // The parts beside each other: each case of the first with each of the rest.
+    let all = |parts: &[Pattern]| {
+        parts.iter().fold(vec![Vec::new()], |before: Vec<Vec<Pattern>>, part| {
+            let next = |before: &Vec<Pattern>| {
+                let each = alternatives(part).into_iter();
+                each.map(|case| [&before[..], &[case]].concat()).collect::<Vec<_>>()
+            };
+            before.iter().flat_map(next).collect()
+        })
+    };
+    match pattern {
+        Pattern::Or(each) if each.iter().any(has_names) => {
+            each.iter().flat_map(alternatives).collect()
+        }
+        Pattern::Name { name, slot, mutable, inner: Some(inner) } => {
+            let named = |inner| Pattern::Name {
+                name: name.clone(),
+                slot: *slot,
+                mutable: *mutable,
+                inner: Some(Box::new(inner)),
+            };
+            alternatives(inner).into_iter().map(named).collect()
+        }
+        Pattern::Tuple(parts) => all(parts).into_iter().map(Pattern::Tuple).collect(),
+        Pattern::Array(parts) => all(parts).into_iter().map(Pattern::Array).collect(),
+        Pattern::Constructor(name, parts) => {
+            all(parts).into_iter().map(|parts| Pattern::Constructor(name.clone(), parts)).collect()
+        }
+        Pattern::Fields(name, fields) => {
+            let (names, parts): (Vec<_>, Vec<_>) = fields.iter().cloned().unzip();
+            let fields = |parts| names.iter().cloned().zip::<Vec<_>>(parts).collect();
+            all(&parts).into_iter().map(|it| Pattern::Fields(name.clone(), fields(it))).collect()
+        }
+        other => vec![other.clone()],
     }
 }
 

@@ -405,8 +405,14 @@ impl<'a> Lowering<'a, '_> {
     }
 
     fn body_value(&mut self, closure: &tree::Closure) -> Result<Expr> {
-        let slot = closure.body.slot;
-        let ty = slot.map(|slot| self.slot(slot, closure.body.site)).transpose()?;
+        let (slot, site) = (closure.body.slot, closure.body.site);
+        // What a reference that only reads refers to is the same as long as there is one.
+        let read = |slot| {
+            let shared =
+                self.slot_is_reference(slot, site)? && !self.slot_is_exclusive(slot, site)?;
+            if shared { self.refers_to(slot, site) } else { self.slot(slot, site) }
+        };
+        let ty = slot.map(read).transpose()?;
         let unit = match &ty {
             Some(ty) => *ty == Type::Unit,
             // The body of a loop.

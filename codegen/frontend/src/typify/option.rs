@@ -1,6 +1,6 @@
 //! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
 
-use bessemer_ir::tree::{self, OptionMethod, Site};
+use bessemer_ir::tree::{self, OptionMethod};
 use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
 
 use super::expr::{Call, Operand};
@@ -32,7 +32,7 @@ impl Lowering<'_, '_> {
             }
             M::Copied => return self.value(&arguments[0], None),
             M::Take | M::Replace => return self.exchanged(arguments, expr),
-            M::UnwrapOr | M::UnwrapOrDefault | M::Or | M::And | M::OkOr | M::Ok | M::Err => {
+            M::UnwrapOr | M::Or | M::And | M::OkOr | M::Ok | M::Err => {
                 return self.chosen(method, call);
             }
             // A place is lent: each use of one that takes it has looked before.
@@ -141,7 +141,6 @@ impl Lowering<'_, '_> {
         let mut there = self.tag_is(&place, id, word);
         let (otherwise, then) = match (method, &ty, second) {
             (M::UnwrapOr, _, Some(second)) => (second, value),
-            (M::UnwrapOrDefault, _, _) => (self.default_of(&ty, site)?, value),
             (M::Or, _, Some(second)) => (second, Some(place.load())),
             (M::And, Type::Struct(result), Some(second)) => {
                 there = there.negated();
@@ -178,17 +177,5 @@ impl Lowering<'_, '_> {
         self.follow(&assign);
         self.emit_if(condition, Block::of(assign, span), span);
         held
-    }
-
-    fn default_of(&mut self, ty: &Type, site: Site) -> Result<Expr> {
-        let mut inner = ty;
-        while let Type::Array { element, .. } = inner {
-            inner = element;
-        }
-        if matches!(inner, Type::Scalar(_) | Type::Matrix { .. }) {
-            let span = self.span(site);
-            return Ok(self.zero(ty, span));
-        }
-        problem(site, "the default of this type is not known here", "write `unwrap_or(…)`")
     }
 }

@@ -103,7 +103,7 @@ impl Lowering<'_, '_> {
                 return problem(
                     site,
                     "names inside `|` stand for different places",
-                    "write an arm for each",
+                    "write a `match` with an arm for each",
                 );
             }
             let Some(next) = condition else { return Ok(Test { condition: None, names }) };

@@ -314,13 +314,15 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         let mut place = value.map_or(Ok(None), |value| self.place(value))?;
+        let exclusive = self.slot_is_exclusive(slot, site)?;
+        let called = |value: &tree::Expr| matches!(value.kind, tree::ExprKind::Apply(..));
+        let lent = value.filter(|value| lends(value) || called(value) && !exclusive);
         // What a call lends is not written while it is lent.
-        if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
+        if let (None, Some(lent)) = (&place, lent) {
             place = Some(self.held(lent)?);
         }
         let mut place = place.or_told(site, "a reference in a variable names a place in the DSL", "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`")?;
-        let read = !self.slot_is_exclusive(slot, site)?;
-        let moves = read && (self.is_loan(&place) || value.is_some_and(is_held));
+        let moves = !exclusive && (self.is_loan(&place) || value.is_some_and(is_held));
         if moves && !self.is_lasting(&place) {
             // A reference that a value holds is a copy there; the value may get another.
             place = self.hold_copy(name, place);

@@ -34,6 +34,9 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0608" if message.mark()?.before().ends_with(']') => {
             "an element of a matrix is `m[(row, column)]`, counted from 0".to_owned()
         }
+        "E0277" if title.contains("Range<f") && message.rendered.contains("introduced by this call") => {
+            ENDS.to_owned()
+        }
         "E0277" if title.contains("Range<{float}>") => {
             "count with integers: `for i in 0..10 { let x = 0.1 * f64::from(i); … }`".to_owned()
         }
@@ -86,6 +89,9 @@ pub fn of(message: &Message<'_>) -> Option<String> {
     };
     Some(help)
 }
+
+/// For a range that stands where a value is wanted.
+pub const ENDS: &str = "name its two ends: `core::ops::Range { start: a, end: b }`";
 
 const COPY: &str = "let the value copy itself: `#[derive(Clone, Copy)]` below `#[data]`";
 

@@ -136,6 +136,15 @@ fn unnamed(message: &Message<'_>) -> Option<Words> {
     const INTERNAL: [&str; 4] = ["__", OWNED, "bessemer::generate", "ScalarType"];
     let label = message.mark().map_or("", |mark| mark.label);
     let shows = |text: &str| INTERNAL.iter().any(|it| text.contains(it));
+    if label.contains("found `Items<") {
+        return words("this range is not gone through, and not a value in the DSL", hints::ENDS);
+    }
+    if message.code == "E0034" {
+        return words(
+            "this name is that of a function of floats, and of one of a type parameter that may be a float",
+            "write a closure that calls the method: `|a, b| a.max(b)`",
+        );
+    }
     (shows(message.title) || shows(label)).then(|| {
         words(
             UNNAMED,

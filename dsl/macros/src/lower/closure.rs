@@ -137,6 +137,10 @@ impl Lowering {
                 });
                 plain(kind, &place)
             }
+            // What is lent to be called is called there.
+            syn::Expr::Reference(it) if self.is_called_value(&it.expr) => {
+                self.argument(&mut it.expr)
+            }
             syn::Expr::Path(path) => match path.path.get_ident().map(text) {
                 // Handed on as it came.
                 Some(name) if self.is_called(&name) => plain(ExprKind::Local(name), path),
@@ -150,6 +154,19 @@ impl Lowering {
                 _ => self.value(expr),
             },
             other => self.value(other),
+        }
+    }
+
+    /// Whether an expression is a closure, or the name of one.
+    fn is_called_value(&self, expr: &syn::Expr) -> bool {
+        match expr {
+            syn::Expr::Closure(_) => true,
+            syn::Expr::Paren(it) => self.is_called_value(&it.expr),
+            syn::Expr::Path(it) => it.path.get_ident().map(text).is_some_and(|name| {
+                let known = |name: &str| self.is_closure(name);
+                self.is_called(&name) || self.local_name(&name).is_some_and(known)
+            }),
+            _ => false,
         }
     }
 

@@ -96,10 +96,10 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
         syn::Expr::Range(_) => true,
         syn::Expr::MethodCall(it) => match Link::of(it) {
             Some(Link::Iter | Link::IntoIter | Link::Group(_)) => true,
-            // What is written is in one of two: a loop for each.
+            // What is written, or gone through otherwise, is in one of two: a loop for each.
             Some(Link::Chain) => {
                 let other = &it.args[0];
-                is_source(&it.receiver)
+                is_straight(&it.receiver)
                     && is_array(other)
                     && !(writes(&it.receiver) || writes(other))
             }
@@ -110,10 +110,28 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
     }
 }
 
+/// Whether an iterator goes through elements that are lent, from the first on.
+fn is_straight(expr: &syn::Expr) -> bool {
+    match bare(expr) {
+        syn::Expr::Reference(_) => true,
+        syn::Expr::MethodCall(it) => match Link::of(it) {
+            Some(Link::Iter) => true,
+            Some(Link::Copied | Link::Skip | Link::Take) => is_straight(&it.receiver),
+            Some(Link::Chain) => is_source(expr),
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
 /// Whether what an iterator goes on with is an array, or its elements.
 fn is_array(expr: &syn::Expr) -> bool {
-    let is_call = matches!(bare(expr), syn::Expr::MethodCall(_) | syn::Expr::Call(_));
-    is_source(expr) && !matches!(bare(expr), syn::Expr::Range(_)) || !is_call
+    match bare(expr) {
+        syn::Expr::Range(_) | syn::Expr::Call(_) => false,
+        syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::IntoIter) => is_array(&it.receiver),
+        syn::Expr::MethodCall(_) => is_straight(expr),
+        _ => true,
+    }
 }
 
 /// Whether the elements that an iterator gives are written, as far as its syntax shows.

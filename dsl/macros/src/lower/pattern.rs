@@ -125,6 +125,13 @@ impl Lowering {
             syn::Pat::Or(it) => {
                 tree::Pattern::Or(it.cases.iter().map(|case| self.pattern(case, looks)).collect())
             }
+            syn::Pat::Lit(syn::PatLit { lit: syn::Lit::ByteStr(it), .. }) => {
+                let byte = |byte| {
+                    let byte = syn::LitByte::new(byte, it.span());
+                    tree::Pattern::Value(self.value(&mut parse_quote! { #byte }))
+                };
+                tree::Pattern::Array(it.value().into_iter().map(byte).collect())
+            }
             syn::Pat::Lit(it) => {
                 let mut literal = syn::Expr::Lit(it.clone());
                 tree::Pattern::Value(self.value(&mut literal))

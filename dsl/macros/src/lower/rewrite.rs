@@ -152,9 +152,23 @@ fn by_ends(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
     Some(syn::Expr::MethodCall(call))
 }
 
-/// `first..=last` as a value: what Rust makes of it.
+/// `first..=last` as a value: what Rust makes of it; and `start..end` of floats, which nothing goes through.
 fn held(it: &syn::ExprRange) -> Option<syn::Expr> {
     let (start, end) = (it.start.as_ref()?, it.end.as_ref()?);
-    let closed = matches!(it.limits, syn::RangeLimits::Closed(_));
-    closed.then(|| parse_quote! { ::bessemer::generate::RangeInclusive::new(#start, #end) })
+    match it.limits {
+        syn::RangeLimits::Closed(_) => {
+            Some(parse_quote! { ::bessemer::generate::RangeInclusive::new(#start, #end) })
+        }
+        syn::RangeLimits::HalfOpen(_) => (is_float(start) || is_float(end))
+            .then(|| parse_quote! { ::core::ops::Range { start: #start, end: #end } }),
+    }
+}
+
+/// Whether an expression is the literal of a float.
+fn is_float(expr: &syn::Expr) -> bool {
+    match bare(expr) {
+        syn::Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => is_float(expr),
+        syn::Expr::Lit(it) => matches!(it.lit, syn::Lit::Float(_)),
+        _ => false,
+    }
 }

@@ -1,7 +1,7 @@
 //! Locals that nothing in the C reads: a comparison that the types decide, a part that only checks needed.
 //!
 //! `(void)name;` stands behind the declaration of such a one. What does no more than copy a place that is read elsewhere
-//! goes, and with it the only mention; what has another value stays, for it may call.
+//! goes, and with it the only mention, and so does a list of literals; what has another value stays, for it may call.
 
 use crate::c::tree::{Expr, Init, Step, Stmt, StmtKind, plain};
 
@@ -32,18 +32,19 @@ fn say(body: &mut Vec<Stmt>, names: &[String]) {
 /// in `body`; whether there was one.
 fn drop_copy(block: &mut Vec<Stmt>, body: &[Stmt]) -> bool {
     let unread = |at: &usize| {
-        let [
-            Stmt { kind: StmtKind::Declare(declarator, Some(Init::Value(value))), .. },
-            next,
-            rest @ ..,
-        ] = &block[*at..]
+        let [Stmt { kind: StmtKind::Declare(declarator, Some(init)), .. }, next, rest @ ..] =
+            &block[*at..]
         else {
             return false;
         };
         let said = StmtKind::Expr(Expr::cast("void", Expr::name(&declarator.name)));
         // Names of other blocks count as one: of a name that two have, nothing is known.
         let elsewhere = |place| reads(body, place) > 1 && declarations(body, place) <= 1;
-        next.kind == said && !names(rest, &declarator.name) && root(value).is_some_and(elsewhere)
+        let needless = match init {
+            Init::Value(value) => root(value).is_some_and(elsewhere),
+            list => is_constant(list),
+        };
+        next.kind == said && !names(rest, &declarator.name) && needless
     };
     if let Some(at) = (0..block.len()).find(unread) {
         block.drain(at..at + 2);
@@ -58,6 +59,19 @@ fn root(place: &Expr) -> Option<&str> {
         Expr::Name(name) => Some(name),
         Expr::Member(of, _) | Expr::Arrow(of, _) => root(of),
         _ => None,
+    }
+}
+
+/// Whether an initialiser has literals alone.
+fn is_constant(init: &Init) -> bool {
+    match init {
+        Init::List { items, .. } => items.iter().all(|(_, item)| is_constant(item)),
+        Init::Value(Expr::Name(text)) => {
+            text.starts_with(|first: char| first.is_ascii_digit())
+                || text == "true"
+                || text == "false"
+        }
+        Init::Value(_) => false,
     }
 }
 
