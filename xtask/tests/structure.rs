@@ -274,10 +274,10 @@ fn shown(circle: &BTreeSet<&Module>) -> String {
 /// What takes the name of a temporary, or of a hidden local: the word decides nothing but how the C reads.
 const NAMING: [&str; 22] = [
     "below",
+    "below_unless_one",
     "called_here",
     "copy_of_part",
-    "counter",
-    "counter_of",
+    "each_cell",
     "either",
     "fresh",
     "fresh_beside",
@@ -292,7 +292,7 @@ const NAMING: [&str; 22] = [
     "steady",
     "steady_index",
     "temporary",
-    "temporary_local",
+    "temporary_name",
     "temporary_place",
     "temporary_unless",
 ];

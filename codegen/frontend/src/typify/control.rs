@@ -7,7 +7,7 @@ use super::conditions::{decided, has_let};
 use super::each::Each;
 use super::expr::Call;
 use super::lowering::{Leaving, Lowering, RESULT, Target};
-use super::syntax::control_with_value;
+use super::syntax::{control_with_value, ends_in_loop};
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, order, problem};
@@ -154,6 +154,27 @@ impl Lowering<'_, '_> {
             Target::Place(place) => place.ty.clone(),
             Target::Return => self.result.clone(),
         }
+    }
+
+    /// A local that control flow decides: declared first, then assigned on every path.
+    pub(super) fn decided_by(
+        &mut self,
+        name: String,
+        ty: Type,
+        value: Option<&tree::Expr>,
+        span: Span,
+    ) -> Result<Place> {
+        let local = self.local(name, ty.clone(), span);
+        let first = value.and_then(|value| self.before_loop(value, &ty, span));
+        self.emit(StmtKind::Let { local, value: first }, span);
+        let place = Place::local(local, ty, span);
+        value.map_or(Ok(()), |value| self.into(value, &Target::Place(place.clone())))?;
+        Ok(place)
+    }
+
+    /// The value of a local that a loop assigns: C compilers do not see that the loop runs.
+    fn before_loop(&self, value: &tree::Expr, ty: &Type, span: Span) -> Option<Expr> {
+        (ends_in_loop(value) && *ty != Type::Unit).then(|| self.zero(ty, span))
     }
 
     fn send(&mut self, value: Expr, target: &Target, span: Span) {

@@ -11,7 +11,7 @@ use bessemer_ir::{
 use super::borrowed::{Lenders, Path};
 use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
 use super::names::split;
-use super::syntax::{control_with_value, ends_in_loop};
+use super::syntax::control_with_value;
 use super::value::Value;
 use super::{Context, Needed, Result, names, problem};
 
@@ -332,11 +332,6 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The value of a local that a loop assigns: C compilers do not see that the loop runs.
-    fn before_loop(&self, value: &tree::Expr, ty: &Type, span: Span) -> Option<Expr> {
-        (ends_in_loop(value) && *ty != Type::Unit).then(|| self.zero(ty, span))
-    }
-
     pub(super) fn bind(&mut self, name: &str, binding: Value) {
         if let Some(scope) = self.scopes.last_mut() {
             scope.push((name.to_owned(), binding));
@@ -520,22 +515,6 @@ impl Lowering<'_, '_> {
         let place = self.decided_by(name.to_owned(), ty, value, span)?;
         self.bind(name, Value::Local(place.root));
         Ok(())
-    }
-
-    /// A local that control flow decides: declared first, then assigned on every path.
-    pub(super) fn decided_by(
-        &mut self,
-        name: String,
-        ty: Type,
-        value: Option<&tree::Expr>,
-        span: Span,
-    ) -> Result<Place> {
-        let local = self.local(name, ty.clone(), span);
-        let first = value.and_then(|value| self.before_loop(value, &ty, span));
-        self.emit(StmtKind::Let { local, value: first }, span);
-        let place = Place::local(local, ty, span);
-        value.map_or(Ok(()), |value| self.into(value, &Target::Place(place.clone())))?;
-        Ok(place)
     }
 
     /// A temporary that holds `value`; named for what it is part of.
