@@ -8,6 +8,7 @@ use super::kernels::shape;
 use super::lengths::size;
 use super::lowering::Lowering;
 use super::numbers::number;
+use super::order::is_free;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem};
 
@@ -75,14 +76,28 @@ impl Lowering<'_, '_> {
     /// How many rows, columns or elements a matrix has.
     fn size(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
-        let shape = shape(&self.type_alone(&arguments[0])?);
-        let (_, rows, cols) = shape.needed(expr.site, "this takes a matrix or vector")?;
+        let shape = self.shape_of(&arguments[0])?;
+        let (rows, cols) = shape.needed(expr.site, "this takes a matrix or vector")?;
         let count = match method {
             MatrixMethod::Rows => rows,
             MatrixMethod::Cols => cols,
             _ => rows * cols,
         };
         Ok(size(count, self.span(expr.site)))
+    }
+
+    /// The rows and columns of a matrix, of which nothing is read; what it is computed with is done, and faults.
+    fn shape_of(&mut self, matrix: &tree::Expr) -> Result<Option<(u32, u32)>> {
+        if let Some(part) = self.submatrix(matrix)? {
+            return Ok(Some((part.rows, part.cols)));
+        }
+        let mut value = self.value(matrix, None)?;
+        if let ExprKind::Load(place) = &mut value.kind {
+            self.fix(place);
+        } else if !is_free(&value) {
+            self.hold(value.clone());
+        }
+        Ok(shape(&value.ty).map(|(_, rows, cols)| (rows, cols)))
     }
 
     /// `vector![a, b]`, `matrix![a, b; c, d]`.
