@@ -78,26 +78,28 @@ impl Lowering<'_, '_> {
     /// How many rows, columns or elements a matrix has.
     fn size(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
-        let ty = match self.submatrix(&arguments[0])? {
-            Some(part) => part.ty(),
-            None => {
-                let value = self.value(&arguments[0], None)?;
-                let ty = value.ty.clone();
-                // Nothing of it is asked, but what it does is done, and its faults are faults.
-                if !is_free(&value) {
-                    let span = value.span;
-                    self.emit(StmtKind::Expr(value), span);
-                }
-                ty
-            }
-        };
-        let (_, rows, cols) = shape(&ty).needed(expr.site, "this takes a matrix or vector")?;
+        let shape = self.shape_of(&arguments[0])?;
+        let (rows, cols) = shape.needed(expr.site, "this takes a matrix or vector")?;
         let count = match method {
             MatrixMethod::Rows => rows,
             MatrixMethod::Cols => cols,
             _ => rows * cols,
         };
         Ok(size(count, self.span(expr.site)))
+    }
+
+    /// The rows and columns of a matrix, of which nothing is read; what it is computed with is done, and faults.
+    fn shape_of(&mut self, matrix: &tree::Expr) -> Result<Option<(u32, u32)>> {
+        if let Some(part) = self.submatrix(matrix)? {
+            return Ok(Some((part.rows, part.cols)));
+        }
+        let mut value = self.value(matrix, None)?;
+        if let ExprKind::Load(place) = &mut value.kind {
+            self.fix(place);
+        } else if !is_free(&value) {
+            self.hold(value.clone());
+        }
+        Ok(shape(&value.ty).map(|(_, rows, cols)| (rows, cols)))
     }
 
     /// `vector![a, b]`, `matrix![a, b; c, d]`.
