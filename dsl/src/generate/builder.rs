@@ -191,7 +191,9 @@ impl Builder {
     ) -> Ty {
         let path = path(named.module, named.name, &arguments);
         if self.known.insert(path.clone()) {
-            own.refuse(self, &named, site);
+            for (message, remedy) in own.told(named.name) {
+                self.refuse(named.file, Site(site.0, site.1), message, remedy);
+            }
             let kind = kind(self);
             self.package.types.push(tree::Definition {
                 path: path.clone(),

@@ -3,10 +3,9 @@
 //! The C copies and compares part by part, and does nothing where a value ends.
 
 use alloc::format;
+use alloc::string::String;
 use core::marker::PhantomData;
 use core::mem::needs_drop;
-
-use super::builder::{Builder, Named};
 
 /// What of this an author wrote for a type, as far as it is not derived where the DSL sees it.
 pub struct Own {
@@ -20,8 +19,7 @@ pub struct Own {
 
 impl Own {
     /// What there is to tell of a type, with what to do about it.
-    pub(super) fn refuse(&self, cx: &mut Builder, named: &Named, site: (u32, u32)) {
-        let name = named.name;
+    pub(super) fn told(&self, name: &str) -> impl Iterator<Item = (String, &'static str)> + use<> {
         let derived = |of: &str| format!("`{name}` does not derive `{of}` where the DSL sees it");
         let told = [
             (
@@ -42,9 +40,7 @@ impl Own {
                 "write a method, and call it where the value ends",
             ),
         ];
-        for (_, message, remedy) in told.into_iter().filter(|it| it.0) {
-            cx.refuse(named.file, bessemer_tree::Site(site.0, site.1), message, remedy);
-        }
+        told.into_iter().filter(|it| it.0).map(|(_, message, remedy)| (message, remedy))
     }
 }
 

@@ -1,9 +1,7 @@
 //! The DSL's own operations: which IR node each is, and the type of its result.
 
 use bessemer_ir::tree::{self, Builtin, MatrixMethod};
-use bessemer_ir::{
-    Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, StmtKind, Type, UnaryOp,
-};
+use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
 use super::expr::Call;
 use super::kernels::shape;

@@ -93,7 +93,7 @@ pub(super) fn slice_of(ty: &Ty) -> Option<&Ty> {
 
 /// The type of numbers or characters that the function was implemented for: Rust's own, so it is nobody's owner.
 fn number_of(source: &tree::Function) -> Option<&str> {
-    let is_one = |path: &&str| *path == "char" || bessemer_ir::Scalar::from_name(path).is_some();
+    let is_one = |path: &&str| path.starts_with(char::is_lowercase) && !path.contains("::");
     source.owner.as_deref().filter(is_one)
 }
 
