@@ -29,6 +29,10 @@
 #elif defined(__GNUC__)
 #pragma GCC push_options
 #pragma GCC optimize("fp-contract=off", "signed-zeros")
+#if __GNUC__ > 10
+/* gcc 12 miscompiles `static void f(T *a, T *b, T *c) { *b = *c; *a = *b; }` by this: its caller reads the old `*b`. */
+#pragma GCC optimize("no-ipa-modref")
+#endif
 #if (__GNUC__ > 10) && (defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__) \
     || defined(__ARM_FEATURE_COMPLEX) || defined(__ARM_FEATURE_MVE))
 /* Vectors of gcc's own making contract all the same. */

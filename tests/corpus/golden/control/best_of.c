@@ -33,9 +33,8 @@ void best_of_nearest(const float values[5], float to, option_usize_t *result)
     option_pair_usize_f32_t best = {.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
         if (best.is_some) {
-            const pair_usize_f32_t a = best.value;
             const pair_usize_f32_t b = {.first = i, .second = values[i]};
-            if (fabsf(a.second - to) > fabsf(b.second - to)) {
+            if (fabsf(best.value.second - to) > fabsf(b.second - to)) {
                 best.is_some = true;
                 best.value.first = i;
                 best.value.second = values[i];
