@@ -441,12 +441,21 @@ impl Lowering<'_, '_> {
         })
     }
 
+    /// The frame that a label means, or the innermost loop. Between the pass of a loop through what a function gives and the
+    /// outermost of that function's frames all are the function's, whose labels the author of the pass does not see.
     fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
-        let found = match label {
-            None => self.frames.iter().rposition(|frame| frame.mark.is_none() || frame.pass),
-            Some(_) => self.frames.iter().rposition(|frame| frame.label.as_deref() == label),
+        let is_meant = |frame: &Frame| match label {
+            None => frame.mark.is_none() || frame.pass,
+            Some(_) => frame.label.as_deref() == label,
         };
-        found.needed(site, "there is no such loop here")
+        let mut seen = self.frames.as_slice();
+        while let [outer @ .., innermost] = seen {
+            if is_meant(innermost) {
+                return Ok(outer.len());
+            }
+            seen = innermost.outermost.map_or(outer, |outermost| &outer[..outermost]);
+        }
+        None.needed(site, "there is no such loop here")
     }
 
     /// The flag that leaves the loop at `depth`; each loop in between looks at it.
