@@ -102,7 +102,10 @@ impl Lowering<'_, '_> {
             let Some((pass, bound)) = declared else {
                 let shown = match popped {
                     _ if condition.is_none() => {
-                        behind = last_breath(&mut body);
+                        // What leaves an outer loop is looked at right behind this one.
+                        if inner.frames.last().is_some_and(|frame| frame.behind.is_empty()) {
+                            behind = last_breath(&mut body);
+                        }
                         return inner.ended_loop(site, body);
                     }
                     Some(length) => {
