@@ -1,8 +1,8 @@
 //! Expressions of the tree that no author wrote, made of their parts: what is desugared, and what the compiler puts beside it.
 
-use alloc::vec::Vec;
+use alloc::boxed::Box;
 
-use super::{Block, Expr, ExprKind, NO_SLOT, Order, Part, Pattern, Site, Stmt};
+use super::{Block, Expr, ExprKind, NO_SLOT, Pattern, Site, Source, Stmt};
 
 impl Expr {
     /// An expression whose type follows from its parts.
@@ -17,11 +17,11 @@ impl Expr {
 }
 
 impl ExprKind {
-    /// A loop through all elements from the first on, each with its index if that has a name.
-    pub fn each(index: Option<&str>, part: Part, pass: Expr) -> ExprKind {
-        let (index, parts) = (index.map(Into::into), alloc::vec![part]);
+    /// A loop through a source.
+    pub fn each(pattern: Pattern, source: Source, pass: Expr) -> ExprKind {
+        let (pattern, source) = (Box::new(pattern), Box::new(source));
         let body = Block { stmts: alloc::vec![Stmt::Expr(pass)], tail: None };
-        ExprKind::Each { label: None, index, parts, order: Order::Up, cuts: Vec::new(), body }
+        ExprKind::Each { label: None, pattern, source, body }
     }
 }
 

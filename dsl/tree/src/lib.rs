@@ -315,12 +315,6 @@ pub enum ExprKind {
     Index(Box<Expr>, Box<Expr>),
     /// `base[from..to]`, or `base[from..=to]` when true; an end that is left out is the base's.
     Slice(Box<Expr>, Option<Box<Expr>>, Option<Box<Expr>>, bool),
-    /// `array.iter().skip(n)`, `array.iter().take(n)`: as an array.
-    Cut(Box<Expr>, Box<Cut>),
-    /// `a.iter().chain(b)`: the elements of one array, then those of the other.
-    Chain(Box<Expr>, Box<Expr>),
-    /// `from..` beside elements: the numbers from one on. Its slot has their type.
-    From(Box<Expr>),
     /// `(a, b)`.
     Tuple(Vec<Expr>),
     /// `Name(a, b)`: a tuple struct or a variant; `None` has no parts.
@@ -349,31 +343,14 @@ pub enum ExprKind {
     Block(Block),
     /// `'label: { … }`: what leaves it early says its label, and its value.
     Labelled(String, Block),
-    /// `for name in from..to`.
-    For {
-        /// The author's label, without the apostrophe.
-        label: Option<String>,
-        /// The author's name.
-        name: String,
-        /// Its type.
-        slot: u32,
-        /// The range.
-        range: Box<Range>,
-        /// The body.
-        body: Block,
-    },
-    /// `for name in &array`, `for (i, name) in array.iter().enumerate()` and the like.
+    /// `for pattern in source`.
     Each {
         /// The author's label, without the apostrophe.
         label: Option<String>,
-        /// The name of the index.
-        index: Option<String>,
-        /// The sequences of a zip, as far as the shortest.
-        parts: Vec<Part>,
-        /// Which way.
-        order: Order,
-        /// The elements that are left out at the ends, one after the other.
-        cuts: Vec<Cut>,
+        /// The part that is taken from each item.
+        pattern: Box<Pattern>,
+        /// What it goes through.
+        source: Box<Source>,
         /// The body.
         body: Block,
     },
@@ -416,25 +393,10 @@ pub enum Start {
     Sum,
     /// An empty product: 1.
     Product,
-    /// A value.
-    Value(Box<Expr>),
     /// A value that the passes go on with, as long as what they give has one.
     Tried(Box<Expr>),
     /// Nothing yet: each pass assigns an element.
     Elements,
-}
-
-/// The range of a `for`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[allow(missing_docs)]
-pub struct Range {
-    pub from: Expr,
-    /// Without one, a step from the last number of its type is a fault.
-    pub to: Option<Expr>,
-    pub inclusive: bool,
-    pub reversed: bool,
-    /// Every how many of it, with `.step_by(n)`.
-    pub step: Option<Expr>,
 }
 
 /// An arm of a `match`.

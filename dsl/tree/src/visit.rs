@@ -8,13 +8,13 @@
 use alloc::collections::BTreeSet;
 use alloc::string::String;
 
-use super::{Arm, Block, Cut, Expr, ExprKind, Part, Pattern, Places, Start, Stmt};
+use super::{Arm, Block, Expr, ExprKind, Pattern, Places, Source, Start, Stmt};
 
 macro_rules! visitor {
     (
         $(#[$doc:meta])* $visitor:ident($($mutable:tt)?) =>
         $walk_block:ident $walk_stmt:ident $walk_arm:ident $walk_pattern:ident $walk_expr:ident
-        $parts:ident $cuts:ident $places:ident
+        $walk_source:ident $places:ident
     ) => {
         $(#[$doc])*
         pub trait $visitor {
@@ -33,6 +33,10 @@ macro_rules! visitor {
             /// A pattern.
             fn pattern(&mut self, pattern: &$($mutable)? Pattern) {
                 $walk_pattern(self, pattern);
+            }
+            /// What a loop goes through.
+            fn source(&mut self, source: &$($mutable)? Source) {
+                $walk_source(self, source);
             }
             /// An expression.
             fn expr(&mut self, expr: &$($mutable)? Expr) {
@@ -124,7 +128,6 @@ macro_rules! visitor {
                 ExprKind::Unary(_, x)
                 | ExprKind::Field(x, _)
                 | ExprKind::Repeat(x)
-                | ExprKind::From(x)
                 | ExprKind::Ref(_, x)
                 | ExprKind::Deref(x)
                 | ExprKind::Cast(x)
@@ -133,8 +136,7 @@ macro_rules! visitor {
                 | ExprKind::Assert(x, _) => visitor.expr(x),
                 ExprKind::Binary(_, a, b)
                 | ExprKind::Assign(_, a, b)
-                | ExprKind::Index(a, b)
-                | ExprKind::Chain(a, b) => {
+                | ExprKind::Index(a, b) => {
                     visitor.expr(a);
                     visitor.expr(b);
                 }
@@ -165,10 +167,6 @@ macro_rules! visitor {
                         }
                     }
                 }
-                ExprKind::Cut(base, cut) => {
-                    visitor.expr(base);
-                    visitor.expr(&$($mutable)? cut.count);
-                }
                 ExprKind::Struct(_, fields, base) => {
                     for (_, value) in fields {
                         visitor.expr(value);
@@ -195,23 +193,13 @@ macro_rules! visitor {
                     }
                 }
                 ExprKind::Block(block) | ExprKind::Labelled(_, block) => visitor.block(block),
-                ExprKind::For { range, body, .. } => {
-                    visitor.expr(&$($mutable)? range.from);
-                    if let Some(to) = &$($mutable)? range.to {
-                        visitor.expr(to);
-                    }
-                    if let Some(step) = &$($mutable)? range.step {
-                        visitor.expr(step);
-                    }
-                    visitor.block(body);
-                }
-                ExprKind::Each { parts, cuts, body, .. } => {
-                    $parts(visitor, parts);
-                    $cuts(visitor, cuts);
+                ExprKind::Each { pattern, source, body, .. } => {
+                    visitor.pattern(pattern);
+                    visitor.source(source);
                     visitor.block(body);
                 }
                 ExprKind::Fold { start, each, .. } => {
-                    if let Start::Value(value) | Start::Tried(value) = start {
+                    if let Start::Tried(value) = start {
                         visitor.expr(value);
                     }
                     visitor.expr(each);
@@ -232,19 +220,29 @@ macro_rules! visitor {
             }
         }
 
-        fn $parts<V: $visitor + ?Sized>(visitor: &mut V, parts: &$($mutable)? [Part]) {
-            for part in parts {
-                visitor.pattern(&$($mutable)? part.pattern);
-                visitor.expr(&$($mutable)? part.array);
-                if let Some(group) = &$($mutable)? part.group {
-                    visitor.expr(&$($mutable)? group.size);
+        /// The parts of a source.
+        pub fn $walk_source<V: $visitor + ?Sized>(visitor: &mut V, source: &$($mutable)? Source) {
+            match source {
+                Source::Elements(array, _) => visitor.expr(array),
+                Source::Numbers(range) => {
+                    visitor.expr(&$($mutable)? range.from);
+                    if let Some(to) = &$($mutable)? range.to {
+                        visitor.expr(to);
+                    }
                 }
-            }
-        }
-
-        fn $cuts<V: $visitor + ?Sized>(visitor: &mut V, cuts: &$($mutable)? [Cut]) {
-            for cut in cuts {
-                visitor.expr(&$($mutable)? cut.count);
+                Source::Groups(_, array, size) => {
+                    visitor.expr(array);
+                    visitor.expr(size);
+                }
+                Source::Zip(one, other) | Source::Chain(one, other) => {
+                    visitor.source(one);
+                    visitor.source(other);
+                }
+                Source::Enumerate(of) | Source::Rev(of) | Source::Cycle(of) => visitor.source(of),
+                Source::Skip(of, count) | Source::Take(of, count) | Source::StepBy(of, count) => {
+                    visitor.source(of);
+                    visitor.expr(count);
+                }
             }
         }
 
@@ -264,13 +262,13 @@ macro_rules! visitor {
 
 visitor! {
     /// Reads every node under the one it is started on.
-    Visit() => walk_block walk_stmt walk_arm walk_pattern walk_expr parts cuts places
+    Visit() => walk_block walk_stmt walk_arm walk_pattern walk_expr walk_source places
 }
 
 visitor! {
     /// Rewrites every node under the one it is started on, in place.
     VisitMut(mut) =>
-    walk_block_mut walk_stmt_mut walk_arm_mut walk_pattern_mut walk_expr_mut parts_mut cuts_mut places_mut
+    walk_block_mut walk_stmt_mut walk_arm_mut walk_pattern_mut walk_expr_mut walk_source_mut places_mut
 }
 
 /// A node in which something is looked for: what one closure can tell needs no visitor of its own.

@@ -1,32 +1,72 @@
 //! The ranges and sequences of loops, the targets of assignments, and the claims of assertions.
 
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Expr, Pattern};
+use super::Expr;
 
-/// The way through an array.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Order {
-    /// From the first element to the last.
-    #[default]
-    Up,
-    /// From the last to the first, its index with each.
-    Down,
-    /// From the last to the first, counted from 0.
-    Mirrored,
+/// What a loop goes through: a sequence, made of others by what stands behind them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Source {
+    /// The elements of an array, or what a function gives; whether the loop goes through a copy.
+    Elements(Expr, bool),
+    /// `from..to`.
+    Numbers(Range),
+    /// `array.windows(n)` and the like.
+    Groups(Grouping, Expr, Expr),
+    /// `a.zip(b)`: as far as the shorter of the two.
+    Zip(Box<Source>, Box<Source>),
+    /// `a.chain(b)`.
+    Chain(Box<Source>, Box<Source>),
+    /// `a.enumerate()`.
+    Enumerate(Box<Source>),
+    /// `a.rev()`.
+    Rev(Box<Source>),
+    /// `a.cycle()`.
+    Cycle(Box<Source>),
+    /// `a.skip(n)`.
+    Skip(Box<Source>, Expr),
+    /// `a.take(n)`.
+    Take(Box<Source>, Expr),
+    /// `a.step_by(n)`.
+    StepBy(Box<Source>, Expr),
 }
 
-/// `.skip(n)`, or `.take(n)`.
+impl Source {
+    /// What its items are made of, pair by pair.
+    pub fn leaves(&self) -> Vec<&Source> {
+        match self {
+            Source::Zip(one, other) => {
+                let mut leaves = one.leaves();
+                leaves.extend(other.leaves());
+                leaves
+            }
+            Source::Enumerate(of)
+            | Source::Rev(of)
+            | Source::Cycle(of)
+            | Source::Skip(of, _)
+            | Source::Take(of, _)
+            | Source::StepBy(of, _) => of.leaves(),
+            Source::Elements(..) | Source::Numbers(_) | Source::Groups(..) | Source::Chain(..) => {
+                alloc::vec![self]
+            }
+        }
+    }
+}
+
+/// A range of numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cut {
-    /// Leaves so many out; else takes so many.
-    pub skip: bool,
-    /// Counted from the last one.
-    pub back: bool,
-    /// How many.
-    pub count: Expr,
+pub struct Range {
+    /// The first.
+    pub from: Expr,
+    /// The last, plus one unless `inclusive`. Without one, a step from the last number of its type is a fault.
+    pub to: Option<Expr>,
+    /// Whether `to` itself is one of them.
+    pub inclusive: bool,
+    /// Their type.
+    pub slot: u32,
 }
 
 /// How elements are taken several at a time.
@@ -38,42 +78,6 @@ pub enum Grouping {
     Whole,
     /// `.chunks(n)`: one behind the other, the last perhaps shorter.
     All,
-    /// `.step_by(n)`: the first of each, by itself.
-    First,
-    /// `.cycle()`, perhaps with `.skip(n)`: single elements, from that number on, and the first behind the last.
-    Around,
-}
-
-/// Groups that take the place of single elements.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Group {
-    /// How.
-    pub way: Grouping,
-    /// Of how many elements.
-    pub size: Expr,
-}
-
-/// An array that a loop goes through.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Part {
-    /// The part that is taken from each element.
-    pub pattern: Pattern,
-    /// The array.
-    pub array: Expr,
-    /// Whether the loop goes through a copy.
-    pub owned: bool,
-    /// Groups that take the place of single elements.
-    pub group: Option<Group>,
-    /// Whether it is gone through from its end, beside others that are not.
-    #[serde(default)]
-    pub reversed: bool,
-}
-
-impl Part {
-    /// Each element by itself, from the first on.
-    pub fn of(pattern: Pattern, array: Expr, owned: bool) -> Part {
-        Part { pattern, array, owned, group: None, reversed: false }
-    }
 }
 
 /// The left side of an assignment.

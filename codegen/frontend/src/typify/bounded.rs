@@ -173,8 +173,8 @@ impl Lowering<'_, '_> {
     /// `for` over all its elements.
     pub(super) fn each_of_bounded(
         &mut self,
-        (part, mut matrix): (&tree::Part, Place),
-        Each { site, label, body, .. }: Each,
+        mut matrix: Place,
+        Each { site, label, pattern, body, .. }: Each,
     ) -> Result<()> {
         let span = self.span(site);
         self.keep_moving(&mut matrix);
@@ -189,7 +189,7 @@ impl Lowering<'_, '_> {
         self.below("column", columns, span, |walk, column| {
             walk.below("row", rows, span, |walk, row| {
                 let place = Place { span, ..matrix.at([column, row]) };
-                walk.bind_pattern(&part.pattern, &Value::Place(place), site)?;
+                walk.bind_pattern(pattern, &Value::Place(place), site)?;
                 walk.pass_of(label, outermost, |walk| walk.statements(body))
             })
         })

@@ -8,7 +8,7 @@
 //! Must not know: which methods end an iterator.
 
 use bessemer_ir::tree::visit::{Visit, Walk, walk_expr, walk_stmt};
-use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Order, Pattern, Site, Stmt};
+use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Pattern, Site, Source, Stmt};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Int, Scalar, Span, Stmt as Made, StmtKind, Type,
 };
@@ -21,6 +21,14 @@ use super::{Result, problem};
 
 /// The function that takes the next item of an iterator.
 const NEXT: &str = "bessemer::iterate::next";
+
+/// The index of an item that is taken, beside the item.
+const TAKEN: &str = "index%";
+
+/// Whether a loop counts what it takes: it goes one way, and by itself.
+pub(super) fn takes(pattern: &Pattern) -> bool {
+    matches!(pattern, Pattern::Tuple(parts) if matches!(&parts[..], [Pattern::Name { name, .. }, _] if name == TAKEN))
+}
 
 impl<'a> Lowering<'a, '_> {
     /// An iterator with a name that may be changed: what it gives next, it gives once.
@@ -110,48 +118,56 @@ impl<'a> Lowering<'a, '_> {
     /// whether it can.
     fn count(&self, through: &mut tree::Expr, taken: &str, counts: bool) -> bool {
         let site = through.site;
-        let Tree::Each { index, parts, order: Order::Up, cuts, body, .. } = &mut through.kind
-        else {
-            return false;
-        };
-        if let [part] = parts.as_mut_slice()
-            && let Some((function, _)) = self.expansion(&part.array).filter(|(it, _)| generates(it))
+        let Tree::Each { pattern, source, body, .. } = &mut through.kind else { return false };
+        if let Source::Elements(of, _) = &mut **source
+            && let Some((function, _)) = self.expansion(of).filter(|(it, _)| generates(it))
         {
-            let plain = index.is_none() && cuts.is_empty() && part.group.is_none();
             let mut params = function.tree.params.iter();
-            let Some(at) = params.position(|it| it.items && plain && is_for_each(function)) else {
+            let Some(at) = params.position(|it| it.items && is_for_each(function)) else {
                 return false;
             };
-            let Tree::Call(_, arguments) = &mut part.array.kind else { return false };
+            let Tree::Call(_, arguments) = &mut of.kind else { return false };
             let mut inner = handing(&arguments[at]);
             let counted = self.count(&mut inner.body, taken, counts);
             arguments[at].kind = Tree::Closure(inner);
             return counted;
         }
-        let elements = |part: &tree::Part| {
-            !matches!(part.array.kind, Tree::Call(..) | Tree::Apply(..))
-                && self.iterator_named(&part.array).is_none()
+        let is_made = |leaf: &&Source| match leaf {
+            Source::Elements(of, _) => {
+                matches!(of.kind, Tree::Call(..) | Tree::Apply(..))
+                    || self.iterator_named(of).is_some()
+            }
+            _ => false,
         };
-        // What is left out before would be left out again.
-        if !parts.iter().all(elements) || cuts.iter().any(|cut| cut.skip || cut.back) {
+        if source.leaves().iter().any(is_made) {
             return false;
         }
         let plain = |kind| tree::Expr::plain(kind, site);
         let local = |name: &str| tree::Expr::local(name, site);
-        cuts.push(tree::Cut { skip: true, back: false, count: local(taken) });
+        let wrapped = |source: &mut Box<Source>, wrap: &dyn Fn(Box<Source>) -> Source| {
+            let inner = std::mem::replace(&mut **source, Source::Elements(local(taken), false));
+            **source = wrap(Box::new(inner));
+        };
         if counts {
-            let index = index.get_or_insert_with(|| "index%".to_owned());
+            wrapped(source, &Source::Enumerate);
+            let inner = std::mem::replace(&mut **pattern, Pattern::Any);
+            **pattern = Pattern::Tuple(vec![Pattern::name(TAKEN), inner]);
             let one = plain(Tree::Int("1".into(), Some(Scalar::Int(Int::Usize))));
-            let next = Tree::Binary(BinaryOp::Add, Box::new(local(index)), Box::new(one));
+            let next = Tree::Binary(BinaryOp::Add, Box::new(local(TAKEN)), Box::new(one));
             let next = Tree::Assign(None, Box::new(local(taken)), Box::new(plain(next)));
             body.stmts.insert(0, Stmt::Expr(plain(next)));
         }
+        wrapped(source, &|inner| Source::Skip(inner, local(taken)));
         true
     }
 
     /// `while let Some(x) = bytes.next()`, as a loop through the rest of them: what goes through it in the body is another
     /// loop's.
-    pub(super) fn rest_of(&self, condition: &tree::Expr, body: &tree::Block) -> Option<tree::Part> {
+    pub(super) fn rest_of<'e>(
+        &self,
+        condition: &'e tree::Expr,
+        body: &tree::Block,
+    ) -> Option<(&'e Pattern, Source)> {
         let ([pattern], value) = some_of(condition)? else { return None };
         let (function, [array]) = self.called(value)? else { return None };
         let Tree::Local(name) = &array.kind else { return None };
@@ -159,7 +175,7 @@ impl<'a> Lowering<'a, '_> {
         if !is_next || !takes_all(pattern) || Mentions::of(name, body) > 0 {
             return None;
         }
-        Some(tree::Part::of(pattern.clone(), array.clone(), false))
+        Some((pattern, Source::Elements(array.clone(), false)))
     }
 }
 
@@ -177,14 +193,11 @@ fn takes_all(pattern: &Pattern) -> bool {
 fn is_for_each(function: &tree::Function) -> bool {
     let body = &function.tree.body;
     let [Stmt::Expr(through)] = body.stmts.as_slice() else { return false };
-    let Tree::Each { index: None, order: Order::Up, cuts, parts, body: pass, .. } = &through.kind
-    else {
-        return false;
-    };
-    use Tree::{Break, Each, For, While};
-    let loops =
-        |it: &tree::Expr| matches!(it.kind, Break(..) | For { .. } | Each { .. } | While { .. });
-    body.tail.is_none() && cuts.is_empty() && parts.len() == 1 && !pass.any_expr(loops)
+    let Tree::Each { source, body: pass, .. } = &through.kind else { return false };
+    use Tree::{Break, Each, While};
+    let loops = |it: &tree::Expr| matches!(it.kind, Break(..) | Each { .. } | While { .. });
+    let is_all = matches!(**source, Source::Elements(..));
+    is_all && body.tail.is_none() && !pass.any_expr(loops)
 }
 
 /// How often a name stands where a function runs: in a loop, more than once.
@@ -213,12 +226,12 @@ impl Visit for Mentions<'_> {
     }
 
     fn expr(&mut self, expr: &tree::Expr) {
-        use Tree::{Closure, Each, For, While};
+        use Tree::{Closure, Each, While};
         match &expr.kind {
             Tree::Local(name) if name == self.name => {
                 self.count += if self.depth > self.declared { 2 } else { 1 };
             }
-            For { .. } | Each { .. } | While { .. } | Closure(_) => {
+            Each { .. } | While { .. } | Closure(_) => {
                 self.depth += 1;
                 walk_expr(self, expr);
                 self.depth -= 1;

@@ -236,12 +236,9 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             Tree::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
             Tree::AssignEach(places, value) => self.assign_each(places, value),
-            Tree::For { label, name, slot, range, body } => {
-                self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
-            }
-            Tree::Each { label, index, parts, order, cuts, body } => {
-                let (site, label, index) = (expr.site, label.as_deref(), index.as_deref());
-                self.each_stmt(parts, Each { site, label, index, order: *order, cuts, body })
+            Tree::Each { label, pattern, source, body } => {
+                let (site, label) = (expr.site, label.as_deref());
+                self.each_stmt(Each { site, label, pattern, source, body })
             }
             Tree::Unroll(count, inner) => {
                 let mark = self.out.len();

@@ -2,104 +2,88 @@
 //!
 //! A name for a reference is another name for the element; a name for a value is a local of its own.
 
-use bessemer_ir::tree::{self, ExprKind as Tree, Order, Pattern, Site, Ty};
-use bessemer_ir::{Block, Expr, ExprKind, Span, Stmt, StmtKind, Type};
+use bessemer_ir::tree::{self, ExprKind as Tree, Grouping, Pattern, Site, Source, Ty};
+use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Place, Span, Stmt, StmtKind, Type};
 
-use super::lengths::{is_number, least, minus, plus};
+use super::lengths::{least, minus, number, plus};
 use super::lowering::{Frame, Lowering};
-use super::numbered::Numbered;
-use super::seq::{Seq, shortest};
-use super::value::Value;
+use super::seq::{Elements, Item, Kind, Of, Seq, begin, ended_range};
+use super::value::{Slice, Value};
 use super::words;
 use super::{Result, problem};
 use bessemer_ir::effects;
 
-/// A loop, but for what it goes through.
+/// A loop.
 #[derive(Clone, Copy)]
 pub(super) struct Each<'e> {
     pub site: Site,
     pub label: Option<&'e str>,
-    pub index: Option<&'e str>,
-    pub order: Order,
-    pub cuts: &'e [tree::Cut],
+    pub pattern: &'e Pattern,
+    pub source: &'e Source,
     pub body: &'e tree::Block,
 }
 
 impl Lowering<'_, '_> {
-    pub(super) fn each_stmt(&mut self, parts: &[tree::Part], each: Each) -> Result<()> {
-        let Each { site, label, index, order, cuts, body } = each;
+    pub(super) fn each_stmt(&mut self, each: Each) -> Result<()> {
+        let Each { site, label, pattern, source, body } = each;
         let span = self.span(site);
-        if let Some(generated) = self.generated(parts)? {
+        if let Source::Numbers(range) = source {
+            return self.for_stmt((range, false), each);
+        }
+        if let Some(range) = ended_range(source) {
+            return self.for_stmt(range, each);
+        }
+        if let Some(generated) = self.generated(source)? {
             return self.generated_stmt(generated, each);
         }
-        if let ([part], None, Order::Up, []) = (parts, index, order, cuts) {
-            if let Some(matrix) = self.bounded_place(&part.array) {
-                return self.each_of_bounded((part, matrix), each);
+        if let Source::Elements(array, _) = source {
+            if let Some(matrix) = self.bounded_place(array) {
+                return self.each_of_bounded(matrix, each);
             }
-            if part.group.is_none() && self.may_be_there(&part.array) {
-                return self.one_pass(part, each);
-            }
-        }
-        let (mut seqs, mut numbers) = (Vec::new(), Vec::new());
-        for part in parts {
-            match self.numbers(part, seqs.len())? {
-                Some(found) => numbers.push(found),
-                None => {
-                    let mut seq = self.seq(part, site)?;
-                    seq.slice = self.kept_elements(seq.slice);
-                    seqs.push(seq);
-                }
+            if self.may_be_there(array) {
+                return self.one_pass(array, each);
             }
         }
-        if let Some(around) = seqs.iter().find(|it| it.is_around())
-            // Then both end with the other sequence, and neither is empty where the other is not.
-            && !seqs.iter().any(|it| !it.is_around() && it.is_as_long(around))
-        {
-            return problem(
-                around.part.array.site,
-                "`.cycle()` stands beside a loop through the same elements in the DSL",
-                "index instead: `values[i % values.len()]`",
-            );
-        }
-        // The counter is the index of the array itself, where nothing else is asked of it.
-        let bare =
-            index.is_none() && numbers.is_empty() && order != Order::Mirrored && cuts.is_empty();
-        let bare = matches!(seqs.as_slice(), [seq] if bare && seq.is_plain());
-        let all = shortest(&seqs, span);
-        // A mirrored loop counts up and reads its elements from the last one of the whole sequence, also where a cut
-        // leaves out some of them.
-        let last = minus(all.clone(), Expr::usize(1, span));
-        let (from, end) = match bare {
-            true => (seqs[0].slice.from.clone(), seqs[0].slice.to.clone()),
-            false => self.cut_off((Expr::usize(0, span), all), cuts)?,
+        let way = match (counted(source), pattern) {
+            (true, Pattern::Name { name, .. }) if !name.starts_with('_') => {
+                self.naming_as(name, |inner| inner.way(source, site))?
+            }
+            _ => self.way(source, site)?,
         };
-        let counts = seqs.iter().map(|it| it.count.clone()).collect();
-        let most = seqs.iter().filter_map(Seq::most).min();
-        let numbered = self.numbered(numbers, (counts, most), (cuts, body))?;
+        let [from, end] = match (&way.of.kind, &way.to) {
+            (Kind::Elements(it), _) if way.all => [it.slice.from.clone(), it.slice.to.clone()],
+            (Kind::Steps(steps), _) if way.all => steps.ends(),
+            (_, Some(to)) => [way.from.clone(), to.clone()],
+            (_, None) => [way.from.clone(), way.of.ended(site)?],
+        };
         let mark = self.out.len();
         let mut copies = Vec::new();
         self.repeated(label, None, span, |inner| {
-            let name = index.unwrap_or_else(|| inner.next_index(&numbered));
-            let variable = inner.local(name, Type::USIZE, span);
+            let variable = inner.local(words::PASS, from.ty.clone(), span);
+            let counter = Expr::local(variable, &from.ty, span);
+            let mut items = Vec::new();
+            match way.bare() {
+                Some(it) => {
+                    items.push(Item { pattern, of: Of::Elements(it), index: counter.clone() })
+                }
+                None => way.of.items(pattern, counter.clone(), (&mut items, site))?,
+            }
+            let turns = inner.turns(&way, &items, body)?;
+            let over = turns.over;
+            if !matches!(items[..], [Item { of: Of::Steps(_), .. }]) {
+                inner.locals[variable.index()].name = inner.next_index(&items).into();
+            }
             inner.counters.push(variable);
             let mut body = inner.scoped(|inner| {
-                if let Some(index) = index {
-                    inner.bind(index, Value::Local(variable));
-                }
-                let counter = Expr::local(variable, &Type::USIZE, span);
-                let counter = match order {
-                    Order::Mirrored => minus(last, counter),
-                    _ => counter,
-                };
-                inner.number_pass(&numbered, &counter, site)?;
-                for seq in &seqs {
-                    inner.name_item(seq, counter.clone(), bare, site)?;
+                inner.number_pass((turns, &items), &counter, site)?;
+                for item in &items {
+                    inner.name_item(item, site)?;
                 }
                 inner.statements(body)
             })?;
-            copies = inner.copy_written(&seqs, &mut body, span);
+            copies = inner.copy_written(&items, &mut body, span);
             inner.counters.pop();
-            let way = (numbered.over, order == Order::Down);
+            let way = (over, way.down);
             Ok(StmtKind::for_way(variable, [from, end], way, body))
         })?;
         self.out.splice(mark..mark, copies);
@@ -107,11 +91,16 @@ impl Lowering<'_, '_> {
     }
 
     /// The name for the counter of a loop whose author has none.
-    fn next_index(&self, numbered: &Numbered) -> &'static str {
+    fn next_index(&self, items: &[Item]) -> &'static str {
         let names = words::COUNTERS;
-        if let Some(name) =
-            names.iter().find(|it| !numbered.named(it)).filter(|it| **it != names[0])
-        {
+        let named = |wanted: &str| {
+            let is = |it: &Item| {
+                let named = matches!(it.pattern, Pattern::Name { name, .. } if name == wanted);
+                named && matches!(it.of, Of::Index | Of::Numbers(_) | Of::Steps(_))
+            };
+            items.iter().any(is)
+        };
+        if let Some(name) = names.iter().find(|it| !named(it)).filter(|it| **it != names[0]) {
             return name;
         }
         let taken =
@@ -119,41 +108,126 @@ impl Lowering<'_, '_> {
         names[taken.count() % names.len()]
     }
 
-    /// The ends of the way, after `.skip(n)` and `.take(n)`.
-    fn cut_off(
+    /// Gives the name of an item its meaning.
+    fn name_item(&mut self, Item { pattern, of, index }: &Item, site: Site) -> Result<()> {
+        let element = match of {
+            Of::Index | Of::Numbers(_) | Of::Steps(_) => return Ok(()),
+            Of::Elements(elements) => elements.slice.at(index.clone()),
+            Of::Groups(slice, way, size) => {
+                return self.name_group(pattern, slice, (*way, size), index.clone(), site);
+            }
+            Of::Chain(parts) => self.one_of_several(pattern, parts, index.clone(), site)?,
+        };
+        self.bind_pattern(pattern, &Value::Place(element), site)
+    }
+
+    fn name_group(
         &mut self,
-        (mut from, mut to): (Expr, Expr),
-        cuts: &[tree::Cut],
-    ) -> Result<(Expr, Expr)> {
-        for cut in cuts {
-            let count = self.value(&cut.count, Some(&Type::USIZE))?;
-            // No more were taken than there are.
-            if self.is_taken(&count) && is_number(&from, 0) {
-                from = count;
-                continue;
+        pattern: &Pattern,
+        slice: &Slice,
+        (way, size): (Grouping, &Expr),
+        index: Expr,
+        site: Site,
+    ) -> Result<()> {
+        let begin = match way {
+            Grouping::Windows => index,
+            _ => begin(index, size),
+        };
+        let size = size.clone();
+        let name = match pattern {
+            Pattern::Any => return Ok(()),
+            // They are not one behind the other.
+            Pattern::Name { .. } if slice.within.is_some() => return Self::moved_part(site),
+            Pattern::Name { name, inner: None, .. } => name,
+            _ => {
+                return problem(
+                    site,
+                    "a window is not taken apart in the DSL",
+                    "give it a name, and index it",
+                );
             }
-            let count = least(count, minus(to.clone(), from.clone()));
-            let count = self.steady("count", count);
-            match (cut.skip, cut.back) {
-                (true, false) => from = plus(from, count),
-                (false, false) => to = plus(from.clone(), count),
-                (true, true) => to = minus(to, count),
-                (false, true) => from = minus(to.clone(), count),
+        };
+        let length = slice.length.clone();
+        let group = match way {
+            Grouping::All if number(&length).is_some() => {
+                let end = self.steady("end", least(plus(begin.clone(), size), length));
+                slice.between(begin, end)
             }
+            Grouping::All => {
+                let left = least(size, minus(length, begin.clone()));
+                let length = self.steady("length", left);
+                slice.part(begin, length)
+            }
+            _ => slice.part(begin, size),
+        };
+        self.bind(name, Value::Slice(Box::new(group)));
+        Ok(())
+    }
+
+    /// The element at an index of several sequences, in a local of its own.
+    fn one_of_several(
+        &mut self,
+        pattern: &Pattern,
+        parts: &[Seq],
+        mut index: Expr,
+        site: Site,
+    ) -> Result<Place> {
+        let span = index.span;
+        let mut cases = Vec::new();
+        for part in parts {
+            let count = part.ended(site)?;
+            let mut items = Vec::new();
+            part.items(&Pattern::Any, index.clone(), (&mut items, site))?;
+            let [Item { of: Of::Elements(elements), index: at, .. }] = &items[..] else {
+                return Self::not_chained(site);
+            };
+            // What goes through a copy of its own would see what is written.
+            if elements.owned && !self.is_lasting(&elements.slice.base) {
+                return Self::not_chained(site);
+            }
+            let condition = Expr::compare(CompareOp::Lt, index.clone(), count.clone());
+            cases.push((condition, elements.slice.at(at.clone())));
+            index = minus(index, count);
         }
-        Ok((from, to))
+        let ty = cases[0].1.ty.clone();
+        let name = match pattern {
+            Pattern::Name { name, .. } => name.as_str(),
+            _ => words::ELEMENT,
+        };
+        let local = self.local(name, ty.clone(), span);
+        self.held.insert(local);
+        let place = Place::local(local, ty, span);
+        self.emit(StmtKind::Let { local, value: None }, span);
+        let assigned = cases.into_iter().map(|(condition, element)| {
+            let assign = StmtKind::Assign { place: place.clone(), value: element.load() };
+            (condition, Block::of(assign, span))
+        });
+        let chosen = assigned.rev().reduce(|(last, otherwise), (condition, then)| {
+            (last, Block::of(StmtKind::If { condition, then, otherwise }, span))
+        });
+        self.out.extend(chosen.into_iter().flat_map(|(_, chosen)| chosen.0));
+        Ok(place)
+    }
+
+    fn not_chained<T>(site: Site) -> Result<T> {
+        problem(
+            site,
+            "of these two, one is not read element by element by reference",
+            "write `a.iter().chain(b.iter())` of arrays, slices, lists or vectors; two loops otherwise",
+        )
     }
 
     /// A loop over a value does not see what its body writes: then it goes through a copy. Gives the
     /// declarations of the copies.
-    fn copy_written(&mut self, seqs: &[Seq], body: &mut Block, span: Span) -> Vec<Stmt> {
+    fn copy_written(&mut self, items: &[Item], body: &mut Block, span: Span) -> Vec<Stmt> {
         let mut copies = Vec::new();
-        for Seq { part, slice, .. } in seqs {
+        for item in items {
+            let Of::Elements(Elements { slice, owned, .. }) = item.of else { continue };
             let place = &slice.base;
             // Elements that are references, whatever they are gone through by: those of a slice with a name.
             let refers = |slot| matches!(self.source.slots.get(slot as usize), Some(Ty::Ref(..)));
-            let refers = matches!(part.pattern, Pattern::Name { slot, .. } if refers(slot));
-            if !part.owned || refers || !effects::writes_local(body, place.root) {
+            let refers = matches!(item.pattern, Pattern::Name { slot, .. } if refers(*slot));
+            if !owned || refers || !effects::writes_local(body, place.root) {
                 continue;
             }
             let local = self.local(words::ELEMENTS, place.ty.clone(), span);
@@ -195,14 +269,23 @@ impl Lowering<'_, '_> {
     }
 
     /// `for x in option`: the body, if there is something. What leaves the loop, or the pass, leaves that.
-    fn one_pass(&mut self, part: &tree::Part, each: Each) -> Result<()> {
+    fn one_pass(&mut self, option: &tree::Expr, each: Each) -> Result<()> {
         let of = |kind| tree::Expr::plain(kind, each.site);
-        let pattern = Pattern::Constructor("Some".into(), vec![part.pattern.clone()]);
-        let there = of(Tree::Let(Box::new(pattern), Box::new(part.array.clone())));
+        let pattern = Pattern::Constructor("Some".into(), vec![each.pattern.clone()]);
+        let there = of(Tree::Let(Box::new(pattern), Box::new(option.clone())));
         let then = of(Tree::If(Box::new(there), each.body.clone(), None));
         let then = tree::Block { stmts: vec![tree::Stmt::Expr(then)], tail: None };
         let frame = Frame { pass: true, ..Frame::of(each.label, None) };
         let span = self.span(each.site);
         self.left(words::PASS, frame, span, |inner| inner.block(&then, None))
+    }
+}
+
+/// Whether a source is the steps of a range.
+fn counted(source: &Source) -> bool {
+    match source {
+        Source::Rev(of) => counted(of),
+        Source::StepBy(of, _) => matches!(**of, Source::Numbers(_)),
+        _ => false,
     }
 }

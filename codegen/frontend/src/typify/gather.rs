@@ -5,7 +5,7 @@
 
 use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
 use bessemer_ir::tree::{
-    self, Builtin, Desugared, EACH, ExprKind as Tree, Pattern, Start, Together,
+    self, Builtin, Desugared, EACH, ExprKind as Tree, Pattern, Source, Start, Together,
 };
 use bessemer_ir::{Expr, LocalId, Scalar, Stmt, StmtKind, Type};
 
@@ -43,11 +43,6 @@ impl Lowering<'_, '_> {
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
         let mark = self.out.len();
         let value = match start {
-            Start::Value(value) => {
-                let value = self.value(value, Some(&ty))?;
-                self.agree(&value.ty, &ty, expr.site)?;
-                Some(value)
-            }
             Start::Tried(value) => Some(self.goes_on(value, expr)?),
             Start::Sum => Some(self.neutral(0.0, &ty, expr)?),
             Start::Product => Some(self.neutral(1.0, &ty, expr)?),
@@ -141,8 +136,9 @@ fn mapped(array: &tree::Expr, closure: &tree::Expr, expr: &tree::Expr) -> Option
     let (name, index) = ("%mapped", "%i");
     let element = Box::new(plain(Tree::Index(local(name), local(index))));
     let assign = plain(Tree::Assign(None, element, closure.body.clone()));
-    let part = tree::Part::of(pattern, array.clone(), true);
-    let each = Box::new(plain(Tree::each(Some(index), part, assign)));
+    let pair = Pattern::Tuple(vec![Pattern::name(index), pattern]);
+    let source = Source::Enumerate(Box::new(Source::Elements(array.clone(), true)));
+    let each = Box::new(plain(Tree::each(pair, source, assign)));
     let kind = Tree::Fold { name: name.into(), start: Start::Elements, each };
     Some(tree::Expr { kind, ..*expr })
 }

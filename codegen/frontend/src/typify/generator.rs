@@ -9,17 +9,18 @@
 
 use std::rc::Rc;
 
-use bessemer_ir::tree::visit::{Visit, walk_expr};
+use bessemer_ir::tree::visit::{Visit, Walk, walk_expr};
 use bessemer_ir::tree::{
-    self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt, Ty,
+    self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Pattern, Site, Source, Stmt,
 };
 use bessemer_ir::{Expr, Int, Scalar, StmtKind, Type};
 
+use super::by_hand::takes;
 use super::call::Called;
 use super::each::Each;
 use super::items::handing;
 use super::lowering::{Closure, Lowering, local_since};
-use super::seq::elements_through;
+use super::seq::{elements_through, pair};
 use super::syntax::generates;
 use super::value::Value;
 use super::{Result, problem};
@@ -46,42 +47,39 @@ pub(super) fn own_iterators(package: &tree::Package) -> Vec<&tree::Function> {
 
 impl<'a> Lowering<'a, '_> {
     /// What a loop goes through, if a function gives that.
-    pub(super) fn generated<'e>(
-        &mut self,
-        parts: &'e [tree::Part],
-    ) -> Result<Option<(By<'a, 'e>, &'e tree::Part)>> {
-        let mut found = None;
-        for part in parts {
-            let by = if let Some(called) = self.expansion(&part.array).filter(|it| generates(it.0))
-            {
+    pub(super) fn generated<'e>(&mut self, source: &'e Source) -> Result<Option<By<'a, 'e>>> {
+        let leaves = source.leaves();
+        for leaf in &leaves {
+            let Source::Elements(of, owned) = leaf else { continue };
+            let by = if let Some(called) = self.expansion(of).filter(|it| generates(it.0)) {
                 By::Call(called)
-            } else if let Tree::Apply(name, arguments) = &part.array.kind {
+            } else if let Tree::Apply(name, arguments) = &of.kind {
                 By::Closure(name, arguments)
-            } else if let Some(closure) = self.iterator_named(&part.array) {
+            } else if let Some(closure) = self.iterator_named(of) {
                 let through = Rc::clone(&self.closures[closure]);
                 // Elements stand beside others.
-                if parts.len() > 1 && elements_through(&through.text).is_some() {
+                if leaves.len() > 1 && elements_through(&through).is_some() {
                     continue;
                 }
                 By::Argument(through)
-            } else if !part.owned
+            } else if !owned
                 // What is gone through by value is what `into_iter` gives, which may be something else.
-                && let Some(own) = self.own_items(&part.array)?
+                && let Some(own) = self.own_items(of)?
             {
                 By::Call(own)
             } else {
                 continue;
             };
-            if parts.len() > 1 {
+            if leaves.len() > 1 {
                 return problem(
-                    part.array.site,
+                    of.site,
                     "what a function gives is gone through by itself in the DSL",
                     "go through it alone, and count: `.enumerate()`, and index the other",
                 );
             }
-            found = Some((by, part));
+            return Ok(Some(by));
         }
-        Ok(found)
+        Ok(None)
     }
 
     /// An author's own `iter` of what is gone through: the adaptor is the iterator's own, as its name is. Not of a type that has
@@ -101,8 +99,8 @@ impl<'a> Lowering<'a, '_> {
     /// `for pattern in function(arguments)`.
     pub(super) fn generated_stmt(
         &mut self,
-        (by, part): (By<'a, '_>, &tree::Part),
-        Each { site, label, index, order, cuts, body }: Each,
+        by: By<'a, '_>,
+        Each { site, label, pattern, source, body }: Each,
     ) -> Result<()> {
         let text = match &by {
             By::Argument(through) => Some(&*through.text.body),
@@ -113,23 +111,13 @@ impl<'a> Lowering<'a, '_> {
             },
             By::Closure(..) => None,
         };
-        let indices = match (&by, text.map(|text| &text.kind)) {
-            (By::Call((function, _)), Some(Tree::For { slot, .. })) => {
-                let ty = function.slots.get(*slot as usize);
-                matches!(ty, Some(Ty::Scalar(Scalar::Int(Int::Usize))))
-            }
-            _ => false,
+        let going = |links| text.and_then(|text| going(links, text));
+        let (links, counted) = match source {
+            Source::Enumerate(of) if going(source).is_none() => (&**of, true),
+            _ => (source, false),
         };
-        let going = |way: Way| going(way, text?, indices);
-        let counted = going((order, index.is_some()));
-        let indexed = counted.is_some();
-        // From the last on with an index that goes up, a number beside it is the index.
-        let itself = counted.or_else(|| match (order, index) {
-            (Order::Mirrored, Some(_)) => going((Order::Down, false)),
-            _ => None,
-        });
-        let straight = part.group.is_none() && !part.reversed;
-        if !straight || (order != Order::Up && itself.is_none()) || !cuts.is_empty() {
+        let itself = going(links);
+        if itself.is_none() && !matches!(links, Source::Elements(..)) {
             return problem(
                 site,
                 "what a function gives is gone through one by one in the DSL, and from the first on",
@@ -137,15 +125,11 @@ impl<'a> Lowering<'a, '_> {
             );
         }
         self.naming_scope(|inner| {
-            let mut body = body.clone();
-            let mut pattern = part.pattern.clone();
-            if let Some(index) = index {
-                match indexed {
-                    true => {
-                        pattern = tree::Pattern::Tuple(vec![tree::Pattern::name(index), pattern])
-                    }
-                    false => inner.count_items(index, &mut body, site)?,
-                }
+            let (mut body, mut pattern) = (body.clone(), pattern.clone());
+            if counted {
+                let [number, item] = pair(&pattern, site)?.map(Pattern::clone);
+                inner.count_items(&number, &mut body, site)?;
+                pattern = item;
             }
             let body = tree::Expr::plain(Tree::Block(body), site);
             let (name, parameters, body) = (None, vec![pattern], Box::new(body));
@@ -228,78 +212,57 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Numbers the items, from zero on.
-    fn count_items(&mut self, index: &str, body: &mut tree::Block, site: Site) -> Result<()> {
+    fn count_items(&mut self, number: &Pattern, body: &mut tree::Block, site: Site) -> Result<()> {
         let plain = |kind| tree::Expr::plain(kind, site);
         let size = Some(Scalar::Int(Int::Usize));
-        let number = |digits: &str| plain(Tree::Int(digits.into(), size));
+        let digits = |digits: &str| plain(Tree::Int(digits.into(), size));
         let next = || tree::Expr::local(NEXT, site);
         let named = |name: &str, value| {
             let (name, value) = (name.into(), Some(value));
             Stmt::Let { name, slot: NO_SLOT, value, site, mutable: true }
         };
-        let more = Tree::Assign(Some(tree::BinaryOp::Add), Box::new(next()), Box::new(number("1")));
-        body.stmts.splice(0..0, [named(index, next()), Stmt::Expr(plain(more))]);
-        let begin = tree::Block { stmts: vec![named(NEXT, number("0"))], tail: None };
+        let Pattern::Name { name, .. } = number else { return Ok(()) };
+        let more = Tree::Assign(Some(tree::BinaryOp::Add), Box::new(next()), Box::new(digits("1")));
+        body.stmts.splice(0..0, [named(name, next()), Stmt::Expr(plain(more))]);
+        let begin = tree::Block { stmts: vec![named(NEXT, digits("0"))], tail: None };
         self.stmts(&begin)
     }
 }
 
-/// How a loop goes through what a loop hands on: in an order, each item with its index if they are counted.
-type Way = (Order, bool);
-
-/// A loop that hands on each element, going that way itself; none if that cannot be said of it. A range is one of indices,
-/// if that is what its numbers may be.
-fn going((order, counted): Way, through: &tree::Expr, indices: bool) -> Option<tree::Expr> {
-    let mut text = through.clone();
-    match &mut text.kind {
-        Tree::Each { index: own, order: way, cuts, body, .. } => {
-            // Its own numbers go the way that it goes.
-            if own.is_some() && (counted || *way != Order::Up || !cuts.is_empty()) {
-                return None;
-            }
-            *way = turned(*way, (order, counted), body).filter(|_| !counted || cuts.is_empty())?;
-            if counted {
-                with_number(body, COUNTER)?;
-                *own = Some(COUNTER.into());
-            }
-        }
-        // Of a range from zero on the counter is the index. One that begins with `_` is none that could be read.
-        Tree::For { name, range, body, .. }
-            if indices
-                && matches!(&range.from.kind, Tree::Int(digits, _) if digits == "0")
-                && !name.starts_with('_')
-                && range.step.is_none()
-                && !range.inclusive
-                && range.to.is_some() =>
-        {
-            let own = if range.reversed { Order::Down } else { Order::Up };
-            let way = turned(own, (order, counted), body).filter(|it| *it != Order::Mirrored)?;
-            range.reversed = way == Order::Down;
-            if counted {
-                with_number(body, name)?;
-            }
-        }
+/// A loop that hands on each item, with what stands behind it as its own links; none if that cannot be said of it.
+fn going(links: &Source, through: &tree::Expr) -> Option<tree::Expr> {
+    let (of, counted) = match links {
+        Source::Rev(of) => (of, false),
+        Source::Enumerate(of) => (of, true),
+        Source::Elements(..) => return Some(through.clone()),
         _ => return None,
+    };
+    let mut text = going(of, through)?;
+    let Tree::Each { pattern, source, body, .. } = &mut text.kind else { return None };
+    if takes(pattern) {
+        return None;
     }
-    Some(text)
-}
-
-/// The order in which a loop that goes one way itself goes another.
-fn turned(own: Order, (order, counted): Way, body: &tree::Block) -> Option<Order> {
     let mut hands = Hands { each: 0, ends: false };
     hands.block(body);
     // What ends early, or hands on in loops of its own, has no other way.
-    if hands.each != 1 || (hands.ends && order != Order::Up) {
+    if hands.each != 1 || (hands.ends && !counted) {
         return None;
     }
-    match (own, order, counted) {
-        (own, Order::Up, false) => Some(own),
-        (Order::Up, Order::Down, false) => Some(Order::Down),
-        (Order::Down, Order::Down, false) => Some(Order::Up),
-        (Order::Up, Order::Up | Order::Down, true) => Some(order),
-        (Order::Down, Order::Up, true) => Some(Order::Mirrored),
-        _ => None,
+    let array = Source::Elements(tree::Expr::local(COUNTER, through.site), false);
+    let inner = Box::new(std::mem::replace(&mut **source, array));
+    if !counted {
+        **source = Source::Rev(inner);
+        return Some(text);
     }
+    let (mut number, known) = (COUNTER.to_owned(), pattern.bound());
+    while known.contains(&number) {
+        number.push('%');
+    }
+    with_number(body, &number)?;
+    **source = Source::Enumerate(inner);
+    let item = std::mem::replace(&mut **pattern, Pattern::Any);
+    **pattern = Pattern::Tuple(vec![Pattern::name(&number), item]);
+    Some(text)
 }
 
 /// Lets a pass hand on each item with a number beside it.
@@ -331,7 +294,7 @@ impl Visit for Hands {
         match &expr.kind {
             Tree::Apply(name, _) if name == EACH => self.each += 1,
             Tree::Break(..) => self.ends = true,
-            Tree::For { .. } | Tree::Each { .. } | Tree::While { .. } => {
+            Tree::Each { .. } | Tree::While { .. } => {
                 let mut inner = Hands { each: 0, ends: false };
                 walk_expr(&mut inner, expr);
                 self.each += 2 * inner.each;

@@ -5,9 +5,7 @@
 //!
 //! Must not know: how an iterator is gone through ([`generator`](super::generator)).
 
-use bessemer_ir::tree::{
-    self, Builtin, Desugared, EACH, ExprKind as Tree, NO_SLOT, Site, Stmt, Ty,
-};
+use bessemer_ir::tree::{self, Builtin, Desugared, EACH, ExprKind as Tree, Site, Source, Stmt, Ty};
 use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
@@ -25,9 +23,9 @@ pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     let (name, site) = ("item%", argument.site);
     // What is given by value is its function's own, whatever is written to what it was copied from.
     let owned = !matches!(argument.kind, Tree::Ref(..));
-    let part = tree::Part::of(tree::Pattern::name(name), argument.clone(), owned);
+    let source = Source::Elements(argument.clone(), owned);
     let hand_on = Tree::Apply(EACH.into(), vec![tree::Expr::local(name, site)]);
-    let each = tree::ExprKind::each(None, part, plain(hand_on));
+    let each = Tree::each(tree::Pattern::name(name), source, plain(hand_on));
     tree::Closure { name: None, parameters: Vec::new(), body: Box::new(plain(each)) }
 }
 
@@ -107,30 +105,39 @@ impl<'a> Lowering<'a, '_> {
                     self.stmts(&tree::Block { stmts: vec![stmt], tail: None })?;
                 }
             }
-            Tree::For { slot, range, .. } => {
-                let ty = self.source.slots.get(*slot as usize).cloned().unwrap_or(SIZE);
-                self.settle_number(&mut range.from, "start%", &ty)?;
-                if let Some(to) = &mut range.to {
-                    self.settle_number(to, "end%", &ty)?;
-                }
-                if let Some(step) = &mut range.step {
-                    self.settle_number(step, "step%", &SIZE)?;
-                }
-            }
-            Tree::Each { parts, cuts, .. } => {
-                for part in parts {
-                    self.settle_elements(&mut part.array, part.owned)?;
-                    if let Some(group) = &mut part.group {
-                        self.settle_number(&mut group.size, "size%", &SIZE)?;
-                    }
-                }
-                for cut in cuts {
-                    self.settle_number(&mut cut.count, "count%", &SIZE)?;
-                }
-            }
+            Tree::Each { source, .. } => self.settle_source(source)?,
             _ => {}
         }
         Ok(())
+    }
+
+    fn settle_source(&mut self, source: &mut Source) -> Result<()> {
+        match source {
+            Source::Elements(array, owned) => self.settle_elements(array, *owned),
+            Source::Numbers(range) => {
+                let ty = self.source.slots.get(range.slot as usize).cloned().unwrap_or(SIZE);
+                self.settle_number(&mut range.from, "start%", &ty)?;
+                range.to.iter_mut().try_for_each(|to| self.settle_number(to, "end%", &ty))
+            }
+            Source::Groups(_, array, size) => {
+                self.settle_elements(array, false)?;
+                self.settle_number(size, "size%", &SIZE)
+            }
+            Source::Zip(one, other) | Source::Chain(one, other) => {
+                self.settle_source(one)?;
+                self.settle_source(other)
+            }
+            Source::Enumerate(of) | Source::Rev(of) | Source::Cycle(of) => self.settle_source(of),
+            Source::Skip(of, count) | Source::Take(of, count) => {
+                self.settle_source(of)?;
+                self.settle_number(count, "count%", &SIZE)
+            }
+            Source::StepBy(of, size) => {
+                self.settle_source(of)?;
+                let role = if matches!(**of, Source::Numbers(_)) { "step%" } else { "size%" };
+                self.settle_number(size, role, &SIZE)
+            }
+        }
     }
 
     fn settle_number(&mut self, number: &mut tree::Expr, name: &str, ty: &Ty) -> Result<()> {
@@ -177,19 +184,6 @@ impl<'a> Lowering<'a, '_> {
         // What a slice that is held has is borrowed, and the slice itself is copied.
         let held = self.is_held_slice(elements);
         match &mut elements.kind {
-            Tree::From(first) => {
-                let slot = elements.slot.unwrap_or(NO_SLOT) as usize;
-                let ty = self.source.slots.get(slot).cloned().unwrap_or(SIZE);
-                return self.settle_number(first, "start%", &ty);
-            }
-            Tree::Chain(one, other) => {
-                self.settle_elements(one, owned)?;
-                return self.settle_elements(other, owned);
-            }
-            Tree::Cut(base, cut) => {
-                self.settle_elements(base, owned)?;
-                return self.settle_number(&mut cut.count, "count%", &SIZE);
-            }
             _ if held => {}
             // What is borrowed.
             Tree::Local(name) if !owned || !self.is_changeable(name) => return Ok(()),

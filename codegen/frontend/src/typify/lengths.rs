@@ -1,5 +1,6 @@
 //! Arithmetic of lengths and indices, shorter where a number is known.
 
+use bessemer_ir::effects;
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, Span};
 
 /// The number that a length is known to be.
@@ -17,8 +18,10 @@ pub(super) fn is_number(expr: &Expr, wanted: u64) -> bool {
 /// Whether both are the same but for where they stand.
 pub(super) fn same(one: &Expr, other: &Expr) -> bool {
     match (&one.kind, &other.kind) {
-        (ExprKind::Load(one), ExprKind::Load(other)) => {
-            one.root == other.root && one.steps.is_empty() && other.steps.is_empty()
+        (ExprKind::Load(one), ExprKind::Load(other)) => effects::same_place(one, other),
+        (ExprKind::Intrinsic(one, of), ExprKind::Intrinsic(other, by)) => {
+            let all = || of.iter().zip(by).all(|(one, other)| same(one, other));
+            one == other && of.len() == by.len() && all()
         }
         (one, other) => one == other,
     }

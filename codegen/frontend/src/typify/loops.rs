@@ -4,7 +4,7 @@
 //! own condition ends. Leaving a loop that is not the innermost
 //! raises a flag: each loop in between ends, and looks at the flag behind it.
 
-use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
+use bessemer_ir::tree::{self, Builtin, ListMethod, Pattern, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, Int, LocalId, LogicOp, Mode, Place, Scalar, Span,
     Step, Stmt, StmtKind, Type,
@@ -22,43 +22,31 @@ use super::words;
 use super::{Needed, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
+    /// A loop that counts through a range, perhaps from its end.
     pub(super) fn for_stmt(
         &mut self,
-        site: Site,
-        label: Option<&str>,
-        (name, slot): (&str, u32),
-        range: &tree::Range,
-        body: &tree::Block,
+        (range, reversed): (&tree::Range, bool),
+        Each { site, label, pattern, body, .. }: Each,
     ) -> Result<()> {
-        let (ty, span) = (self.slot(slot, site)?, self.span(site));
-        let [from, to] = self.ends(range, &ty, site)?;
-        let name = if name.starts_with('_') { words::PASS } else { name };
-        let steps = self.steps(name, (&ty, site), range, [&from, &to])?;
-        let open = range.to.is_none() && steps.is_none();
-        let (ends, inclusive) = match &steps {
-            Some(steps) => (steps.ends(), false),
-            None => ([from, to], range.inclusive || open),
+        let (ty, span) = (self.slot(range.slot, site)?, self.span(site));
+        let ends = self.ends(range, &ty, site)?;
+        let name = match pattern {
+            Pattern::Name { name, .. } if !name.starts_with('_') => name,
+            _ => words::PASS,
         };
         self.repeated(label, None, span, |inner| {
             let mut variable = LocalId(0);
             let body = inner.scoped(|inner| {
-                let pass =
-                    steps.as_ref().map(|_| inner.local(words::PASS, ends[1].ty.clone(), span));
-                let local = inner.declare(name, ty.clone(), Mode::Value, span);
-                variable = pass.unwrap_or(local);
-                if let Some(steps) = &steps {
-                    let pass = Expr::local(variable, &ends[1].ty, span);
-                    let value = Some(steps.number(pass, &ty));
-                    inner.emit(StmtKind::Let { local, value }, span);
-                } else {
-                    inner.steady.insert(local);
+                variable = inner.declare(name, ty.clone(), Mode::Value, span);
+                inner.steady.insert(variable);
+                if range.to.is_none() {
+                    inner.ask_open(variable, &ends[1], span);
                 }
-                if open {
-                    inner.ask_open(local, &ends[1], span);
-                }
+                inner.own_number(pattern, site)?;
                 inner.statements(body)
             })?;
-            Ok(StmtKind::for_way(variable, ends, (inclusive, range.reversed), body))
+            let inclusive = range.inclusive || range.to.is_none();
+            Ok(StmtKind::for_way(variable, ends, (inclusive, reversed), body))
         })
     }
 
@@ -73,10 +61,9 @@ impl Lowering<'_, '_> {
         target: Option<&Target>,
     ) -> Result<()> {
         if let (Some(condition), None) = (condition, bound)
-            && let Some(rest) = self.rest_of(condition, body)
+            && let Some((pattern, rest)) = self.rest_of(condition, body)
         {
-            let (index, order, cuts) = (None, tree::Order::Up, &[][..]);
-            return self.each_stmt(&[rest], Each { site, label, index, order, cuts, body });
+            return self.each_stmt(Each { site, label, pattern, source: &rest, body });
         }
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;

@@ -1,157 +1,169 @@
-//! Numbers from one on beside elements: `(0..).zip(&values)`, `values.iter().zip(1..)`.
+//! Numbers that a loop goes through beside others: `(0..).zip(&values)`, `values.iter().zip(1..)`.
 //!
-//! core asks the parts of a `zip` one after the other, and a range that is asked for its last number steps beyond it, which
-//! is a fault. Where no pass comes so far, a number is the counter and the first number; else each pass asks in core's
+//! core asks the parts of a `zip` one after the other, and a range without an end that is asked for its last number steps beyond
+//! it, which is a fault. Where no pass comes so far, a number is the counter and the first number; else each pass asks in core's
 //! order, and one more begins where a range stands before what ends the loop.
 //!
 //! Must not know: what the elements are.
 
-use bessemer_ir::tree::{self, EACH, ExprKind as Tree, NO_SLOT, Site};
+use bessemer_ir::tree::{self, EACH, ExprKind as Tree, Pattern, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LocalId, Place, Span, StmtKind, Type,
 };
 
 use super::expr::{Operand, two};
-use super::lengths::{lesser, plus};
+use super::lengths::{is_number, lesser, plus};
 use super::lowering::Lowering;
+use super::seq::{Item, Kind, Of, Seq, Way};
+use super::stepped::Numbers;
 use super::value::Value;
 use super::{Needed, Result, problem, words};
 
-/// The numbers that stand beside elements.
-pub(super) struct Numbers<'t> {
-    pattern: &'t tree::Pattern,
-    site: Site,
-    first: Expr,
-    int: Int,
-    /// How many parts with elements stand before them.
-    before: usize,
-    /// Whether no pass comes to the last number of their type.
-    calm: bool,
-}
-
-/// What a loop with such numbers looks like.
-pub(super) struct Numbered<'t> {
-    all: Vec<Numbers<'t>>,
-    /// How many passes each part with elements makes.
-    counts: Vec<Expr>,
-    /// Whether another pass begins than elements make, for a range to be asked once more.
+/// How a loop asks what it goes through side by side.
+pub(super) struct Turns {
+    /// How many passes the others make, before the first numbers that may come to the last of their type, between two of
+    /// these, and behind the last.
+    counts: Vec<Vec<Expr>>,
+    /// Whether another pass begins than they make, for a range to be asked once more.
     pub over: bool,
 }
 
-impl Numbered<'_> {
-    /// Whether numbers have a name.
-    pub(super) fn named(&self, wanted: &str) -> bool {
-        let is =
-            |it: &Numbers| matches!(it.pattern, tree::Pattern::Name { name, .. } if name == wanted);
-        self.all.iter().any(is)
-    }
-}
-
 impl Lowering<'_, '_> {
-    /// The numbers of a part, if that is what it has.
-    pub(super) fn numbers<'t>(
+    /// A range as a sequence, in steps if it has some.
+    pub(super) fn numbers(
         &mut self,
-        part: &'t tree::Part,
-        before: usize,
-    ) -> Result<Option<Numbers<'t>>> {
-        let Tree::From(first) = &part.array.kind else { return Ok(None) };
-        let (pattern, site) = (&part.pattern, part.array.site);
-        let ty = self.slot(part.array.slot.unwrap_or(NO_SLOT), site)?;
+        (range, down): (&tree::Range, bool),
+        step: Option<&tree::Expr>,
+    ) -> Result<Seq> {
+        let site = range.from.site;
+        let (ty, span) = (self.slot(range.slot, site)?, self.span(site));
         let int = counting(&ty, site)?;
-        let first = self.value(first, Some(&ty))?;
+        if range.to.is_some() {
+            let steps = self.steps((range, down), step, (int, &ty))?;
+            let count = Some(steps.count());
+            return Ok(Seq { kind: Kind::Steps(steps), count, span });
+        }
+        let first = self.value(&range.from, Some(&ty))?;
         let first = match self.known(&first) {
-            Some(word) => Expr::literal(word, ty, self.span(site)),
+            Some(word) => Expr::literal(word, ty, span),
             None => self.steady(words::BOUNDS[0], first),
         };
-        Ok(Some(Numbers { pattern, site, first, int, before, calm: false }))
+        let kind = Kind::Numbers(Numbers { site, first, int, calm: false });
+        Ok(Seq { kind, count: None, span })
     }
 
-    /// How a loop through parts with elements and numbers goes, by how many passes each part makes, and how many at most.
-    pub(super) fn numbered<'t>(
-        &mut self,
-        mut all: Vec<Numbers<'t>>,
-        (counts, most): (Vec<Expr>, Option<u64>),
-        (cuts, body): (&[tree::Cut], &tree::Block),
-    ) -> Result<Numbered<'t>> {
-        for numbers in &mut all {
-            let ExprKind::Literal(word) = numbers.first.kind else { continue };
-            // No slice is longer than half of all that has an address.
-            let most = i128::from(most.unwrap_or(1 << 63));
-            numbers.calm = numbers.int.from_word(word) + most < numbers.int.max();
+    /// How a loop goes that is given these items.
+    pub(super) fn turns(&self, way: &Way, items: &[Item], body: &tree::Block) -> Result<Turns> {
+        let (mut sides, mut counts, mut loud) = (Vec::new(), vec![Vec::new()], Vec::new());
+        way.of.sides(&mut sides);
+        for side in sides {
+            match &side.kind {
+                Kind::Numbers(numbers) if !numbers.calm => {
+                    loud.push(numbers);
+                    counts.push(Vec::new());
+                }
+                _ => counts.last_mut().into_iter().for_each(|it| it.extend(side.count.clone())),
+            }
         }
-        let over = all.iter().any(|it| !it.calm && it.before < counts.len());
+        let over = counts[1..].iter().any(|it| !it.is_empty());
         // What elements come before is asked once for each, whoever goes through them.
-        let elsewhere = over && (hands_on(body) || !cuts.is_empty());
-        let skips = cuts.iter().any(|cut| cut.skip);
-        if let Some(loud) = all.iter().find(|it| !it.calm && (elsewhere || skips)) {
-            return problem(
-                loud.site,
+        let elsewhere = over && (hands_on(body) || !way.all);
+        let skips = !way.all && !is_number(&way.from, 0);
+        let is_told =
+            |it: &Numbers| elsewhere || skips || !loud.iter().any(|side| std::ptr::eq(*side, it));
+        let mut all = items.iter().filter_map(|item| match item.of {
+            Of::Numbers(it) if !it.calm => Some(it),
+            _ => None,
+        });
+        match all.find(|it| is_told(it)) {
+            Some(numbers) => problem(
+                numbers.site,
                 "these numbers may come to the last of their type, and how many are asked for does not show here",
                 "let the elements come first, `values.iter().zip(first..)`, without `.skip(n)`; or number with `0_usize..`",
-            );
+            ),
+            None => Ok(Turns { counts, over }),
         }
-        Ok(Numbered { all, counts, over })
     }
 
-    /// Gives a pass its numbers, asked in the order in which the parts stand.
-    pub(super) fn number_pass(&mut self, of: &Numbered, counter: &Expr, site: Site) -> Result<()> {
-        let mut ended = 0;
-        for numbers in &of.all {
-            if !numbers.calm {
-                self.end_pass(of, ended..numbers.before, counter);
-                ended = numbers.before;
+    /// Gives a pass its numbers, asked in the order in which they stand.
+    pub(super) fn number_pass(
+        &mut self,
+        (turns, items): (Turns, &[Item]),
+        counter: &Expr,
+        site: Site,
+    ) -> Result<()> {
+        let mut counts = turns.counts.into_iter().map(|it| it.into_iter().filter(|_| turns.over));
+        for item in items {
+            if matches!(item.of, Of::Numbers(numbers) if !numbers.calm) {
+                self.end_pass(counter, counts.next().into_iter().flatten());
             }
-            self.one_number(numbers, counter, site)?;
+            self.one_number(item, counter, site)?;
         }
-        self.end_pass(of, ended..of.counts.len(), counter);
+        self.end_pass(counter, counts.next().into_iter().flatten());
         Ok(())
     }
 
-    /// Leaves the pass that is over where one of these parts has come to its end.
-    fn end_pass(&mut self, of: &Numbered, parts: std::ops::Range<usize>, counter: &Expr) {
-        let count = of.counts[parts].iter().cloned().reduce(|one, other| lesser(other, one));
-        let Some(count) = count.filter(|_| of.over) else { return };
+    /// Leaves the pass that is over where what it goes through has come to its end.
+    fn end_pass(&mut self, counter: &Expr, counts: impl Iterator<Item = Expr>) {
+        let Some(count) = counts.reduce(|one, other| lesser(other, one)) else { return };
         let span = counter.span;
         let there = Expr::compare(CompareOp::Lt, counter.clone(), count);
         self.emit_if(there.negated(), Block::of(StmtKind::Break, span), span);
     }
 
-    fn one_number(&mut self, numbers: &Numbers, counter: &Expr, site: Site) -> Result<()> {
-        let (first, span) = (numbers.first.clone(), counter.span);
-        let is_unread = matches!(numbers.pattern, tree::Pattern::Any);
-        let itself = first.ty == Type::USIZE && first.kind == ExprKind::Literal(0);
-        let place = match &counter.kind {
-            _ if numbers.calm && is_unread => return Ok(()),
-            ExprKind::Load(counter) if numbers.calm && itself => {
-                if let tree::Pattern::Name { name, .. } = numbers.pattern {
-                    self.locals[counter.root.index()].name.clone_from(name);
-                    self.bind(name, Value::Local(counter.root));
-                    return Ok(());
-                }
-                counter.clone()
+    /// The number of a pass, if that is what an item is.
+    fn one_number(&mut self, item: &Item, counter: &Expr, site: Site) -> Result<()> {
+        let Item { pattern, of, index } = item;
+        let (value, loud) = match of {
+            Of::Index => (index.clone(), None),
+            Of::Steps(steps) => (steps.number(index.clone()), None),
+            Of::Numbers(it) if it.calm => {
+                (plus(index.clone().cast(&it.first.ty), it.first.clone()), None)
             }
-            _ => {
-                let counter = counter.clone().cast(&first.ty);
-                let value = match numbers.calm {
-                    true => plus(counter, first.clone()),
-                    false => Expr::intrinsic(Intrinsic::WrappingAdd, vec![first.clone(), counter]),
-                };
-                self.local_number(numbers.pattern, value.at(span))
+            Of::Numbers(it) => {
+                let index = index.clone().cast(&it.first.ty);
+                let both = vec![it.first.clone(), index];
+                (Expr::intrinsic(Intrinsic::WrappingAdd, both), Some(it))
             }
+            _ => return Ok(()),
         };
-        if !numbers.calm {
-            let last = Expr::literal_like(numbers.int.max() as u64, &first);
+        match (pattern, &counter.kind) {
+            (Pattern::Any, _) if loud.is_none() => return Ok(()),
+            (Pattern::Name { name, inner: None, .. }, ExprKind::Load(place))
+                if loud.is_none() && value.ty == counter.ty && value.kind == counter.kind =>
+            {
+                self.locals[place.root.index()].name.clone_from(name);
+                self.bind(name, Value::Local(place.root));
+                return self.own_number(pattern, site);
+            }
+            _ => {}
+        }
+        if let (Of::Steps(_), Pattern::Name { name, inner: None, .. }) = (of, pattern) {
+            self.let_named(name, value, index.span);
+            return self.own_number(pattern, site);
+        }
+        let place = self.local_number(pattern, value.at(index.span));
+        if let Some(Numbers { first, int, site, .. }) = loud {
+            let last = Expr::literal_like(Int::max(*int) as u64, first);
             let condition = Expr::compare(CompareOp::Ne, place.load(), last);
-            let span = self.span(numbers.site);
+            let span = self.span(*site);
             self.emit(StmtKind::Check { condition, fault: Fault::Overflow }, span);
         }
-        self.bind_pattern(numbers.pattern, &Value::Place(place), site)
+        self.bind_pattern(pattern, &Value::Place(place), site)
+    }
+
+    /// The number of a pass that its author changes: a copy of the counter.
+    pub(super) fn own_number(&mut self, pattern: &Pattern, site: Site) -> Result<()> {
+        let Pattern::Name { name, slot, mutable: true, .. } = pattern else { return Ok(()) };
+        let value = Some(tree::Expr::local(name, site));
+        let own = tree::Stmt::Let { name: name.clone(), slot: *slot, value, site, mutable: true };
+        self.stmts(&tree::Block { stmts: vec![own], tail: None })
     }
 
     /// The number of a pass, in a local of its author's name.
-    fn local_number(&mut self, pattern: &tree::Pattern, value: Expr) -> Place {
+    fn local_number(&mut self, pattern: &Pattern, value: Expr) -> Place {
         let name = match pattern {
-            tree::Pattern::Name { name, .. } => name,
+            Pattern::Name { name, .. } => name,
             _ => words::NEXT,
         };
         let place = self.let_local(name, value);

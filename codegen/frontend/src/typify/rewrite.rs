@@ -14,8 +14,8 @@ use std::collections::HashMap;
 
 use bessemer_ir::tree::visit::{self, Visit, VisitMut, Walk};
 use bessemer_ir::tree::{
-    self, Arm, BinaryOp, Block, Expr, ExprKind, FunctionTree, NO_SLOT, Pattern, Role, Site, Stmt,
-    UnaryOp,
+    self, Arm, BinaryOp, Block, Expr, ExprKind, FunctionTree, NO_SLOT, Pattern, Role, Site, Source,
+    Stmt, UnaryOp,
 };
 
 use super::lowering::Lowering;
@@ -62,10 +62,14 @@ pub(super) struct Placed(pub Site);
 impl VisitMut for Placed {
     fn expr(&mut self, expr: &mut Expr) {
         (expr.site, expr.slot) = (self.0, None);
-        if let ExprKind::For { slot, .. } = &mut expr.kind {
-            *slot = NO_SLOT;
-        }
         visit::walk_expr_mut(self, expr);
+    }
+
+    fn source(&mut self, source: &mut Source) {
+        if let Source::Numbers(range) = source {
+            range.slot = NO_SLOT;
+        }
+        visit::walk_source_mut(self, source);
     }
 
     fn stmt(&mut self, stmt: &mut Stmt) {

@@ -1,96 +1,269 @@
-//! What a loop over elements goes through: a sequence has a length, and an item at each index.
+//! What a loop goes through: a sequence has a length, and an item at each index, whatever it is made of.
 //!
-//! Must not know: how a loop is made of several of them ([`each`](super::each)).
+//! Invariants: what is copied when a sequence is made (an end, a size, how many are left out) is computed there, in Rust's
+//! order; what is left is arithmetic of an index.
+//!
+//! Must not know: how a loop is made of it ([`each`](super::each)).
 
 use std::rc::Rc;
 
-use bessemer_ir::tree::{self, ExprKind as Tree, Grouping, Order, Pattern, Site};
-use bessemer_ir::{
-    BinaryOp, Block, CompareOp, Expr, Fault, Intrinsic, LocalId, Place, Span, StmtKind, Type,
-};
+use bessemer_ir::tree::{self, ExprKind as Tree, Grouping, Pattern, Site, Source};
+use bessemer_ir::{BinaryOp, CompareOp, Expr, Fault, Intrinsic, Span, Type};
 
+use super::by_hand::takes;
 use super::lengths::{divided, greatest, least, lesser, minus, number, plus, same, times};
-use super::lowering::Lowering;
-use super::value::{Slice, Value};
-use super::words;
-use super::{Result, problem};
-use bessemer_ir::effects;
+use super::lowering::{Closure, Lowering};
+use super::pattern::aligned;
+use super::stepped::{Numbers, Steps};
+use super::value::Slice;
+use super::{Result, problem, words};
 
-/// The items of a loop: elements, or so many of them at a time.
-pub(super) struct Seq<'t> {
-    pub part: &'t tree::Part,
+/// A sequence.
+pub(super) struct Seq {
+    pub kind: Kind,
+    /// How many items there are; none if nothing ends it.
+    pub count: Option<Expr>,
+    /// Where the numbers stand that are made of it.
+    pub span: Span,
+}
+
+pub(super) enum Kind {
+    Elements(Elements),
+    /// Numbers that nothing ends.
+    Numbers(Numbers),
+    /// Those of a range that ends.
+    Steps(Steps),
+    /// So many elements at a time.
+    Groups(Slice, Grouping, Expr),
+    Zip(Box<Seq>, Box<Seq>),
+    /// One after the other.
+    Chain(Vec<Seq>),
+    Enumerate(Box<Seq>),
+    /// Again and again.
+    Cycle(Box<Seq>),
+    /// The first of so many.
+    StepBy(Box<Seq>, Expr),
+    Way(Box<Way>),
+}
+
+/// Elements of an array.
+pub(super) struct Elements {
     pub slice: Slice,
-    /// How, and how many elements.
-    group: Option<(Grouping, Expr)>,
-    /// How many items there are.
-    pub count: Expr,
-    /// The slices that it goes through then.
-    behind: Vec<Slice>,
-    /// The variable that it is, or is a field of: a local, and the fields on the way.
-    variable: Option<(LocalId, Vec<String>)>,
+    /// Whether the loop goes through a copy.
+    pub owned: bool,
+}
+
+/// The items of a sequence from one index to another, or back.
+pub(super) struct Way {
+    pub of: Seq,
+    pub from: Expr,
+    /// None if nothing ends it.
+    pub to: Option<Expr>,
+    pub down: bool,
+    /// Whether these are all its items.
+    pub all: bool,
+}
+
+/// What a pass is given of one of the sequences that are gone through side by side.
+pub(super) struct Item<'s> {
+    pub pattern: &'s Pattern,
+    pub of: Of<'s>,
+    /// Of an element, that of the array itself.
+    pub index: Expr,
+}
+
+#[derive(Clone, Copy)]
+pub(super) enum Of<'s> {
+    /// The index itself.
+    Index,
+    Elements(&'s Elements),
+    Numbers(&'s Numbers),
+    Steps(&'s Steps),
+    Groups(&'s Slice, Grouping, &'s Expr),
+    Chain(&'s [Seq]),
 }
 
 impl Lowering<'_, '_> {
-    /// The sequence of a part.
-    pub(super) fn seq<'t>(&mut self, part: &'t tree::Part, site: Site) -> Result<Seq<'t>> {
-        let Some(named) = self.iterator_named(&part.array) else {
-            return self.seq_of(part, &part.array, part.group.as_ref());
-        };
-        let named = Rc::clone(&self.closures[named]);
-        let own = elements_through(&named.text).unwrap_or(part);
-        self.in_scope_of(&named, None, site, |inner| {
-            inner.seq_of(part, &own.array, own.group.as_ref())
-        })
-    }
-
-    fn seq_of<'t>(
-        &mut self,
-        part: &'t tree::Part,
-        array: &tree::Expr,
-        group: Option<&tree::Group>,
-    ) -> Result<Seq<'t>> {
-        let mut behind = self.chained(array)?;
-        let slice = behind.remove(0);
-        let group = group.map(|group| self.group(group, &slice)).transpose()?;
-        let count = behind
-            .iter()
-            .fold(items(&slice, group.as_ref()), |count, it| plus(count, it.length.clone()));
-        Ok(Seq { part, slice, group, count, behind, variable: self.variable(array) })
-    }
-
-    fn variable(&self, array: &tree::Expr) -> Option<(LocalId, Vec<String>)> {
-        match &array.kind {
-            Tree::Local(name) => match self.lookup(name, array.site).ok()? {
-                Value::Local(root) => Some((root, Vec::new())),
-                Value::Place(place) if place.steps.is_empty() => Some((place.root, Vec::new())),
-                _ => None,
-            },
-            Tree::Field(base, name) => {
-                let (root, mut fields) = self.variable(base)?;
-                fields.push(name.clone());
-                Some((root, fields))
+    /// What a source is gone through for.
+    pub(super) fn seq(&mut self, source: &Source, site: Site) -> Result<Seq> {
+        match source {
+            Source::Elements(array, owned) => self.elements(array, *owned, site),
+            Source::Numbers(range) => self.numbers((range, false), None),
+            Source::Groups(way, array, size) => {
+                let slice = self.slice_through(array)?;
+                let span = slice.base.span;
+                let size = self.group_size(size)?.at(span);
+                let way = match (way, number(&slice.length), number(&size)) {
+                    (Grouping::All, Some(length), Some(size)) if length % size == 0 => {
+                        Grouping::Whole
+                    }
+                    (way, ..) => *way,
+                };
+                let count = groups(way, &slice.length, &size, span);
+                Ok(Seq { kind: Kind::Groups(slice, way, size), count: Some(count), span })
             }
-            _ => None,
+            Source::Zip(one, other) => {
+                let (mut one, mut other) = (self.seq(one, site)?, self.seq(other, site)?);
+                let most = one.most().into_iter().chain(other.most()).min();
+                one.calm(most);
+                other.calm(most);
+                let span = one.span;
+                let kind = Kind::Zip(Box::new(one), Box::new(other));
+                let mut zip = Seq { kind, count: None, span };
+                let mut sides = Vec::new();
+                zip.sides(&mut sides);
+                let all = sides.iter().filter_map(|it| it.count.clone());
+                zip.count = shortest(all.chain(beside(&sides)));
+                Ok(zip)
+            }
+            Source::Chain(one, other) => {
+                let mut parts = Vec::new();
+                for source in [one, other] {
+                    match self.seq(source, site)? {
+                        Seq { kind: Kind::Chain(inner), .. } => parts.extend(inner),
+                        part => parts.push(part),
+                    }
+                }
+                let (counts, span) = (parts.iter().map(|it| it.count.clone()), parts[0].span);
+                let count = counts.reduce(|all, it| Some(plus(all?, it?))).flatten();
+                Ok(Seq { kind: Kind::Chain(parts), count, span })
+            }
+            Source::Enumerate(of) => {
+                let of = self.seq(of, site)?;
+                let (count, span) = (of.count.clone(), of.span);
+                Ok(Seq { kind: Kind::Enumerate(Box::new(of)), count, span })
+            }
+            Source::Cycle(of) => {
+                let of = self.seq(of, site)?;
+                of.ended(site)?;
+                let span = of.span;
+                Ok(Seq { kind: Kind::Cycle(Box::new(of)), count: None, span })
+            }
+            Source::StepBy(of, size) => {
+                if let Some(range) = ended_range(of) {
+                    return self.numbers(range, Some(size));
+                }
+                let of = self.seq(of, site)?;
+                let (length, span) = (of.ended(site)?, of.span);
+                let size = self.group_size(size)?.at(span);
+                let count = match number(&length).is_some() || of.is_in_memory() {
+                    true => groups(Grouping::All, &length, &size, span),
+                    // No more than there are items to step through.
+                    false => Expr::intrinsic(
+                        Intrinsic::WrappingAdd,
+                        rounded_up(length, size.clone(), span).into(),
+                    ),
+                };
+                Ok(Seq { kind: Kind::StepBy(Box::new(of), size), count: Some(count), span })
+            }
+            Source::Rev(_) | Source::Skip(..) | Source::Take(..) => {
+                let way = self.way(source, site)?;
+                if way.whole() {
+                    return Ok(way.of);
+                }
+                // How many were taken changes from pass to pass.
+                let from = self.steady(words::BOUNDS[0], way.from.clone());
+                Ok(Way { from, ..way }.seq())
+            }
         }
     }
 
-    /// The slices of a sequence, one after the other; there is at least one.
-    fn chained(&mut self, array: &tree::Expr) -> Result<Vec<Slice>> {
-        if let Tree::Chain(one, other) = &array.kind {
-            let mut slices = self.chained(one)?;
-            slices.extend(self.chained(other)?);
-            return Ok(slices);
+    /// The way through a source.
+    pub(super) fn way(&mut self, source: &Source, site: Site) -> Result<Way> {
+        match source {
+            // The last number of a type has no number of its own.
+            Source::Rev(_) if let Some(range) = ended_range(source) => {
+                Ok(Way::all(self.numbers(range, None)?))
+            }
+            Source::Rev(of) => {
+                let way = self.way(of, site)?;
+                way.of.ended(site)?;
+                Ok(Way { down: !way.down, ..way })
+            }
+            Source::Skip(of, count) => {
+                let way = self.way(of, site)?;
+                self.cut(way, count, true)
+            }
+            Source::Take(of, count) => {
+                let way = self.way(of, site)?;
+                self.cut(way, count, false)
+            }
+            _ => Ok(Way::all(self.seq(source, site)?)),
         }
-        if let Some(part) = self.submatrix(array)? {
-            return Ok(vec![part.elements()]);
+    }
+
+    /// A way without its first items, or with them alone.
+    fn cut(&mut self, mut way: Way, count: &tree::Expr, skip: bool) -> Result<Way> {
+        let site = count.site;
+        let count = self.value(count, Some(&Type::USIZE))?;
+        // No more were taken than there are.
+        let taken = self.is_taken(&count);
+        // An index behind it begins anew.
+        if let (true, Kind::Elements(Elements { slice, .. })) =
+            (way.whole() && !taken, &mut way.of.kind)
+        {
+            let count = least(count, slice.length.clone());
+            let count = self.steady("count", count);
+            *slice = match skip {
+                true => slice.behind(count),
+                false => slice.part(Expr::usize(0, slice.base.span), count),
+            };
+            way.of.count = Some(slice.length.clone());
+            return Ok(Way::all(way.of));
         }
-        Ok(vec![match self.slice(array)? {
-            Some(slice) => slice,
-            None => self.elements_of(array)?,
-        }])
+        let from = way.from.clone();
+        let Some(to) = way.to.take() else {
+            // What begins anew goes on, and gives as many as are taken if it has some.
+            if !matches!(&way.of.kind, Kind::Cycle(of) if skip || of.has_some()) {
+                way.of.ended(site)?;
+            }
+            let end = plus(from.clone(), self.steady("count", count));
+            return Ok(match skip {
+                true => Way { from: end, all: false, ..way },
+                false => Way { to: Some(end), all: false, ..way },
+            });
+        };
+        let count = match taken {
+            true => count,
+            false => {
+                let count = least(count, minus(to.clone(), from.clone()));
+                self.steady("count", count)
+            }
+        };
+        let (from, to) = match (skip, way.down) {
+            (true, false) => (plus(from, count), to),
+            (false, false) => (from.clone(), plus(from, count)),
+            (true, true) => (from, minus(to, count)),
+            (false, true) => (minus(to.clone(), count), to),
+        };
+        Ok(Way { from, to: Some(to), all: false, ..way })
+    }
+
+    /// All elements of an array, or of what an iterator with a name goes through.
+    fn elements(&mut self, array: &tree::Expr, owned: bool, site: Site) -> Result<Seq> {
+        if let Some(named) = self.iterator_named(array) {
+            let named = Rc::clone(&self.closures[named]);
+            if let Some(source) = elements_through(&named) {
+                return self.in_scope_of(&named, None, site, |inner| inner.seq(source, site));
+            }
+        }
+        let slice = self.slice_through(array)?;
+        let (count, span) = (Some(slice.length.clone()), slice.base.span);
+        Ok(Seq { kind: Kind::Elements(Elements { slice, owned }), count, span })
     }
 
     /// All elements of what a loop goes through.
+    fn slice_through(&mut self, array: &tree::Expr) -> Result<Slice> {
+        let slice = match self.submatrix(array)? {
+            Some(part) => part.elements(),
+            None => match self.slice(array)? {
+                Some(slice) => slice,
+                None => self.elements_of(array)?,
+            },
+        };
+        Ok(self.kept_elements(slice))
+    }
+
     fn elements_of(&mut self, expr: &tree::Expr) -> Result<Slice> {
         let mut place = self.base(expr)?;
         // Whether there is a pass or not.
@@ -112,185 +285,209 @@ impl Lowering<'_, '_> {
     }
 
     /// How many elements an item has: a literal, or a local that is not zero.
-    fn group(&mut self, group: &tree::Group, slice: &Slice) -> Result<(Grouping, Expr)> {
-        let (size, site) = (self.value(&group.size, Some(&Type::USIZE))?, group.size.site);
-        let size = match (group.way, self.known(&size)) {
-            (Grouping::Around, first) if first.is_none_or(|it| it > u64::from(u32::MAX)) => {
-                return problem(
-                    site,
-                    "the number of the first element is known when the C is written, in the DSL",
-                    "write a number: `values.iter().cycle().skip(1)`",
-                );
-            }
-            (Grouping::Around, _) => size,
-            (_, Some(0)) => {
-                return problem(
-                    site,
-                    "no elements at a time never come to an end",
-                    "write a number above 0",
-                );
-            }
-            (_, Some(word)) => Expr::usize(word, size.span),
-            (_, None) => {
+    fn group_size(&mut self, size: &tree::Expr) -> Result<Expr> {
+        let (size, site) = (self.value(size, Some(&Type::USIZE))?, size.site);
+        match self.known(&size) {
+            Some(0) => problem(
+                site,
+                "no elements at a time never come to an end",
+                "write a number above 0",
+            ),
+            Some(word) => Ok(Expr::usize(word, size.span)),
+            None => {
                 let span = size.span;
                 let size = self.steady("size", size);
                 let some = Expr::compare(CompareOp::Ne, size.clone(), Expr::usize(0, span));
                 self.check(some, Fault::Assertion, span);
-                size
+                Ok(size)
             }
-        };
-        let way = match (group.way, number(&slice.length), number(&size)) {
-            (Grouping::All, Some(length), Some(size)) if length % size == 0 => Grouping::Whole,
-            (way, ..) => way,
-        };
-        Ok((way, size.at(slice.base.span)))
-    }
-
-    /// Names the item at an index; `bare`: of the array itself.
-    pub(super) fn name_item(
-        &mut self,
-        seq: &Seq,
-        index: Expr,
-        bare: bool,
-        site: Site,
-    ) -> Result<()> {
-        let element = match &seq.group {
-            _ if !seq.behind.is_empty() => {
-                let last = minus(seq.count.clone(), Expr::usize(1, index.span));
-                let index = if seq.part.reversed { minus(last, index) } else { index };
-                self.one_of_several(seq, index)
-            }
-            Some((way @ (Grouping::Windows | Grouping::Whole | Grouping::All), size)) => {
-                let index = match seq.part.reversed {
-                    true => minus(minus(seq.count.clone(), Expr::usize(1, index.span)), index),
-                    false => index,
-                };
-                return self.name_group(seq, (*way, size.clone()), index, site);
-            }
-            _ => seq.element(index, bare),
-        };
-        self.bind_pattern(&seq.part.pattern, &Value::Place(element), site)
-    }
-
-    fn name_group(
-        &mut self,
-        Seq { part, slice, .. }: &Seq,
-        (way, size): (Grouping, Expr),
-        index: Expr,
-        site: Site,
-    ) -> Result<()> {
-        let begin = match way {
-            Grouping::Windows => index,
-            _ => begin(index, &size),
-        };
-        let name = match &part.pattern {
-            Pattern::Any => return Ok(()),
-            // They are not one behind the other.
-            Pattern::Name { .. } if slice.within.is_some() => return Self::moved_part(site),
-            Pattern::Name { name, inner: None, .. } => name,
-            _ => {
-                return problem(
-                    site,
-                    "a window is not taken apart in the DSL",
-                    "give it a name, and index it",
-                );
-            }
-        };
-        let length = slice.length.clone();
-        let group = match way {
-            Grouping::All if number(&length).is_some() => {
-                let end = self.steady("end", least(plus(begin.clone(), size), length));
-                slice.between(begin, end)
-            }
-            Grouping::All => {
-                let left = least(size, minus(length, begin.clone()));
-                let length = self.steady("length", left);
-                slice.part(begin, length)
-            }
-            _ => slice.part(begin, size),
-        };
-        self.bind(name, Value::Slice(Box::new(group)));
-        Ok(())
-    }
-
-    /// The element at an index of several slices, in a local of its own.
-    fn one_of_several(&mut self, seq: &Seq, mut index: Expr) -> Place {
-        let (ty, span) = (seq.slice.element.clone(), index.span);
-        let name = match &seq.part.pattern {
-            Pattern::Name { name, .. } => name.as_str(),
-            _ => words::ELEMENT,
-        };
-        let local = self.local(name, ty.clone(), span);
-        self.held.insert(local);
-        let place = Place::local(local, ty, span);
-        self.emit(StmtKind::Let { local, value: None }, span);
-        let mut cases = Vec::new();
-        for slice in std::iter::once(&seq.slice).chain(&seq.behind) {
-            let value = slice.at(plus(slice.from.clone(), index.clone())).load();
-            let assign = StmtKind::Assign { place: place.clone(), value };
-            let condition = Expr::compare(CompareOp::Lt, index.clone(), slice.length.clone());
-            cases.push((condition, Block::of(assign, span)));
-            index = minus(index, slice.length.clone());
         }
-        let chosen = cases.into_iter().rev().reduce(|(last, otherwise), (condition, then)| {
-            (last, Block::of(StmtKind::If { condition, then, otherwise }, span))
-        });
-        self.out.extend(chosen.into_iter().flat_map(|(_, chosen)| chosen.0));
-        place
     }
 }
 
-impl Seq<'_> {
-    /// Whether a counter can be the index of the array itself.
-    pub(super) fn is_plain(&self) -> bool {
-        self.group.is_none() && self.behind.is_empty()
+impl Seq {
+    /// How many items there are, which has to be known to leave some out or to turn them round.
+    pub(super) fn ended(&self, site: Site) -> Result<Expr> {
+        match &self.count {
+            Some(count) => Ok(count.clone()),
+            None => problem(
+                site,
+                "nothing ends this sequence",
+                "write both ends of a range, `0..n`; or let `.zip(…)` come first, and the other links behind it",
+            ),
+        }
     }
 
-    /// Whether it begins anew behind its last element.
-    pub(super) fn is_around(&self) -> bool {
-        matches!(self.group, Some((Grouping::Around, _)))
+    /// Whether it is known that there are items.
+    fn has_some(&self) -> bool {
+        self.count.as_ref().and_then(number).is_some_and(|count| count > 0)
     }
 
-    /// Whether another sequence has as many elements.
-    pub(super) fn is_as_long(&self, other: &Seq) -> bool {
-        let (one, two) = (&self.slice, &other.slice);
-        let is_same_slice = effects::same_place(&one.base, &two.base)
-            && same(&one.from, &two.from)
-            && same(&one.to, &two.to);
-        let is_same_variable = self.variable.is_some() && self.variable == other.variable;
-        same(&self.count, &other.count) || is_same_slice || is_same_variable
-    }
-
-    /// How many items there are at most, if the type of the elements' home says so.
-    pub(super) fn most(&self) -> Option<u64> {
-        match (number(&self.count), &self.slice.base.ty) {
-            (Some(count), _) => Some(count),
-            (None, Type::Array { len, .. }) if self.behind.is_empty() => Some(u64::from(*len)),
+    /// What begins anew.
+    fn again(&self) -> Option<&Seq> {
+        match &self.kind {
+            Kind::Cycle(of) => Some(of),
+            Kind::Way(way) if way.to.is_none() => way.of.again(),
             _ => None,
         }
     }
 
-    /// The element at an index.
-    fn element(&self, index: Expr, bare: bool) -> Place {
-        let slice = &self.slice;
-        let index = match &self.group {
-            Some((Grouping::Around, first)) => {
-                let at = plus(index, first.clone());
-                Expr::binary(BinaryOp::Rem, at, slice.length.clone())
+    /// The sequences that are gone through side by side, each from its first item on.
+    pub(super) fn sides<'s>(&'s self, all: &mut Vec<&'s Seq>) {
+        match &self.kind {
+            Kind::Zip(one, other) => {
+                one.sides(all);
+                other.sides(all);
             }
-            Some((_, size)) => begin(index, size),
-            None => index,
+            Kind::Enumerate(of) => of.sides(all),
+            _ => all.push(self),
+        }
+    }
+
+    /// Whether there are no more items than elements.
+    fn is_in_memory(&self) -> bool {
+        match &self.kind {
+            Kind::Elements(_) => true,
+            Kind::Zip(one, other) => one.is_in_memory() || other.is_in_memory(),
+            Kind::Enumerate(of) => of.is_in_memory(),
+            _ => false,
+        }
+    }
+
+    /// How many items there are at most, if the type of the elements' home says so.
+    fn most(&self) -> Option<u64> {
+        match (self.count.as_ref().and_then(number), &self.kind) {
+            (Some(count), _) => Some(count),
+            (None, Kind::Elements(Elements { slice, .. }) | Kind::Groups(slice, ..)) => {
+                match &slice.base.ty {
+                    Type::Array { len, .. } => Some(u64::from(*len)),
+                    _ => None,
+                }
+            }
+            (None, Kind::Zip(one, other)) => one.most().into_iter().chain(other.most()).min(),
+            (None, Kind::Enumerate(of) | Kind::StepBy(of, _)) => of.most(),
+            (None, Kind::Way(way)) => way.of.most(),
+            _ => None,
+        }
+    }
+
+    /// Notes that no more than so many are asked for.
+    fn calm(&mut self, most: Option<u64>) {
+        match &mut self.kind {
+            Kind::Numbers(numbers) => numbers.calm(most),
+            Kind::Zip(one, other) => [one, other].into_iter().for_each(|it| it.calm(most)),
+            Kind::Enumerate(of) => of.calm(most),
+            _ => {}
+        }
+    }
+
+    /// What a pass is given at an index.
+    pub(super) fn items<'s>(
+        &'s self,
+        pattern: &'s Pattern,
+        index: Expr,
+        (all, site): (&mut Vec<Item<'s>>, Site),
+    ) -> Result<()> {
+        let of = match &self.kind {
+            Kind::Elements(it) => {
+                let index = plus(it.slice.from.clone(), index);
+                all.push(Item { pattern, of: Of::Elements(it), index });
+                return Ok(());
+            }
+            Kind::Zip(one, other) => {
+                let [left, right] = pair(pattern, site)?;
+                one.items(left, index.clone(), (all, site))?;
+                return other.items(right, index, (all, site));
+            }
+            Kind::Enumerate(of) => {
+                let [number, pattern] = pair(pattern, site)?;
+                all.push(Item { pattern: number, of: Of::Index, index: index.clone() });
+                return of.items(pattern, index, (all, site));
+            }
+            Kind::Cycle(of) => {
+                let index = Expr::binary(BinaryOp::Rem, index, of.ended(site)?);
+                return of.items(pattern, index, (all, site));
+            }
+            Kind::StepBy(of, size) => return of.items(pattern, begin(index, size), (all, site)),
+            Kind::Way(way) => return way.items(pattern, index, (all, site)),
+            Kind::Numbers(it) => Of::Numbers(it),
+            Kind::Steps(it) => Of::Steps(it),
+            Kind::Groups(slice, way, size) => Of::Groups(slice, *way, size),
+            Kind::Chain(parts) => Of::Chain(parts),
         };
-        slice.at(match self.part.reversed && !self.is_around() {
-            false if bare => index,
-            false => plus(slice.from.clone(), index),
-            true => minus(minus(slice.to.clone(), Expr::usize(1, slice.base.span)), index),
-        })
+        all.push(Item { pattern, of, index });
+        Ok(())
     }
 }
 
+impl Way {
+    fn all(of: Seq) -> Way {
+        let (from, to) = (Expr::usize(0, of.span), of.count.clone());
+        Way { of, from, to, down: false, all: true }
+    }
+
+    /// Whether it is the sequence itself.
+    fn whole(&self) -> bool {
+        self.all && !self.down
+    }
+
+    /// Where the elements are that are gone through one by one, so that the counter is the index of the array itself.
+    pub(super) fn bare(&self) -> Option<&Elements> {
+        match &self.of.kind {
+            Kind::Elements(elements) if self.all => Some(elements),
+            _ => None,
+        }
+    }
+
+    fn seq(self) -> Seq {
+        let (span, from) = (self.of.span, self.from.clone());
+        let count = self.to.clone().map(|to| minus(to, from));
+        Seq { kind: Kind::Way(Box::new(self)), count, span }
+    }
+
+    fn items<'s>(
+        &'s self,
+        pattern: &'s Pattern,
+        index: Expr,
+        (all, site): (&mut Vec<Item<'s>>, Site),
+    ) -> Result<()> {
+        let back = |to: &Expr, index: Expr| {
+            let last = minus(to.clone(), Expr::usize(1, to.span));
+            minus(last, index)
+        };
+        match (self.bare(), &self.to) {
+            (Some(it), _) if self.down => {
+                let index = back(&it.slice.to, index);
+                all.push(Item { pattern, of: Of::Elements(it), index });
+                Ok(())
+            }
+            (_, Some(to)) if self.down => self.of.items(pattern, back(to, index), (all, site)),
+            _ => self.of.items(pattern, plus(self.from.clone(), index), (all, site)),
+        }
+    }
+}
+
+/// The patterns of the two of a pair.
+pub(super) fn pair(pattern: &Pattern, site: Site) -> Result<[&Pattern; 2]> {
+    if let Pattern::Any = pattern {
+        return Ok([pattern; 2]);
+    }
+    if let Pattern::Tuple(parts) = pattern {
+        let part = |index| {
+            let aligned = aligned(parts, 2).into_iter();
+            aligned.filter(|it| it.1 == index).map(|it| it.0).next().unwrap_or(&Pattern::Any)
+        };
+        return Ok([part(0), part(1)]);
+    }
+    problem(
+        site,
+        "the pairs that a loop goes through are taken apart in the DSL",
+        "give both of each a name: `for (i, x) in …`",
+    )
+}
+
 /// Where a group begins.
-fn begin(index: Expr, size: &Expr) -> Expr {
+pub(super) fn begin(index: Expr, size: &Expr) -> Expr {
     match size.is_literal() {
         true => times(index, size.clone()),
         // Each begins within the sequence.
@@ -298,18 +495,14 @@ fn begin(index: Expr, size: &Expr) -> Expr {
     }
 }
 
-/// How many items the elements of a slice make.
-fn items(slice: &Slice, group: Option<&(Grouping, Expr)>) -> Expr {
-    let length = slice.length.clone();
-    let Some((way, size)) = group.filter(|(way, _)| *way != Grouping::Around) else {
-        return length;
-    };
-    let (one, size) = (Expr::usize(1, slice.base.span), size.clone());
-    let known = number(&length);
-    // What is a number in the end stands where the slice does.
+/// How many groups so many elements make.
+fn groups(way: Grouping, length: &Expr, size: &Expr, span: Span) -> Expr {
+    let (one, size) = (Expr::usize(1, span), size.clone());
+    let known = number(length);
+    // What is a number in the end stands where the elements do.
     let length = match known.and(number(&size)) {
-        Some(_) => length.at(slice.base.span),
-        None => length,
+        Some(_) => length.clone().at(span),
+        None => length.clone(),
     };
     match (way, number(&size)) {
         (Grouping::Whole, _) => divided(length, size),
@@ -321,29 +514,53 @@ fn items(slice: &Slice, group: Option<&(Grouping, Expr)>) -> Expr {
         // No slice is that long, and the sum below would overflow.
         (_, Some(size)) if known.is_none() && size > 1 << 31 => lesser(length, one),
         (_, Some(_)) => divided(plus(length, minus(size.clone(), one)), size),
-        // The sum might overflow.
         (_, None) => {
-            let rest = Expr::binary(BinaryOp::Rem, length.clone(), size.clone());
-            plus(divided(length, size), lesser(rest, one))
+            let [whole, rest] = rounded_up(length, size, span);
+            plus(whole, rest)
         }
     }
 }
 
-/// How many passes all of these make. What begins anew has as many elements as what it stands beside.
-pub(super) fn shortest(all: &[Seq], span: Span) -> Expr {
-    let counts = || all.iter().filter(|it| !it.is_around()).map(|it| &it.count);
-    let least = counts().filter_map(number).min().map(|least| Expr::usize(least, span));
-    let others = counts().filter(|count| number(count).is_none()).cloned();
-    let counts = least.into_iter().chain(others);
-    counts.reduce(|end, count| lesser(count, end)).unwrap_or_else(|| Expr::usize(0, span))
+/// The same of a length to which nothing may be added: how many are whole, and one if there is a rest.
+fn rounded_up(length: Expr, size: Expr, span: Span) -> [Expr; 2] {
+    let rest = Expr::binary(BinaryOp::Rem, length.clone(), size.clone());
+    [divided(length, size), lesser(rest, Expr::usize(1, span))]
 }
 
-/// The elements that an iterator goes through, if it does nothing else.
-pub(super) fn elements_through(iterator: &tree::Closure) -> Option<&tree::Part> {
-    let Tree::Each { index: None, parts, order: Order::Up, cuts, .. } = &iterator.body.kind else {
-        return None;
-    };
-    let [part @ tree::Part { array, reversed: false, .. }] = parts.as_slice() else { return None };
-    let of_elements = !matches!(array.kind, Tree::Call(..)) && cuts.is_empty();
-    of_elements.then_some(part)
+/// A range that ends, and whether it is gone through from its last number on.
+pub(super) fn ended_range(source: &Source) -> Option<(&tree::Range, bool)> {
+    match source {
+        Source::Numbers(range) => range.to.is_some().then_some((range, false)),
+        Source::Rev(of) => match &**of {
+            Source::Numbers(range) => Some((range, true)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// How many items there are of all side by side.
+fn shortest(counts: impl Iterator<Item = Expr>) -> Option<Expr> {
+    let (known, others): (Vec<_>, Vec<_>) = counts.partition(|count| number(count).is_some());
+    let least = known.into_iter().reduce(least);
+    least.into_iter().chain(others).reduce(|end, count| lesser(count, end))
+}
+
+/// How many items those give at most that begin anew, where they may have none while what they stand beside has some.
+fn beside(sides: &[&Seq]) -> impl Iterator<Item = Expr> {
+    let again = sides.iter().filter_map(|it| it.again()).filter(|of| !of.has_some());
+    let lengths = again.filter_map(|of| of.count.clone());
+    let is_beside =
+        |length: &Expr| sides.iter().filter_map(|it| it.count.as_ref()).any(|it| same(it, length));
+    lengths.filter(move |length| !is_beside(length)).map(|length| {
+        let most = Expr::usize(u64::MAX, length.span);
+        Expr::intrinsic(Intrinsic::SaturatingMul, vec![length, most])
+    })
+}
+
+/// The source of an iterator with a name, if its items are elements or numbers as they are.
+pub(super) fn elements_through<'c>(iterator: &'c Closure<'_>) -> Option<&'c Source> {
+    let Tree::Each { pattern, source, .. } = &iterator.text.body.kind else { return None };
+    let is_made = |leaf: &&Source| matches!(leaf, Source::Elements(of, _) if matches!(of.kind, Tree::Call(..) | Tree::Apply(..)));
+    (!takes(pattern) && !source.leaves().iter().any(is_made)).then_some(&**source)
 }

@@ -12,7 +12,7 @@ use bessemer_ir::{
 use super::comparison::Pair;
 use super::expr::Call;
 use super::function::{result_of, slice_of};
-use super::lengths::{compared, divided, is_number, least, lesser, minus, plus, same, size};
+use super::lengths::{compared, divided, is_number, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
 use super::syntax::{bare, control_with_value};
 use super::value::{Slice, Value};
@@ -133,19 +133,6 @@ impl Lowering<'_, '_> {
                 let base = self.sliced(base)?;
                 let ends = (from.as_deref(), to.as_deref());
                 return self.narrowed(base, ends, *inclusive, span).map(Some);
-            }
-            tree::ExprKind::Cut(base, cut) => {
-                let base = match self.submatrix(base)? {
-                    Some(part) => part.elements(),
-                    None => self.sliced(base)?,
-                };
-                let count = self.value(&cut.count, Some(&Type::USIZE))?;
-                let count = least(count, base.length.clone());
-                let count = self.steady("count", count);
-                return Ok(Some(match cut.skip {
-                    true => base.behind(count),
-                    false => base.part(Expr::usize(0, base.base.span), count),
-                }));
             }
             tree::ExprKind::Call(callee, arguments)
                 if self.builtin_of(*callee) == Some(Builtin::Slice(SliceMethod::Whole)) =>

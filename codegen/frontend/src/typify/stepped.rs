@@ -1,11 +1,11 @@
-//! `for i in (a..b).step_by(n)`: a loop over its passes, and the number of each.
+//! A range that ends as a sequence, `(a..b).step_by(n)`: its passes, and the number of each.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Scalar, Type};
 
+use super::Result;
 use super::lengths;
 use super::lowering::Lowering;
-use super::{Needed, Result};
 
 /// Where a stepped range begins, and what it takes to get on.
 pub(super) struct Steps {
@@ -14,29 +14,63 @@ pub(super) struct Steps {
     passes: Expr,
     /// Whether no number can leave its type.
     constant: bool,
+    /// Whether each number is less than the one before.
+    down: bool,
+    ty: Type,
+}
+
+/// The numbers from one on, which nothing ends.
+pub(super) struct Numbers {
+    pub site: Site,
+    pub first: Expr,
+    pub int: Int,
+    /// Whether no pass comes to the last number of their type.
+    pub calm: bool,
+}
+
+impl Numbers {
+    /// Notes that no more than so many are asked for.
+    pub(super) fn calm(&mut self, most: Option<u64>) {
+        let ExprKind::Literal(word) = self.first.kind else { return };
+        // No slice is longer than half of all that has an address.
+        let most = i128::from(most.unwrap_or(1 << 63));
+        self.calm |= self.int.from_word(word) + most < self.int.max();
+    }
 }
 
 impl Lowering<'_, '_> {
-    /// The steps of a range that has some; what it takes to get on is named for the number.
+    /// The steps of a range that ends, each of so many, without a number of one; from its last number on if `down`.
     pub(super) fn steps(
         &mut self,
-        name: &str,
-        (ty, site): (&Type, Site),
-        range: &tree::Range,
-        [from, to]: [&Expr; 2],
-    ) -> Result<Option<Steps>> {
-        let Some(step) = &range.step else { return Ok(None) };
-        let int = ty.as_int().needed(site, "only integers are stepped through")?;
-        let ends = [from.clone(), to.clone()];
-        self.naming_as(name, |inner| inner.steps_of(int, (step, range.inclusive), ends)).map(Some)
+        (range, down): (&tree::Range, bool),
+        step: Option<&tree::Expr>,
+        (int, ty): (Int, &Type),
+    ) -> Result<Steps> {
+        let [from, to] = self.ends(range, ty, range.from.site)?;
+        if down {
+            let to = self.once("end", to);
+            let last = match range.inclusive {
+                true => to.clone(),
+                false => Expr::intrinsic(
+                    Intrinsic::WrappingSub,
+                    vec![to.clone(), Expr::literal_like(1, &to)],
+                ),
+            };
+            let up = self.steps_up((range.inclusive, step), [from, to], (int, ty))?;
+            let from = last.cast(&up.from.ty);
+            return Ok(Steps { from, down, constant: false, ..up });
+        }
+        self.steps_up((range.inclusive, step), [from, to], (int, ty))
     }
 
-    fn steps_of(
+    fn steps_up(
         &mut self,
-        int: Int,
-        (step, inclusive): (&tree::Expr, bool),
+        (inclusive, step): (bool, Option<&tree::Expr>),
         [from, to]: [Expr; 2],
+        (int, ty): (Int, &Type),
     ) -> Result<Steps> {
+        let one = tree::Expr::plain(tree::ExprKind::Int("1".into(), None), Site::default());
+        let step = step.unwrap_or(&one);
         // The ends are read before the step is computed, which may change what they are.
         let [from, to] = match step.kind {
             tree::ExprKind::Int(..) | tree::ExprKind::Path(..) | tree::ExprKind::Local(_) => {
@@ -56,12 +90,14 @@ impl Lowering<'_, '_> {
             let from = if constant { from } else { from.cast(&Type::USIZE) };
             let passes = passes.min(i128::from(u64::MAX)) as u64;
             let [step, passes] = [by, passes].map(|word| Expr::literal_like(word, &from));
-            return Ok(Steps { from, step, passes, constant });
+            return Ok(Steps { from, step, passes, constant, down: false, ty: ty.clone() });
         }
-        Ok(match by.filter(|by| int.min() == 0 && !(inclusive && *by == 1)) {
+        let (from, step, passes) = match by.filter(|by| int.min() == 0 && !(inclusive && *by == 1))
+        {
             Some(by) => self.unsigned_steps(inclusive, [from, to], by),
             None => self.any_steps(int, inclusive, [from, to], step),
-        })
+        };
+        Ok(Steps { from, step, passes, constant: false, down: false, ty: ty.clone() })
     }
 
     /// The word of a number that generation knows.
@@ -79,26 +115,38 @@ impl Lowering<'_, '_> {
     }
 
     /// Steps of a constant through unsigned numbers, which count the passes, too.
-    fn unsigned_steps(&mut self, inclusive: bool, [from, to]: [Expr; 2], by: u64) -> Steps {
+    fn unsigned_steps(
+        &mut self,
+        inclusive: bool,
+        [from, to]: [Expr; 2],
+        by: u64,
+    ) -> (Expr, Expr, Expr) {
         let step = Expr::literal_like(by, &from);
         let held = self.once("start", from);
         let from_zero = held.kind == ExprKind::Literal(0);
         // The last number that there may be is one more than those behind the steps.
         let last = inclusive.then(|| self.temporary("last", to.clone()));
         let to = last.clone().unwrap_or(to);
-        let named = inclusive && from_zero;
-        let length = self.temporary_unless(named, "length", distance(&held, to));
+        let length = distance(&held, to);
+        let named = inclusive && from_zero || by == 1 && self.is_steady(&length);
+        let length = self.temporary_unless(named, "length", length);
         // A step of at least 2 leaves room for the last number, and a step of 1 no rest: this cannot leave the type.
         let more = last.map(|last| match from_zero {
             true => Expr::literal_like(1, &held),
             false => Expr::compare(CompareOp::Le, held.clone(), last),
         });
         let passes = self.passes_of(length, &step, more, Intrinsic::WrappingAdd);
-        Steps { from: held, step, passes, constant: false }
+        (held, step, passes)
     }
 
     /// Any steps through any numbers: `usize` counts the passes.
-    fn any_steps(&mut self, int: Int, inclusive: bool, [from, to]: [Expr; 2], step: Expr) -> Steps {
+    fn any_steps(
+        &mut self,
+        int: Int,
+        inclusive: bool,
+        [from, to]: [Expr; 2],
+        step: Expr,
+    ) -> (Expr, Expr, Expr) {
         let [from, to] = [self.once("start", from), self.once("end", to)];
         let span = step.span;
         let step = self.once("step", step);
@@ -133,13 +181,16 @@ impl Lowering<'_, '_> {
             _ => Intrinsic::WrappingAdd,
         };
         let passes = self.passes_of(length, &step, more, add);
-        Steps { from: from.cast(&Type::USIZE), step, passes, constant: false }
+        (from.cast(&Type::USIZE), step, passes)
     }
 
     /// The steps that a length has room for, and one `more`; without that, one where the length leaves a rest.
     fn passes_of(&mut self, length: Expr, step: &Expr, more: Option<Expr>, add: Intrinsic) -> Expr {
         let [whole, rest] =
             [BinaryOp::Div, BinaryOp::Rem].map(|op| Expr::binary(op, length.clone(), step.clone()));
+        if step.kind == ExprKind::Literal(1) && more.is_none() {
+            return length;
+        }
         let none = Expr::literal_like(0, &rest);
         let more = more.unwrap_or_else(|| Expr::compare(CompareOp::Ne, rest, none));
         let more = more.cast(&whole.ty);
@@ -161,21 +212,30 @@ impl Steps {
         [Expr::literal_like(0, &self.passes), self.passes.clone()]
     }
 
-    /// The number of a pass.
-    pub(super) fn number(&self, pass: Expr, ty: &Type) -> Expr {
-        let (from, step) = (self.from.clone(), self.step.clone());
-        let from_zero = from.kind == ExprKind::Literal(0);
-        if !self.constant {
-            let way = Expr::intrinsic(Intrinsic::WrappingMul, vec![pass, step]);
-            return match from_zero {
-                true => way.cast(ty),
-                false => Expr::intrinsic(Intrinsic::WrappingAdd, vec![from, way]).cast(ty),
-            };
+    /// How many numbers there are.
+    pub(super) fn count(&self) -> Expr {
+        match lengths::number(&self.passes) {
+            Some(passes) => Expr::usize(passes, self.passes.span),
+            None => self.passes.clone().cast(&Type::USIZE),
         }
+    }
+
+    /// The number of a pass.
+    pub(super) fn number(&self, pass: Expr) -> Expr {
+        let (from, step, ty) = (self.from.clone(), self.step.clone(), &self.ty);
+        let pass = pass.cast(&self.passes.ty);
+        let from_zero = from.kind == ExprKind::Literal(0);
         let way = match step.kind {
             ExprKind::Literal(1) => pass,
-            _ => Expr::binary(BinaryOp::Mul, pass, step),
+            _ if self.constant => Expr::binary(BinaryOp::Mul, pass, step),
+            _ => Expr::intrinsic(Intrinsic::WrappingMul, vec![pass, step]),
         };
-        if from_zero { way } else { Expr::binary(BinaryOp::Add, from, way) }
+        let number = match (from_zero, self.constant) {
+            _ if self.down => Expr::intrinsic(Intrinsic::WrappingSub, vec![from, way]),
+            (true, _) => way,
+            (false, true) => Expr::binary(BinaryOp::Add, from, way),
+            (false, false) => Expr::intrinsic(Intrinsic::WrappingAdd, vec![from, way]),
+        };
+        number.cast(ty)
     }
 }

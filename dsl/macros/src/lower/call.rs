@@ -7,13 +7,11 @@
 //!
 //! A companion returns what the function returns, and beside it, in a slot, which function it was.
 
-use bessemer_tree as tree;
 use bessemer_tree::{EACH, ExprKind};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
-use super::link::is_range;
-use super::names::{GENERATING, callee_name, plain, text};
+use super::names::{GENERATING, callee_name, text};
 use super::pattern::is_constant_name;
 use super::refuse;
 use super::syntax::{is_constructor_name, last_segment};
@@ -83,7 +81,7 @@ impl Lowering {
     }
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
-        let mut arguments = vec![self.receiver(&mut it.receiver)];
+        let mut arguments = vec![self.value(&mut it.receiver)];
         // What a panic would say stays in the Rust. Nothing else takes a text alone: rustc tells of it.
         let message = it.args.len() == 1
             && matches!(&it.args[0], syn::Expr::Lit(it) if matches!(it.lit, syn::Lit::Str(_)));
@@ -96,14 +94,6 @@ impl Lowering {
         }
         it.method = companion_name(&it.method);
         ExprKind::Call(self.take_method(it), arguments)
-    }
-
-    /// The receiver of a method: a range is gone through there.
-    fn receiver(&mut self, expr: &mut syn::Expr) -> tree::Expr {
-        match is_range(expr) {
-            true => plain(self.handing(expr), &expr.clone()),
-            false => self.value(expr),
-        }
     }
 
     /// Whether `path` names the function that is being lowered.

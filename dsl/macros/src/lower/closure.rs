@@ -111,9 +111,10 @@ impl Lowering {
             let element = ExprKind::Index(Box::new(array.clone()), Box::new(index_of));
             let element = Box::new(tree::Expr::plain(element, site));
             let pass = tree::Expr::plain(ExprKind::Assign(None, element, value), site);
-            let pattern = tree::Pattern::Any;
-            let part = tree::Part { pattern, array, owned: false, group: None, reversed: false };
-            let each = ExprKind::each(Some(&index), part, pass);
+            let source = tree::Source::Elements(array, false);
+            let pair = vec![tree::Pattern::name(&index), tree::Pattern::Any];
+            let each = tree::Source::Enumerate(Box::new(source));
+            let each = ExprKind::each(tree::Pattern::Tuple(pair), each, pass);
             let each = Box::new(tree::Expr::plain(each, site));
             Some(ExprKind::Fold { name, start: Start::Elements, each })
         })

@@ -5,10 +5,9 @@ use bessemer_tree::ExprKind;
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::link::{Link, is_range};
 use super::names::{GENERATING, place, site, span, text};
 use super::walk::Lowering;
-use super::{each, loops, pattern, refuse};
+use super::{loops, pattern, refuse};
 
 impl Lowering {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
@@ -96,67 +95,6 @@ impl Lowering {
             }));
         }
         ExprKind::Match(Box::new(scrutinee), arms)
-    }
-
-    pub(super) fn for_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
-        if !is_range(&it.expr) {
-            return self.each_loop(it);
-        }
-        let label = it.label.as_ref().map(|label| text(&label.name.ident));
-        let limits = it.expr.span();
-        let range = self.range(&mut it.expr);
-        if range.as_ref().is_some_and(|it| it.to.is_none()) && !loops::is_left(&it.body) {
-            self.refusals.add(limits, refuse::OPEN_RANGE);
-        }
-        self.scoped(|walk| {
-            let Some(ident) = pattern::simple_name(&mut it.pat, &mut walk.refusals) else {
-                walk.block(&mut it.body);
-                return None;
-            };
-            let slot = walk.slot();
-            let name = walk.bind_here(&text(&ident));
-            let mut body = walk.branch(&mut it.body, false);
-            if each::is_mutable(&it.pat) {
-                body.stmts.insert(0, each::copied(name.clone(), &name, slot, &ident));
-            }
-            it.body.stmts.insert(0, walk.look(slot, &ident));
-            Some(ExprKind::For { label, name, slot, range: Box::new(range?), body })
-        })
-    }
-
-    pub(super) fn range(&mut self, expr: &mut syn::Expr) -> Option<tree::Range> {
-        match expr {
-            syn::Expr::Paren(it) => self.range(&mut it.expr),
-            syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::Rev) => {
-                let range = self.range(&mut it.receiver)?;
-                Some(tree::Range { reversed: !range.reversed, ..range })
-            }
-            syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::StepBy) => {
-                let range = self.range(&mut it.receiver)?;
-                if range.reversed || range.step.is_some() {
-                    self.refusals.add(&it.method, refuse::STEP_ORDER);
-                }
-                if range.to.is_none() {
-                    self.refusals.add(&it.method, refuse::OPEN_RANGE);
-                }
-                let step = Some(self.value(&mut it.args[0]));
-                Some(tree::Range { step, ..range })
-            }
-            syn::Expr::Range(it) => {
-                let Some(from) = &mut it.start else {
-                    self.refusals.add(&it.limits, refuse::OPEN_RANGE);
-                    return None;
-                };
-                let from = self.value(from);
-                let to = it.end.as_mut().map(|to| self.value(to));
-                let inclusive = matches!(it.limits, syn::RangeLimits::Closed(_));
-                Some(tree::Range { from, to, inclusive, reversed: false, step: None })
-            }
-            other => {
-                self.refusals.add(&other, refuse::ITERATOR);
-                None
-            }
-        }
     }
 
     pub(super) fn return_expr(&mut self, it: &mut syn::ExprReturn) -> ExprKind {

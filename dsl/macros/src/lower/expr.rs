@@ -130,7 +130,7 @@ impl Lowering {
             }
             syn::Expr::ForLoop(it) => {
                 let (site, unroll) = (site(it), self.unrolled(&mut it.attrs));
-                let kind = self.for_loop(it).unwrap_or(UNIT);
+                let kind = self.for_loop(it);
                 let kind = match unroll {
                     Some(count) => {
                         ExprKind::Unroll(count, Box::new(tree::Expr { kind, site, slot: None }))

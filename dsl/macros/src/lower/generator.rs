@@ -16,7 +16,7 @@ use syn::spanned::Spanned;
 
 use super::closure::without_returns;
 use super::link::{is_range, pairs};
-use super::names::{UNIT, plain};
+use super::names::plain;
 use super::refuse::{self, Refusals};
 use super::walk::Lowering;
 use crate::closures;
@@ -69,7 +69,7 @@ impl Lowering {
         *expr = syn::Expr::Verbatim(quote_spanned! { items.span() =>
             __items(::core::iter::IntoIterator::into_iter(#items).map(|#pat| { #(#stmts)* }))
         });
-        let body = Box::new(plain(body.unwrap_or(UNIT), &whole));
+        let body = Box::new(plain(body, &whole));
         let (name, slot) = (EACH.to_owned(), NO_SLOT);
         let each = tree::Pattern::Name { name, slot, mutable: false, inner: None };
         ExprKind::Closure(tree::Closure { name: None, parameters: vec![each], body })
@@ -78,11 +78,11 @@ impl Lowering {
 
 /// A pattern for an item of an iterator, and the item by the names in it.
 pub(super) fn named_item(iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
-    named(iterator, &mut 0)
+    named(iterator, &mut Vec::new())
 }
 
-/// The same beside so many items that have been `given` names: pairs have none of their own.
-fn named(iterator: &syn::Expr, given: &mut usize) -> (syn::Pat, syn::Expr) {
+/// The same beside items that have been `given` names: pairs have none of their own.
+fn named(iterator: &syn::Expr, given: &mut Vec<&str>) -> (syn::Pat, syn::Expr) {
     let Some((first, second)) = pairs(iterator) else { return one(is_range(iterator), given) };
     let (left, one) = match first {
         Some(first) => named(first, given),
@@ -92,13 +92,11 @@ fn named(iterator: &syn::Expr, given: &mut usize) -> (syn::Pat, syn::Expr) {
     (parse_quote! { (#left, #right) }, parse_quote! { (#one, #other) })
 }
 
-fn one(counts: bool, given: &mut usize) -> (syn::Pat, syn::Expr) {
-    *given += 1;
-    let name = match (counts, *given) {
-        (true, _) => "i".to_owned(),
-        (false, 1) => "item".to_owned(),
-        (false, more) => format!("item_{more}"),
-    };
+fn one(counts: bool, given: &mut Vec<&str>) -> (syn::Pat, syn::Expr) {
+    let name = if counts { "i" } else { "item" };
+    let same = given.iter().filter(|it| !counts || **it == name).count();
+    given.push(name);
+    let name = if same == 0 { name.to_owned() } else { format!("{name}_{}", same + 1) };
     let name = syn::Ident::new(&name, Span::mixed_site());
     (parse_quote! { #name }, parse_quote! { #name })
 }

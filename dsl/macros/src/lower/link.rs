@@ -97,12 +97,7 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
         syn::Expr::MethodCall(it) => match Link::of(it) {
             Some(Link::Iter | Link::IntoIter | Link::Group(_)) => true,
             // What is written, or gone through otherwise, is in one of two: a loop for each.
-            Some(Link::Chain) => {
-                let other = &it.args[0];
-                is_straight(&it.receiver)
-                    && is_array(other)
-                    && !(writes(&it.receiver) || writes(other))
-            }
+            Some(Link::Chain) => is_lent(&it.receiver) && is_array(&it.args[0]),
             None | Some(Link::Sift) => false,
             Some(_) => is_source(&it.receiver),
         },
@@ -110,13 +105,13 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether an iterator goes through elements that are lent, from the first on.
-fn is_straight(expr: &syn::Expr) -> bool {
+/// Whether an iterator goes through elements that are lent to be read, from the first on.
+fn is_lent(expr: &syn::Expr) -> bool {
     match bare(expr) {
-        syn::Expr::Reference(_) => true,
+        syn::Expr::Reference(it) => it.mutability.is_none(),
         syn::Expr::MethodCall(it) => match Link::of(it) {
-            Some(Link::Iter) => true,
-            Some(Link::Copied | Link::Skip | Link::Take) => is_straight(&it.receiver),
+            Some(Link::Iter) => text(&it.method) == shared(&it.method),
+            Some(Link::Copied | Link::Skip | Link::Take) => is_lent(&it.receiver),
             Some(Link::Chain) => is_source(expr),
             _ => false,
         },
@@ -129,21 +124,8 @@ fn is_array(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Range(_) | syn::Expr::Call(_) => false,
         syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::IntoIter) => is_array(&it.receiver),
-        syn::Expr::MethodCall(_) => is_straight(expr),
+        syn::Expr::MethodCall(_) | syn::Expr::Reference(_) => is_lent(expr),
         _ => true,
-    }
-}
-
-/// Whether the elements that an iterator gives are written, as far as its syntax shows.
-pub(super) fn writes(expr: &syn::Expr) -> bool {
-    match expr {
-        syn::Expr::Paren(it) => writes(&it.expr),
-        syn::Expr::Reference(it) => it.mutability.is_some(),
-        syn::Expr::MethodCall(it) => {
-            Link::of(it) == Some(Link::Iter) && text(&it.method) != shared(&it.method)
-                || writes(&it.receiver)
-        }
-        _ => false,
     }
 }
 

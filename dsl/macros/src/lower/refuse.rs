@@ -130,8 +130,6 @@ reasons! {
     FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends, `for i in 0..n`; or leave it: `if … { break; }`";
-    ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`, `.skip(n)`, `.take(n)`, `.windows(n)`, `.chunks(n)`, `.chunks_exact(n)`, `.step_by(n)`, `.chain(…)`; or through a range";
-    CHAINED: "of these two, one is not read element by element by reference", "write `a.iter().chain(b.iter())` of arrays, slices, lists or vectors; two loops otherwise";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
     CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
@@ -139,7 +137,6 @@ reasons! {
     EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
     HYGIENE: "a macro makes a name here that it is given as well: the two are one in the DSL", "give the name in the macro another name";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
-    STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";
     SORTING: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, or `a.cmp(b)`, of parts of both if need be; or `sort_by_key`";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
     UNSAFE: "`unsafe` has no meaning that the C could keep", "state is a field of the component; the firmware's functions are `#[external(header = \"board.h\")]`; elements have indices, floats `to_bits`";
@@ -160,7 +157,6 @@ reasons! {
     STATIC: "a `static mut` is a global that anybody changes", "state belongs into the component: a field, which its methods change through `&mut self`; a table that nobody changes is a `const`";
     NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
-    LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`, or by `.zip(1..)`";
     RANGE_VALUE: "a range that is written down is not a value in the DSL", "write it in a `for`; one that is held, `RangeInclusive::new(a, b)`, or as a constant: `const LIMITS: Range<u8> = 2..5;`";
     OPERATOR_TRAIT: "what lends by itself hides in the Rust what the C has to name", "write a method that gives the reference, `fn inner(&self) -> &Inner`";
     GENERIC_OPERATOR: "a `==` or an index of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name: `fn at(&self, i: usize) -> &T`";

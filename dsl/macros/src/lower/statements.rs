@@ -4,7 +4,6 @@ use bessemer_tree as tree;
 use quote::quote;
 use syn::parse_quote;
 
-use super::each::is_mutable;
 use super::expr::is_unit_control;
 use super::names::{site, slot_name, text};
 use super::pattern::alone;
@@ -198,4 +197,15 @@ fn takes_apart(local: &syn::Local) -> bool {
     };
     let diverges = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
     diverges || !matches!(bare, syn::Pat::Wild(_)) && alone(bare).is_none()
+}
+
+/// Whether what a pattern names may be changed.
+fn is_mutable(pattern: &syn::Pat) -> bool {
+    match pattern {
+        syn::Pat::Ident(it) => it.mutability.is_some(),
+        syn::Pat::Reference(it) => is_mutable(&it.pat),
+        syn::Pat::Paren(it) => is_mutable(&it.pat),
+        syn::Pat::Type(it) => is_mutable(&it.pat),
+        _ => false,
+    }
 }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::needless_borrow, clippy::wildcard_in_or_patterns, clippy::let_and_return)]
 
-use bessemer::generate::tree::{ExprKind, Pattern, Range, Stmt};
+use bessemer::generate::tree::{ExprKind, Pattern, Range, Source, Stmt};
 use bessemer::prelude::*;
 
 use super::{callees, function, tail};
@@ -183,7 +183,7 @@ fn statements_keep_their_form() {
     let kinds = |stmt: &Stmt| match stmt {
         Stmt::Let { .. } | Stmt::Apart { .. } => "let",
         Stmt::Expr(expr) => match expr.kind {
-            ExprKind::For { .. } => "for",
+            ExprKind::Each { .. } => "for",
             ExprKind::Match(..) => "match",
             ExprKind::If(..) => "if",
             ExprKind::Assert(..) => "assert",
@@ -195,8 +195,9 @@ fn statements_keep_their_form() {
     assert!(matches!(tail(&statements).kind, ExprKind::Block(_)));
 
     let Stmt::Expr(first) = &stmts[1] else { panic!("a loop") };
-    let ExprKind::For { range, .. } = &first.kind else { panic!("a loop") };
-    assert!(matches!(**range, Range { reversed: true, inclusive: false, .. }));
+    let ExprKind::Each { source, .. } = &first.kind else { panic!("a loop") };
+    let Source::Rev(of) = &**source else { panic!("its order") };
+    assert!(matches!(**of, Source::Numbers(Range { inclusive: false, .. })));
 }
 
 #[test]

@@ -235,7 +235,7 @@ uint64_t for_steps_all(uint64_t start)
     const uint64_t n_passes = saturating_add_u64(n_length / UINT64_C(1),
         (uint64_t)(n_start <= n_end));
     for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
-        const uint64_t n = n_start + pass * UINT64_C(1);
+        const uint64_t n = n_start + pass;
         sum += n;
         if (n % UINT64_C(16) == UINT64_C(7)) {
             break;

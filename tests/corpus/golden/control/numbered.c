@@ -54,12 +54,10 @@ uint32_t numbered_every_second(uint8_t count)
 {
     const uint32_t end = (uint32_t)count;
     uint32_t a = 0U;
-    uint32_t next = 0U;
-    for (uint32_t x = 0U; x < end; x++) {
-        const uint32_t at = next;
-        next += 1U;
+    for (uint64_t at = UINT64_C(0); at < (uint64_t)end; at++) {
+        const uint32_t x = (uint32_t)at;
         const uint32_t b = x * x;
-        if (at % 2U == 1U) {
+        if (at % UINT64_C(2) == UINT64_C(1)) {
             a ^= b;
         }
     }
