@@ -1,7 +1,5 @@
 //! The ranges and sequences of loops, the targets of assignments, and the claims of assertions.
 
-use alloc::vec::Vec;
-
 use serde::{Deserialize, Serialize};
 
 use super::{Expr, Pattern};
@@ -74,17 +72,6 @@ impl Part {
     pub fn of(pattern: Pattern, array: Expr, owned: bool) -> Part {
         Part { pattern, array, owned, group: None, reversed: false }
     }
-}
-
-/// The left side of an assignment.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Places {
-    /// `_`.
-    None,
-    /// A place.
-    One(Expr),
-    /// The places of a tuple or an array.
-    Each(Vec<Places>),
 }
 
 /// The fault where an assertion does not hold.

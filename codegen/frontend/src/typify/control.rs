@@ -235,7 +235,6 @@ impl Lowering<'_, '_> {
         let span = self.span(expr.site);
         match &expr.kind {
             Tree::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
-            Tree::AssignEach(places, value) => self.assign_each(places, value),
             Tree::For { label, name, slot, range, body } => {
                 self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }
