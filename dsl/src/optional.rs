@@ -3,12 +3,22 @@
 //! Must not know: how any of it becomes C. Of a result of the same name: `outcome.rs`.
 
 // They are what they would be written with.
-#![allow(clippy::manual_map, clippy::manual_unwrap_or_default)]
+#![allow(clippy::manual_map, clippy::manual_unwrap_or_default, clippy::redundant_pattern_matching)]
 
 use crate::{function, library};
 
 #[library(OptionCompanions, rewrite)]
 impl<T> Option<T> {
+    /// Whether there is something.
+    pub fn is_some(option: &Self) -> bool {
+        matches!(option, Some(_))
+    }
+
+    /// Whether there is nothing.
+    pub fn is_none(option: &Self) -> bool {
+        !matches!(option, Some(_))
+    }
+
     /// The value of `f` for what is there.
     pub fn map<U, F: FnOnce(T) -> U>(option: Self, f: F) -> Option<U> {
         match option {

@@ -3,12 +3,22 @@
 //! Must not know: how any of it becomes C. Of an option of the same name: `optional.rs`.
 
 // They are what they would be written with.
-#![allow(clippy::manual_unwrap_or_default)]
+#![allow(clippy::manual_unwrap_or_default, clippy::redundant_pattern_matching)]
 
 use crate::library;
 
 #[library(ResultCompanions, rewrite)]
 impl<T, E> Result<T, E> {
+    /// Whether there is a value.
+    pub fn is_ok(result: &Self) -> bool {
+        matches!(result, Ok(_))
+    }
+
+    /// Whether there is an error.
+    pub fn is_err(result: &Self) -> bool {
+        !matches!(result, Ok(_))
+    }
+
     /// The value of `f` for the value.
     pub fn map<U, F: FnOnce(T) -> U>(result: Self, f: F) -> Result<U, E> {
         match result {

@@ -1,4 +1,4 @@
-//! A name that a macro makes, and that it is given as well; a raw one that hides another.
+//! A name that a macro makes, and that it is given as well.
 
 use bessemer::prelude::*;
 
@@ -14,12 +14,3 @@ macro_rules! offset {
 }
 
 offset!(lifted, x, x * 2.0);
-
-/// A closure whose name is another's later.
-#[function]
-pub fn hidden(x: f64) -> f64 {
-    let gain = x;
-    let scaled = |y: f64| y * r#gain;
-    let r#gain = 2.0;
-    scaled(x) + gain
-}

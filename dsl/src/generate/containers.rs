@@ -25,8 +25,6 @@ companions! {
     pub mod traits[];
     /// Methods of `Option`.
     impl[T] OptionBuiltins<T> for Option<T> {
-        fn __b_is_some(&self) -> bool = IsSome: Option(OptionMethod::IsSome);
-        fn __b_is_none(&self) -> bool = IsNone: Option(OptionMethod::IsNone);
         fn __b_unwrap(self) -> T = Unwrap: Option(OptionMethod::Unwrap);
         fn __b_expect(self, _message: &str) -> T = Unwrap;
         fn __b_unwrap_or(self, _other: T) -> T = UnwrapOr: Option(OptionMethod::UnwrapOr);
@@ -53,8 +51,6 @@ companions! {
     }
     /// Methods of `Result`.
     impl[T, E] ResultBuiltins<T, E> for Result<T, E> {
-        fn __b_is_ok(&self) -> bool = IsOk: Option(OptionMethod::IsOk);
-        fn __b_is_err(&self) -> bool = IsErr: Option(OptionMethod::IsErr);
         fn __b_unwrap(self) -> T = Unwrap;
         fn __b_expect(self, _message: &str) -> T = Unwrap;
         fn __b_unwrap_err(self) -> E = UnwrapErr: Option(OptionMethod::UnwrapErr);
@@ -134,6 +130,12 @@ macro_rules! integers {
 
 integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
 
+/// The carrier of a function of `core::array`.
+#[allow(non_camel_case_types)]
+pub mod array {
+    pub struct from_fn;
+}
+
 /// The carriers of functions of `core::mem`: a value need not be `Copy` there.
 #[allow(non_camel_case_types)]
 pub mod mem {
@@ -145,6 +147,7 @@ pub mod mem {
 }
 
 calls! {
+    array::from_fn[T, const N: usize, F: FnMut(usize) -> T](_f: F) -> [T; N] = ArrayFromFn: Desugared(Desugared::FromFn);
     mem::drop[T](_value: T) -> () = [exchange::drop];
     mem::swap[T](_one: &mut T, _other: &mut T) -> () = [exchange::swap];
     mem::replace[T](_place: &mut T, _value: T) -> T = [exchange::replace];

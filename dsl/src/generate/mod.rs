@@ -25,7 +25,7 @@ pub use alloc::vec::Vec;
 pub use bessemer_tree as tree;
 pub use builder::{Builder, Callee, Defaults, Named, NoDefault, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
-pub use containers::mem;
+pub use containers::{array, mem};
 pub use core::ops::RangeInclusive;
 pub use handed::made;
 pub use inventory;

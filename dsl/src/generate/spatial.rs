@@ -10,7 +10,8 @@ use alloc::format;
 
 use bessemer_tree as tree;
 use bessemer_tree::number::{Float, Scalar};
-use bessemer_tree::{Parts, SpatialMethod, Ty};
+use bessemer_tree::operation::Routine;
+use bessemer_tree::{Builtin, Parts, SpatialMethod, Ty};
 use nalgebra::{
     Complex, Const, Isometry3, OPoint, Point3, Quaternion, Rotation, Rotation2, Rotation3, SMatrix,
     SVector, Translation, Translation3, Unit, UnitQuaternion, UnitVector3, Vector3, Vector4,
@@ -102,7 +103,7 @@ companions! {
         fn __b_inverse(&self) -> Self = Transpose;
         fn __b_transpose_mut(&mut self) -> () = [matrix_edit::__function_transpose_mut<T, N>];
         fn __b_inverse_mut(&mut self) -> () = [matrix_edit::__function_transpose_mut<T, N>];
-        fn __b_transform_vector(&self, _v: &SVector<T, N>) -> SVector<T, N> = Times: Spatial(SpatialMethod::Times);
+        fn __b_transform_vector(&self, _v: &SVector<T, N>) -> SVector<T, N> = Times: Linear(Routine::Product);
         fn __b_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = Times;
         fn __b_inverse_transform_vector(&self, _v: &SVector<T, N>) -> SVector<T, N> = TrMul;
         fn __b_inverse_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = TrMul;
@@ -110,10 +111,10 @@ companions! {
     /// Methods of translations.
     impl[T: Real, const N: usize] TranslationBuiltins<T, N> for Translation<T, N> {
         fn __b_identity() -> Self = Zeros;
-        fn __b_inverse(&self) -> Self = Negative: Spatial(SpatialMethod::Negative);
+        fn __b_inverse(&self) -> Self = Negative: Linear(Routine::Neg);
         fn __b_inverse_mut(&mut self) -> () = [elementwise::__function_neg_mut<T, N, 1>];
         fn __b_from(_vector: SVector<T, N>) -> Self = Same;
-        fn __b_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = Plus: Spatial(SpatialMethod::Plus);
+        fn __b_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = Plus: Linear(Routine::Add);
     }
     /// Methods of points.
     impl[T: Real, const N: usize] PointBuiltins<T, N> for OPoint<T, Const<N>> {
@@ -255,7 +256,7 @@ fn kind(ty: &Ty) -> Option<(Kind, Option<Float>)> {
 /// matrices or numbers itself.
 fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Option<tree::Callee> {
     use Kind::*;
-    let known = |it| Some(tree::Callee::Builtin(tree::Builtin::Spatial(it)));
+    let known = |it| Some(tree::Callee::Builtin(it));
     match (left, sign, right) {
         (Complex, "Neg", _) => of::<complex::__function_negative<T>>(cx),
         (Complex, "Add", Complex) => of::<complex::__function_sum<T>>(cx),
@@ -302,10 +303,10 @@ fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Op
         (Isometry, "Mul", Matrix | UnitVector) => {
             of::<isometry::__function_transform_vector<T>>(cx)
         }
-        (Translation, "Mul", Translation | Point) => known(SpatialMethod::Plus),
-        (Translation, "Div", Translation) => known(SpatialMethod::Minus),
+        (Translation, "Mul", Translation | Point) => known(Builtin::Linear(Routine::Add)),
+        (Translation, "Div", Translation) => known(Builtin::Linear(Routine::Sub)),
         (Rotation | Rotation3 | Matrix, "Div", Rotation | Rotation3) => {
-            known(SpatialMethod::TimesTransposed)
+            known(Builtin::Spatial(SpatialMethod::TimesTransposed))
         }
         _ => Option::None,
     }

@@ -110,7 +110,8 @@ builtins! {
         QuaternionIdentity, QuaternionCoords,
         /// The same parts in another struct, or the same struct.
         SameParts,
-        Plus, Minus, Times, TimesTransposed, Negative,
+        /// A matrix by another, transposed.
+        TimesTransposed,
     }
 
     /// A struct of the library that a constructor makes of its parts.
@@ -138,7 +139,7 @@ builtins! {
 
     /// Methods of `Option` and `Result` without a closure.
     OptionMethod {
-        IsSome, IsNone, IsOk, IsErr, Unwrap, UnwrapErr, UnwrapOr, Copied, Or, And, Take, Replace,
+        Unwrap, UnwrapErr, UnwrapOr, Copied, Or, And, Take, Replace,
         OkOr, Ok, Err, AsMut, Insert, GetOrInsert,
         /// `get_or_insert_with`: its closure is computed in its place.
         GetOrInsertWith,
@@ -147,6 +148,8 @@ builtins! {
     /// Methods that stand for a `match` or a loop in the author's own language.
     Desugared {
         ArrayMap, AsRef,
+        /// `core::array::from_fn`.
+        FromFn,
         /// The iterator itself.
         ByRef,
         /// The items of an iterator together, by an operator.

@@ -300,8 +300,6 @@ pub enum ExprKind {
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// `place = value`, or `place += value` and the like.
     Assign(Option<BinaryOp>, Box<Expr>, Box<Expr>),
-    /// `(a, b) = value`, `[a, b] = value`; `_` is no place.
-    AssignEach(Box<Places>, Box<Expr>),
     /// A call, a method's receiver first: index into [`Function::callees`].
     Call(u32, Vec<Expr>),
     /// `|x| …` as the argument of a call. Before the builder has seen it, one with a slot is a function by its name: what

@@ -8,13 +8,13 @@
 use alloc::collections::BTreeSet;
 use alloc::string::String;
 
-use super::{Arm, Block, Expr, ExprKind, Pattern, Places, Source, Start, Stmt};
+use super::{Arm, Block, Expr, ExprKind, Pattern, Source, Start, Stmt};
 
 macro_rules! visitor {
     (
         $(#[$doc:meta])* $visitor:ident($($mutable:tt)?) =>
         $walk_block:ident $walk_stmt:ident $walk_arm:ident $walk_pattern:ident $walk_expr:ident
-        $walk_source:ident $places:ident
+        $walk_source:ident
     ) => {
         $(#[$doc])*
         pub trait $visitor {
@@ -140,10 +140,6 @@ macro_rules! visitor {
                     visitor.expr(a);
                     visitor.expr(b);
                 }
-                ExprKind::AssignEach(places, value) => {
-                    $places(visitor, places);
-                    visitor.expr(value);
-                }
                 ExprKind::Call(_, items)
                 | ExprKind::Apply(_, items)
                 | ExprKind::Tuple(items)
@@ -245,30 +241,18 @@ macro_rules! visitor {
                 }
             }
         }
-
-        fn $places<V: $visitor + ?Sized>(visitor: &mut V, places: &$($mutable)? Places) {
-            match places {
-                Places::None => {}
-                Places::One(place) => visitor.expr(place),
-                Places::Each(all) => {
-                    for places in all {
-                        $places(visitor, places);
-                    }
-                }
-            }
-        }
     };
 }
 
 visitor! {
     /// Reads every node under the one it is started on.
-    Visit() => walk_block walk_stmt walk_arm walk_pattern walk_expr walk_source places
+    Visit() => walk_block walk_stmt walk_arm walk_pattern walk_expr walk_source
 }
 
 visitor! {
     /// Rewrites every node under the one it is started on, in place.
     VisitMut(mut) =>
-    walk_block_mut walk_stmt_mut walk_arm_mut walk_pattern_mut walk_expr_mut walk_source_mut places_mut
+    walk_block_mut walk_stmt_mut walk_arm_mut walk_pattern_mut walk_expr_mut walk_source_mut
 }
 
 /// A node in which something is looked for: what one closure can tell needs no visitor of its own.

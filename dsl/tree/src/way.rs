@@ -80,17 +80,6 @@ pub enum Grouping {
     All,
 }
 
-/// The left side of an assignment.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Places {
-    /// `_`.
-    None,
-    /// A place.
-    One(Expr),
-    /// The places of a tuple or an array.
-    Each(Vec<Places>),
-}
-
 /// The fault where an assertion does not hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Claim {

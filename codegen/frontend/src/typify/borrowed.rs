@@ -47,8 +47,6 @@ pub(super) struct Lenders {
     pub known: Vec<(Spot, Place)>,
     /// The lenders of values with slices that no local holds yet.
     pub made: Vec<(Expr, Place)>,
-    /// The locals that say where a slice begins and how many elements it has, which not every use asks.
-    pub taken: Vec<LocalId>,
     /// The parameters that lend: of which other one, and of which slices in it.
     pub lending: Vec<(LocalId, LocalId, Path)>,
     /// The locals that stand for lenders which are not known yet.

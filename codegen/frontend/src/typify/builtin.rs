@@ -173,18 +173,7 @@ impl Lowering<'_, '_> {
             _ => None,
         };
         let values = self.alike(arguments, factor, &words::OPERANDS)?;
-        let shape = |at: usize| values.get(at).and_then(|value| shape(&value.ty));
-        let ty = shape(0).and_then(|(element, rows, cols)| {
-            let matrix = |rows, cols| Type::Matrix { element, rows, cols };
-            Some(match routine {
-                Routine::Transpose => matrix(cols, rows),
-                Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
-                Routine::TrMul => matrix(cols, shape(1)?.2),
-                _ => matrix(rows, cols),
-            })
-        });
-        let ty = ty.needed(expr.site, "this takes a matrix or vector")?;
-        self.routine_node(routine, values, ty, expr.site)
+        self.routine_node(routine, values, expr.site)
     }
 
     /// A matrix of its elements, or of numbers.

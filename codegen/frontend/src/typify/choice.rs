@@ -5,31 +5,19 @@ use std::cell::RefCell;
 use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Int, LogicOp, Place, Scalar, Span, StmtKind, StructId, Type,
+    Arm, Block, Expr, ExprKind, Int, LocalId, LogicOp, Place, Scalar, Span, StmtKind, StructId,
+    Type,
 };
 
-use super::conditions::within_any;
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
 use super::subject::taken_name;
 use super::value::Value;
-use super::words;
 use super::{Result, problem};
 use bessemer_ir::effects;
 
 /// An arm with more values than this is told by their ends.
-const LISTED: i128 = 8;
-
-/// The values that an arm takes, as ranges with both ends; empty: every one.
-pub(super) type Ranges = Vec<(i128, i128)>;
-
-/// An arm of a `match` on a number.
-struct Taken<'t> {
-    arm: &'t tree::Arm,
-    /// The name that it gives to the value, and whether that may be assigned.
-    binding: Option<(&'t str, bool)>,
-    ranges: Ranges,
-}
+const LISTED: usize = 8;
 
 /// The condition of an arm, if it has one, and its body.
 type Branch = (Option<Expr>, Block);
@@ -56,109 +44,33 @@ impl Lowering<'_, '_> {
             return self.subject_arms((subject, scrutinee), arms, target, span);
         }
         let value = self.value(scrutinee, None)?;
-        let by_number = value.ty.is_word()
-            && !matches!(value.ty, Type::Scalar(Scalar::Float(_)))
-            && !arms.iter().any(|arm| names_twice(&arm.pattern));
-        if by_number && !self.lends_the_whole(arms)? {
-            return self.number_arms((value, scrutinee), arms, target, span);
+        if !arms.iter().any(|arm| has_names(&arm.pattern))
+            && value.ty.is_word()
+            && let Some(listed) = self.listed(&value.ty, arms)?
+        {
+            return self.listed_arms((value, listed), arms, span, |inner, arm| {
+                inner.lowered(&arm.body, target)
+            });
         }
         let before = self.locals.len();
-        let subject = self.value_subject(value);
+        let mut subject = self.value_subject(value);
         if let Some(name) = arms.iter().find_map(|arm| taken_name(&arm.pattern)) {
             self.name_held(&subject, before, name);
+        }
+        if let Value::Place(place) = &mut subject
+            && place.ty.is_word()
+            && !place.steps.is_empty()
+            && let Some((name, slot)) = arms.iter().find_map(|arm| named_whole(&arm.pattern))
+            && !self.slot_is_reference(slot, site)?
+            && self.listed(&place.ty, arms)?.is_none()
+        {
+            // The conditions look at it by its name.
+            *place = self.hold_copy(name, place.clone());
         }
         self.subject_arms((subject, scrutinee), arms, target, span)
     }
 
-    /// Whether an arm has a name through which all that is matched can be written.
-    fn lends_the_whole(&self, arms: &[tree::Arm]) -> Result<bool> {
-        for arm in arms {
-            if let Some(slot) = slot_of_whole(&arm.pattern)
-                && slot != NO_SLOT
-                && self.slot_is_exclusive(slot, arm.site)?
-            {
-                return Ok(true);
-            }
-        }
-        Ok(false)
-    }
-
-    /// Arms that compare a number: a list of cases, unless one has a guard or takes many values.
-    fn number_arms(
-        &mut self,
-        (mut value, scrutinee): (Expr, &tree::Expr),
-        arms: &[tree::Arm],
-        target: Option<&Target>,
-        span: Span,
-    ) -> Result<()> {
-        let mut taken: Vec<Taken<'_>> = Vec::new();
-        for arm in arms {
-            let (binding, patterns) = split(&arm.pattern);
-            let ranges = self.ranges(patterns, &value.ty, arm.site)?;
-            taken.push(Taken { arm, binding, ranges });
-        }
-        let name = taken.iter().find_map(|taken| taken.binding).map(|(name, _)| name);
-        let wide = |taken: &Taken<'_>| {
-            taken.ranges.iter().map(|(low, high)| high - low + 1).sum::<i128>() > LISTED
-        };
-        let chained = arms.iter().any(|arm| arm.guard.is_some()) || taken.iter().any(wide);
-        let still = is_still(&value) && is_place(scrutinee);
-        if name.is_some() || chained && !still {
-            value = self.let_local(name.unwrap_or(words::SELECTOR), value).load();
-        }
-        if chained {
-            return self.chain(&taken, span, &|inner, taken, last| {
-                inner.name(taken, &value);
-                let mut test = Test::default();
-                if !last {
-                    test.condition = within_any(&value, &taken.ranges, span);
-                    inner.guard(&mut test, taken.arm.guard.as_ref(), None)?;
-                }
-                Ok((test.condition, inner.scoped(|inner| inner.arm(taken, target))?))
-            });
-        }
-        let values = |taken: &Taken<'_>| {
-            let values = taken.ranges.iter().flat_map(|(low, high)| *low..=*high);
-            (!taken.ranges.is_empty()).then(|| values.collect())
-        };
-        let listed = taken.iter().map(|taken| (values(taken), taken));
-        let (mut cases, mut otherwise) = self.cases(listed, |inner, taken| {
-            inner.name(taken, &value);
-            inner.arm(taken, target)
-        })?;
-        let both = value.ty == Type::BOOL
-            && cases.iter().map(|case| case.values.len()).sum::<usize>() == 2;
-        if both || otherwise.is_none() && value.ty.as_int().is_some() {
-            // The arms name every value: the last takes what is left.
-            otherwise = cases.pop().map(|case| case.body);
-        }
-        if cases.is_empty() && !is_still(&value) {
-            self.emit(StmtKind::Expr(value.clone()), span);
-        }
-        self.emit_cases(value, cases, otherwise, span);
-        Ok(())
-    }
-
-    /// The author's name for what is matched.
-    fn name(&mut self, taken: &Taken<'_>, value: &Expr) {
-        if let (Some((name, _)), ExprKind::Load(place)) = (taken.binding, &value.kind) {
-            self.bind(name, Value::Place(place.clone()));
-        }
-    }
-
-    /// The body of an arm.
-    fn arm(&mut self, taken: &Taken<'_>, target: Option<&Target>) -> Result<()> {
-        if let Some((name, true)) = taken.binding {
-            // Assigned, it is a copy of its own.
-            let value = self.named(name, taken.arm.site)?;
-            let place = self.let_local(name, value);
-            self.note_changing(place.root, NO_SLOT);
-            self.bind(name, Value::Local(place.root));
-        }
-        self.lowered(&taken.arm.body, target)
-    }
-
-    /// Arms that take a value apart: a list of cases where they name the variants of one enum, else
+    /// Arms that take a value apart: a list of cases where they name numbers, or the variants of one enum, else
     /// conditions one after the other.
     fn subject_arms(
         &mut self,
@@ -167,14 +79,23 @@ impl Lowering<'_, '_> {
         target: Option<&Target>,
         span: Span,
     ) -> Result<()> {
-        let arms: Vec<tree::Arm> = arms.iter().flat_map(spread).collect();
-        if let Some((tag, listed)) = self.variants(&subject, &arms) {
-            let (cases, otherwise) = self.cases(listed.into_iter().zip(&arms), |inner, arm| {
+        // Of a number each alternative gives the same name.
+        let is_word = matches!(&subject, Value::Place(place) if place.ty.is_word());
+        let arms = match is_word {
+            true => arms.to_vec(),
+            false => arms.iter().flat_map(spread).collect(),
+        };
+        if let Value::Place(place) = &subject
+            && let Some(listed) = self.listed(&place.ty, &arms)?
+        {
+            let of = match place.ty {
+                Type::Struct(id) => self.part(place, id, 0),
+                _ => place.clone(),
+            };
+            return self.listed_arms((of.load(), listed), &arms, span, |inner, arm| {
                 inner.bind_pattern(&arm.pattern, &subject, arm.site)?;
                 inner.lowered(&arm.body, target)
-            })?;
-            self.emit_cases(tag, cases, otherwise, span);
-            return Ok(());
+            });
         }
         let open = self.lenders.open();
         let (written, stmts) =
@@ -211,14 +132,16 @@ impl Lowering<'_, '_> {
             written.extend(test.condition.iter().flat_map(effects::lent));
             drop(written);
             let then = inner.scoped(|inner| {
+                let before = inner.locals.len() as u32;
                 inner.bind_names(&test.names)?;
+                if arm.guard.is_some() {
+                    // A name may be the guard's alone.
+                    let names = before..inner.locals.len() as u32;
+                    inner.unasked.extend(names.map(LocalId));
+                }
                 inner.lowered(&arm.body, target)
             })?;
-            // A name may be the guard's alone.
-            Ok((
-                test.condition,
-                if arm.guard.is_some() { super::pattern::used(then) } else { then },
-            ))
+            Ok((test.condition, then))
         })?;
         Ok(written.into_inner())
     }
@@ -285,67 +208,100 @@ impl Lowering<'_, '_> {
         Ok((cases, None))
     }
 
-    fn emit_cases(&mut self, of: Expr, mut cases: Vec<Arm>, otherwise: Option<Block>, span: Span) {
+    /// Arms with the values that each takes: a list of cases, or an `if` of what is one of two.
+    fn listed_arms(
+        &mut self,
+        (of, listed): (Expr, Vec<Words>),
+        arms: &[tree::Arm],
+        span: Span,
+        lower: impl Fn(&mut Self, &tree::Arm) -> Result<()>,
+    ) -> Result<()> {
+        let (mut cases, mut otherwise) = self.cases(listed.into_iter().zip(arms), lower)?;
+        let two = cases.iter().map(|case| case.values.len()).sum::<usize>() == 2;
+        if of.ty == Type::BOOL && two || otherwise.is_none() && of.ty.as_int().is_some() {
+            // The arms name every value: the last takes what is left.
+            otherwise = cases.pop().map(|case| case.body);
+        }
         if of.ty != Type::BOOL && !cases.is_empty() {
             self.emit(StmtKind::Match { scrutinee: of, arms: cases, otherwise }, span);
-            return;
+            return Ok(());
         }
         let otherwise = otherwise.unwrap_or_default();
         let Some(Arm { values, body }) = cases.pop() else {
+            if !is_still(&of) {
+                self.emit(StmtKind::Expr(of), span);
+            }
             self.out.extend(otherwise.0);
-            return;
+            return Ok(());
         };
         let (then, otherwise) = match values.contains(&1) {
             true => (body, otherwise),
             false => (otherwise, body),
         };
         self.emit(StmtKind::If { condition: of, then, otherwise }, span);
+        Ok(())
     }
 
-    /// The tag of an enum with payload, and the variants that each arm takes, whatever they hold; none if an arm looks within.
-    fn variants(&self, subject: &Value, arms: &[tree::Arm]) -> Option<(Expr, Vec<Words>)> {
-        let Value::Place(place) = subject else { return None };
-        let Type::Struct(id) = place.ty else { return None };
-        if self.cx.known_of(id).cases.is_empty() {
-            return None;
+    /// The values that each arm takes, of a number or of the tag of an enum with payload; none if an arm looks within, has a
+    /// guard, or takes many.
+    fn listed(&mut self, of: &Type, arms: &[tree::Arm]) -> Result<Option<Vec<Words>>> {
+        let mut listed = Vec::new();
+        for arm in arms {
+            listed.push(match &arm.pattern {
+                _ if arm.guard.is_some() => return Ok(None),
+                pattern if takes_all(pattern) => None,
+                pattern => match self.words(pattern, of, arm.site)? {
+                    Some(words) if words.len() <= LISTED => Some(words),
+                    _ => return Ok(None),
+                },
+            });
         }
-        let words = |arm: &tree::Arm| match &arm.pattern {
-            _ if arm.guard.is_some() => None,
-            pattern if takes_all(pattern) => Some(None),
-            pattern => self.variant_words(pattern, id).map(Some),
-        };
-        let tag = self.part(place, id, 0);
-        let listed = arms.iter().map(words).collect::<Option<_>>()?;
-        matches!(tag.ty, Type::Enum(_)).then(|| (tag.load(), listed))
+        Ok(Some(listed))
     }
 
-    fn variant_words(&self, pattern: &Pattern, id: StructId) -> Option<Vec<i128>> {
+    /// The values that a pattern takes; none if it looks within, or takes many.
+    fn words(&mut self, pattern: &Pattern, of: &Type, site: Site) -> Result<Option<Vec<i128>>> {
         let free = |part: &Pattern| matches!(part, Pattern::Rest) || takes_all(part);
-        let named = |name: &str| self.case(id, name).map(|(word, _)| word);
-        let word = match pattern {
-            Pattern::Or(cases) => {
-                let words = cases.iter().map(|case| self.variant_words(case, id));
-                return words.collect::<Option<Vec<_>>>().map(|words| words.concat());
+        let named = |name: &str, id| Some(self.case(id, name)?.0);
+        let word = match (pattern, of) {
+            (Pattern::Or(cases), _) => {
+                let words = cases.iter().map(|case| self.words(case, of, site));
+                let words = words.collect::<Result<Option<Vec<_>>>>()?;
+                return Ok(words.map(|words| words.concat()));
             }
-            Pattern::Value(value) => self.unit_word(value, id),
-            Pattern::Constructor(name, parts) if parts.iter().all(free) => named(name),
-            Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => named(name),
+            (Pattern::Name { inner: Some(inner), .. }, _) => return self.words(inner, of, site),
+            (_, Type::Struct(id)) if self.is_tagged(*id) => match pattern {
+                Pattern::Value(value) => self.unit_word(value, *id),
+                Pattern::Constructor(name, parts) if parts.iter().all(free) => named(name, *id),
+                Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => {
+                    named(name, *id)
+                }
+                _ => None,
+            },
+            (_, Type::Scalar(Scalar::Int(_) | Scalar::Bool) | Type::Enum(_)) => {
+                let (low, high) = self.range(pattern, of, site)?;
+                return Ok((high - low < LISTED as i128).then(|| (low..=high).collect()));
+            }
             _ => None,
         };
-        Some(vec![word?.into()])
+        Ok(word.map(|word| vec![word.into()]))
     }
 
-    pub(super) fn ranges<'p>(
+    /// Whether a struct is an enum with payload, and its first field an enum of its variants.
+    fn is_tagged(&self, id: StructId) -> bool {
+        !self.cx.known_of(id).cases.is_empty() && matches!(self.cx.field_type(id, 0), Type::Enum(_))
+    }
+
+    /// The least and the greatest number that a pattern takes.
+    pub(super) fn range(
         &mut self,
-        patterns: impl IntoIterator<Item = &'p Pattern>,
+        pattern: &Pattern,
         ty: &Type,
         site: Site,
-    ) -> Result<Ranges> {
-        let mut patterns = patterns.into_iter().peekable();
+    ) -> Result<(i128, i128)> {
         let whole = match ty {
             Type::Scalar(Scalar::Int(int)) => (Int::min(*int), Int::max(*int)),
             Type::Enum(_) | Type::Scalar(Scalar::Bool) => (0, i128::from(u32::MAX)),
-            _ if patterns.peek().is_none() => return Ok(Vec::new()),
             _ => {
                 return problem(
                     site,
@@ -354,37 +310,31 @@ impl Lowering<'_, '_> {
                 );
             }
         };
-        let mut ranges = Vec::new();
-        for pattern in patterns {
-            ranges.push(match pattern {
-                Pattern::Value(value) => {
-                    let value = self.pattern_value(value, ty)?;
-                    (value, value)
-                }
-                Pattern::Constructor(name, parts) if parts.is_empty() => {
-                    let word = self.variant_word(name, ty, site)?;
-                    (word, word)
-                }
-                Pattern::Range { from, to, inclusive } => {
-                    let from = from.as_ref().map(|from| self.pattern_value(from, ty));
-                    let to = to.as_ref().map(|to| self.pattern_value(to, ty));
-                    let last = match to.transpose()? {
-                        Some(to) if *inclusive => to,
-                        Some(to) => to - 1,
-                        None => whole.1,
-                    };
-                    (from.transpose()?.unwrap_or(whole.0), last)
-                }
-                _ => {
-                    return problem(
-                        site,
-                        "this pattern is not one of a number",
-                        "give values, ranges, a name or `_`",
-                    );
-                }
-            });
+        match pattern {
+            Pattern::Value(value) => {
+                let value = self.pattern_value(value, ty)?;
+                Ok((value, value))
+            }
+            Pattern::Constructor(name, parts) if parts.is_empty() => {
+                let word = self.variant_word(name, ty, site)?;
+                Ok((word, word))
+            }
+            Pattern::Range { from, to, inclusive } => {
+                let from = from.as_ref().map(|from| self.pattern_value(from, ty));
+                let to = to.as_ref().map(|to| self.pattern_value(to, ty));
+                let last = match to.transpose()? {
+                    Some(to) if *inclusive => to,
+                    Some(to) => to - 1,
+                    None => whole.1,
+                };
+                Ok((from.transpose()?.unwrap_or(whole.0), last))
+            }
+            _ => problem(
+                site,
+                "this pattern is not one of a number",
+                "give values, ranges, a name or `_`",
+            ),
         }
-        Ok(ranges)
     }
 
     /// The word of a variant without payload.
@@ -415,44 +365,6 @@ impl Lowering<'_, '_> {
             Some(int) => int.from_word(word),
             None => Int::U64.from_word(word),
         })
-    }
-}
-
-/// The name that a pattern of a number gives it, and the patterns of its values; none: every one.
-fn split(pattern: &Pattern) -> (Option<(&str, bool)>, Vec<&Pattern>) {
-    match pattern {
-        Pattern::Any => (None, Vec::new()),
-        Pattern::Name { name, mutable, inner, .. } => {
-            let values = inner.as_deref().map(|inner| split(inner).1).unwrap_or_default();
-            (Some((name, *mutable)), values)
-        }
-        Pattern::Or(cases) => {
-            // `x @ 1 | x @ 2`: each gives the same name.
-            let binding = cases.first().and_then(|case| split(case).0);
-            let cases: Vec<_> = cases.iter().map(|case| split(case).1).collect();
-            // `1 | _` is `_`.
-            let any = cases.iter().any(Vec::is_empty);
-            (binding, if any { Vec::new() } else { cases.concat() })
-        }
-        other => (None, vec![other]),
-    }
-}
-
-/// The slot of the name that a pattern gives to all that is matched.
-fn slot_of_whole(pattern: &Pattern) -> Option<u32> {
-    match pattern {
-        Pattern::Name { slot, .. } => Some(*slot),
-        Pattern::Or(cases) => cases.first().and_then(slot_of_whole),
-        _ => None,
-    }
-}
-
-/// Whether a pattern binds two names to one number: `x @ (y @ 1)`.
-fn names_twice(pattern: &Pattern) -> bool {
-    match pattern {
-        Pattern::Name { inner, .. } => inner.as_deref().is_some_and(has_names),
-        Pattern::Or(cases) => cases.iter().any(names_twice),
-        _ => false,
     }
 }
 
@@ -501,6 +413,14 @@ fn alternatives(pattern: &Pattern) -> Vec<Pattern> {
     }
 }
 
+/// The name that a pattern gives to all that is matched, and its slot.
+fn named_whole(pattern: &Pattern) -> Option<(&str, u32)> {
+    match pattern {
+        Pattern::Name { name, slot, .. } if *slot != NO_SLOT => Some((name, *slot)),
+        _ => None,
+    }
+}
+
 fn has_names(pattern: &Pattern) -> bool {
     !pattern.bound().is_empty()
 }
@@ -527,14 +447,4 @@ fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
 /// Whether a value can be read again, and is the same while the arms are tried.
 fn is_still(value: &Expr) -> bool {
     matches!(&value.kind, ExprKind::Load(place) if place.steps.iter().all(super::order::is_fixed))
-}
-
-/// Whether an expression is a place. Rust refuses a guard that assigns to the place that is matched.
-fn is_place(expr: &tree::Expr) -> bool {
-    use tree::ExprKind as Tree;
-    match &expr.kind {
-        Tree::Field(inner, _) | Tree::Index(inner, _) => is_place(inner),
-        Tree::Local(_) | Tree::Deref(_) | Tree::Ref(..) => true,
-        _ => false,
-    }
 }

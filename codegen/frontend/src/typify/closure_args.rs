@@ -3,6 +3,7 @@
 //! The copy takes, in the closure's place, what the closure uses: words that it only reads by value, everything
 //! else by reference. Where the function calls its closure, the closure's body stands.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -12,7 +13,7 @@ use bessemer_ir::{
     Argument, Expr, ExprKind, Function, FunctionId, Local, LocalId, Mode, Place, Role, Type,
 };
 
-use super::lowering::{Closure, Lowering, Scope, UNNAMED};
+use super::lowering::{Closure, Lowering, Scope, UNNAMED, local_since, meaning_in};
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, names, problem};
@@ -46,8 +47,78 @@ impl<'a> Lowering<'a, '_> {
         }
         // It leaves the function that it was written in: what it uses goes with it.
         self.in_scope_of(&known, None, argument.site, |inner| {
-            inner.captured(known.text.clone(), argument.site)
+            let text = inner.with_called(known.text.clone(), argument.site)?;
+            inner.captured(text, argument.site)
         })
+    }
+
+    /// A closure that makes those that it names first.
+    fn with_called(&self, mut text: tree::Closure, site: Site) -> Result<tree::Closure> {
+        let is_here = |name: &String| self.with_name(name).is_some();
+        let mut stmts = Vec::new();
+        for name in names_in(&text).into_iter().filter(is_here) {
+            let closure = self.text_here(&name).or_told(
+                site,
+                "a name that a closure uses means something else where another calls it",
+                "give the later variable another name",
+            )?;
+            let closure = tree::ExprKind::Closure(self.with_called(closure, site)?);
+            let value = Some(tree::Expr::plain(closure, site));
+            stmts.push(tree::Stmt::Let { name, slot: NO_SLOT, value, site, mutable: false });
+        }
+        if !stmts.is_empty() {
+            let slot = text.body.slot;
+            let block = tree::Block { stmts, tail: Some(text.body) };
+            text.body = Box::new(tree::Expr { kind: tree::ExprKind::Block(block), site, slot });
+        }
+        Ok(text)
+    }
+
+    /// The closure to which its author gave a name in the function at hand.
+    fn with_name(&self, name: &str) -> Option<&Closure<'a>> {
+        let closure = &self.closures[self.closure_named(name)?];
+        let is_here = closure.text.name.is_some()
+            && closure.scope.locals.is_some()
+            && std::ptr::eq(closure.source, self.source);
+        is_here.then_some(closure)
+    }
+
+    /// The same, if what it uses means here what it means there; none else.
+    fn text_here(&self, name: &str) -> Option<tree::Closure> {
+        let closure = self.with_name(name)?;
+        let same = |name: &String| {
+            meaning_in(&closure.scope.names, name) == meaning_in(&self.scopes, name)
+        };
+        names_in(&closure.text).iter().all(same).then(|| closure.text.clone())
+    }
+
+    /// One that calls the closure that a name means.
+    fn calling(&self, name: &str, site: Site) -> Option<tree::Closure> {
+        let called = self.with_name(name)?;
+        let given = (0..called.text.parameters.len()).map(|at| format!("given%{at}"));
+        let given: Vec<_> = given.collect();
+        let parameters = given.iter().map(|given| tree::Pattern::name(given)).collect();
+        let arguments = given.iter().map(|given| tree::Expr::local(given, site)).collect();
+        let kind = tree::ExprKind::Apply(name.to_owned(), arguments);
+        let body = Box::new(tree::Expr { kind, site, slot: called.text.body.slot });
+        Some(tree::Closure { name: None, parameters, body })
+    }
+
+    /// Arguments with closures in the place of their names.
+    pub(super) fn written_out<'e>(&self, arguments: &'e [tree::Expr]) -> Cow<'e, [tree::Expr]> {
+        let closure = |argument: &tree::Expr| match &argument.kind {
+            tree::ExprKind::Local(name) => {
+                self.text_here(name).or_else(|| self.calling(name, argument.site))
+            }
+            _ => None,
+        };
+        let mut arguments = Cow::Borrowed(arguments);
+        for at in 0..arguments.len() {
+            if let Some(closure) = closure(&arguments[at]) {
+                arguments.to_mut()[at].kind = tree::ExprKind::Closure(closure);
+            }
+        }
+        arguments
     }
 
     /// The closure that an argument names, or that is written there.
@@ -204,8 +275,16 @@ impl<'a> Lowering<'a, '_> {
         arguments: &[tree::Expr],
         site: Site,
     ) -> Result<Expr> {
+        let before = self.locals.len();
         let value = self.applied(name, arguments, site, Self::body_value)?;
         if value.ty == Type::Unit {
+            return Ok(value);
+        }
+        if let ExprKind::Load(place) = &value.kind
+            && let Some(local) = local_since(place, before)
+        {
+            // A local of its own, which nothing names from here on.
+            self.held.insert(local);
             return Ok(value);
         }
         // The value is held: its operands may be written before it is used. If it has no name, it takes the closure's.
@@ -378,7 +457,7 @@ impl<'a> Lowering<'a, '_> {
         self.bind_names(&names)
     }
 
-    /// Gives locals of what calls a closure the names that the closure's author gives them.
+    /// Gives locals that hold what a pattern takes the names that it gives: none of the first ones, unless no author named it.
     pub(super) fn name_own(
         &mut self,
         pattern: &tree::Pattern,
@@ -396,7 +475,8 @@ impl<'a> Lowering<'a, '_> {
                 Value::Place(place),
             ) if place.steps.is_empty()
                 && !is_hidden(name)
-                && stays.is_some_and(|own| place.root.index() >= own) =>
+                && (self.locals[place.root.index()].name.starts_with(UNTIL_NAMED)
+                    || stays.is_some_and(|own| place.root.index() >= own)) =>
             {
                 self.locals[place.root.index()].name.clone_from(name);
             }
@@ -427,6 +507,9 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
+/// Begins the name of a local that has the name of the pattern that takes it, if there is one.
+pub(super) const UNTIL_NAMED: &str = "%%";
+
 /// Whether no author wrote a name.
 pub(super) fn is_hidden(name: &str) -> bool {
     name.contains('%')
@@ -435,5 +518,11 @@ pub(super) fn is_hidden(name: &str) -> bool {
 /// The names that stand in a closure's body, as far as they are not its own parameters.
 fn names_in(closure: &tree::Closure) -> BTreeSet<String> {
     let own = closure.parameters.iter().flat_map(Walk::bound).collect();
-    closure.body.locals().difference(&own).cloned().collect()
+    let mut names = closure.body.locals();
+    closure.body.each_expr(|expr| {
+        if let tree::ExprKind::Apply(name, _) = &expr.kind {
+            names.insert(name.clone());
+        }
+    });
+    names.difference(&own).cloned().collect()
 }

@@ -188,12 +188,6 @@ pub(super) fn decided(condition: &Expr) -> Option<bool> {
     }
 }
 
-/// Whether a value is in one of several ranges; none if there are none.
-pub(super) fn within_any(value: &Expr, ranges: &[(i128, i128)], span: Span) -> Option<Expr> {
-    let tests = ranges.iter().map(|range| within(value, *range, span));
-    tests.reduce(|one, other| Expr::logic(LogicOp::Or, one, other).at(span))
-}
-
 /// `low <= value && value <= high`, or what is left of it.
 pub(super) fn within(value: &Expr, (low, high): (i128, i128), span: Span) -> Expr {
     if value.ty == Type::BOOL {

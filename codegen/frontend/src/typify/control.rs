@@ -235,7 +235,6 @@ impl Lowering<'_, '_> {
         let span = self.span(expr.site);
         match &expr.kind {
             Tree::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
-            Tree::AssignEach(places, value) => self.assign_each(places, value),
             Tree::Each { label, pattern, source, body } => {
                 let (site, label) = (expr.site, label.as_deref());
                 self.each_stmt(Each { site, label, pattern, source, body })

@@ -1,21 +1,39 @@
-//! `let` with a pattern, and `(a, b) = value`: what is taken apart; and tuples that are never made: the items of `zip` and
+//! `let` with a pattern: what is taken apart; and tuples that are never made: the items of `zip` and
 //! `enumerate` under one name, in functions that stand where they are called. The name means the parts, side by side; only
 //! where it is used as a value, one is made of them.
 
 use std::borrow::Cow;
 
-use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Places, Site};
-use bessemer_ir::{Block, Expr, ExprKind, Place, Step, StmtKind, Type};
+use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
+use bessemer_ir::{Block, Expr, ExprKind, Type};
 
 use super::lowering::Lowering;
 use super::pattern::{Test, aligned};
 use super::value::Value;
-use super::{Needed, Result, problem};
+use super::{Needed, Result};
 
 /// A pattern, and what is done with what it takes.
 type Arm<'t> = (&'t Pattern, Cow<'t, tree::Expr>);
 
 impl Lowering<'_, '_> {
+    /// `let name = value;`
+    pub(super) fn let_stmt(
+        &mut self,
+        (name, mutable): (&str, bool),
+        slot: u32,
+        value: Option<&tree::Expr>,
+        site: Site,
+    ) -> Result<()> {
+        let whole = Pattern::Name { name: name.to_owned(), slot, mutable: false, inner: None };
+        if !value.map_or(Ok(false), |value| self.take_tried(&whole, value))? {
+            self.give_name((name, mutable), slot, value, site)?;
+        }
+        if mutable && let Value::Local(local) = self.lookup(name, site)? {
+            self.note_changing(local, slot);
+        }
+        Ok(())
+    }
+
     /// `let pattern = value;`
     pub(super) fn take_apart(
         &mut self,
@@ -30,6 +48,7 @@ impl Lowering<'_, '_> {
             _ => {}
         }
         let subject = self.subject_of(pattern, value)?;
+        self.name_own(pattern, &subject, None);
         self.bind_or(pattern, &subject, value.site, |inner| {
             otherwise.map(|otherwise| inner.block(otherwise, None)).transpose()
         })
@@ -63,31 +82,13 @@ impl Lowering<'_, '_> {
                 }
                 Ok(())
             }
-            (Pattern::Any, _) => {
-                let value = self.value(value, None)?;
-                let span = value.span;
-                self.emit(StmtKind::Expr(value), span);
-                Ok(())
-            }
-            (Pattern::Name { name, slot, inner: None, .. }, _)
-                if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
-            {
-                bound.push((name.clone(), self.slice_for(name, value)?));
-                Ok(())
-            }
-            (Pattern::Name { name, slot, mutable, inner: None }, _)
-                if !self.holds_nothing(value) && !self.slot_is_reference(*slot, value.site)? =>
-            {
-                let ty = self.slot(*slot, value.site)?;
-                let lowered = self.naming_as(&**name, |inner| inner.value(value, Some(&ty)))?;
-                self.agree(&lowered.ty, &ty, value.site)?;
-                let place = self.let_local(&**name, lowered);
-                if *mutable {
-                    self.note_changing(place.root, *slot);
-                }
-                bound.push((name.clone(), Value::Local(place.root)));
-                Ok(())
-            }
+            (Pattern::Any, _) => self.effect(value),
+            (Pattern::Name { name, slot, mutable, inner: None }, _) if *slot != NO_SLOT => self
+                .naming_scope(|inner| {
+                    inner.let_stmt((name, *mutable), *slot, Some(value), value.site)?;
+                    bound.push((name.clone(), inner.lookup(name, value.site)?));
+                    Ok(())
+                }),
             _ => {
                 let subject = self.subject(value)?;
                 let names = self.test(pattern, &subject, value.site)?.names;
@@ -121,6 +122,7 @@ impl Lowering<'_, '_> {
     fn whole(&mut self, tuple: &Value, ty: &Type, site: Site) -> Option<Expr> {
         match (tuple, ty) {
             (Value::Place(_), _) => self.lent_value(tuple.clone(), ty, site).ok(),
+            (Value::Word(word), _) => Some((**word).clone()),
             (Value::Tuple(parts, _), Type::Struct(id)) => {
                 let fields = self.cx.fields(*id).to_vec();
                 let parts = parts.iter().zip(&fields);
@@ -189,87 +191,6 @@ impl Lowering<'_, '_> {
                     break;
                 }
             }
-        }
-        Ok(())
-    }
-
-    /// `(a, b) = value`: every value is computed before the first place is written.
-    pub(super) fn assign_each(&mut self, places: &Places, value: &tree::Expr) -> Result<()> {
-        let mut pairs = Vec::new();
-        self.pair_up(places, value, &mut pairs)?;
-        for (place, value) in pairs {
-            let span = value.span;
-            let place = self.writable(place)?;
-            self.agree(&value.ty, &place.ty, Site(place.span.line, place.span.column))?;
-            self.emit(StmtKind::Assign { place, value }, span);
-        }
-        Ok(())
-    }
-
-    /// Each place with its value; values that are written out one by one need no tuple.
-    fn pair_up<'t>(
-        &mut self,
-        places: &'t Places,
-        value: &tree::Expr,
-        pairs: &mut Vec<(&'t tree::Expr, Expr)>,
-    ) -> Result<()> {
-        match (places, &value.kind) {
-            (Places::Each(places), Tree::Tuple(values) | Tree::Array(values))
-                if places.len() == values.len() =>
-            {
-                for (places, value) in places.iter().zip(values) {
-                    self.pair_up(places, value, pairs)?;
-                }
-                Ok(())
-            }
-            (Places::One(place), _) if self.holds_nothing(place) => {
-                self.assign_nothing(place, value)
-            }
-            (Places::One(place), _) => {
-                self.keeps_what_it_refers_to(place, value)?;
-                let ty = self.place_type(place)?;
-                let name = self.name_of(place);
-                let value = self.naming_as(name, |inner| {
-                    let value = inner.value(value, Some(&ty))?;
-                    Ok(if value.is_literal() { value } else { inner.temporary("next", value) })
-                })?;
-                pairs.push((place, value));
-                Ok(())
-            }
-            _ => {
-                let whole = self.value(value, None)?;
-                let place = self.temporary_place("parts", whole);
-                self.take_parts(places, &place, pairs, value.site)
-            }
-        }
-    }
-
-    /// The parts of a value in its place.
-    fn take_parts<'t>(
-        &mut self,
-        places: &'t Places,
-        from: &Place,
-        pairs: &mut Vec<(&'t tree::Expr, Expr)>,
-        site: Site,
-    ) -> Result<()> {
-        let all = match places {
-            Places::None => return Ok(()),
-            Places::One(place) => {
-                pairs.push((place, from.load()));
-                return Ok(());
-            }
-            Places::Each(all) => all,
-        };
-        for (index, places) in all.iter().enumerate() {
-            let part = match &from.ty {
-                Type::Struct(id) => self.part(from, *id, index),
-                Type::Array { element, .. } => {
-                    let step = Step::Index(Expr::usize(index as u64, from.span));
-                    from.inside(step, (**element).clone())
-                }
-                _ => return problem(site, "this is not taken apart by an assignment", "use `let`"),
-            };
-            self.take_parts(places, &part, pairs, site)?;
         }
         Ok(())
     }

@@ -190,7 +190,7 @@ impl Lowering<'_, '_> {
         let (ty, span) = (operand.ty.clone(), self.span(site));
         match (op, &ty) {
             (tree::UnaryOp::Neg, Type::Matrix { .. }) => {
-                self.routine_node(Routine::Neg, vec![operand], ty, site)
+                self.routine_node(Routine::Neg, vec![operand], site)
             }
             (tree::UnaryOp::Neg, Type::Scalar(_)) => {
                 Ok(Expr::unary(UnaryOp::Neg, operand).at(span))
@@ -337,27 +337,25 @@ impl Lowering<'_, '_> {
     }
 
     fn matrix_binary(&mut self, op: Op, mut left: Expr, right: Expr, site: Site) -> Result<Expr> {
-        let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
-        let (routine, arguments, ty) = match (op, &left_ty, &right_ty) {
-            (Op::Add, Type::Matrix { .. }, _) => (Routine::Add, vec![left, right], left_ty),
-            (Op::Sub, Type::Matrix { .. }, _) => (Routine::Sub, vec![left, right], left_ty),
-            (Op::Mul, Type::Matrix { element, rows, .. }, Type::Matrix { cols, .. }) => {
-                let ty = Type::Matrix { element: *element, rows: *rows, cols: *cols };
-                (Routine::Product, vec![left, right], ty)
+        let (routine, arguments) = match (op, &left.ty, &right.ty) {
+            (Op::Add, Type::Matrix { .. }, _) => (Routine::Add, vec![left, right]),
+            (Op::Sub, Type::Matrix { .. }, _) => (Routine::Sub, vec![left, right]),
+            (Op::Mul, Type::Matrix { .. }, Type::Matrix { .. }) => {
+                (Routine::Product, vec![left, right])
             }
-            (Op::Mul, Type::Matrix { .. }, _) => (Routine::Scale, vec![left, right], left_ty),
+            (Op::Mul, Type::Matrix { .. }, _) => (Routine::Scale, vec![left, right]),
             (Op::Mul, _, Type::Matrix { .. }) => {
                 if !order::may_change_places(&left, &right) {
                     left = self.temporary(words::OPERAND, left);
                 }
-                (Routine::Scale, vec![right, left], right_ty)
+                (Routine::Scale, vec![right, left])
             }
             (Op::Div, Type::Matrix { .. }, Type::Scalar(_)) => {
-                (Routine::Unscale, vec![left, right], left_ty)
+                (Routine::Unscale, vec![left, right])
             }
             _ => return problem(site, "this operator does not take these types", "use a method"),
         };
-        self.routine_node(routine, arguments, ty, site)
+        self.routine_node(routine, arguments, site)
     }
 
     fn array(&mut self, elements: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {

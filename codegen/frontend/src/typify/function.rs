@@ -9,7 +9,7 @@ use bessemer_ir::{
 };
 
 use super::borrowed::{Lenders, Path};
-use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since};
+use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since, meaning_in};
 use super::names::split;
 use super::syntax::control_with_value;
 use super::value::Value;
@@ -137,6 +137,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             held: HashSet::new(),
             steady: HashSet::new(),
             changing: HashMap::new(),
+            unasked: Vec::new(),
             valued: HashSet::new(),
             lenders: Lenders::default(),
             frames: Vec::new(),
@@ -339,9 +340,8 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn lookup(&self, name: &str, site: Site) -> Result<Value> {
-        let found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
-        match found.into_iter().find(|(known, _)| known == name) {
-            Some((_, binding)) => Ok(binding.clone()),
+        match meaning_in(&self.scopes, name) {
+            Some(meaning) => Ok(meaning.clone()),
             None => problem(site, format!("`{name}` is not known here"), super::OUR_FAULT),
         }
     }
@@ -385,15 +385,7 @@ impl Lowering<'_, '_> {
             let mark = self.out.len();
             let site = match stmt {
                 tree::Stmt::Let { name, slot, value, site, mutable } => {
-                    let (slot, inner) = (*slot, None);
-                    let whole = Pattern::Name { name: name.clone(), slot, mutable: false, inner };
-                    let value = value.as_ref();
-                    if !value.map_or(Ok(false), |value| self.take_tried(&whole, value))? {
-                        self.let_stmt((name, *mutable), slot, value, *site)?;
-                    }
-                    if *mutable && let Value::Local(local) = self.lookup(name, *site)? {
-                        self.note_changing(local, slot);
-                    }
+                    self.let_stmt((name, *mutable), *slot, value.as_ref(), *site)?;
                     *site
                 }
                 tree::Stmt::Apart { pattern, value, otherwise, site } => {
@@ -416,7 +408,8 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    fn let_stmt(
+    /// The same of a value that is no `lent?`.
+    pub(super) fn give_name(
         &mut self,
         (name, mutable): (&str, bool),
         slot: u32,
@@ -424,6 +417,13 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         if let Some(value) = value {
+            if let tree::ExprKind::Closure(closure @ tree::Closure { name: Some(_), .. }) =
+                &value.kind
+            {
+                let closure = self.closure_here(closure.clone());
+                self.bind(name, closure);
+                return Ok(());
+            }
             if let Some(mut iterator) = self.iterator(value)? {
                 if mutable {
                     iterator = self.by_hand(name, iterator, &self.source.tree.body, site)?;

@@ -22,14 +22,16 @@ impl Lowering<'_, '_> {
     /// What a call stands for; none if `expr` is something else.
     pub(super) fn in_place(&self, expr: &tree::Expr) -> Option<tree::Expr> {
         if let Some((rule, arguments)) = self.rule(expr) {
-            return Some(rewritten(rule, arguments, expr));
+            return Some(rewritten(rule, &self.written_out(arguments), expr));
         }
         let (Builtin::Desugared(method), arguments) = self.builtin_call(expr)? else { return None };
+        let arguments = self.written_out(arguments);
         let (first, rest) = arguments.split_first()?;
         match method {
             Desugared::Together(Together::Tried) => tried(first, rest, expr),
             Desugared::Together(how) => Some(together(how, first, expr)),
             Desugared::ArrayMap => mapped(first, rest.first()?, expr),
+            Desugared::FromFn => from_fn(first, expr),
             // What is lent stands where it stands.
             Desugared::AsRef | Desugared::ByRef => Some(first.clone()),
         }
@@ -131,16 +133,38 @@ fn beginning(begun: &[Stmt]) -> Option<&Expr> {
 fn mapped(array: &tree::Expr, closure: &tree::Expr, expr: &tree::Expr) -> Option<tree::Expr> {
     let Tree::Closure(closure) = &closure.kind else { return None };
     let pattern = closure.parameters.first().cloned().unwrap_or(Pattern::Any);
+    let elements = (pattern, Source::Elements(array.clone(), true));
+    Some(filled(("%mapped", "%i"), elements, &closure.body, expr))
+}
+
+/// `core::array::from_fn(|i| …)`: the same of the index.
+fn from_fn(closure: &tree::Expr, expr: &tree::Expr) -> Option<tree::Expr> {
+    let Tree::Closure(closure) = &closure.kind else { return None };
+    let index = match closure.parameters.as_slice() {
+        [Pattern::Name { name, mutable: false, inner: None, .. }] => name,
+        [Pattern::Any] => "%i",
+        _ => return None,
+    };
+    let elements = Source::Elements(tree::Expr::local("%elements", expr.site), false);
+    Some(filled(("%elements", index), (Pattern::Any, elements), &closure.body, expr))
+}
+
+/// A loop that gives each element of an array its value; the array and the index have these names.
+fn filled(
+    (name, index): (&str, &str),
+    (pattern, elements): (Pattern, Source),
+    value: &tree::Expr,
+    expr: &tree::Expr,
+) -> tree::Expr {
     let plain = |kind| tree::Expr::plain(kind, expr.site);
     let local = |name: &str| Box::new(tree::Expr::local(name, expr.site));
-    let (name, index) = ("%mapped", "%i");
     let element = Box::new(plain(Tree::Index(local(name), local(index))));
-    let assign = plain(Tree::Assign(None, element, closure.body.clone()));
+    let assign = plain(Tree::Assign(None, element, Box::new(value.clone())));
     let pair = Pattern::Tuple(vec![Pattern::name(index), pattern]);
-    let source = Source::Enumerate(Box::new(Source::Elements(array.clone(), true)));
+    let source = Source::Enumerate(Box::new(elements));
     let each = Box::new(plain(Tree::each(pair, source, assign)));
     let kind = Tree::Fold { name: name.into(), start: Start::Elements, each };
-    Some(tree::Expr { kind, ..*expr })
+    tree::Expr { kind, ..*expr }
 }
 
 /// `items.sum()`, `items.product()`: a loop that adds each item to what it has so far, or multiplies by it.

@@ -38,7 +38,7 @@ impl Lowering<'_, '_> {
             for (part, role) in parts.filter(|(part, _)| !part.is_literal()) {
                 let held =
                     self.naming_as(&*name, |inner| inner.temporary_place(role, part.clone()));
-                self.lenders.taken.push(held.root);
+                self.unasked.push(held.root);
                 *part = held.load();
             }
         }
@@ -199,10 +199,10 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Takes out of a body what is said of a slice and not asked.
+    /// Takes out of a body what nothing asks.
     pub(super) fn leave_unasked(&self, body: &mut Block) {
-        if !self.lenders.taken.is_empty() {
-            Unasked(&self.lenders.taken).block(body);
+        if !self.unasked.is_empty() {
+            Unasked(&self.unasked).block(body);
         }
     }
 

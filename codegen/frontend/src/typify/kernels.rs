@@ -134,9 +134,9 @@ impl Lowering<'_, '_> {
         &mut self,
         routine: Routine,
         values: Vec<Expr>,
-        ty: Type,
         site: Site,
     ) -> Result<Expr> {
+        let ty = result(routine, &values).needed(site, "this takes a matrix or vector")?;
         let integers = |value: &Expr| matches!(&value.ty, Type::Matrix { element, .. } if !matches!(element, Scalar::Float(_)));
         if routine != Routine::Transpose && values.iter().any(integers) {
             return self.integer_routine(routine, values, ty, site);
@@ -248,6 +248,20 @@ pub(super) fn shape(ty: &Type) -> Option<(Scalar, u32, u32)> {
         Type::Matrix { element, rows, cols } => Some((element, rows, cols)),
         _ => None,
     }
+}
+
+/// The type of what a routine gives.
+fn result(routine: Routine, values: &[Expr]) -> Option<Type> {
+    let (element, rows, cols) = shape(&values.first()?.ty)?;
+    let matrix = |rows, cols| Type::Matrix { element, rows, cols };
+    let last = || Some(shape(&values.get(1)?.ty)?.2);
+    Some(match routine {
+        Routine::Transpose => matrix(cols, rows),
+        Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
+        Routine::TrMul => matrix(cols, last()?),
+        Routine::Product => matrix(rows, last()?),
+        _ => matrix(rows, cols),
+    })
 }
 
 /// The kernel of a routine for operands of these types: its dimensions, as [`KernelRoutine`] says.

@@ -36,6 +36,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub steady: HashSet<LocalId>,
     /// The locals that their author may write again, and their types as rustc sees them.
     pub changing: HashMap<LocalId, tree::Ty>,
+    /// Locals that not every use asks: where a slice begins, how many elements it has, and what the guard of an arm names.
+    pub unasked: Vec<LocalId>,
     /// Locals that have to have a value where they are declared.
     pub valued: HashSet<LocalId>,
     /// The arrays whose elements the slices in its locals are.
@@ -52,6 +54,12 @@ pub(super) struct Lowering<'a, 'c> {
     pub absent: Vec<bool>,
     /// The functions that lend whose bodies are being lowered, outermost first.
     pub expanding: Vec<&'a str>,
+}
+
+/// What a name means in scopes, the innermost last.
+pub(super) fn meaning_in<'s>(scopes: &'s [Vec<(String, Value)>], name: &str) -> Option<&'s Value> {
+    let mut found = scopes.iter().rev().flat_map(|scope| scope.iter().rev());
+    found.find_map(|(known, meaning)| (known == name).then_some(meaning))
 }
 
 /// The local that a place is, if it is none of the first ones.
@@ -100,7 +108,7 @@ impl<'a> Lowering<'a, '_> {
         Closure { text, source: self.source, scope, outermost: None }
     }
 
-    /// The closure that a name means.
+    /// The closure that a name means, whatever hides it since.
     pub(super) fn closure_named(&self, name: &str) -> Option<usize> {
         let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
         found.find_map(|(known, meaning)| match meaning {
@@ -113,7 +121,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn drop_locals(&mut self, first: usize) {
         let stays = |local: &LocalId| local.index() < first;
         self.locals.truncate(first);
-        self.lenders.taken.retain(stays);
+        self.unasked.retain(stays);
         self.hands.retain(|_, hand| stays(&hand.taken.1));
         for known in [&mut self.held, &mut self.steady, &mut self.valued] {
             known.retain(stays);

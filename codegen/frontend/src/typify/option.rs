@@ -18,39 +18,20 @@ impl Lowering<'_, '_> {
     pub(super) fn option_method(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         use OptionMethod as M;
-        let (case, absent) = match method {
-            M::IsSome => ("Some", false),
-            M::IsNone => ("Some", true),
-            M::IsOk => ("Ok", false),
-            M::IsErr => ("Ok", true),
-            M::Unwrap | M::UnwrapErr => {
-                return self.unwrap(method, call)?.or_told(
-                    expr.site,
-                    "this has no value",
-                    "write it as a statement",
-                );
-            }
-            M::Copied => return self.value(&arguments[0], None),
-            M::Take | M::Replace => return self.exchanged(arguments, expr),
-            M::UnwrapOr | M::Or | M::And | M::OkOr | M::Ok | M::Err => {
-                return self.chosen(method, call);
-            }
+        match method {
+            M::Unwrap | M::UnwrapErr => self.unwrap(method, call)?.or_told(
+                expr.site,
+                "this has no value",
+                "write it as a statement",
+            ),
+            M::Copied => self.value(&arguments[0], None),
+            M::Take | M::Replace => self.exchanged(arguments, expr),
+            M::UnwrapOr | M::Or | M::And | M::OkOr | M::Ok | M::Err => self.chosen(method, call),
             // A place is lent: each use of one that takes it has looked before.
             M::AsMut | M::Insert | M::GetOrInsert | M::GetOrInsertWith => {
-                return problem(expr.site, super::borrowed_slices::LENT, LENT_BY_OPTION);
+                problem(expr.site, super::borrowed_slices::LENT, LENT_BY_OPTION)
             }
-        };
-        let (place, id) = self.receiver(&arguments[0])?;
-        let (word, _) = self.case(id, case).needed(expr.site, "this is not an `Option`")?;
-        let there = self.tag_is(&place, id, word);
-        Ok(if absent { there.negated() } else { there })
-    }
-
-    /// The place of an `Option` or a `Result`.
-    fn receiver(&mut self, expr: &tree::Expr) -> Result<(Place, StructId)> {
-        let place = self.held(expr)?;
-        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
-        Ok((place, id))
+        }
     }
 
     /// The word and the payload of the variant that has a value (or, `error`, the reason for none).
@@ -68,7 +49,8 @@ impl Lowering<'_, '_> {
         {
             return Ok(Some(array));
         }
-        let (place, id) = self.receiver(&arguments[0])?;
+        let place = self.held(&arguments[0])?;
+        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         let (word, value) = self.present(&place, id, method == OptionMethod::UnwrapErr);
         let condition = self.tag_is(&place, id, word);
         let span = self.span(expr.site);

@@ -65,7 +65,8 @@ impl Lowering<'_, '_> {
         let plain = |kind| tree::Expr::plain(kind, tried.site);
         let Tree::Call(callee, arguments) = &operand.kind else { return None };
         let callee = self.source.callees.get(*callee as usize);
-        let (lent, case, error) = match (callee, arguments.as_slice(), self.seen_as(operand)?) {
+        let arguments = self.written_out(arguments);
+        let (lent, case, error) = match (callee, &*arguments, self.seen_as(operand)?) {
             // Of an `Option` and something else, core makes a `Result` in these two alone.
             (Some(_), [lent, error], Ty::Result(..))
                 if matches!(self.seen_as(lent), Some(Ty::Option(_))) =>
@@ -155,6 +156,7 @@ impl Lowering<'_, '_> {
         let place = self.settled(option)?;
         let ((id, word, there), span) = (self.held_in(&place, expr)?, self.span(expr.site));
         // What no closure computes is computed whether it is wanted or not.
+        let given = &self.written_out(std::slice::from_ref(given))[0];
         let given = match &given.kind {
             Tree::Closure(it) if method == OptionMethod::GetOrInsertWith => Err(&it.body),
             _ if method == OptionMethod::GetOrInsertWith => {

@@ -153,19 +153,12 @@ impl Lowering<'_, '_> {
         if self.stands(place.root) {
             return;
         }
-        let mut ty = self.locals[place.root.index()].ty.clone();
-        for step in place.steps.clone() {
-            let (lengths, inner) = match (&step, ty) {
-                (Step::Field(field), Type::Struct(id)) => {
-                    (Vec::new(), self.cx.field_type(id, *field))
-                }
-                (Step::Index(_), Type::Array { element, len }) => (vec![len], *element),
-                (Step::Index(_), Type::Matrix { element, rows, cols }) => {
-                    (vec![rows * cols], Type::Scalar(element))
-                }
-                (Step::Element(..), Type::Matrix { element, rows, cols }) => {
-                    (vec![rows, cols], Type::Scalar(element))
-                }
+        for (at, step) in place.steps.iter().enumerate() {
+            let lengths = match (step, self.type_of(place.root, &place.steps[..at])) {
+                (Step::Field(_), Type::Struct(_)) => Vec::new(),
+                (Step::Index(_), Type::Array { len, .. }) => vec![len],
+                (Step::Index(_), Type::Matrix { rows, cols, .. }) => vec![rows * cols],
+                (Step::Element(..), Type::Matrix { rows, cols, .. }) => vec![rows, cols],
                 // A slice has looked already.
                 _ => return,
             };
@@ -175,7 +168,6 @@ impl Lowering<'_, '_> {
                 let condition = Expr::compare(CompareOp::Lt, index.clone(), len);
                 self.emit(StmtKind::Check { condition, fault: Fault::Index }, index.span);
             }
-            ty = inner;
         }
     }
 

@@ -7,12 +7,11 @@
 
 use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, LogicOp, Mode, Place, Scalar, Step, Stmt, StmtKind, StructId,
-    Type,
+    Block, CompareOp, Expr, ExprKind, LogicOp, Mode, Place, Scalar, Step, StmtKind, StructId, Type,
 };
 
 use super::closure_args::is_hidden;
-use super::conditions::{within, within_any};
+use super::conditions::within;
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::value::{Named, Value};
@@ -67,8 +66,13 @@ impl Lowering<'_, '_> {
             (Pattern::Any | Pattern::Rest, _) => Ok(Test::default()),
             (_, Value::Nothing) => Ok(Self::take_nothing(pattern, site)),
             (_, Value::Place(place)) => self.test_place(pattern, place, site),
-            (Pattern::Name { name, slot, inner: None, .. }, Value::Submatrix(_)) => {
+            (Pattern::Name { name, slot, inner: None, .. }, Value::Submatrix(_))
+            | (Pattern::Name { name, slot, mutable: false, inner: None }, Value::Word(_)) => {
                 Ok(Test::named(name, *slot, subject.clone(), site))
+            }
+            (_, Value::Word(word)) => {
+                let place = self.hold((**word).clone());
+                self.test_place(pattern, &place, site)
             }
             (Pattern::Or(cases), _) => self.test_any(cases, subject, site),
             (_, Value::Slice(slice)) => self.test_slice(pattern, slice, site),
@@ -201,8 +205,8 @@ impl Lowering<'_, '_> {
             (Pattern::Value(_) | Pattern::Range { .. } | Pattern::Constructor(..), ty)
                 if ty.is_word() =>
             {
-                let ranges = self.ranges([pattern], ty, site)?;
-                Ok(Test::of(within_any(&place.load(), &ranges, place.span)))
+                let range = self.range(pattern, ty, site)?;
+                Ok(Test::of(Some(within(&place.load(), range, place.span))))
             }
             _ => problem(
                 site,
@@ -449,21 +453,6 @@ fn same_names((one, other): (&Named, &Named)) -> bool {
         _ => false,
     };
     same && one.name == other.name && one.mutable == other.mutable
-}
-
-/// A block without the names that it begins with and does not use.
-pub(super) fn used(mut block: Block) -> Block {
-    let mut at = 0;
-    while let Some(Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }) = block.0.get(at)
-        && matches!(value.kind, ExprKind::Load(_))
-    {
-        if effects::mentions(&block.0[at + 1..], *local) {
-            at += 1;
-        } else {
-            block.0.remove(at);
-        }
-    }
-    block
 }
 
 /// Patterns and the index of the part that each takes; `..` stands for as many as are left.

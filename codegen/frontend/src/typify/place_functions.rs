@@ -5,10 +5,11 @@
 //! nothing writes to what it refers to. One that chooses among those to be written gives the index of the element.
 
 use bessemer_ir::tree::visit::{self, VisitMut, Walk};
-use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
+use bessemer_ir::tree::{self, ExprKind as Tree, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
 use super::call::Called;
+use super::closure_args::UNTIL_NAMED;
 use super::function::result_of;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
@@ -57,31 +58,6 @@ fn same_meaning(one: &tree::Function, other: &tree::Function) -> bool {
     };
     let (one_names, other_names): (Vec<_>, Vec<_>) = (names(one), names(other));
     one_names == other_names && called(one) == called(other) && bare(one) == bare(other)
-}
-
-/// The names of the parts of a parameter that the body begins with taking apart, `(row, column): (usize, usize)`; then
-/// it does no longer.
-fn taken_apart(body: &mut tree::Block, name: &str, count: usize) -> Option<Vec<String>> {
-    let parts = |stmt: &tree::Stmt| {
-        let tree::Stmt::Apart { pattern, value, otherwise: None, .. } = stmt else { return None };
-        let Pattern::Tuple(parts) = &**pattern else { return None };
-        let is_it = value.kind == Tree::Local(name.to_owned()) && parts.len() == count;
-        is_it.then(|| parts.iter().map(plain_name).collect::<Option<Vec<String>>>())?
-    };
-    let at = body.stmts.iter().position(|stmt| parts(stmt).is_some())?;
-    let stmt = body.stmts.remove(at);
-    if body.locals().contains(name) {
-        body.stmts.insert(at, stmt);
-        return None;
-    }
-    parts(&stmt)
-}
-
-fn plain_name(pattern: &Pattern) -> Option<String> {
-    match pattern {
-        Pattern::Name { name, mutable: false, inner: None, .. } => Some(name.clone()),
-        _ => None,
-    }
 }
 
 impl<'a> Context<'a> {
@@ -245,27 +221,10 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The statements of a function before the place that it returns, and the place.
-    fn placed(&mut self, (function, arguments): Called<'a, '_>, site: Site) -> Result<Place> {
-        let mut bound = Vec::new();
-        let mut body = function.tree.body.clone();
-        for (param, argument) in function.tree.params.iter().zip(arguments) {
-            match (&argument.kind, function.slots.get(param.slot as usize)) {
-                (Tree::Tuple(values), Some(Ty::Tuple(types)))
-                    if let Some(names) = taken_apart(&mut body, &param.name, values.len()) =>
-                {
-                    for ((name, ty), value) in names.iter().zip(types).zip(values) {
-                        bound.push((name.clone(), self.given((name, false), ty, value)?));
-                    }
-                }
-                _ => bound.push(self.given_as(function, param, argument)?),
-            }
-        }
-        self.inside(function, bound, site, |inner| {
-            inner.stmts(&body)?;
-            let Some(tail) = body.tail.as_deref() else {
-                let site = function.tree.site;
-                return problem(site, "this lends no place", "end in `&self.field`");
-            };
+    fn placed(&mut self, called: Called<'a, '_>, site: Site) -> Result<Place> {
+        self.expanded(called, site, |inner, tail| {
+            let tail =
+                tail.or_told(called.0.tree.site, "this lends no place", "end in `&self.field`")?;
             let mut place = inner.place(tail)?.or_told(
                 tail.site,
                 "this is no place that could be lent",
@@ -286,6 +245,13 @@ impl<'a> Lowering<'a, '_> {
         if self.holds_nothing(argument) {
             self.effect(argument)?;
             return Ok(Value::Nothing);
+        }
+        if let (Tree::Tuple(values), Ty::Tuple(types), false) = (&argument.kind, ty, mutable) {
+            // It is taken apart where it stands, and its parts have their names there.
+            let own = format!("{UNTIL_NAMED}{name}");
+            let parts = values.iter().zip(types).map(|(it, ty)| self.given((&own, false), ty, it));
+            let parts = parts.collect::<Result<_>>()?;
+            return Ok(Value::Tuple(parts, self.cx.value_type(ty, argument.site).ok()));
         }
         if let Ty::Ref(inner, written) = ty {
             if let Ty::Slice(_) = **inner

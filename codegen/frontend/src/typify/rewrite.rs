@@ -283,7 +283,9 @@ impl Visit for Uses<'_, '_> {
 /// The parameters that a body computes before anything else.
 fn computed_first(body: &Expr) -> Vec<&str> {
     match &body.kind {
-        ExprKind::Match(first, _) | ExprKind::If(first, ..) => computed_first(first),
+        ExprKind::Match(first, _) | ExprKind::If(first, ..) | ExprKind::Unary(_, first) => {
+            computed_first(first)
+        }
         ExprKind::Tuple(parts) => parts.iter().flat_map(computed_first).collect(),
         ExprKind::Local(name) => vec![name],
         _ => Vec::new(),

@@ -52,10 +52,11 @@ impl Lowering<'_, '_> {
                 let value = self.value(q, None)?;
                 self.same_parts(value, &ty, expr.site)
             }
-            (M::Plus | M::Minus | M::Times | M::TimesTransposed, _) => {
-                self.matrix_operation(method, call)
+            (M::TimesTransposed, _) => {
+                let [left, right] = two(self.alike(arguments, None, &words::SIDES)?, expr.site)?;
+                let right = self.routine_node(Routine::Transpose, vec![right], expr.site)?;
+                self.routine_node(Routine::Product, vec![left, right], expr.site)
             }
-            (M::Negative, [matrix]) => self.unary(tree::UnaryOp::Neg, matrix, None, expr.site),
             _ => problem(expr.site, format!("{method:?} takes other operands"), OUR_FAULT),
         }
     }
@@ -67,22 +68,6 @@ impl Lowering<'_, '_> {
         let names = parts.names().iter().map(|name| (*name).to_owned());
         let parts: Vec<_> = names.zip(arguments.iter().cloned()).collect();
         self.parts(id, &parts, None, expr)
-    }
-
-    /// An operator of matrices for what is a matrix in the C.
-    fn matrix_operation(&mut self, method: SpatialMethod, call: Call<'_>) -> Result<Expr> {
-        let Call { arguments, expr } = call;
-        let [left, mut right] = two(self.alike(arguments, None, &words::SIDES)?, expr.site)?;
-        let op = match method {
-            SpatialMethod::Plus => tree::BinaryOp::Add,
-            SpatialMethod::Minus => tree::BinaryOp::Sub,
-            _ => tree::BinaryOp::Mul,
-        };
-        if method == SpatialMethod::TimesTransposed {
-            let ty = right.ty.clone();
-            right = self.routine_node(Routine::Transpose, vec![right], ty, expr.site)?;
-        }
-        self.binary_node(op, left, right, expr.site)
     }
 
     /// A quaternion as what is asked for, unit or not; any other value as it is.

@@ -152,11 +152,15 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The only name in `Some(name)`, of what does not change.
+/// The only name in `Some(name)`, or that of the whole, of what does not change.
 pub(super) fn taken_name(pattern: &Pattern) -> Option<&str> {
-    let Pattern::Constructor(_, parts) = pattern else { return None };
-    match parts.as_slice() {
-        [Pattern::Name { name, mutable: false, inner: None, .. }] => Some(name),
+    match pattern {
+        Pattern::Constructor(_, parts) => match parts.as_slice() {
+            [Pattern::Name { name, mutable: false, inner: None, .. }] => Some(name),
+            _ => None,
+        },
+        Pattern::Name { name, mutable: false, .. } => Some(name),
+        Pattern::Or(cases) => cases.first().and_then(taken_name),
         _ => None,
     }
 }

@@ -9,7 +9,7 @@ use bessemer_ir::{
 use super::lengths::{compared, is_number, minus, plus, size};
 
 /// The meaning of an expression or a name.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub(super) enum Value {
     /// A local of its own.
     Local(LocalId),
@@ -65,7 +65,7 @@ pub(super) fn step_to(whole: &Type, index: Expr, span: Span) -> Step {
 pub(super) const SMALL: u32 = 16;
 
 /// Elements of an array, in their place.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub(super) struct Slice {
     /// The array, or the parameter that is a slice.
     pub base: Place,
@@ -169,7 +169,7 @@ impl Slice {
 }
 
 /// A part of a matrix.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub(super) struct Submatrix {
     pub matrix: Place,
     /// Where it begins: numbers, or locals that nothing writes, and sums of them.

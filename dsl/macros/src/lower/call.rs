@@ -20,9 +20,6 @@ use crate::owned::{associated, of_libm, of_nalgebra, of_turns};
 
 impl Lowering {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
-        if let Some(kind) = self.array_from_fn(it) {
-            return kind;
-        }
         if matches!(&*it.func, syn::Expr::Path(it) if it.path.is_ident(EACH)) {
             let items = it.args.iter_mut().map(|item| self.whole(item)).collect();
             return ExprKind::Apply(EACH.to_owned(), items);
@@ -36,13 +33,8 @@ impl Lowering {
             return self.default_value(function);
         }
         let name = function.path.get_ident().map(text);
-        if let Some(kind) =
-            name.as_ref().and_then(|name| self.closure_call(name, &arguments, function.span()))
-        {
-            return kind;
-        }
-        if let Some(name) = name.as_ref().filter(|name| self.is_called(name)) {
-            return ExprKind::Apply(name.clone(), arguments);
+        if let Some(name) = name.as_ref().and_then(|name| self.called_name(name)) {
+            return ExprKind::Apply(name, arguments);
         }
         let reason = match name.is_some_and(|name| self.is_local(&name)) {
             // A closure or a function pointer was refused where it came from.

@@ -1,123 +1,45 @@
 //! Closures that do not escape: bound to a name and called, or written where an iterator takes one.
 //!
-//! The tree has a closure's body where it is called; the witness copy keeps the closure.
+//! The tree has a closure where its author wrote it, and its name where it is called or handed on.
 
 use bessemer_tree as tree;
-use bessemer_tree::{ExprKind, Start};
+use bessemer_tree::{ExprKind, NO_SLOT};
 use proc_macro2::Span;
 use quote::quote;
-use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 use super::handed::is_of_type;
 use super::names::{plain, site, text};
-use super::pattern::alone;
 use super::refuse::Refusals;
 use super::signature::Names;
 use super::syntax::names;
-use super::walk::{Closure, Lowering};
-use super::{macros, pattern, refuse};
+use super::walk::Lowering;
+use super::{pattern, refuse};
 
 impl Lowering {
     /// `let f = |x| …;`: the closure is known by its name from here on.
-    pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> bool {
-        let Some(init) = &mut local.init else { return false };
-        let syn::Expr::Closure(closure) = &mut *init.expr else { return false };
-        let Some(ident) = pattern::simple_name(&mut local.pat, &mut self.refusals) else {
-            return true;
-        };
-        let known: std::collections::BTreeSet<_> =
-            self.scopes.iter().flatten().map(|(known, _)| known.clone()).collect();
-        let uses: Vec<_> = known.into_iter().map(|known| (self.bindings(&known), known)).collect();
-        let mut parameters = Vec::new();
-        let body = self.scoped(|walk| {
-            let mut looks = Vec::new();
-            for input in &closure.inputs {
-                let Some(name) = alone(input).map(|it| it.ident.clone()) else {
-                    let outer = walk.apart.replace("%");
-                    parameters.push(walk.pattern(input, &mut looks));
-                    walk.apart = outer;
-                    continue;
-                };
-                let slot = walk.slot();
-                looks.push(walk.look(slot, &name));
-                let name = text(&name);
-                // Marked, so that an argument never means the parameter of another.
-                let in_tree = walk.bind_apart(&name);
-                walk.bind_as(&name, &format!("{in_tree}%"));
-                let name = format!("{in_tree}%");
-                parameters.push(tree::Pattern::Name { name, slot, mutable: false, inner: None });
-            }
-            walk.closure_body(closure, looks)
-        });
+    pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> Option<tree::Stmt> {
+        let (site, init) = (site(&local.let_token), local.init.as_mut()?);
+        let mut value = self.argument(&mut init.expr);
+        let own = text(&pattern::simple_name(&mut local.pat, &mut self.refusals)?);
         // Marked, so that a variable of its name that hides it is not taken for it.
-        let name = self.hidden(&format!("{}%", text(&ident)));
-        self.bind_as(&text(&ident), &name);
-        let uses = uses.into_iter().filter(|(_, known)| names(&init.expr, known)).collect();
-        self.closures.push(Closure { name, parameters, body, uses });
-        true
+        let name = self.hidden(&format!("{own}%"));
+        self.bind_as(&own, &name);
+        self.closures.push(name.clone());
+        if let ExprKind::Closure(closure) = &mut value.kind {
+            closure.name = Some(own);
+        }
+        Some(tree::Stmt::Let { name, slot: NO_SLOT, value: Some(value), site, mutable: false })
+    }
+
+    /// The name in the tree of a closure, or of a parameter that takes one.
+    pub(super) fn called_name(&self, name: &str) -> Option<String> {
+        let in_tree = self.local_name(name)?;
+        (self.is_called(name) || self.is_closure(in_tree)).then(|| in_tree.to_owned())
     }
 
     pub(super) fn is_closure(&self, in_tree: &str) -> bool {
-        self.closures.iter().any(|closure| closure.name == in_tree)
-    }
-
-    /// `f(a, b)`: the body, its parameters the arguments.
-    pub(super) fn closure_call(
-        &mut self,
-        name: &str,
-        arguments: &[tree::Expr],
-        span: Span,
-    ) -> Option<ExprKind> {
-        let (parameters, body) = self.closure_named(name, span)?;
-        let stmts = parameters.into_iter().zip(arguments).map(|(parameter, argument)| {
-            let (value, site) = (argument.clone(), argument.site);
-            match parameter {
-                tree::Pattern::Name { name, slot, inner: None, .. } => {
-                    tree::Stmt::Let { name, slot, value: Some(value), site, mutable: false }
-                }
-                pattern => {
-                    tree::Stmt::Apart { pattern: Box::new(pattern), value, otherwise: None, site }
-                }
-            }
-        });
-        Some(ExprKind::Block(tree::Block { stmts: stmts.collect(), tail: Some(body) }))
-    }
-
-    /// `core::array::from_fn(|i| …)`: a loop through the array, whose elements the closure gives by their indices.
-    pub(super) fn array_from_fn(&mut self, it: &mut syn::ExprCall) -> Option<ExprKind> {
-        let syn::Expr::Path(function) = &*it.func else { return None };
-        let (home, last) = macros::in_module(&function.path)?;
-        if home != "array" || last != "from_fn" || it.args.len() != 1 {
-            return None;
-        }
-        let last = last.clone();
-        if !matches!(it.args[0], syn::Expr::Closure(_)) {
-            return None;
-        }
-        self.ask_home(&function.path);
-        let syn::Expr::Closure(closure) = &mut it.args[0] else { return None };
-        self.scoped(|walk| {
-            let (index, looks) = match closure.inputs.first()? {
-                syn::Pat::Wild(_) => (walk.hidden("i"), Vec::new()),
-                other => {
-                    let (name, slot) = (alone(other)?.ident.clone(), walk.slot());
-                    (walk.bind_apart(&text(&name)), vec![walk.look(slot, &name)])
-                }
-            };
-            let value = Box::new(walk.closure_body(closure, looks));
-            let (name, site) = (walk.hidden("elements"), site(&last));
-            let [array, index_of] = [&name, &index].map(|name| tree::Expr::local(name, site));
-            let element = ExprKind::Index(Box::new(array.clone()), Box::new(index_of));
-            let element = Box::new(tree::Expr::plain(element, site));
-            let pass = tree::Expr::plain(ExprKind::Assign(None, element, value), site);
-            let source = tree::Source::Elements(array, false);
-            let pair = vec![tree::Pattern::name(&index), tree::Pattern::Any];
-            let each = tree::Source::Enumerate(Box::new(source));
-            let each = ExprKind::each(tree::Pattern::Tuple(pair), each, pass);
-            let each = Box::new(tree::Expr::plain(each, site));
-            Some(ExprKind::Fold { name, start: Start::Elements, each })
-        })
+        self.closures.iter().any(|name| name == in_tree)
     }
 
     /// An argument of a call: a closure, or a value.
@@ -142,18 +64,15 @@ impl Lowering {
             syn::Expr::Reference(it) if self.is_called_value(&it.expr) => {
                 self.argument(&mut it.expr)
             }
-            syn::Expr::Path(path) => match path.path.get_ident().map(text) {
-                // Handed on as it came.
-                Some(name) if self.is_called(&name) => plain(ExprKind::Local(name), path),
-                Some(name) if self.is_local(&name) => {
-                    match self.closure_value(&name, path.span()) {
-                        Some(kind) => plain(kind, path),
-                        None => self.value(expr),
-                    }
+            syn::Expr::Path(path) => {
+                let name = path.path.get_ident().map(text);
+                match name.and_then(|name| self.called_name(&name)) {
+                    // Handed on as it came.
+                    Some(name) => plain(ExprKind::Local(name), path),
+                    None if is_of_type(path) => self.named_argument(expr),
+                    None => self.value(expr),
                 }
-                _ if is_of_type(path) => self.named_argument(expr),
-                _ => self.value(expr),
-            },
+            }
             other => self.value(other),
         }
     }
@@ -163,10 +82,9 @@ impl Lowering {
         match expr {
             syn::Expr::Closure(_) => true,
             syn::Expr::Paren(it) => self.is_called_value(&it.expr),
-            syn::Expr::Path(it) => it.path.get_ident().map(text).is_some_and(|name| {
-                let known = |name: &str| self.is_closure(name);
-                self.is_called(&name) || self.local_name(&name).is_some_and(known)
-            }),
+            syn::Expr::Path(it) => {
+                it.path.get_ident().is_some_and(|it| self.called_name(&text(it)).is_some())
+            }
             _ => false,
         }
     }
@@ -176,28 +94,6 @@ impl Lowering {
         self.called.iter().any(|known| known == name)
             && self.bindings(name) == 1
             && self.local_name(name) == Some(name)
-    }
-
-    /// A closure by its name, as an argument.
-    fn closure_value(&mut self, name: &str, span: Span) -> Option<ExprKind> {
-        let (parameters, body) = self.closure_named(name, span)?;
-        Some(ExprKind::Closure(tree::Closure { name: Some(name.to_owned()), parameters, body }))
-    }
-
-    /// The parameters and the body of a closure, which is used at `span`.
-    fn closure_named(
-        &mut self,
-        name: &str,
-        span: Span,
-    ) -> Option<(Vec<tree::Pattern>, Box<tree::Expr>)> {
-        let in_tree = self.local_name(name)?;
-        let closure = self.closures.iter().rev().find(|closure| closure.name == in_tree)?;
-        let found = (closure.parameters.clone(), Box::new(closure.body.clone()));
-        // A name that the closure uses may mean something else by now.
-        if closure.uses.iter().any(|(count, known)| self.bindings(known) != *count) {
-            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
-        }
-        Some(found)
     }
 
     /// The value of a closure's body; `looks` at its parameters come first in the copy.

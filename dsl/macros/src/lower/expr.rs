@@ -8,7 +8,6 @@ use quote::ToTokens;
 use super::link::is_source;
 use super::names::{UNIT, place, site, text};
 use super::operator::Side;
-use super::pattern::gives_several;
 use super::syntax::{is_variant, last_segment};
 use super::walk::{Lowering, see_in};
 use super::{call, loops, macros, operator, pattern, refuse, signature};
@@ -69,11 +68,6 @@ impl Lowering {
             syn::Expr::Group(it) => self.kind(&mut it.expr, value),
             syn::Expr::Unary(it) => self.unary(it),
             syn::Expr::Binary(it) => self.binary(it),
-            syn::Expr::Assign(it) if gives_several(&it.left) => {
-                let value = Box::new(self.whole(&mut it.right));
-                let places = Box::new(self.places(&mut it.left));
-                (ExprKind::AssignEach(places, value), false)
-            }
             syn::Expr::Assign(it) if matches!(&*it.left, syn::Expr::Infer(_)) => {
                 (self.value(&mut it.right).kind, false)
             }
@@ -179,19 +173,6 @@ impl Lowering {
                 tree::Expr { kind: self.tuple(it), site, slot: None }
             }
             other => self.value(other),
-        }
-    }
-
-    /// The left side of an assignment.
-    fn places(&mut self, expr: &mut syn::Expr) -> tree::Places {
-        match expr {
-            syn::Expr::Infer(_) => tree::Places::None,
-            syn::Expr::Paren(it) => self.places(&mut it.expr),
-            syn::Expr::Tuple(syn::ExprTuple { elems, .. })
-            | syn::Expr::Array(syn::ExprArray { elems, .. }) => {
-                tree::Places::Each(elems.iter_mut().map(|it| self.places(it)).collect())
-            }
-            other => tree::Places::One(self.value(other)),
         }
     }
 

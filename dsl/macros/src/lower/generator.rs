@@ -56,7 +56,7 @@ impl Lowering {
         let mut through: syn::ExprForLoop = parse_quote! { for #pattern in () { #each(#item); } };
         *through.expr = expr.clone();
         // Whatever stands in the place of handing it on means other names.
-        let outer = self.apart.replace("");
+        let outer = std::mem::replace(&mut self.apart, true);
         let body = self.scoped(|walk| walk.for_loop(&mut through));
         self.apart = outer;
         let syn::ExprForLoop { pat, expr: items, body: mut pass, .. } = through;

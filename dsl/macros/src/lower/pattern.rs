@@ -11,7 +11,7 @@ use syn::visit_mut::{self, VisitMut};
 use super::names::{site, slot_name, text};
 use super::refuse;
 use super::refuse::Refusals;
-use super::syntax::{is_variant, last_segment};
+use super::syntax::{bare, is_variant, last_segment, names};
 use super::walk::{Constant, Lowering};
 use crate::owned::associated;
 
@@ -197,17 +197,7 @@ impl Lowering {
         }
         let inner = it.subpat.as_ref().map(|(_, inner)| Box::new(self.pattern(inner, looks)));
         let slot = self.slot();
-        let name = match self.apart {
-            Some(mark) => {
-                let name = self.bind_apart(&text(&it.ident)) + mark;
-                self.bind_as(&text(&it.ident), &name);
-                name
-            }
-            None => {
-                self.bind(&text(&it.ident));
-                text(&it.ident)
-            }
-        };
+        let name = self.bind_here(&text(&it.ident));
         looks.push(self.look_at_bound(slot, &it.ident));
         tree::Pattern::Name { name, slot, mutable: it.mutability.is_some(), inner }
     }
@@ -266,53 +256,103 @@ pub fn is_constant_name(ident: &syn::Ident) -> bool {
     ident.to_string().starts_with(|first: char| first.is_uppercase())
 }
 
-/// Whether what stands on the left of an assignment takes the value apart.
-pub(super) fn gives_several(left: &syn::Expr) -> bool {
-    matches!(left, Tuple(_) | Array(_) | Struct(_) | Call(_))
-}
-
-/// `Point { x, y } = p;`, `(first, ..) = pair;`: a `let` with a name for each part, and an assignment of each, which is what
-/// Rust makes of it. None if the left side is made of tuples and arrays alone.
+/// `Point { x, y } = p;`, `(a, b) = (b, a);`: a `let` with a name for each part, and an assignment of each, which is what
+/// Rust makes of it. A literal beside its place is assigned as it is. None of an assignment to one place.
 pub(super) fn by_let(it: &syn::ExprAssign) -> Option<syn::Expr> {
-    if !gives_several(&it.left) {
+    if !matches!(&*it.left, Tuple(_) | Array(_) | Struct(_) | Call(_)) {
         return None;
     }
-    let mut parts = Parts { named: Vec::new(), whole: true };
-    let (mut pattern, value) = (it.left.clone(), &it.right);
-    parts.visit_expr_mut(&mut pattern);
-    let assigned = parts.named;
-    (!parts.whole).then(|| parse_quote! { { let #pattern = #value; #(#assigned)* } })
+    let mut parts = Parts { beside: it, taken: Vec::new(), assigned: Vec::new() };
+    let (mut pattern, mut value) = ((*it.left).clone(), (*it.right).clone());
+    parts.part(&mut pattern, Some(&mut value));
+    let assigned = parts.assigned;
+    Some(parse_quote! { { let #pattern = #value; #(#assigned)* } })
 }
 
 /// Turns the left side of an assignment into a pattern, in which each place has a name.
-struct Parts {
+struct Parts<'a> {
+    /// The assignment, in which none of these names stands.
+    beside: &'a syn::ExprAssign,
+    taken: Vec<String>,
     /// The assignments of the places.
-    named: Vec<syn::Stmt>,
-    /// Whether tuples and arrays are all, and each part of them.
-    whole: bool,
+    assigned: Vec<syn::Stmt>,
 }
 
-impl VisitMut for Parts {
-    fn visit_expr_mut(&mut self, left: &mut syn::Expr) {
-        self.whole &= !(matches!(left, Call(_) | Struct(_)) || is_rest(left));
-        match left {
-            Infer(_) => {}
-            rest if is_rest(rest) => {}
-            Paren(_) | Tuple(_) | Array(_) => visit_mut::visit_expr_mut(self, left),
-            Call(it) => it.args.iter_mut().for_each(|part| self.visit_expr_mut(part)),
-            Struct(it) => {
-                for field in &mut it.fields {
-                    field.colon_token.get_or_insert_default();
-                    self.visit_expr_mut(&mut field.expr);
+impl Parts<'_> {
+    /// A part, and its value where that is written beside it; false if both are done without.
+    fn part(&mut self, left: &mut syn::Expr, value: Option<&mut syn::Expr>) -> bool {
+        match (left, value) {
+            (Paren(it), value) => return self.part(&mut it.expr, value),
+            (left, Some(Paren(it))) => return self.part(left, Some(&mut it.expr)),
+            (Tuple(it), Some(Tuple(given)))
+                if it.elems.len() == given.elems.len() && !it.elems.iter().any(is_rest) =>
+            {
+                let both = std::mem::take(&mut it.elems).into_iter();
+                for (mut place, mut value) in both.zip(std::mem::take(&mut given.elems)) {
+                    if self.part(&mut place, Some(&mut value)) {
+                        it.elems.push(place);
+                        given.elems.push(value);
+                    }
                 }
             }
-            place => {
-                let name = format!("part_{}", self.named.len() + 1);
-                let name = syn::Ident::new(&name, Span::mixed_site());
-                self.named.push(parse_quote! { #place = #name; });
+            (Tuple(syn::ExprTuple { elems, .. }) | Array(syn::ExprArray { elems, .. }), _)
+            | (Call(syn::ExprCall { args: elems, .. }), _) => {
+                elems.iter_mut().for_each(|part| _ = self.part(part, None));
+            }
+            (Struct(it), _) => {
+                for field in &mut it.fields {
+                    field.colon_token.get_or_insert_default();
+                    self.part(&mut field.expr, None);
+                }
+            }
+            (Infer(_), _) => {}
+            (rest, _) if is_rest(rest) => {}
+            (place, Some(value)) if is_literal(value) => {
+                self.assigned.push(parse_quote! { #place = #value; });
+                return false;
+            }
+            (place, _) => {
+                let name = self.fresh(&format!("{}_next", name_of(place)));
+                self.assigned.push(parse_quote! { #place = #name; });
                 *place = parse_quote! { #name };
             }
         }
+        true
+    }
+
+    /// A name that stands nowhere beside it.
+    fn fresh(&mut self, wanted: &str) -> syn::Ident {
+        let mut name = wanted.to_owned();
+        let mut number = 1;
+        while self.taken.contains(&name) || names(self.beside, &name) {
+            number += 1;
+            name = format!("{wanted}_{number}");
+        }
+        self.taken.push(name.clone());
+        syn::Ident::new(&name, Span::mixed_site())
+    }
+}
+
+/// What a place is called: its last field, or its variable.
+fn name_of(place: &syn::Expr) -> String {
+    match place {
+        syn::Expr::Path(it) => last_segment(&it.path),
+        syn::Expr::Field(it) => match &it.member {
+            syn::Member::Named(name) => text(name),
+            syn::Member::Unnamed(_) => name_of(&it.base),
+        },
+        syn::Expr::Index(it) => name_of(&it.expr),
+        syn::Expr::Unary(it) => name_of(&it.expr),
+        syn::Expr::Paren(it) => name_of(&it.expr),
+        _ => "value".to_owned(),
+    }
+}
+
+fn is_literal(value: &syn::Expr) -> bool {
+    match bare(value) {
+        syn::Expr::Lit(_) => true,
+        syn::Expr::Unary(it) => matches!(it.op, syn::UnOp::Neg(_)) && is_literal(&it.expr),
+        _ => false,
     }
 }
 

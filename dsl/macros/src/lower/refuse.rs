@@ -136,7 +136,6 @@ reasons! {
     CLOSURE_MOVE: "a closure that takes a copy of what changes is not in the DSL", "leave `move` out, or copy before to a name without `mut`: `let k = k;`";
     EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
     HYGIENE: "a macro makes a name here that it is given as well: the two are one in the DSL", "give the name in the macro another name";
-    CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
     SORTING: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, or `a.cmp(b)`, of parts of both if need be; or `sort_by_key`";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
     UNSAFE: "`unsafe` has no meaning that the C could keep", "state is a field of the component; the firmware's functions are `#[external(header = \"board.h\")]`; elements have indices, floats `to_bits`";

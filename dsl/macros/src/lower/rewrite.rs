@@ -15,7 +15,8 @@ use super::walk::Lowering;
 use super::{macros, refuse, sort};
 
 /// The modules of core whose functions have companions, and these functions.
-const OF_CORE: [(&str, [&str; 2]); 2] = [("mem", ["swap", "replace"]), ("cmp", ["max", "min"])];
+const OF_CORE: [(&str, &[&str]); 3] =
+    [("array", &["from_fn"]), ("cmp", &["max", "min"]), ("mem", &["swap", "replace"])];
 
 impl Lowering {
     /// The expansion of an expression; none if it stands for itself.
@@ -54,7 +55,6 @@ impl Lowering {
         let (home, name) = macros::in_module(path)?;
         let name = text(name);
         let (module, functions) = OF_CORE.into_iter().find(|(module, _)| home == module)?;
-        self.ask_home(path);
         let mut arguments = it.args.clone();
         let name = match name.as_str() {
             "take" => {
@@ -66,9 +66,11 @@ impl Lowering {
         if !functions.contains(&name) {
             return None;
         }
+        self.ask_home(path);
         let span = it.func.span();
         let [module, name] = [module, name].map(|it| syn::Ident::new(it, span));
-        let path = quote_spanned! { span => ::bessemer::generate::#module::#name };
+        let turbofish = &path.segments.last()?.arguments;
+        let path = quote_spanned! { span => ::bessemer::generate::#module::#name #turbofish };
         Some(parse_quote! { #path(#arguments) })
     }
 

@@ -77,8 +77,8 @@ impl Lowering {
 
     /// A `let`; the statements that look at what it binds go to `looks`.
     fn local(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
-        if self.closure_local(local) {
-            return None;
+        if local.init.as_ref().is_some_and(|it| matches!(*it.expr, syn::Expr::Closure(_))) {
+            return self.closure_local(local);
         }
         let apart = takes_apart(local);
         if apart && local.init.is_none() {

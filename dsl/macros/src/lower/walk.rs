@@ -3,7 +3,6 @@
 //! Must not know: syntax. Each form is lowered in a file of its own.
 
 use bessemer_tree as tree;
-use bessemer_tree::visit::Walk;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
@@ -17,12 +16,12 @@ pub struct Lowering {
     pub refusals: Refusals,
     /// The locals in scope: the author's name, and that in the tree.
     pub(super) scopes: Vec<Vec<(String, String)>>,
-    /// The closures that have a name, by it.
-    pub(super) closures: Vec<Closure>,
+    /// The names in the tree of closures.
+    pub(super) closures: Vec<String>,
     /// The parameters that take closures.
     pub called: Vec<String>,
-    /// Whether patterns are those of a closure, whose names are kept apart from those around it, with this mark.
-    pub(super) apart: Option<&'static str>,
+    /// Whether the names of patterns are kept apart from those around them.
+    pub(super) apart: bool,
     pub(super) slots: u32,
     pub(super) callees: u32,
     /// The operators, which may be functions of a type that the library knows.
@@ -77,26 +76,6 @@ pub enum Constant {
     Made,
 }
 
-/// A closure with a name.
-pub struct Closure {
-    /// Its name in the tree.
-    pub(super) name: String,
-    /// Its parameters; their names are those in the tree.
-    pub(super) parameters: Vec<tree::Pattern>,
-    pub(super) body: tree::Expr,
-    /// The names that its body uses, and how often each was bound before.
-    pub(super) uses: Vec<(usize, String)>,
-}
-
-impl Closure {
-    /// Whether a parameter has this name, or this name and more marks.
-    fn takes(&self, name: &str) -> bool {
-        let is_it =
-            |own: String| own.strip_prefix(name).is_some_and(|it| it.trim_matches('%').is_empty());
-        self.parameters.iter().flat_map(Walk::bound).any(is_it)
-    }
-}
-
 impl Lowering {
     /// A walk over the function or method called `name`, with nothing seen yet.
     pub fn new(name: Option<&syn::Ident>, method: bool, refusals: Refusals) -> Lowering {
@@ -148,23 +127,17 @@ impl Lowering {
 
     /// Makes `name` a local, kept apart where those of patterns are; gives its name in the tree.
     pub(super) fn bind_here(&mut self, name: &str) -> String {
-        match self.apart {
-            Some(_) => self.bind_apart(name),
-            None => {
-                self.bind(name);
-                name.to_owned()
-            }
+        if self.apart {
+            return self.bind_apart(name);
         }
+        self.bind(name);
+        name.to_owned()
     }
 
     /// A name in the tree for what the author has none for.
     pub(super) fn hidden(&mut self, name: &str) -> String {
         let mut hidden = name.to_owned();
-        // Nor may it be a closure's own parameter, whose arguments are computed where that has its name.
-        let of_closures = |name: &str| self.closures.iter().any(|closure| closure.takes(name));
-        while self.scopes.iter().flatten().any(|(_, known)| *known == hidden)
-            || of_closures(&hidden)
-        {
+        while self.scopes.iter().flatten().any(|(_, known)| *known == hidden) {
             hidden.push('%');
         }
         self.bind_as("", &hidden);

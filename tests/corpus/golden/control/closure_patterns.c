@@ -68,14 +68,12 @@ int32_t closure_patterns_scaled(const pair_i32_i32_t *pair, const pair_i32_i32_t
 {
     const int32_t a = pair->first;
     const int32_t b = pair->second;
-    const int32_t result_choice = a ^ shift_left_i32(b, 1U);
+    const int32_t result_value = a ^ shift_left_i32(b, 1U);
     const int32_t a_2 = other->first;
     const int32_t b_2 = other->second;
-    const int32_t result_choice_2 = a_2 ^ shift_left_i32(b_2, 1U);
-    const int32_t result_left = result_choice ^ result_choice_2;
-    (void)pair->first;
-    const int32_t result_choice_3 = 7;
-    return result_left ^ result_choice_3;
+    const int32_t result_value_2 = a_2 ^ shift_left_i32(b_2, 1U);
+    const int32_t result_value_3 = 7;
+    return result_value ^ result_value_2 ^ result_value_3;
 }
 
 void closure_patterns_counted(const option_u8_t *value, uint8_t n, triple_u8_u32_u8x3_t *result)

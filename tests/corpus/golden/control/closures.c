@@ -6,11 +6,10 @@ void closures_response(double gain, double corner, const double at[3], double re
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         const double frequency = at[i];
-        const double frequency_2 = frequency;
-        const double ratio = frequency_2 / corner;
+        const double ratio = frequency / corner;
         const double mapped_choice = gain / sqrt(1.0 + ratio * ratio);
-        const double frequency_3 = 2.0 * frequency;
-        const double ratio_2 = frequency_3 / corner;
+        const double frequency_2 = 2.0 * frequency;
+        const double ratio_2 = frequency_2 / corner;
         const double mapped_choice_2 = gain / sqrt(1.0 + ratio_2 * ratio_2);
         result[i] = mapped_choice * mapped_choice_2;
     }

@@ -4,15 +4,14 @@
 
 void leaving_closures_root(double x, option_f64_t *result)
 {
-    const double x_2 = x;
-    if (isnan(x_2) != 0) {
+    if (isnan(x) != 0) {
         result->is_some = false;
         result->value = 0.0;
         return;
     }
-    if (x_2 >= 0.0) {
+    if (x >= 0.0) {
         result->is_some = true;
-        result->value = sqrt(x_2);
+        result->value = sqrt(x);
     } else {
         result->is_some = false;
         result->value = 0.0;
@@ -106,8 +105,8 @@ bessemer_status_t leaving_closures_by_name(const float values[4], float k, float
 {
     float halves = -0.0F;
     for (uint32_t i = 0U; i < 4U; i++) {
-        const float selector = leaving_closures_halved(values[i]);
-        halves += k * selector;
+        const float x = leaving_closures_halved(values[i]);
+        halves += k * x;
     }
     float most = -FLT_MAX;
     for (uint32_t i = 0U; i < 4U; i++) {

@@ -174,8 +174,7 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
     }
     const uint8_t kind = kind_option.value;
     result_values_that_borrow_packet_u8_t result_choice = {0};
-    const uint8_t other = kind;
-    switch (other) {
+    switch (kind) {
     case 1U: {
         option_u16_t option;
         status = values_that_borrow_reader_word(&reader, packet, packet_length, &option);
@@ -229,9 +228,11 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
         result_choice.error = 0U;
         break;
     }
-    default:
+    default: {
+        const uint8_t other = kind;
         result_choice = (result_values_that_borrow_packet_u8_t){.is_ok = false, .error = other};
         break;
+    }
     }
     result->is_some = true;
     result->value = result_choice;

@@ -75,8 +75,7 @@ void phasor_from_pair_f64_f64(const pair_f64_f64_t *parts, phasor_t *phasor)
 
 void own_operators_phase_try_from_u8(uint8_t letter, result_own_operators_phase_unknown_t *result)
 {
-    const uint8_t other = letter;
-    switch (other) {
+    switch (letter) {
     case 65U:
         result->is_ok = true;
         result->value = OWN_OPERATORS_PHASE_A;
@@ -95,7 +94,7 @@ void own_operators_phase_try_from_u8(uint8_t letter, result_own_operators_phase_
     default:
         result->is_ok = false;
         result->value = OWN_OPERATORS_PHASE_A;
-        result->error.value = other;
+        result->error.value = letter;
         break;
     }
 }

@@ -40,3 +40,32 @@ pub fn behind_constants(x: i16, low: i16) -> i16 {
     let up = |n: i16| n.wrapping_sub(low);
     up(x).wrapping_add(i16::MIN).max(i16::MIN).min(i16::MAX)
 }
+
+/// What a closure uses means what it meant where the closure was written, whatever hides it later; also where another closure
+/// calls it, and where its name is handed on.
+#[function]
+pub fn hidden_later(x: i16, y: i16) -> i16 {
+    let gain = x & 7;
+    let scaled = |by: i16| by.wrapping_mul(gain);
+    let r#gain = y & 3;
+    let both = |by: i16| scaled(by).wrapping_add(gain);
+    let first = both(scaled(y));
+    let gain = first & 1;
+    let known = Some(first).filter(|it| *it > gain).map(both).unwrap_or(gain);
+    let all: [i16; 3] = core::array::from_fn(|at| scaled(at as i16));
+    let last = [known, x].map(scaled);
+    all[2].wrapping_add(last[0]).wrapping_sub(last[1]).wrapping_add(gain)
+}
+
+/// Each call sees what those before it wrote.
+#[function]
+pub fn counting(x: i16) -> [i16; 4] {
+    let mut sum = x & 31;
+    let mut next = |by: i16| {
+        sum = sum.wrapping_mul(3).wrapping_add(by);
+        sum
+    };
+    let first = next(1);
+    let rest = next(first).wrapping_sub(next(2));
+    [first, rest, next(rest), sum]
+}
