@@ -7,7 +7,7 @@ pub fn found_complements_0(a: u8, b: u16, c: i8, d: i16, e: u32, f: u64) -> u64 
     const O: u8 = 255;
     let s = [(!c as u8) == a, (!d as u8) == a, (!b as u8) == a, (!c as u16) == b, (!a as i16 as u16) == b, (!c as i16 as u16) == b, !a as u16 == b, !a as u16 as u8 == a, (!a as i16) as u8 == a, ((c ^ -1) as u8) == a, ((M ^ c) as u8) < a, ((-1 ^ c) as u8) > a,
       ((M ^ d as i8) as u8) != a, (N ^ d) as u16 >= b, !d as u16 >= b, !c as u32 == e, !a as i32 as u32 == e, !a as i64 as u64 == f, !d as u32 as u64 == f, (O ^ a) as u16 == b, (O - a) as u16 == b, (255 - a) as i16 as u16 == b, (O - a) as i16 as u8 == a,
-      ((-1 - (c >> 1)) as u8) == a, ((M - (c >> 1)) as u8) == a, ((N - (d >> 1)) as u16) < b, !(a as u16) == b, !(a as i16) as u16 == b, !(c as i16) as u16 == b, !(c as i16) as u8 == a, !(b as u8) as u16 == b, (!a == b as u8) , (!a as u64) < f, !(!a) as u16 == b, (!a & 0xFF) == b as u8, (!a | 0) == a];
+      ((-1 - (c >> 1)) as u8) == a, ((M - (c >> 1)) as u8) == a, ((N - (d >> 1)) as u16) < b, !(a as u16) == b, !(a as i16) as u16 == b, !(c as i16) as u16 == b, !(c as i16) as u8 == a, !(b as u8) as u16 == b, (!a == b as u8) , (!a as u64) < f, !(!a) as u16 == b, (!a & 0xFF) == b as u8, (!a | 0) == a, (!c as u8 & 255) < a, (!c as u8 & O) == a, (!d as u8 | 0) < a, (!a as u16 & 255 | 0) == b];
     let mut h = 0_u64; let mut k = c; if (!k as u8) == a { k ^= 1; } for _ in 0..100 { if (!k as u8) < 10 { break; } k = k.wrapping_add(3); h += 1; }
     for x in s { h = h * 2 + x as u64; }
     h + k as u8 as u64

@@ -6,6 +6,9 @@
 //!
 //! Must not know: the author's Rust, and who asks for C.
 
+// What is made must not depend on the order in which a hash table happens to lie.
+#![warn(clippy::iter_over_hash_type)]
+
 mod built;
 pub mod c;
 pub mod kernels;

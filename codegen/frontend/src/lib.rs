@@ -5,6 +5,9 @@
 //!
 //! Must not know: what the passes do with the IR, and C.
 
+// What is made must not depend on the order in which a hash table happens to lie.
+#![warn(clippy::iter_over_hash_type)]
+
 pub mod diagnostic;
 pub mod source;
 mod termination;

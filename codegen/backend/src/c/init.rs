@@ -148,7 +148,7 @@ impl Writer<'_> {
         let parts: Vec<&[u64]> = words.chunks(size.max(1)).collect();
         let equal = parts.windows(2).all(|pair| pair[0] == pair[1]);
         if equal && (len > LINES || len > 1 && size > LINES) {
-            let counter = ["i", "j", "k", "l", "m", "n"][self.depth.min(5)];
+            let counter = &counter(self.depth);
             let outer = std::mem::take(&mut self.body);
             self.depth += 1;
             self.value(place.at(Expr::name(counter)), element, inner, parts[0]);
@@ -192,6 +192,14 @@ impl Writer<'_> {
         self.uses.system.insert("string.h");
         let math = words.iter().any(|word| literal::needs_math(element, *word));
         self.uses.system.extend(math.then_some("math.h"));
+    }
+}
+
+/// The counter of a loop with so many around it: one of its own each.
+fn counter(depth: usize) -> String {
+    match ["i", "j", "k", "l", "m", "n"].get(depth) {
+        Some(letter) => (*letter).to_owned(),
+        None => format!("i{}", depth + 1),
     }
 }
 

@@ -495,6 +495,14 @@ const CALLED: &[&str] = &[
     "copysignf",
     "memcpy",
     "memmove",
+    "memset",
+    "abort",
+    "ceil",
+    "ceilf",
+    "trunc",
+    "truncf",
+    "round",
+    "roundf",
 ];
 
 /// Headers of the standard library, POSIX and C++: a file of ours of that name could hide one.

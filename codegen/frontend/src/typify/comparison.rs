@@ -5,8 +5,9 @@
 //! compare as IEEE 754 has it, so that a NaN in a part makes the whole unequal.
 //!
 //! `<` of tuples, arrays and structs that derive it: the first parts that differ decide. A NaN among these makes each comparison
-//! false, as in Rust: it neither comes first nor is it equal. A variant's word is its index; Rust compares and converts the
-//! numbers of an enum, which the author may choose.
+//! false, as in Rust: it neither comes first nor is it equal. Of enums with payload, options and results the variants decide, and
+//! behind these what they hold. A variant's word is its index; Rust compares and converts the numbers of an enum, which the
+//! author may choose.
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
@@ -316,26 +317,86 @@ impl Lowering<'_, '_> {
         if self.cx.known(&sides[0].ty).reversed {
             sides.reverse();
         }
-        let steps = self.steps_to_parts(&sides[0]).or_told(site, "this has no order in the DSL", "compare parts; tuples have an order, arrays of up to 8 elements, and plain enums and structs that derive `PartialOrd` below `#[data]`")?;
-        let strict = match op {
-            CompareOp::Le => CompareOp::Lt,
-            CompareOp::Ge => CompareOp::Gt,
-            op => op,
-        };
         let pair = Pair { span: sides[0].span, site, sides };
+        match self.ordered_choice(&pair.sides[0].ty) {
+            Some(id) => self.by_variants(op, id, &pair),
+            None => {
+                let steps = self.steps_to_parts(&pair.sides[0]);
+                let steps = steps.or_told(site, "this has no order in the DSL", "compare parts; tuples have an order, arrays of up to 8 elements, and enums and structs that derive `PartialOrd` below `#[data]`")?;
+                self.by_parts(op, &pair, steps)
+            }
+        }
+    }
+
+    /// The first parts that differ decide.
+    fn by_parts(&mut self, op: CompareOp, pair: &Pair, steps: Vec<(Step, Type)>) -> Result<Expr> {
+        let site = pair.site;
         let mut decided: Option<Expr> = None;
         for (step, ty) in steps.into_iter().rev() {
             let [one, other] = pair.at(&step, &ty).sides.map(|part| part.load());
             decided = Some(match decided {
                 None => self.compare_node(op, one, other, site)?,
                 Some(rest) => {
-                    let first = self.compare_node(strict, one.clone(), other.clone(), site)?;
+                    let first = self.compare_node(strict(op), one.clone(), other.clone(), site)?;
                     let same = self.compare_node(CompareOp::Eq, one, other, site)?;
                     Expr::logic(LogicOp::Or, first, Expr::logic(LogicOp::And, same, rest))
                 }
             });
         }
         decided.or_told(site, "what is empty has no order in the DSL", "leave it out")
+    }
+
+    /// An enum with payload that has an order, an `Option` or a `Result`.
+    fn ordered_choice(&self, ty: &Type) -> Option<StructId> {
+        let Type::Struct(id) = *ty else { return None };
+        let known = self.cx.known(ty);
+        let is_ordered = known.ordered || known.shown.is_some();
+        (is_ordered && !known.cases.is_empty()).then_some(id)
+    }
+
+    /// The variants decide, and what they hold where both are the same.
+    fn by_variants(&mut self, op: CompareOp, id: StructId, pair: &Pair) -> Result<Expr> {
+        let span = pair.span;
+        let [one, other] = pair.map(|whole| self.part(whole, id, 0)).sides.map(|tag| tag.load());
+        let same = Expr::compare(CompareOp::Eq, one.clone(), other.clone()).at(span);
+        let tags = [one, other].map(|tag| match tag.ty {
+            Type::Enum(of) => self.number(of, tag),
+            _ => tag,
+        });
+        // An `Ok` comes before an `Err`, though its word is the larger.
+        let [one, other] = match (self.cx.known_of(id).error.is_some(), tags) {
+            (true, [one, other]) => [other, one],
+            (false, tags) => tags,
+        };
+        let first = Expr::compare(strict(op), one, other).at(span);
+        let mut held: Option<Expr> = None;
+        for (word, case) in (0..).zip(self.cx.known_of(id).cases.clone()) {
+            let Some(field) = case.field else { continue };
+            let there = self.tag_is(&pair.sides[0], id, word);
+            let part = pair.map(|whole| self.part(whole, id, field as usize));
+            let ordered = |inner: &mut Self| match (case.single, &part.sides[0].ty) {
+                (false, Type::Struct(parts)) => {
+                    let steps = inner.steps_to_fields(*parts);
+                    inner.by_parts(op, &part, steps)
+                }
+                _ => {
+                    let [one, other] = part.sides.clone().map(|side| side.load());
+                    inner.compare_node(op, one, other, part.site)
+                }
+            };
+            let of_case = if op == strict(op) {
+                self.and_then(there, ordered)?
+            } else {
+                self.short_circuit(LogicOp::Or, there.negated(), span, ordered)?
+            };
+            held = Some(match held {
+                None => of_case,
+                Some(held) if op == strict(op) => Expr::logic(LogicOp::Or, held, of_case),
+                Some(held) => Expr::logic(LogicOp::And, held, of_case),
+            });
+        }
+        let held = held.unwrap_or_else(|| Expr::bool(op != strict(op), span));
+        Ok(Expr::logic(LogicOp::Or, first, Expr::logic(LogicOp::And, same, held)))
     }
 
     /// The number of an enum that `<` compares.
@@ -348,10 +409,21 @@ impl Lowering<'_, '_> {
                 "write `#[derive(PartialOrd)]` below `#[data]`, or `match`",
             );
         }
-        if !definition.is_numbered() {
-            return Ok(value);
+        Ok(self.number(id, value))
+    }
+
+    /// Its number, or its index where the author gave none.
+    fn number(&self, id: EnumId, value: Expr) -> Expr {
+        match self.cx.module.enums[id.index()].is_numbered() {
+            true => value.cast(&Type::Scalar(Scalar::Int(Int::I32))),
+            false => value,
         }
-        Ok(value.cast(&Type::Scalar(Scalar::Int(Int::I32))))
+    }
+
+    /// The way to each field, and its type.
+    fn steps_to_fields(&self, id: StructId) -> Vec<(Step, Type)> {
+        let fields = self.cx.fields(id).iter();
+        (0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect()
     }
 
     /// The way to each part, and its type; none if the whole has no order part by part.
@@ -360,8 +432,7 @@ impl Lowering<'_, '_> {
         let is_tuple = known.shown.is_some() && known.cases.is_empty();
         match &place.ty {
             Type::Struct(id) if is_tuple || known.ordered || known.reversed => {
-                let fields = self.cx.fields(*id).iter();
-                Some((0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect())
+                Some(self.steps_to_fields(*id))
             }
             Type::Array { element, len } if *len <= MOST => {
                 let step = |at: u32| Step::Index(Expr::usize(u64::from(at), place.span));
@@ -369,6 +440,15 @@ impl Lowering<'_, '_> {
             }
             _ => None,
         }
+    }
+}
+
+/// The comparison that is false of two equals.
+fn strict(op: CompareOp) -> CompareOp {
+    match op {
+        CompareOp::Le => CompareOp::Lt,
+        CompareOp::Ge => CompareOp::Gt,
+        op => op,
     }
 }
 

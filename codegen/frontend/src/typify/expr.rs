@@ -220,22 +220,21 @@ impl Lowering<'_, '_> {
         if let Some(equal) = self.slices_compared(op, (left, right), expr.site)? {
             return Ok(equal);
         }
-        let (for_left, for_right) = match (plain(op), expr.slot) {
+        let of_instance = self.is_of_instance(left) || self.is_of_instance(right);
+        let operand = |expr, expected, role| Operand { expr, expected, role };
+        let [left, right] = match (plain(op), expr.slot) {
             (Plain::Arithmetic(_), Some(slot)) => {
                 let result = self.slot(slot, expr.site)?;
-                (Some(of_elements(&result)), self.compound_operand(op, &result))
+                let (of_left, of_right) =
+                    (Some(of_elements(&result)), self.compound_operand(op, &result));
+                let both = [operand(left, of_left, "left"), operand(right, of_right, "right")];
+                two(self.operands(&both)?, expr.site)?
             }
-            _ => {
-                let common = self.literal_partner(left, right)?;
-                (common.clone(), common)
-            }
+            _ => self.beside_literal(
+                [operand(left, None, "left"), operand(right, None, "right")],
+                expr.site,
+            )?,
         };
-        let operands = self.operands(&[
-            Operand { expr: left, expected: for_left, role: "left" },
-            Operand { expr: right, expected: for_right, role: "right" },
-        ])?;
-        let of_instance = self.is_of_instance(left) || self.is_of_instance(right);
-        let [left, right] = two(operands, expr.site)?;
         match literal::folded(op, &left, &right).filter(|_| of_instance) {
             Some(word) => self.node(ExprKind::Literal(word), left.ty, expr.site),
             None if of_instance && op == Op::Add && left.ty == Type::USIZE => Ok(plus(left, right)),
@@ -243,14 +242,26 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The other side of a comparison with a literal.
-    fn literal_partner(&mut self, left: &tree::Expr, right: &tree::Expr) -> Result<Option<Type>> {
-        for (one, other) in [(left, right), (right, left)] {
-            if one.is_unsuffixed() && !other.is_unsuffixed() {
-                return self.type_alone(other).map(Some);
+    /// Two operands, of which one that is a literal without a type has the other's. That one is lowered first: when a literal
+    /// is computed does not show.
+    pub(super) fn beside_literal(
+        &mut self,
+        both: [Operand<'_>; 2],
+        site: Site,
+    ) -> Result<[Expr; 2]> {
+        let [left, right] = &both;
+        match (left.expr.is_unsuffixed(), right.expr.is_unsuffixed()) {
+            (true, false) => {
+                let value = self.read(right.expr, None)?;
+                Ok([self.read(left.expr, Some(&value.ty))?, value])
             }
+            (false, true) => {
+                let value = self.read(left.expr, None)?;
+                let literal = self.read(right.expr, Some(&value.ty))?;
+                Ok([value, literal])
+            }
+            _ => two(self.operands(&both)?, site),
         }
-        Ok(None)
     }
 
     /// The type of an expression that is looked at for nothing else: what it emits is dropped.

@@ -158,18 +158,21 @@ impl Lowering<'_, '_> {
         let same = Some(ty.clone());
         // What literal operands are expected to be.
         let expected = match method {
-            M::AbsDiff => [None, self.partner(arguments)?],
             M::WrappingShl | M::WrappingShr | M::RotateLeft | M::RotateRight => [same, Some(U32)],
             M::IsSignNegative | M::IsSignPositive | M::IsNegative | M::IsPositive => [None, None],
             M::CountOnes | M::LeadingOnes | M::TrailingOnes => [None, None],
             M::CountZeros | M::LeadingZeros | M::TrailingZeros => [None, None],
-            M::IsPowerOfTwo | M::From => [None, None],
+            M::IsPowerOfTwo | M::From | M::AbsDiff => [None, None],
             _ => [same.clone(), same],
         };
         let operands = arguments.iter().zip(words::OF_NUMBERS).zip(expected);
         let operands: Vec<_> =
             operands.map(|((expr, role), expected)| Operand { expr, expected, role }).collect();
-        let mut values = self.operands(&operands)?;
+        let mut values = match <[Operand<'_>; 2]>::try_from(operands) {
+            Ok(both) if method == M::AbsDiff => self.beside_literal(both, expr.site)?.into(),
+            Ok(both) => self.operands(&both)?,
+            Err(operands) => self.operands(&operands)?,
+        };
         if matches!(method, M::Fract | M::Signum | M::RotateLeft | M::RotateRight) {
             values = self.reusable(values);
         }
@@ -177,17 +180,6 @@ impl Lowering<'_, '_> {
         let value = values.next().and_then(|x| spelt_out(method, x, values.next(), &ty, span));
         let value = value.needed(expr.site, format!("{method:?} takes other operands"))?;
         Ok(value.at(span))
-    }
-
-    /// The type of the first operand, where a literal beside it has it too.
-    fn partner(&mut self, arguments: &[tree::Expr]) -> Result<Option<Type>> {
-        use tree::ExprKind as Kind;
-        match arguments {
-            [first, tree::Expr { kind: Kind::Int(_, None) | Kind::Unary(..), .. }] => {
-                self.type_alone(first).map(Some)
-            }
-            _ => Ok(None),
-        }
     }
 
     /// Values that may be written more than once: where one has to be computed before, all are.

@@ -98,6 +98,7 @@ impl Lower<'_> {
         let number = self.may_be_constant(&left) || self.may_be_constant(&right);
         let [left, right] = [left, right].map(|it| match it {
             Expr::Cast(ty, inner) if number => self.turned_over(ty, *inner),
+            Expr::Binary(op @ ("&" | "|"), left, right) => self.picked(op, *left, *right),
             it => it,
         });
         Expr::binary(op, left, right)
@@ -112,6 +113,8 @@ impl Lower<'_> {
                 let all = literal::integer(int, Int::max(int));
                 self.helper(Helper::Xor(int), vec![*operand, all])
             }
+            // Of what a signed type held.
+            (inner @ Expr::Cast(..), Some(_)) => self.comparable(Expr::Cast(ty, Box::new(inner))),
             (inner, _) => Expr::Cast(ty, Box::new(inner)),
         }
     }

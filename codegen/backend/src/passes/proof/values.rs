@@ -3,7 +3,7 @@
 //! The meaning: in an execution at the point, in which nothing has faulted yet, the expression has this value. What an
 //! operation needs is told before its value is made; behind it, it has not faulted, so its result is the exact one.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use bessemer_ir::visit::{Access, VisitMut, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{
@@ -85,7 +85,8 @@ pub(super) fn fields_of(place: &Place) -> Option<Vec<At>> {
 #[derive(Clone, Default)]
 pub(super) struct Point {
     pub(super) knowledge: Knowledge,
-    pub(super) places: HashMap<LocalId, Vec<(Vec<At>, Value)>>,
+    /// In an order: how far what is known reaches depends on the order in which it came.
+    pub(super) places: BTreeMap<LocalId, Vec<(Vec<At>, Value)>>,
     /// Changes with every write.
     pub(super) version: u32,
 }

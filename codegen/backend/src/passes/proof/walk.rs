@@ -282,7 +282,7 @@ impl<'m> Walk<'m> {
         if a.knowledge.dead || b.knowledge.dead {
             return if a.knowledge.dead { b } else { a };
         }
-        let mut places = std::collections::HashMap::new();
+        let mut places = std::collections::BTreeMap::new();
         for (root, held) in std::mem::take(&mut a.places) {
             let Some(others) = b.places.get(&root) else { continue };
             let mut kept = Vec::new();
