@@ -9,6 +9,7 @@ use serde_json::Value;
 use shared::{File, files, none, root};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use xtask::mutate::sandbox::UNIFIED;
 
 /// The longest that a Rust file written by hand may be.
 const LONGEST: usize = 600;
@@ -89,14 +90,30 @@ fn packages() -> Vec<Value> {
     metadata["packages"].as_array().cloned().expect("a list of packages")
 }
 
-/// Cargo builds a package once for each set of features. `xtask/Cargo.toml` asks for what the tests ask for, so that
-/// the compiler, and all below it, is built once for both.
+/// Cargo builds a package once for each set of features. `xtask/unified/Cargo.toml` asks for what the tests ask for, so
+/// that the compiler, and all below it, is built once for both; and what the one package that tells of a mutant rests on.
 #[test]
-fn what_xtask_needs_is_built_once() {
-    let of_xtask = built(&["--package", "xtask", "--edges", "normal,build"]);
+fn what_a_part_needs_is_built_once() {
     let of_tests = built(&["--workspace", "--edges", "normal,build,dev"]);
-    let twice = of_xtask.difference(&of_tests).cloned().collect::<Vec<_>>();
-    none("xtask asks for the features that the tests' build has of a package", &twice);
+    let mut twice = built(&["--package", "xtask", "--edges", "normal,build"]);
+    for package in packages_that_tell() {
+        let mut part = vec!["--package", &package, "--edges", "normal,build,dev"];
+        part.extend(UNIFIED);
+        twice.extend(built(&part).into_iter().filter(|it| !it.starts_with("unified ")));
+    }
+    let twice = twice.difference(&of_tests).cloned().collect::<Vec<_>>();
+    none("a part asks for the features that the tests' build has of a package", &twice);
+}
+
+/// The packages whose own tests tell of a mutant.
+fn packages_that_tell() -> BTreeSet<String> {
+    let files = std::fs::read_dir(root().join("tests/mutants")).expect("the mutants").flatten();
+    let texts = files.map(|file| std::fs::read_to_string(file.path()).expect("a mutant"));
+    let package = |text: String| {
+        let (_, command) = text.split_once("killed-by: cargo test -p ")?;
+        command.split_whitespace().next().map(str::to_owned)
+    };
+    texts.filter_map(package).collect()
 }
 
 /// What macros rest on has features of its own for cargo: with those of the tests' build, the tree is built once for both.

@@ -75,16 +75,12 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let arguments = scope.arguments();
     let bounds = subject.signature.generics.where_clause.to_token_stream();
     let companion = companion(subject, &call, (&quote! { #marker #arguments }, &bounds), &parts);
-    let callee = callee(&quote! { #name }, marker, scope, None, &subject.signature.ident);
+    let callee = callee_by(marker, scope, None, &parts.builder);
     let register = (!rewritten).then(|| register(name, marker, scope));
-    let builder = parts.builder;
     quote! {
         #declared
         const _: () = {
-            impl #name {
-                #companion
-                #builder
-            }
+            impl #name { #companion }
             #callee
             #register
         };
@@ -178,16 +174,27 @@ pub fn callee(
     bound: Option<TokenStream>,
     name: &syn::Ident,
 ) -> TokenStream {
+    let (build, own) = (build_name(name), scope.own().turbofish());
+    let build = quote! {
+        fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
+            #owner::#build #own(cx)
+        }
+    };
+    callee_by(marker, scope, bound, &build)
+}
+
+/// The same, of which `build` is the function that does it.
+fn callee_by(
+    marker: &syn::Ident,
+    scope: Scope<'_>,
+    bound: Option<TokenStream>,
+    build: &TokenStream,
+) -> TokenStream {
     let (declared, arguments) = (scope.declared(), scope.arguments());
     let bounds = scope.value_bounds(bound);
-    let (build, own) = (build_name(name), scope.own().turbofish());
     quote! {
         #[allow(private_bounds)]
-        impl #declared ::bessemer::generate::Callee for #marker #arguments #bounds {
-            fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
-                #owner::#build #own(cx)
-            }
-        }
+        impl #declared ::bessemer::generate::Callee for #marker #arguments #bounds { #build }
     }
 }
 
@@ -197,7 +204,7 @@ fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenSt
     if scope.is_generic() {
         return TokenStream::new();
     }
-    registered(name, &quote! { ::bessemer::generate::function::<#marker> })
+    registered(name, &quote! { Function(<#marker as ::bessemer::generate::Callee>::callee) })
 }
 
 /// The parts of a companion.
@@ -335,14 +342,20 @@ fn builder(
     let macros = walk.macros.iter().map(lower::asked);
     // The tree is plain data: writing it cannot fail.
     let text = serde_json::to_string(tree).unwrap_or_default();
-    let build = build_name(&subject.signature.ident);
+    // What is no method is built where its marker says how: one function less for rustc.
+    let (build, declared, bounds) = match subject.home {
+        Home::Module => (format_ident!("callee"), TokenStream::new(), TokenStream::new()),
+        _ => {
+            let build = build_name(&subject.signature.ident);
+            (build, scope.own().declared(), build_bounds(subject, scope))
+        }
+    };
     let named = named(&subject.signature.ident);
     let owner = if subject.is_method() {
         quote! { ::core::option::Option::Some(<Self as ::bessemer::generate::DslType>::ty(cx)) }
     } else {
         quote! { ::core::option::Option::None }
     };
-    let (declared, bounds) = (scope.own().declared(), build_bounds(subject, scope));
     let (told, own) = (scope.told(), scope.own().told());
     let interface = interface(subject.home, scope);
     let floats = scope.floats().map(|floats| {
@@ -362,15 +375,11 @@ fn builder(
             #floats
             #(#items)*
             #(#macros)*
-            let witness = |cx: &mut ::bessemer::generate::Builder| {
-                let mut __told = ::bessemer::generate::Witness::default();
-                #parts
-                __told
-            };
             let owner = #owner;
             let generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface };
             cx.function(
-                #named, owner, generics, #text, &witness,
+                #named, owner, generics, #text,
+                &|cx: &mut ::bessemer::generate::Builder, __told: &mut ::bessemer::generate::Witness| { #parts },
             )
         }
     }
@@ -381,8 +390,9 @@ pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
     let this = || quote! { Self: ::bessemer::generate::Value };
     let types = || scope.types().map(|name| scope.value(name));
     match subject.home {
-        Home::Module => scope.own().bounds(types()),
-        Home::Block => scope.own().bounds(types().chain(owner_bound(scope, &quote! { Self }))),
+        Home::Module | Home::Block => {
+            scope.own().bounds(types().chain(owner_bound(scope, &quote! { Self })))
+        }
         Home::Interface(_) => scope.own().bounds(types().chain([this()])),
         Home::Implementation(_) | Home::OfRust(_) => {
             let types = scope.own().types().map(|name| scope.value(name));

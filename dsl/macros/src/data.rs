@@ -237,7 +237,7 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
 /// A generic component announces itself: without an instance it has no C, of which its author is told.
 fn template(name: &syn::Ident) -> TokenStream {
     let (named, site) = (place::named(name), place::site(name));
-    let build = quote! { |cx: &mut ::bessemer::generate::Builder| cx.template(#named, #site) };
+    let build = quote! { Other(|cx| cx.template(#named, #site)) };
     place::registered(name, &build)
 }
 
@@ -307,8 +307,12 @@ fn definition(
     let lasting = scope.lasting();
     let held = scope.types().filter(|_| scope.lifetimes().next().is_some());
     let outer = scope.bounds(held.map(|name| quote! { #name: 'static }));
-    let registered = (!scope.is_generic())
-        .then(|| place::registered(name, &quote! { ::bessemer::generate::data::<#name #lasting> }));
+    let registered = (!scope.is_generic()).then(|| {
+        place::registered(
+            name,
+            &quote! { Type(<#name #lasting as ::bessemer::generate::DslType>::ty) },
+        )
+    });
     quote! {
         const _: () = {
             impl #declared ::bessemer::generate::Seen for #name #arguments #outer {

@@ -156,7 +156,7 @@ impl<'a> Scope<'a> {
         self.bounds(values.chain(more))
     }
 
-    /// The arguments for the parameters, as a builder tells them: a list of names and arguments.
+    /// The arguments for the parameters, as a builder tells them: names and arguments.
     pub fn told(self) -> TokenStream {
         let told = self.params().map(|param| {
             let text = lower::text(ident(param));
@@ -166,14 +166,14 @@ impl<'a> Scope<'a> {
                 _ => quote! { ::bessemer::generate::argument::<#name>(cx, #text) },
             }
         });
-        quote! { ::bessemer::generate::list([#(#told),*]) }
+        quote! { &[#(#told),*] }
     }
 
     /// The arguments for the parameters of an interface, as its implementation writes them.
     pub fn told_of(self, path: &syn::Path) -> TokenStream {
         let arguments = path.segments.last().map(|last| &last.arguments);
         let Some(syn::PathArguments::AngleBracketed(arguments)) = arguments else {
-            return quote! { ::bessemer::generate::list([]) };
+            return quote! { &[] };
         };
         let told = arguments.args.iter().filter_map(|argument| match argument {
             syn::GenericArgument::Type(ty) if self.is_number(ty) => {
@@ -187,7 +187,7 @@ impl<'a> Scope<'a> {
             }
             _ => None,
         });
-        quote! { ::bessemer::generate::list([#(#told),*]) }
+        quote! { &[#(#told),*] }
     }
 
     /// Whether what looks like a type is a number among the parameters.

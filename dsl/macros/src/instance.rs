@@ -54,14 +54,14 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     let registered = place::registered(
         name,
         &quote! {
-            |cx| {
+            Other(|cx| {
                 #[allow(unused_imports)]
                 use ::bessemer::generate::WithoutEntries as _;
                 cx.alias::<#name>(#named, &[#(#docs),*], #site, #given);
                 let instance = ::bessemer::generate::Instance::<#name>::new();
                 instance.build_entries(cx);
                 instance.build_further_entries(cx);
-            }
+            })
         },
     );
     quote! { const _: () = { #registered }; }

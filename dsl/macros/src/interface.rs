@@ -216,7 +216,7 @@ pub fn implementation(
     if !scope.is_generic() {
         let (owner, path) = (lower::lasting_type(&it.self_ty), lower::lasting_path(&path));
         beside.extend(builds.iter().map(|(name, build)| {
-            let build = quote! { |cx| { <#owner as #path>::#build(cx); } };
+            let build = quote! { Function(<#owner as #path>::#build) };
             let registered = place::registered(name, &build);
             quote! { const _: () = { #registered }; }
         }));

@@ -204,8 +204,7 @@ impl Beside<'_> {
     fn registered(&self, name: &str, sign: &TokenStream) -> TokenStream {
         let [owner, other] = [self.owner, self.other].map(lower::lasting_type);
         let build = quote! { <#owner as ::bessemer::generate::Implements<#sign, #other>>::build };
-        let registered =
-            place::registered(&self.method.sig.ident, &quote! { |cx| { #build(cx); } });
+        let registered = place::registered(&self.method.sig.ident, &quote! { Function(#build) });
         quote! {
             #registered
             ::bessemer::generate::register! {

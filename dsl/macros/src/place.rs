@@ -25,12 +25,12 @@ pub fn site(name: &syn::Ident) -> TokenStream {
     quote!((#line, #column))
 }
 
-/// The item that announces to its package what has a `name`, and how it is built.
+/// The item that announces to its package what has a `name`, and how it is built: a `bessemer::generate::Build`.
 pub fn registered(name: &syn::Ident, build: &TokenStream) -> TokenStream {
     let (place, site) = (place(), site(name));
     quote! {
         ::bessemer::generate::register! {
-            ::bessemer::generate::Registered::new(#place, #site, #build)
+            ::bessemer::generate::Registered::new(#place, #site, ::bessemer::generate::Build::#build)
         }
     }
 }

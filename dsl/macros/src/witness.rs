@@ -58,7 +58,11 @@ impl Copy<'_> {
             };
             let before = index.checked_sub(1).map(|before| (&passed[before], given.as_slice()));
             let copy = self.part(&body, before, index == last);
-            parts.extend(told(walk, (begin, end), &copy));
+            let told = told(walk, (begin, end), &copy);
+            parts.extend(match last {
+                0 => told,
+                _ => quote! { (|| { #told })(); },
+            });
             begin = end;
         }
         quote! { #(let #passed = [];)* #parts }
@@ -148,14 +152,12 @@ fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> To
             }
         });
     quote! {
-        (|| {
-            #(let #slots = [];)*
-            #(let #callees = [];)*
-            #(let #owned = [];)*
-            #copy
-            __told.learn(cx, &[#(&#slots),*], &[#(&#callees),*], &[#(&#owned),*]);
-            __told.constants.extend(::bessemer::generate::list([#(#constants),*]));
-        })();
+        #(let #slots = [];)*
+        #(let #callees = [];)*
+        #(let #owned = [];)*
+        #copy
+        __told.learn(cx, &[#(&#slots),*], &[#(&#callees),*], &[#(&#owned),*]);
+        #(__told.constants.push(#constants);)*
     }
 }
 

@@ -58,9 +58,6 @@ pub struct Named {
     pub name: &'static str,
 }
 
-/// Parameters by name, and what stands for each.
-pub type Arguments = Vec<(String, Argument)>;
-
 /// What the author of an item asks of its C: the name and its place, the unit, the range, the section.
 pub struct Said {
     /// The name in the C, and the line and column where it stands.
@@ -185,11 +182,11 @@ impl Builder {
         named: Named,
         docs: &[&str],
         site: (u32, u32),
-        arguments: Arguments,
+        arguments: &[(String, Argument)],
         (equal, ordered, own, given): (bool, bool, Own, Option<Said>),
         kind: &dyn Fn(&mut Builder) -> DefinitionKind,
     ) -> Ty {
-        let path = path(named.module, named.name, &arguments);
+        let path = path(named.module, named.name, arguments);
         if self.known.insert(path.clone()) {
             for (message, remedy) in own.told(named.name) {
                 self.refuse(named.file, Site(site.0, site.1), message, remedy);
@@ -199,7 +196,7 @@ impl Builder {
                 path: path.clone(),
                 module: named.module.to_owned(),
                 name: named.name.to_owned(),
-                arguments: arguments.into_iter().map(|(_, argument)| argument).collect(),
+                arguments: arguments.iter().map(|(_, argument)| argument.clone()).collect(),
                 docs: owned(docs),
                 file: named.file.to_owned(),
                 site: Site(site.0, site.1),

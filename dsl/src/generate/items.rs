@@ -11,9 +11,7 @@ use alloc::vec::Vec;
 use bessemer_tree as tree;
 use bessemer_tree::{Argument, Site, Ty};
 
-use super::builder::{
-    Arguments, Builder, Callee, Named, Said, Witness, owned, path, said, type_text, words,
-};
+use super::builder::{Builder, Named, Said, Witness, owned, path, said, type_text, words};
 use super::slot::{DslType, ScalarType};
 use super::{handed, operators};
 use crate::Plain;
@@ -21,11 +19,21 @@ use crate::Plain;
 /// Where an item stands: its module, and the folder of its package.
 pub type Place = (&'static str, &'static str);
 
+/// How an item is built: its own function is named, and rustc compiles none around it.
+pub enum Build {
+    /// A function.
+    Function(fn(&mut Builder) -> tree::Callee),
+    /// A type.
+    Type(fn(&mut Builder) -> Ty),
+    /// Anything else.
+    Other(fn(&mut Builder)),
+}
+
 /// An item that announced itself to its package.
 pub struct Registered {
     place: Place,
     site: (u32, u32),
-    build: fn(&mut Builder),
+    build: Build,
     /// Whether it comes along with whatever package uses its crate.
     everywhere: bool,
 }
@@ -34,13 +42,13 @@ inventory::collect!(Registered);
 
 impl Registered {
     /// An item at a line and column of its file.
-    pub const fn new(place: Place, site: (u32, u32), build: fn(&mut Builder)) -> Registered {
+    pub const fn new(place: Place, site: (u32, u32), build: Build) -> Registered {
         Registered { place, site, build, everywhere: false }
     }
 
     /// A table, which is told by its value wherever it is used.
     pub const fn table(place: Place, site: (u32, u32), build: fn(&mut Builder)) -> Registered {
-        Registered { place, site, build, everywhere: true }
+        Registered { place, site, build: Build::Other(build), everywhere: true }
     }
 
     fn module(&self) -> &'static str {
@@ -58,16 +66,6 @@ pub fn folders() -> String {
     let items = inventory::iter::<Registered>.into_iter();
     let crates: BTreeMap<&str, &str> = items.map(|item| (item.root(), item.place.1)).collect();
     serde_json::to_string(&crates).unwrap_or_default()
-}
-
-/// Builds the function of a marker.
-pub fn function<C: Callee>(cx: &mut Builder) {
-    C::callee(cx);
-}
-
-/// Builds a type.
-pub fn data<T: DslType>(cx: &mut Builder) {
-    T::ty(cx);
 }
 
 /// A field of type `T`.
@@ -92,13 +90,13 @@ pub fn variant(
 }
 
 /// What stands for the parameters of a function.
-pub struct Generics {
+pub struct Generics<'a> {
     /// Of all in scope.
-    pub scope: Arguments,
+    pub scope: &'a [(String, Argument)],
     /// Of its own.
-    pub own: Arguments,
+    pub own: &'a [(String, Argument)],
     /// The interface that it is part of, what stands for its parameters, and the module that it stands in.
-    pub interface: Option<(&'static str, Arguments, &'static str)>,
+    pub interface: Option<(&'static str, &'a [(String, Argument)], &'static str)>,
 }
 
 /// The type that stands for the parameter `name`.
@@ -124,7 +122,11 @@ pub fn package(name: &str, library: &str, license: &str) -> String {
     items.sort_by_key(|item| (item.module(), item.site));
     for item in items {
         if item.everywhere || item.root() == library {
-            (item.build)(&mut builder);
+            match item.build {
+                Build::Function(build) => _ = build(&mut builder),
+                Build::Type(build) => _ = build(&mut builder),
+                Build::Other(build) => build(&mut builder),
+            }
         }
     }
     builder.package.implied = operators::implied(&mut builder);
@@ -198,17 +200,17 @@ impl Builder {
         &mut self,
         named: Named,
         owner: Option<Ty>,
-        generics: Generics,
+        generics: Generics<'_>,
         text: &str,
-        witness: &dyn Fn(&mut Builder) -> Witness,
+        witness: &dyn Fn(&mut Builder, &mut Witness),
     ) -> tree::Callee {
         let owner = owner.map(|owner| type_text(&owner));
         let home = owner.as_deref().unwrap_or(named.module);
         let path = match &generics.interface {
-            None => path(home, named.name, &generics.own),
+            None => path(home, named.name, generics.own),
             Some((name, arguments, module)) => {
                 let interface = path(home, &format!("<{module}::{name}>"), arguments);
-                path(&interface, named.name, &generics.own)
+                path(&interface, named.name, generics.own)
             }
         };
         let suffix = self.suffix(owner.as_deref(), &generics);
@@ -216,7 +218,8 @@ impl Builder {
             self.recursion(&path, named.file, text);
         } else if self.known.insert(path.clone()) {
             self.stack.push(path.clone());
-            let mut witness = witness(self);
+            let mut told = Witness::default();
+            witness(self, &mut told);
             self.stack.pop();
             let mut tree = match tree::read::<tree::FunctionTree>(text) {
                 Ok(tree) => tree,
@@ -227,21 +230,20 @@ impl Builder {
                     return tree::Callee::Function(path);
                 }
             };
-            handed::as_closures(&mut tree, &mut witness);
-            let operators =
-                operators::called(self, &tree.operators, witness.operators, &witness.slots);
+            handed::as_closures(&mut tree, &mut told);
+            let operators = operators::called(self, &tree.operators, told.operators, &told.slots);
             self.package.functions.push(tree::Function {
                 path: path.clone(),
                 module: named.module.to_owned(),
                 file: named.file.to_owned(),
                 owner,
-                generics: generics.scope,
+                generics: generics.scope.to_vec(),
                 interface: generics.interface.map(|(name, ..)| name.to_owned()),
                 suffix,
                 tree,
-                slots: witness.slots,
-                callees: witness.callees,
-                constants: witness.constants,
+                slots: told.slots,
+                callees: told.callees,
+                constants: told.constants,
                 operators,
             });
         }
@@ -250,7 +252,7 @@ impl Builder {
 
     /// What tells a function from others of its name and owner: what stands for its parameters and for
     /// those of its interface, as far as the owner does not tell.
-    fn suffix(&self, owner: Option<&str>, generics: &Generics) -> Vec<Argument> {
+    fn suffix(&self, owner: Option<&str>, generics: &Generics<'_>) -> Vec<Argument> {
         let known = self.package.types.iter().find(|it| Some(it.path.as_str()) == owner);
         let known = known.map(|owner| owner.arguments.as_slice()).unwrap_or_default();
         // An operator may take what its type is made of, and the type itself besides.
@@ -258,7 +260,7 @@ impl Builder {
         let interface = generics.interface.iter().flat_map(|(name, arguments, _)| {
             arguments.iter().filter(|(_, argument)| !told(name, argument))
         });
-        interface.chain(&generics.own).map(|(_, argument)| argument.clone()).collect()
+        interface.chain(generics.own).map(|(_, argument)| argument.clone()).collect()
     }
 
     /// The method of an interface whose implementation is not part of the DSL.

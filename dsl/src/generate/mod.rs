@@ -29,9 +29,7 @@ pub use containers::{array, mem};
 pub use core::ops::RangeInclusive;
 pub use handed::made;
 pub use inventory;
-pub use items::{
-    Generics, Registered, argument, data, field, folders, function, number, package, variant,
-};
+pub use items::{Build, Generics, Registered, argument, field, folders, number, package, variant};
 pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, sign};

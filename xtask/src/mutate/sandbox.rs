@@ -18,6 +18,9 @@ use super::seed;
 use crate::error::Error;
 use crate::project;
 
+/// Beside one package: what it rests on is then built as it is for all of them, and so is here.
+pub const UNIFIED: [&str; 4] = ["-p", "unified", "--features", "unified/tests"];
+
 /// A copy of the work tree at `root`.
 #[derive(Debug)]
 pub struct Sandbox {
@@ -111,7 +114,10 @@ impl Sandbox {
     /// Cargo in the copy, with the words of `command`.
     #[must_use]
     pub fn cargo(&self, command: &str) -> Command {
-        let words: Vec<&str> = command.split_whitespace().collect();
+        let mut words: Vec<&str> = command.split_whitespace().collect();
+        if words.get(1) == Some(&"-p") {
+            words.splice(1..1, UNIFIED);
+        }
         let mut cargo = project::cargo(&self.tree, &words);
         // A snapshot that differs is a failure; nobody accepts it there.
         cargo.env("CARGO_TARGET_DIR", &self.target).env("INSTA_UPDATE", "no");
