@@ -133,14 +133,16 @@ reasons! {
     ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`, `.skip(n)`, `.take(n)`, `.windows(n)`, `.chunks(n)`, `.chunks_exact(n)`, `.step_by(n)`, `.chain(…)`; or through a range";
     CHAINED: "of these two, one is not read element by element by reference", "write `a.iter().chain(b.iter())` of arrays, slices, lists or vectors; two loops otherwise";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
+    VARIANT_VALUE: "which variant a value has is not a value in the DSL", "ask `matches!(mode, Mode::Idle | …)`, or write a method with a `match` that gives a number for each";
+    LENT_PARAMETER: "a parameter that is called takes the closure as it is", "leave the `&` out, here and where it is passed: `f: impl Fn(f64) -> f64`";
+    HYGIENE_UNKNOWN: "a macro makes this function, and this rustc does not show which names are its own", "write the function out, or build with the rustc of `rust-version`";
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
     CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
     CLOSURE_MOVE: "a closure that takes a copy of what changes is not in the DSL", "leave `move` out, or copy before to a name without `mut`: `let k = k;`";
     EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
     HYGIENE: "a macro makes a name here that it is given as well: the two are one in the DSL", "give the name in the macro another name";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
-    STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";
-    SORTING: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, or `a.cmp(b)`, of parts of both if need be; or `sort_by_key`";
+    STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "count up, `for k in (0..b - a).step_by(n)`, and take `b - 1 - k`; or `(a..b).step_by(n).rev()`, where the steps begin at `a`";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
     UNSAFE: "`unsafe` has no meaning that the C could keep", "state is a field of the component; the firmware's functions are `#[external(header = \"board.h\")]`; elements have indices, floats `to_bits`";
     RAW_BORROW: "raw pointers are not in the DSL", "pass `&` or `&mut`";
