@@ -6,10 +6,11 @@ use bessemer_tree as tree;
 use bessemer_tree::{ExprKind, Start};
 use proc_macro2::Span;
 use quote::quote;
+use syn::parse_quote;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-use super::handed::is_of_type;
+use super::handed::is_function;
 use super::names::{plain, site, text};
 use super::pattern::alone;
 use super::refuse::Refusals;
@@ -29,6 +30,8 @@ impl Lowering {
         let known: std::collections::BTreeSet<_> =
             self.scopes.iter().flatten().map(|(known, _)| known.clone()).collect();
         let uses: Vec<_> = known.into_iter().map(|known| (self.bindings(&known), known)).collect();
+        // A name that it binds itself, as a parameter, is none that it uses.
+        let bare = syn::ExprClosure { body: parse_quote! { {} }, ..closure.clone() };
         let mut parameters = Vec::new();
         let body = self.scoped(|walk| {
             let mut looks = Vec::new();
@@ -53,7 +56,12 @@ impl Lowering {
         // Marked, so that a variable of its name that hides it is not taken for it.
         let name = self.hidden(&format!("{}%", text(&ident)));
         self.bind_as(&text(&ident), &name);
-        let uses = uses.into_iter().filter(|(_, known)| names(&init.expr, known)).collect();
+        let mut own = Vec::new();
+        Names(|it: &syn::PatIdent| own.push(text(&it.ident))).visit_expr_closure(&bare);
+        let uses = uses
+            .into_iter()
+            .filter(|(_, known)| !own.contains(known) && names(&init.expr, known))
+            .collect();
         self.closures.push(Closure { name, parameters, body, uses });
         true
     }
@@ -150,7 +158,7 @@ impl Lowering {
                         None => self.value(expr),
                     }
                 }
-                _ if is_of_type(path) => self.named_argument(expr),
+                _ if is_function(path) => self.named_argument(expr),
                 _ => self.value(expr),
             },
             other => self.value(other),

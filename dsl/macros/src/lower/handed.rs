@@ -83,9 +83,9 @@ impl Lowering {
     }
 }
 
-/// Whether a path is that of a function of a type.
-pub(super) fn is_of_type(path: &syn::ExprPath) -> bool {
-    is_small(&last_segment(&path.path)) && associated(path.qself.as_ref(), &path.path)
+/// Whether a path is that of a function, as its name shows.
+pub(super) fn is_function(path: &syn::ExprPath) -> bool {
+    is_small(&last_segment(&path.path))
 }
 
 /// Whether a name is that of a function, and not of a constant or a variant.
