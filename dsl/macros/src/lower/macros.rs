@@ -181,7 +181,7 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
         // One that is imported may be so in the body alone.
         None if ROWS.contains(&&*text(name)) => {
             return quote! { {
-                use ::bessemer::nalgebra::#name;
+                use ::bessemer::prelude::#name;
                 let _ = || #name!(0.0, 0.0);
             } };
         }
