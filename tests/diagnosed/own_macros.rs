@@ -1,4 +1,4 @@
-//! Macros of an author's own that are named as Rust's are.
+//! Macros of an author's own that are named as Rust's and nalgebra's are.
 #![no_std]
 use bessemer::prelude::*;
 
@@ -7,6 +7,12 @@ macro_rules! assert {
         if !$condition {
             return 0.0;
         }
+    };
+}
+
+macro_rules! vector {
+    ($x:expr, $y:expr) => {
+        $x * $y
     };
 }
 
@@ -31,4 +37,10 @@ pub fn quotient(a: f64, b: f64) -> f64 {
 #[function]
 pub fn is_small(x: i32) -> bool {
     matches!(x, 0..=9)
+}
+
+/// Of numbers.
+#[function]
+pub fn area(x: f64) -> f64 {
+    vector![x, 2.0]
 }

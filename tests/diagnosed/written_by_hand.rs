@@ -1,6 +1,7 @@
-//! What Rust does with a value by itself, written by hand: its copy, its order, its end.
+//! What Rust does with a value by itself, written by hand: its copy, its order, its end, what it lends.
 
 use core::cmp::Ordering;
+use core::ops::Deref;
 
 use bessemer::prelude::*;
 
@@ -43,6 +44,28 @@ impl Drop for Noted<'_> {
     fn drop(&mut self) {
         self.notes[0] += 1;
     }
+}
+
+/// What stands for what is in it.
+#[data]
+#[derive(Clone, Copy)]
+pub struct Wrapper {
+    /// The number.
+    pub inner: f64,
+}
+
+impl Deref for Wrapper {
+    type Target = f64;
+
+    fn deref(&self) -> &f64 {
+        &self.inner
+    }
+}
+
+/// One more.
+#[function]
+pub fn one_more(wrapper: &Wrapper) -> f64 {
+    **wrapper + 1.0
 }
 
 /// The next.

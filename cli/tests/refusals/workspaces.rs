@@ -7,6 +7,8 @@ use crate::{Case, File, PLAIN};
 pub const SOUND: &str = "[package]\nname = \"motor\"\nedition = \"2024\"\nlicense = \"MIT\"\n\
     [dependencies]\nbessemer = { path = \"dsl\" }\n";
 pub const UNLICENSED: &str = "[package]\nname = \"motor\"\nedition = \"2024\"\n[dependencies]\nbessemer = { path = \"dsl\" }\n";
+pub const UNCOMMENTED: &str = "[package]\nname = \"motor\"\nedition = \"2024\"\nlicense = \"MIT */ int x;\"\n\
+    [dependencies]\nbessemer = { path = \"dsl\" }\n";
 pub const DSL: File = ("dsl/Cargo.toml", "[package]\nname = \"bessemer\"\nedition = \"2024\"\n");
 pub const DSL_LIB: File = ("dsl/src/lib.rs", "");
 pub const LIB: File = ("src/lib.rs", "");
@@ -146,6 +148,13 @@ pub const CASES: &[Case<'static>] = &[
         files: &[("Cargo.toml", UNLICENSED), LIB, DSL, DSL_LIB],
         said: "names no licence",
         remedy: "`license = \"MIT OR Apache-2.0\"`",
+        ..PLAIN
+    },
+    Case {
+        name: "a licence that ends its comment",
+        files: &[("Cargo.toml", UNCOMMENTED), LIB, DSL, DSL_LIB],
+        said: "cannot stand in a comment of C: \"MIT */ int x;\"",
+        remedy: "without `/*` and `*/`",
         ..PLAIN
     },
     Case {

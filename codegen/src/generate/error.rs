@@ -89,6 +89,14 @@ pub enum Error {
         /// Which.
         package: String,
     },
+    /// The licence is no line of a comment of C.
+    #[error("the licence of the package `{package}` cannot stand in a comment of C: {license:?}")]
+    License {
+        /// Which.
+        package: String,
+        /// As it is written.
+        license: String,
+    },
     /// Nothing in the package is marked.
     #[error("nothing in the package `{package}` is marked for C")]
     NoModels {
@@ -162,6 +170,9 @@ impl Error {
             }
             Error::NoLicense { .. } => {
                 "write `license = \"MIT OR Apache-2.0\"`, or yours, into the `[package]` section of its Cargo.toml".to_owned()
+            }
+            Error::License { .. } => {
+                "write it in one line, without `/*` and `*/`: `license = \"MIT OR Apache-2.0\"`".to_owned()
             }
             Error::NoModels { .. } => {
                 "mark a struct and its `impl` `#[component]`, or a function `#[function]`; and name its file with `mod` in `src/lib.rs`".to_owned()

@@ -3,7 +3,7 @@
 //! The build is cargo's own, of the package's library with the DSL's feature `generate`, so that the package itself
 //! needs neither a feature nor a program for it; what rustc says about the builders is told in the author's terms.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
 use bessemer_ir::tree::Package;
@@ -38,6 +38,9 @@ pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Resul
     let library = member.models()?;
     let license = job.license.as_ref().or(member.license.as_ref());
     let license = license.ok_or_else(|| Error::NoLicense { package: job.package.clone() })?;
+    if license.contains(char::is_control) || ["/*", "*/"].iter().any(|it| license.contains(it)) {
+        return Err(Error::License { package: job.package.clone(), license: license.clone() });
+    }
     let failed = |reason: String| Error::Tree { package: job.package.clone(), reason };
     let mut why = "another workspace keeps building into the same target folder".to_owned();
     let mut anew: Vec<PathBuf> = Vec::new();
@@ -60,7 +63,10 @@ pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Resul
         drop(alone);
         let printed = program.run(library)?;
         if !printed.success {
-            return Err(failed(printed.error));
+            return Err(match panicked(&printed.error, sources) {
+                Some(told) => Error::Refused(Told::new(vec![told], sources, job.colour)),
+                None => failed(printed.error),
+            });
         }
         // What was just built anew is this workspace's, though it says nothing.
         let silent = printed.silent.filter(|source| !anew.contains(source));
@@ -72,6 +78,29 @@ pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Resul
         }
     }
     Err(failed(why))
+}
+
+/// A panic of the author's Rust that runs when the C is written, told at its line: `thread 'main' panicked at src/pid.rs:3:9:`,
+/// and what it says below.
+fn panicked(error: &str, sources: &Sources) -> Option<Diagnostic> {
+    let (_, at) = error.split_once(" panicked at ")?;
+    let (place, said) = at.split_once(":\n")?;
+    let mut parts = place.rsplitn(3, ':');
+    let column = parts.next()?.parse().ok()?;
+    let line = parts.next()?.parse().ok()?;
+    // A library that is not the workspace's has a whole path.
+    let file = parts.next().filter(|file| Path::new(file).is_relative())?.to_owned();
+    sources.line(&file, line)?;
+    let said = said.split("\nnote: ").next()?.trim();
+    Some(Diagnostic {
+        file,
+        line,
+        column,
+        message: format!("this panics where the C is written: {said}"),
+        help: "a `Default` and what else gives a value that the C begins with is computed then: let it give one without a panic"
+            .to_owned(),
+        ..Diagnostic::default()
+    })
 }
 
 /// The settings that `--config` passes to cargo for a generation build of a package. Its program runs once, for its tree: neither the

@@ -117,6 +117,7 @@ impl Program {
     pub(super) fn run(&self, library: &str) -> Result<Printed, Error> {
         let path = self.path();
         let output = Command::new(&path)
+            .env("RUST_BACKTRACE", "0")
             .output()
             .map_err(|source| Error::Run { program: path.display().to_string(), source })?;
         let text = String::from_utf8_lossy(&output.stdout);

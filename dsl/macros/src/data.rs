@@ -329,6 +329,7 @@ fn definition(
                         clone: !#cloned && asked.clones(),
                         order: !#ranked && asked.orders(),
                         drop: asked.drops(),
+                        lends: asked.lends(),
                     };
                     cx.definition(
                         #named, &[#(#docs),*], #site, arguments, (#equal, #ordered, own, #given),

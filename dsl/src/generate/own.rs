@@ -1,4 +1,5 @@
-//! What Rust does with a type by itself, and its author may have written otherwise: copies, the order of values, their end.
+//! What Rust does with a type by itself, and its author may have written otherwise: copies, the order of values, their end,
+//! what they lend.
 //!
 //! The C copies and compares part by part, and does nothing where a value ends.
 
@@ -6,6 +7,7 @@ use alloc::format;
 use alloc::string::String;
 use core::marker::PhantomData;
 use core::mem::needs_drop;
+use core::ops::Deref;
 
 /// What of this an author wrote for a type, as far as it is not derived where the DSL sees it.
 pub struct Own {
@@ -15,6 +17,8 @@ pub struct Own {
     pub order: bool,
     /// `Drop`, of the type or of a part.
     pub drop: bool,
+    /// `Deref`.
+    pub lends: bool,
 }
 
 impl Own {
@@ -38,6 +42,11 @@ impl Own {
                 self.drop,
                 format!("`{name}` has a `Drop`, and nothing ends a value in the C"),
                 "write a method, and call it where the value ends",
+            ),
+            (
+                self.lends,
+                format!("`{name}` has a `Deref`, and the C names what it refers to"),
+                "write a method that gives the reference, `fn inner(&self) -> &Inner`",
             ),
         ];
         told.into_iter().filter(|it| it.0).map(|(_, message, remedy)| (message, remedy))
@@ -74,6 +83,13 @@ impl<T: Ord> Asked<T> {
     }
 }
 
+impl<T: Deref> Asked<T> {
+    /// Whether it has `Deref`.
+    pub fn lends(&self) -> bool {
+        true
+    }
+}
+
 /// The answers for a type without.
 pub trait NotImplemented {
     /// It has no `Clone`.
@@ -82,6 +98,10 @@ pub trait NotImplemented {
     }
     /// It has no `Ord`.
     fn orders(&self) -> bool {
+        false
+    }
+    /// It has no `Deref`.
+    fn lends(&self) -> bool {
         false
     }
 }

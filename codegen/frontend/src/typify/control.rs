@@ -7,7 +7,7 @@ use super::conditions::{decided, has_let};
 use super::each::Each;
 use super::expr::Call;
 use super::lowering::{Leaving, Lowering, RESULT, Target};
-use super::syntax::{control_with_value, ends_in_loop};
+use super::syntax::{control_with_value, ends_in_loop, names_by_case};
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, order, problem};
@@ -74,6 +74,12 @@ impl Lowering<'_, '_> {
         target: Option<&Target>,
     ) -> Result<()> {
         let span = self.span(site);
+        if let Tree::Let(pattern, value) = &condition.kind
+            && names_by_case(pattern)
+        {
+            let arms = either(pattern, then, otherwise, condition.site);
+            return self.match_stmt(site, value, &arms, target);
+        }
         if has_let(condition) {
             // The names of its patterns are known in the branch alone.
             let (condition, then) = self.naming_scope(|inner| {
@@ -435,6 +441,7 @@ impl Lowering<'_, '_> {
                 self.emit(StmtKind::Assign { place, value }, span);
             }
             Some(_) if let Some(callee) = self.operator(place.slot).cloned() => {
+                let place = &self.computed_once(place)?;
                 let operands = [place.clone(), value.clone()];
                 let ty = self.place_type(place)?;
                 let value = self.call_of(&callee, &operands, place)?;
@@ -459,6 +466,17 @@ impl Lowering<'_, '_> {
         }
         self.naming = naming;
         Ok(())
+    }
+
+    /// The place of `place op= value` by a name, where an index in it takes computing: Rust does that once, and first.
+    fn computed_once(&mut self, place: &tree::Expr) -> Result<tree::Expr> {
+        if is_repeatable(place) {
+            return Ok(place.clone());
+        }
+        let mut found = self.writable(place)?;
+        self.keep_indices(&mut found, |index| !index.is_literal());
+        self.bind(PLACE, Value::Place(found));
+        Ok(tree::Expr { kind: Tree::Local(PLACE.to_owned()), ..place.clone() })
     }
 
     /// The place and the operand of `place op= value`: of scalars Rust computes the operand first, of
@@ -530,5 +548,31 @@ impl Lowering<'_, '_> {
             "this is not a place to assign",
             "assign a variable or a field",
         )
+    }
+}
+
+/// `if let pattern` as the arms of a `match`.
+fn either(
+    pattern: &tree::Pattern,
+    then: &tree::Block,
+    otherwise: Option<&tree::Expr>,
+    site: Site,
+) -> [tree::Arm; 2] {
+    let plain = |block| tree::Expr { kind: Tree::Block(block), site, slot: None };
+    let arm = |pattern, body| tree::Arm { pattern, guard: None, body, site };
+    let rest = otherwise.cloned().unwrap_or_else(|| plain(tree::Block::default()));
+    [arm(pattern.clone(), plain(then.clone())), arm(tree::Pattern::Any, rest)]
+}
+
+/// What a place that takes computing is called while it is assigned.
+const PLACE: &str = "%place";
+
+/// Whether to compute a place again does nothing: it is made of names and numbers.
+fn is_repeatable(place: &tree::Expr) -> bool {
+    match &place.kind {
+        Tree::Local(_) | Tree::Int(..) => true,
+        Tree::Field(base, _) | Tree::Deref(base) => is_repeatable(base),
+        Tree::Index(base, index) => is_repeatable(base) && is_repeatable(index),
+        _ => false,
     }
 }

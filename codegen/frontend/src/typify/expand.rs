@@ -134,9 +134,14 @@ impl<'a> Lowering<'a, '_> {
         let scopes = std::mem::replace(&mut self.scopes, names);
         let expanding = std::mem::replace(&mut self.expanding, expanding);
         let told = self.cx.told.len();
-        let had = self.lenders.problem.is_some();
+        let (had, copies) = (self.lenders.problem.is_some(), self.lenders.copied.len());
         let done = lower(self);
         (self.source, self.scopes, self.expanding) = (source, scopes, expanding);
+        if is_ours(function) {
+            // What is wrong with these shows when their lender is known.
+            let here = self.span(site);
+            self.lenders.copied.iter_mut().skip(copies).for_each(|(_, (_, span))| *span = here);
+        }
         if let Some(problem) = self.lenders.problem.as_mut().filter(|_| !had && is_ours(function)) {
             problem.site = site;
         }

@@ -167,6 +167,10 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
     }
     let mut errors = std::mem::take(&mut cx.told);
     errors.extend(ranges::wrong(&cx.module));
+    // What contradicts itself may follow from what is refused.
+    if errors.iter().any(|it| it.help != OUR_FAULT) {
+        errors.retain(|it| it.help != OUR_FAULT);
+    }
     errors.sort_by(|one, other| {
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });

@@ -1,6 +1,7 @@
 //! Properties that the author's syntax shows by itself.
 
 use bessemer_ir::tree;
+use bessemer_ir::tree::visit::Walk;
 
 /// An expression without `&` and `*`: a reference is another name for what it refers to.
 pub(super) fn bare(expr: &tree::Expr) -> &tree::Expr {
@@ -44,7 +45,21 @@ pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
                 && says(rest, false)
                 && rest.guard.is_none()
                 && matches!(rest.pattern, tree::Pattern::Any)
+                && !names_by_case(&taken.pattern)
         }
+        _ => false,
+    }
+}
+
+/// Whether a pattern has names inside `|`, which stand for one place in one case and for another in another.
+pub(super) fn names_by_case(pattern: &tree::Pattern) -> bool {
+    match pattern {
+        tree::Pattern::Or(cases) => cases.iter().any(|case| !case.bound().is_empty()),
+        tree::Pattern::Name { inner: Some(inner), .. } => names_by_case(inner),
+        tree::Pattern::Tuple(parts)
+        | tree::Pattern::Array(parts)
+        | tree::Pattern::Constructor(_, parts) => parts.iter().any(names_by_case),
+        tree::Pattern::Fields(_, fields) => fields.iter().any(|(_, it)| names_by_case(it)),
         _ => false,
     }
 }

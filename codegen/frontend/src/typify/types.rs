@@ -220,7 +220,7 @@ impl<'a> Context<'a> {
                     return problem(
                         site,
                         "an array of zero-sized elements is not in the DSL",
-                        super::borrowed::COUNT,
+                        "keep the count, or an array of `bool`; write `core::array::from_fn(|i| …)` for `[(); N].map(|()| …)`",
                     );
                 }
                 element if !self.slices_in(&element).is_empty() => {

@@ -132,8 +132,13 @@ fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
         return None;
     }
     let of_type = refuse::named_type(&syn::Ident::new(owner, function.span()).into());
-    // A companion of a number's type answers.
-    let answered = bessemer_tree::number::Scalar::from_name(owner).is_some();
+    if owner == "mem" && last == "discriminant" {
+        return Some(refuse::VARIANT_VALUE);
+    }
+    // A companion of the type answers.
+    let answered = bessemer_tree::number::Scalar::from_name(owner).is_some()
+        || is_constructor_name(owner)
+            && function.path.segments.first().is_some_and(|first| first.ident == "core");
     of_type.or_else(|| refuse::library(&function.path).filter(|_| !answered))
 }
 

@@ -8,7 +8,7 @@ use proc_macro2::Span;
 use quote::quote;
 use syn::visit::{self, Visit};
 
-use super::handed::is_of_type;
+use super::handed::is_function;
 use super::names::{plain, site, text};
 use super::refuse::Refusals;
 use super::signature::Names;
@@ -66,10 +66,11 @@ impl Lowering {
             }
             syn::Expr::Path(path) => {
                 let name = path.path.get_ident().map(text);
+                let is_local = name.as_ref().is_some_and(|name| self.is_local(name));
                 match name.and_then(|name| self.called_name(&name)) {
                     // Handed on as it came.
                     Some(name) => plain(ExprKind::Local(name), path),
-                    None if is_of_type(path) => self.named_argument(expr),
+                    None if !is_local && is_function(path) => self.named_argument(expr),
                     None => self.value(expr),
                 }
             }

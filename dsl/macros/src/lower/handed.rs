@@ -83,9 +83,10 @@ impl Lowering {
     }
 }
 
-/// Whether a path is that of a function of a type.
-pub(super) fn is_of_type(path: &syn::ExprPath) -> bool {
-    is_small(&last_segment(&path.path)) && associated(path.qself.as_ref(), &path.path)
+/// Whether a path is that of a function, as its name shows: `π` may be a constant.
+pub(super) fn is_function(path: &syn::ExprPath) -> bool {
+    let name = last_segment(&path.path);
+    is_small(&name) && (name.is_ascii() || associated(path.qself.as_ref(), &path.path))
 }
 
 /// Whether a name is that of a function, and not of a constant or a variant.

@@ -1,6 +1,6 @@
 //! Calls of macros: assertions, `matches!`, matrices.
 //!
-//! They, and the module `mem`, are taken for Rust's by their names: rustc is asked whether they are.
+//! They, and the module `mem`, are taken for Rust's and nalgebra's by their names: rustc is asked whether they are.
 
 use bessemer_tree as tree;
 use proc_macro2::TokenStream;
@@ -12,6 +12,9 @@ use super::walk::Lowering;
 
 /// `matches!`, which is a `match`.
 pub(super) const MATCHES: &str = "matches";
+
+/// Those of nalgebra's.
+const ROWS: [&str; 2] = ["vector", "matrix"];
 
 impl Lowering {
     /// Whether a path may be that of a macro of Rust's; where it stands alone, rustc is asked.
@@ -175,6 +178,13 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
         Some(Says::Compares(_)) => quote! { 0, 0 },
         Some(Says::Never) => quote! {},
         None if name == MATCHES => quote! { 0, 0 },
+        // One that is imported may be so in the body alone.
+        None if ROWS.contains(&&*text(name)) => {
+            return quote! { {
+                use ::bessemer::prelude::#name;
+                let _ = || #name!(0.0, 0.0);
+            } };
+        }
         None => return own_module(name, &module),
     };
     quote! {

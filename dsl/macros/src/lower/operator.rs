@@ -37,7 +37,7 @@ impl Lowering {
         (operand, name)
     }
 
-    /// The value of `place op= value`. Of a place that takes computing to name, nobody asks for a function.
+    /// The value of `place op= value`. Of what is no part of a variable, nobody asks for a function.
     pub(super) fn assigned(
         &mut self,
         op: BinaryOp,
@@ -260,14 +260,12 @@ fn name_of(operand: &tree::Expr, expr: &syn::Expr) -> Option<syn::Ident> {
     }
 }
 
-/// Whether a place is a variable, or a field of one.
+/// Whether a place is a variable, or a part of one.
 fn is_named(place: &tree::Expr) -> bool {
     match &place.kind {
         ExprKind::Local(_) => true,
-        ExprKind::Field(base, _) | ExprKind::Deref(base) => is_named(base),
-        // What computes an index is computed once.
-        ExprKind::Index(base, index) => {
-            is_named(base) && (is_named(index) || matches!(index.kind, ExprKind::Int(..)))
+        ExprKind::Field(base, _) | ExprKind::Deref(base) | ExprKind::Index(base, _) => {
+            is_named(base)
         }
         _ => false,
     }

@@ -12,7 +12,7 @@ use super::pattern::by_let;
 use super::sort::Leg;
 use super::syntax::{bare, fresh, is_plain, names};
 use super::walk::Lowering;
-use super::{macros, refuse, sort};
+use super::{macros, sort};
 
 /// The modules of core whose functions have companions, and these functions.
 const OF_CORE: [(&str, &[&str]); 3] =
@@ -29,23 +29,18 @@ impl Lowering {
             // rustc has computed it in the original.
             syn::Expr::Const(syn::ExprConst { block, .. }) => return Some(parse_quote! { #block }),
             syn::Expr::Macro(it) => {
-                if it.mac.path.is_ident(macros::MATCHES) {
+                let stands_for = macros::expanded(&it.mac);
+                if stands_for.is_some() {
                     self.is_rusts(&it.mac.path);
                 }
-                return macros::expanded(&it.mac);
+                return stands_for;
             }
             _ => return None,
         };
         match (text(&it.method).as_str(), it.args.len()) {
             ("contains", 1) => self.contained(it),
             ("get" | "get_mut", 1) | ("copy_within", 2) => by_ends(it),
-            _ => {
-                let sorted = sort::sorted(it, Leg::Tree);
-                if sorted.is_none() && sort::sorts(it) {
-                    self.refusals.add(&it.method, refuse::SORTING);
-                }
-                sorted
-            }
+            _ => sort::sorted(it, Leg::Tree),
         }
     }
 

@@ -206,6 +206,7 @@ impl<'ast> Visit<'ast> for Types<'_> {
             syn::Type::Reference(it) if !self.field => match &*it.elem {
                 // A slice that is passed.
                 syn::Type::Slice(slice) => return self.visit_type(&slice.elem),
+                syn::Type::ImplTrait(_) => refuse::LENT_PARAMETER,
                 _ => return visit::visit_type(self, ty),
             },
             syn::Type::Slice(_) => refuse::SLICE,

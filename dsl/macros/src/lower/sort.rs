@@ -30,11 +30,6 @@ pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
     Some(parse_quote! { ::bessemer::sort::sort_by(#values, #below) })
 }
 
-/// Whether a call sorts by a comparison, known or not.
-pub fn sorts(it: &syn::ExprMethodCall) -> bool {
-    matches!(sorting(it), Some((By::Comparison, _)))
-}
-
 /// What a call sorts by.
 enum By {
     Key,

@@ -128,7 +128,13 @@ impl Lowering {
         let lent = self.is_place(&init.expr);
         let value = self.whole(&mut init.expr);
         let otherwise = match init.diverge.as_mut().map(|(_, expr)| &mut **expr) {
-            Some(syn::Expr::Block(it)) => Some(self.branch(&mut it.block, false)),
+            Some(syn::Expr::Block(it)) => {
+                // It leaves: its last expression has no value, nor a type that a slot could be told.
+                if let Some(syn::Stmt::Expr(_, end)) = it.block.stmts.last_mut() {
+                    end.get_or_insert_default();
+                }
+                Some(self.branch(&mut it.block, false))
+            }
             _ => None,
         };
         pattern::brace_variants(&mut local.pat);
