@@ -79,6 +79,12 @@ impl<T: Real> Native<T> {
         z.re.abs() + z.im.abs()
     }
 
+    /// The absolute value, as nalgebra's `ComplexField` calls it.
+    #[by_value(z)]
+    pub fn abs(z: &Self) -> T {
+        norm(z)
+    }
+
     /// The argument, rad, −π to π.
     #[by_value(z)]
     pub fn arg(z: &Self) -> T {
@@ -305,6 +311,8 @@ pub trait ComplexMethods<T>: Sized {
     fn dsl_from_polar(r: T, angle: T) -> Self;
     /// [`cis`].
     fn dsl_cis(angle: T) -> Self;
+    /// [`abs`].
+    fn dsl_abs(self) -> T;
     /// [`arg`].
     fn dsl_arg(self) -> T;
     /// [`to_polar`].
@@ -335,6 +343,9 @@ impl<T: Real> ComplexMethods<T> for Native<T> {
     }
     fn dsl_cis(angle: T) -> Self {
         cis(angle)
+    }
+    fn dsl_abs(self) -> T {
+        abs(&self)
     }
     fn dsl_arg(self) -> T {
         arg(&self)

@@ -99,6 +99,7 @@ pub mod slice_edit;
 pub mod sort;
 mod spatial;
 mod text;
+pub mod wrapping;
 
 /// A model imports all of this with one line: `use bessemer::prelude::*;`.
 pub mod prelude {

@@ -80,6 +80,32 @@ impl<T: Copy> [T] {
     }
 }
 
+/// The letters between the white space at both ends.
+#[function]
+pub fn trim_ascii(letters: &[u8]) -> &[u8] {
+    trim_ascii_end(trim_ascii_start(letters))
+}
+
+/// The letters behind the white space that they begin with.
+#[function]
+pub fn trim_ascii_start(letters: &[u8]) -> &[u8] {
+    let mut from = 0_usize;
+    while from < letters.len() && letters[from].is_ascii_whitespace() {
+        from += 1;
+    }
+    &letters[from..]
+}
+
+/// The letters before the white space that they end in.
+#[function]
+pub fn trim_ascii_end(letters: &[u8]) -> &[u8] {
+    let mut to = letters.len();
+    while to > 0 && letters[to - 1].is_ascii_whitespace() {
+        to -= 1;
+    }
+    &letters[..to]
+}
+
 /// Whether the first elements are these.
 #[function]
 pub fn starts_with<T: Copy + PartialEq>(values: &[T], start: &[T]) -> bool {
@@ -96,6 +122,8 @@ pub fn ends_with<T: Copy + PartialEq>(values: &[T], end: &[T]) -> bool {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    extern crate std;
+    use std::vec::Vec;
 
     proptest! {
         #[test]
@@ -106,6 +134,11 @@ mod tests {
             element in 0_u8..6,
         ) {
             prop_assert_eq!(contains(&values, &element), values.contains(&element));
+            let letter = |it: &u8| b" a\tb\n"[usize::from(*it)];
+            let letters: Vec<u8> = values.iter().map(letter).collect();
+            prop_assert_eq!(trim_ascii(&letters), letters.trim_ascii());
+            prop_assert_eq!(trim_ascii_start(&letters), letters.trim_ascii_start());
+            prop_assert_eq!(trim_ascii_end(&letters), letters.trim_ascii_end());
             let (mut mine, mut theirs) = (values.clone(), values.clone());
             fill(&mut mine, element);
             theirs.fill(element);

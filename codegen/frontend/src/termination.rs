@@ -333,7 +333,8 @@ impl Looked<'_> {
     /// Whether high is more than 0: it is more than low at first.
     fn is_above(&self, path: &Path) -> bool {
         let first = !self.inclusive || self.least(self.low) >= Some(1);
-        path.above || (first && is_unsigned(self.high) && !path.written[1])
+        let from_zero = is_unsigned(self.high) || self.least(self.low) >= Some(0);
+        path.above || (first && from_zero && !path.written[1])
     }
 
     /// Whether a condition says that.
@@ -440,8 +441,9 @@ impl Looked<'_> {
         };
         // Less than what it is a part of, unless that may be 0: high is more than low at first.
         let part = |x: &Expr, less: bool| {
-            let far = self.against(side, x, path).filter(|_| is_unsigned(x))?;
             let positive = self.is_above(path) && self.is(1, x);
+            // A half of what is negative is more.
+            let far = self.against(side, x, path).filter(|_| positive || is_unsigned(x))?;
             Some(if less && positive { Far::Further } else { far })
         };
         match (op, side) {

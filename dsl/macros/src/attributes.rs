@@ -14,6 +14,7 @@ use crate::lower::refuse::{self, Reason};
 use crate::lower::{self, Refusals};
 
 /// The role of a function for its callers, and the author's wishes for its C. Takes the DSL's attributes off it.
+#[derive(Clone)]
 pub struct Asked {
     /// Its role for its callers.
     pub role: Role,

@@ -40,6 +40,14 @@ impl<'a> Subject<'a> {
         } = method;
         Subject { attributes, visibility, signature, body, asked, home }
     }
+
+    /// With this signature.
+    fn with<'s>(&self, signature: &'s syn::Signature) -> Subject<'s>
+    where
+        'a: 's,
+    {
+        Subject { signature, asked: self.asked.clone(), ..*self }
+    }
 }
 
 /// Where a function stands.
@@ -60,6 +68,8 @@ pub enum Home<'a> {
 /// Refuses what the DSL does not take; in a generation build gives the items that stand beside a
 /// free function. For a method see [`method`].
 pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
+    let signature = closures::with_names(subject.signature);
+    let subject = &subject.with(&signature);
     let rewritten = subject.asked.role == Role::Rewritten;
     // A rule by which calls are rewritten is one whatever the types are.
     let generics = match rewritten {
@@ -94,6 +104,8 @@ pub fn method(
     subject: &Subject<'_>,
     refusals: &mut Refusals,
 ) -> TokenStream {
+    let signature = closures::with_names(subject.signature);
+    let subject = &subject.with(&signature);
     let own = closures::without(&subject.signature.generics);
     let scope = Scope::of_type(generics).with_method(&own);
     let Some(parts) = lower(subject, scope, refusals) else { return TokenStream::new() };

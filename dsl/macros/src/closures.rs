@@ -6,9 +6,11 @@
 //! that takes an iterator stands where it is called.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::visit_mut::{self, VisitMut};
 use syn::{GenericParam, TypeParamBound, WherePredicate};
+
+use crate::lower::refuse;
 
 /// What stands in the builder for a type that it cannot name.
 pub struct StandsFor {
@@ -53,6 +55,50 @@ pub fn without(generics: &syn::Generics) -> syn::Generics {
         (rest.lt_token, rest.gt_token) = (None, None);
     }
     rest
+}
+
+/// A signature in which a type behind an interface, `rng: &mut impl Rng`, has a name; and without `?Sized`: what the C has
+/// has a size.
+pub fn with_names(signature: &syn::Signature) -> syn::Signature {
+    let mut named = Interfaces(Vec::new());
+    let mut signature = signature.clone();
+    signature.inputs.iter_mut().for_each(|input| named.visit_fn_arg_mut(input));
+    signature.generics.params.extend(named.0);
+    for param in &mut signature.generics.params {
+        let GenericParam::Type(it) = param else { continue };
+        let bounds = std::mem::take(&mut it.bounds).into_iter();
+        it.bounds = bounds.filter(|bound| !is_relaxed(bound)).collect();
+    }
+    signature
+}
+
+/// Whether a bound may be an interface, and no trait of Rust's own, nor one of closures and iterators, which stand for no type.
+fn is_interface(bound: &TypeParamBound) -> bool {
+    let TypeParamBound::Trait(it) = bound else { return false };
+    of_bound(bound).is_none() && refuse::known_trait(&it.path).is_none()
+}
+
+/// Whether a bound is `?Sized`.
+fn is_relaxed(bound: &TypeParamBound) -> bool {
+    matches!(bound, TypeParamBound::Trait(it) if it.to_token_stream().to_string().starts_with('?'))
+}
+
+/// The names that types behind interfaces are given.
+struct Interfaces(Vec<GenericParam>);
+
+impl VisitMut for Interfaces {
+    fn visit_type_mut(&mut self, ty: &mut syn::Type) {
+        match ty {
+            syn::Type::ImplTrait(it) if !it.bounds.iter().any(is_interface) => {}
+            syn::Type::ImplTrait(it) => {
+                let name = quote::format_ident!("Impl{}", self.0.len());
+                let bounds = &it.bounds;
+                self.0.push(syn::parse_quote! { #name: #bounds });
+                *ty = syn::parse_quote! { #name };
+            }
+            _ => visit_mut::visit_type_mut(self, ty),
+        }
+    }
 }
 
 /// The bounds on the type called `name`.

@@ -11,7 +11,7 @@ use syn::visit_mut::{self, VisitMut};
 use crate::generics::{Floats, Scope};
 use crate::lower::macros::{expanded, in_every_build};
 use crate::lower::{GENERATING, Refusals, loops, sort};
-use crate::owned::{associated, of_libm, of_path, owned};
+use crate::owned::{associated, by_method, of_libm, of_path, owned};
 
 /// The body as Rust runs it; or the errors in its place: rustc has nothing to add to what was refused, and callers still
 /// find the function.
@@ -68,6 +68,7 @@ impl VisitMut for Redirect {
         let stands_for = match expr {
             syn::Expr::Macro(it) => expanded(&it.mac),
             syn::Expr::MethodCall(it) => sort::sorted(it, sort::Leg::Native),
+            syn::Expr::Call(it) => by_method(it),
             _ => None,
         };
         if let Some(other) = stands_for {

@@ -23,11 +23,12 @@ pub trait CompanionOf<A> {
     type Result: Seen;
 }
 
-/// A function with parameters of the types `A`.
-pub trait Takes<A> {}
+/// A function with parameters of the types `A`. One without parameters gives an `R`: nothing else says of which type that is,
+/// `unwrap_or_else(Vector2::zeros)`.
+pub trait Takes<A, R> {}
 
 /// Passes a function through: the slots learn which it is by its companion, and the types of its arguments and its result.
-pub fn __function<A: Seen, C: CompanionOf<A>, F: Takes<A>>(
+pub fn __function<A: Seen, C: CompanionOf<A>, F: Takes<A, C::Result>>(
     _: &Slot<C::Marker>,
     _: &Slot<A::Slot>,
     _: &Slot<<C::Result as Seen>::Slot>,
@@ -86,8 +87,6 @@ macro_rules! of_arguments {
             type Result = R;
         }
 
-        impl<F: FnOnce($($of),*) -> R, R, $($of),*> Takes<($($of,)*)> for F {}
-
         impl<F: FnOnce($($of),*) -> R, R: DslType, $($of: DslType),*> Made<($($of,)*)> for F {
             type Slot = Constructor<($($of,)*), R>;
             fn constant(self, cx: &mut Builder) -> tree::Constant {
@@ -98,6 +97,16 @@ macro_rules! of_arguments {
 }
 
 of_arguments! { ; A; A, B; A, B, C; }
+
+impl<F: FnOnce() -> R, R> Takes<(), R> for F {}
+
+macro_rules! takes {
+    ($($($of:ident),*;)*) => {$(
+        impl<F: FnOnce($($of),*) -> Native, Native, R, $($of),*> Takes<($($of,)*), R> for F {}
+    )*};
+}
+
+takes! { A; A, B; A, B, C; }
 
 /// Puts the closures in, for which functions and constructors stand.
 pub(super) fn as_closures(tree: &mut tree::FunctionTree, witness: &mut Witness) {

@@ -19,6 +19,7 @@ mod own;
 pub mod slice;
 mod slot;
 pub mod spatial;
+mod wrapping;
 
 pub use alloc::string::String;
 pub use alloc::vec::Vec;

@@ -50,6 +50,12 @@ companions! {
         fn __b_split_first_chunk[const N: usize](&self) -> Option<(&[T; N], &[T])> = [SplitFirstChunk<N>];
         fn __b_split_last_chunk[const N: usize](&self) -> Option<(&[T], &[T; N])> = [SplitLastChunk<N>];
     }
+    /// Methods of bytes that are letters.
+    impl[] SliceLetters for [u8] {
+        fn __b_trim_ascii(&self) -> &[u8] = [slice_edit::trim_ascii];
+        fn __b_trim_ascii_start(&self) -> &[u8] = [slice_edit::trim_ascii_start];
+        fn __b_trim_ascii_end(&self) -> &[u8] = [slice_edit::trim_ascii_end];
+    }
     /// Methods of slices of numbers that compare their ends.
     impl[T: Value + Number + PartialEq] SliceEnds<T> for [T] {
         fn __b_starts_with(&self, _start: &[T]) -> bool = [slice_edit::__function_starts_with<T>];

@@ -19,7 +19,7 @@ use nalgebra::{
 
 use super::builder::{Builder, Callee};
 use super::companions::companions;
-use super::matrices::{AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros};
+use super::matrices::{AxisX, AxisY, AxisZ, FromArray, Identity, New, TrMul, Transpose, Zeros};
 use super::numbers::{FromBuiltin, converts};
 use super::slot::{Called, DslType, Seen, dsl_types, stands};
 use crate::complex;
@@ -113,13 +113,11 @@ companions! {
         fn __b_identity() -> Self = Zeros;
         fn __b_inverse(&self) -> Self = Negative: Linear(Routine::Neg);
         fn __b_inverse_mut(&mut self) -> () = [elementwise::__function_neg_mut<T, N, 1>];
-        fn __b_from(_vector: SVector<T, N>) -> Self = Same;
         fn __b_transform_point(&self, _p: &OPoint<T, Const<N>>) -> OPoint<T, Const<N>> = Plus: Linear(Routine::Add);
     }
     /// Methods of points.
     impl[T: Real, const N: usize] PointBuiltins<T, N> for OPoint<T, Const<N>> {
         fn __b_origin() -> Self = Zeros;
-        fn __b_from(_vector: SVector<T, N>) -> Self = Same;
     }
     /// Points and translations in the plane, from their parts.
     pub trait NewInPlane[T]: Sized {
@@ -173,6 +171,11 @@ converts! {
     [] f64 => Complex<f64>: complex::__function_from_real<f64>;
     [T: Real] Vector4<T> => Quaternion<T>: quaternion::__function_from_vector<T>;
     [T: Real] [T; 4] => Quaternion<T>: quaternion::__function_from_array<T>;
+    [T: Real, const N: usize] SVector<T, N> => OPoint<T, Const<N>>: Same;
+    [T: Real, const N: usize] [T; N] => OPoint<T, Const<N>>: FromArray;
+    [T: Real, const N: usize] SVector<T, N> => Translation<T, N>: Same;
+    [T: Real, const N: usize] [T; N] => Translation<T, N>: FromArray;
+    [T: Real] Translation3<T> => Isometry3<T>: isometry::__function_from_translation<T>;
     [T: Real] Rotation3<T> => UnitQuaternion<T>: unit_quaternion::__function_from_rotation_matrix<T>;
     [T: Real] UnitQuaternion<T> => Rotation3<T>: unit_quaternion::__function_to_rotation_matrix<T>;
 }

@@ -12,6 +12,11 @@ const LIMIT: u64 = 20_000;
 
 /// The body of a loop of `i`, `n` and `m`, left by the first `if`: whether it is shown to end, and does.
 fn shown(body: &str) -> (bool, bool) {
+    shown_of("u8", body)
+}
+
+/// The same of numbers of any type of 8 bits.
+fn shown_of(ty: &str, body: &str) -> (bool, bool) {
     let text = format!(
         "module demo
 
@@ -27,7 +32,8 @@ fn run in demo(i: u8, n: u8, m: u8) -> u8 as value {{
   return i;
 }}
 "
-    );
+    )
+    .replace("u8", ty);
     let module = parse(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
     assert_eq!(validate(&module), Ok(()), "{text}");
     let StmtKind::For { body: stmts, .. } = &module.functions[1].body.0[0].kind else {
@@ -46,7 +52,10 @@ fn run in demo(i: u8, n: u8, m: u8) -> u8 as value {{
     let is_shown = proof(&module, name, &of).is_ok() || turned(&module, name, &of).is_ok();
     let mut interpreter = Interpreter::new(&module);
     interpreter.limit(LIMIT);
-    let words = [0, 1, 2, 3, 7, 8, 100, 128, 254, 255];
+    let words = match ty {
+        "i8" => [0, 1, 2, 3, 7, 100, 127, -1, -2, -128].map(|it: i64| it as u64),
+        _ => [0, 1, 2, 3, 7, 8, 100, 128, 254, 255],
+    };
     let mut ends = true;
     for i in words {
         for n in words {
@@ -176,4 +185,18 @@ fn what_is_lent_may_be_anything() {
 fn from_one_condition_to_the_next() {
     ends("n = n.saturating_sub(2u8); if n <= 5u8 { break; } n = n - 1u8;");
     is_endless("n = n.max(m); if i >= n { break; } i = i.saturating_sub(1u8);");
+}
+
+/// A half of what is negative is more; of what was found to be more than 0, less.
+#[test]
+fn halves_of_signed_numbers() {
+    let of_signed = |body| shown_of("i8", body);
+    assert_eq!(of_signed("if n <= 0u8 { break; } n = n / 2u8;"), (true, true));
+    assert_eq!(of_signed("if n <= 0u8 { break; } n = n >> 1u8;"), (true, true));
+    assert_eq!(of_signed("if n <= 3u8 { break; } n = n / 2u8;"), (true, true));
+    assert_eq!(of_signed("if i >= n { break; } n = n / 2u8;"), (false, false));
+    assert_eq!(of_signed("if n < 0u8 { break; } n = n / 2u8;"), (false, false));
+    assert_eq!(of_signed("if n <= m { break; } n = n >> 1u8;"), (false, false));
+    let twice = "if n <= 0u8 { break; } n = n.wrapping_sub(100u8); n = n / 2u8; n = n.max(m);";
+    assert!(!of_signed(twice).0);
 }

@@ -269,12 +269,18 @@ impl Lowering<'_, '_> {
         // Whether there is a pass or not.
         self.fix(&mut place);
         let bounded = self.contained(&place.ty).is_some();
+        let own = matches!(place.ty, Type::Struct(_));
         match self.all_of(place) {
             Some(slice) => Ok(slice),
             None if bounded => problem(
                 expr.site,
                 "all elements of a `BoundedMatrix` are gone through by themselves, and from the first on",
                 "give the matrix a name; or write `for column in 0..m.ncols()`, and index",
+            ),
+            None if own => problem(
+                expr.site,
+                "by the names `iter` and `iter_mut` the DSL means those of arrays and vectors",
+                "give the method of this type another name: `fn items(&self) -> impl Iterator<Item = &T>`",
             ),
             None => problem(
                 expr.site,

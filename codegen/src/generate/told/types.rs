@@ -27,7 +27,7 @@ pub fn innermost(ty: &str) -> &str {
 
 /// Whether a type is the DSL's, nalgebra's or Rust's, whose methods no author marks.
 pub fn is_known(ty: &str) -> bool {
-    const KNOWN: [&str; 18] = [
+    const KNOWN: [&str; 19] = [
         "SMatrix",
         "SVector",
         "RowSVector",
@@ -39,6 +39,7 @@ pub fn is_known(ty: &str) -> bool {
         "Range",
         "RangeInclusive",
         "NonZero",
+        "Wrapping",
         "Complex",
         "Unit",
         "Quaternion",

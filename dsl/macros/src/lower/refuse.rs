@@ -272,8 +272,8 @@ pub fn named_type(path: &syn::Path) -> Option<Reason> {
         "VecDeque" => QUEUE,
         "HashMap" | "BTreeMap" | "HashSet" | "BTreeSet" | "BinaryHeap" => MAP,
         "Box" | "Rc" | "Arc" => HEAP,
-        "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "OMatrix"
-        | "DMatrixView" | "Dyn" => DYNAMIC_MATRIX,
+        "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "DMatrixView"
+        | "Dyn" => DYNAMIC_MATRIX,
         "Cell" | "RefCell" | "Mutex" | "RwLock" | "AtomicBool" | "AtomicU32" | "AtomicUsize" => {
             SHARED_CELL
         }

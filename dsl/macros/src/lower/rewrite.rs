@@ -13,6 +13,7 @@ use super::sort::Leg;
 use super::syntax::{bare, fresh, is_plain, names};
 use super::walk::Lowering;
 use super::{macros, sort};
+use crate::owned::by_method;
 
 /// The modules of core whose functions have companions, and these functions.
 const OF_CORE: [(&str, &[&str]); 3] =
@@ -23,7 +24,7 @@ impl Lowering {
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
-            syn::Expr::Call(it) => return self.of_core(it),
+            syn::Expr::Call(it) => return by_method(it).or_else(|| self.of_core(it)),
             syn::Expr::Range(it) => return held(it),
             syn::Expr::Assign(it) => return by_let(it),
             // rustc has computed it in the original.

@@ -15,6 +15,12 @@ pub struct Isometry3<T: Real> {
     pub translation: Translation3<T>,
 }
 
+/// A translation without a rotation.
+#[function]
+pub fn from_translation<T: Real>(translation: Translation3<T>) -> Native<T> {
+    Native::from_parts(translation, UnitQuaternion::identity())
+}
+
 #[library(IsometryCompanions)]
 impl<T: Real> Native<T> {
     /// The pose of the origin.
