@@ -335,9 +335,8 @@ impl<'a> Lowering<'a, '_> {
             let next = self.settling(
                 |inner| inner.argument_for(parameter, argument, &handed, (each, site)),
                 |inner, _, later| {
-                    let (before, written) = (subjects.iter_mut(), effects::writes(later));
-                    for (it, argument) in before.zip(arguments) {
-                        inner.copy_subject(it, argument, &written);
+                    for (it, argument) in subjects.iter_mut().zip(arguments) {
+                        inner.settle_argument(it, argument, later);
                     }
                 },
             )?;

@@ -83,12 +83,18 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             (Pattern::Any, _) => self.effect(value),
-            (Pattern::Name { name, slot, mutable, inner: None }, _) if *slot != NO_SLOT => self
-                .naming_scope(|inner| {
+            // What a block lends is found where the block is lowered, by the subject below.
+            (Pattern::Name { name, slot, mutable, inner: None }, _)
+                if *slot != NO_SLOT
+                    && (self.slot_is_slice(*slot, value.site)?
+                        || !self.slot_is_reference(*slot, value.site)?) =>
+            {
+                self.naming_scope(|inner| {
                     inner.let_stmt((name, *mutable), *slot, Some(value), value.site)?;
                     bound.push((name.clone(), inner.lookup(name, value.site)?));
                     Ok(())
-                }),
+                })
+            }
             _ => {
                 let subject = self.subject(value)?;
                 let names = self.test(pattern, &subject, value.site)?.names;

@@ -100,6 +100,21 @@ impl Lowering<'_, '_> {
         });
     }
 
+    /// The same of an argument of a closure: only what the statements write is copied.
+    pub(super) fn settle_argument(
+        &mut self,
+        subject: &mut Value,
+        expr: &tree::Expr,
+        later: &[Stmt],
+    ) {
+        self.copy_subject(subject, expr, &effects::writes(later));
+        self.each_subject(subject, expr, &mut |inner, place, lent| {
+            if lent {
+                inner.settle_place(place, later);
+            }
+        });
+    }
+
     /// Copies those parts of a subject that are values in places which something writes.
     pub(super) fn copy_subject(
         &mut self,
@@ -132,7 +147,8 @@ impl Lowering<'_, '_> {
                 parts.iter_mut().for_each(|part| self.each_subject(part, expr, act));
             }
             (Value::Place(place), _) => {
-                let lent = self.is_lent(expr);
+                // One that holds a reference is a value: another may come to stand there.
+                let lent = self.is_lent(expr) && !self.is_loan(place);
                 act(self, place, lent);
             }
             _ => {}
