@@ -221,19 +221,18 @@ impl Lowering<'_, '_> {
             return Ok(equal);
         }
         let of_instance = self.is_of_instance(left) || self.is_of_instance(right);
-        let operand = |expr, expected, role| Operand { expr, expected, role };
+        let both = |of_left, of_right| {
+            let left = Operand { expr: left, expected: of_left, role: "left" };
+            [left, Operand { expr: right, expected: of_right, role: "right" }]
+        };
         let [left, right] = match (plain(op), expr.slot) {
             (Plain::Arithmetic(_), Some(slot)) => {
                 let result = self.slot(slot, expr.site)?;
                 let (of_left, of_right) =
                     (Some(of_elements(&result)), self.compound_operand(op, &result));
-                let both = [operand(left, of_left, "left"), operand(right, of_right, "right")];
-                two(self.operands(&both)?, expr.site)?
+                two(self.operands(&both(of_left, of_right))?, expr.site)?
             }
-            _ => self.beside_literal(
-                [operand(left, None, "left"), operand(right, None, "right")],
-                expr.site,
-            )?,
+            _ => self.beside_literal(both(None, None), expr.site)?,
         };
         match literal::folded(op, &left, &right).filter(|_| of_instance) {
             Some(word) => self.node(ExprKind::Literal(word), left.ty, expr.site),

@@ -132,14 +132,11 @@ fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
         return None;
     }
     let of_type = refuse::named_type(&syn::Ident::new(owner, function.span()).into());
-    if owner == "mem" && last == "discriminant" {
-        return Some(refuse::VARIANT_VALUE);
-    }
+    let outside = refuse::library(&function.path);
     // A companion of the type answers.
     let answered = bessemer_tree::number::Scalar::from_name(owner).is_some()
-        || is_constructor_name(owner)
-            && function.path.segments.first().is_some_and(|first| first.ident == "core");
-    of_type.or_else(|| refuse::library(&function.path).filter(|_| !answered))
+        || is_constructor_name(owner) && outside.is_some_and(refuse::Reason::is_of_core);
+    of_type.or(outside.filter(|_| !answered))
 }
 
 /// Whether an expression is a call of a method, or what `?` gives of one: its value may refer to an element.

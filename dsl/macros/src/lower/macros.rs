@@ -13,7 +13,7 @@ use super::walk::Lowering;
 /// `matches!`, which is a `match`.
 pub(super) const MATCHES: &str = "matches";
 
-/// Those of nalgebra's.
+/// Those of nalgebra's: a column, and rows.
 const ROWS: [&str; 2] = ["vector", "matrix"];
 
 impl Lowering {
@@ -153,17 +153,16 @@ fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
     use syn::punctuated::Punctuated;
     type Elements = Punctuated<syn::Expr, syn::Token![,]>;
     let name = &mac.path.segments.last()?.ident;
-    let rows: Vec<Vec<syn::Expr>> = if name == "vector" {
+    let in_rows = ROWS.iter().position(|it| name == it)? > 0;
+    let rows: Vec<Vec<syn::Expr>> = if !in_rows {
         let column = mac.parse_body_with(Elements::parse_terminated).ok()?;
         column.into_iter().map(|element| vec![element]).collect()
-    } else if name == "matrix" {
+    } else {
         let parser = Punctuated::<_, syn::Token![;]>::parse_terminated_with;
         let row = |input: syn::parse::ParseStream<'_>| Elements::parse_separated_nonempty(input);
         let rows =
             mac.parse_body_with(|input: syn::parse::ParseStream<'_>| parser(input, row)).ok()?;
         rows.into_iter().map(|row| row.into_iter().collect()).collect()
-    } else {
-        return None;
     };
     Some(syn::parse_quote! { ::bessemer::linear::by_rows([#([#(#rows),*]),*]) })
 }

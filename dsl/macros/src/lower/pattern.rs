@@ -312,7 +312,9 @@ impl Parts<'_> {
                 return false;
             }
             (place, _) => {
-                let name = self.fresh(&format!("{}_next", name_of(place)));
+                let part = || format!("part_{}", self.assigned.len() + 1);
+                let name = name_of(place).map_or_else(part, |name| format!("{name}_next"));
+                let name = self.fresh(&name);
                 self.assigned.push(parse_quote! { #place = #name; });
                 *place = parse_quote! { #name };
             }
@@ -334,17 +336,17 @@ impl Parts<'_> {
 }
 
 /// What a place is called: its last field, or its variable.
-fn name_of(place: &syn::Expr) -> String {
+fn name_of(place: &syn::Expr) -> Option<String> {
     match place {
-        syn::Expr::Path(it) => last_segment(&it.path),
+        syn::Expr::Path(it) => Some(last_segment(&it.path)),
         syn::Expr::Field(it) => match &it.member {
-            syn::Member::Named(name) => text(name),
+            syn::Member::Named(name) => Some(text(name)),
             syn::Member::Unnamed(_) => name_of(&it.base),
         },
         syn::Expr::Index(it) => name_of(&it.expr),
         syn::Expr::Unary(it) => name_of(&it.expr),
         syn::Expr::Paren(it) => name_of(&it.expr),
-        _ => "value".to_owned(),
+        _ => None,
     }
 }
 
