@@ -37,13 +37,13 @@ fn function(path: &str) -> Function {
     functions.find(|function| function.path == path).unwrap_or_else(|| panic!("no {path}"))
 }
 
-/// The type of each `let` at the top of a function, in order.
+/// The type of each `let` at the top of a function, in order; a closure has none.
 fn lets(function: &Function) -> Vec<(String, Ty)> {
     let stmts = function.tree.body.stmts.iter();
     stmts
         .filter_map(|stmt| match stmt {
             Stmt::Let { name, slot, .. } => {
-                Some((name.clone(), function.slots[*slot as usize].clone()))
+                function.slots.get(*slot as usize).map(|ty| (name.clone(), ty.clone()))
             }
             Stmt::Apart { .. } | Stmt::Expr(_) => None,
         })
