@@ -110,14 +110,16 @@ pub fn of_path(path: &syn::Path) -> Option<syn::Ident> {
     owned(name).or_else(|| of_turns(&last.next()?.ident, name))
 }
 
+/// nalgebra's traits of numbers, by whose paths methods are called.
+pub const FIELDS: [&str; 2] = ["ComplexField", "RealField"];
+
 /// A method that is called by the path of its trait, as Rust without std has to where it has no type to name:
 /// `ComplexField::sin(x)` is `x.sin()`.
 pub fn by_method(it: &syn::ExprCall) -> Option<syn::Expr> {
     let syn::Expr::Path(syn::ExprPath { qself: None, path, .. }) = &*it.func else { return None };
     let mut last = path.segments.iter().rev();
     let (name, home) = (&last.next()?.ident, &last.next()?.ident);
-    let fields = ["ComplexField", "RealField"].iter().any(|it| home == it);
-    owned(name).filter(|_| fields)?;
+    owned(name).filter(|_| FIELDS.iter().any(|it| home == it))?;
     let (receiver, rest) = (it.args.first()?, it.args.iter().skip(1));
     Some(syn::parse_quote! { (#receiver).#name(#(#rest),*) })
 }

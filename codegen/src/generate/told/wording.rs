@@ -270,6 +270,12 @@ fn builders(message: &Message<'_>) -> Option<Words> {
                 "give it another name: by this one the DSL means nalgebra's",
             );
         }
+        if ["ComplexField", "RealField"].contains(name) {
+            return words(
+                format!("a trait of the author's own is named as nalgebra's `{name}`"),
+                "give it another name: by this one the DSL means nalgebra's",
+            );
+        }
         if ["array", "cmp", "mem"].contains(name) {
             return words(
                 format!("a module of the author's own is named as Rust's `{name}`"),

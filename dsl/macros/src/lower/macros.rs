@@ -1,6 +1,6 @@
 //! Calls of macros: assertions, `matches!`, matrices.
 //!
-//! They, and the module `mem`, are taken for Rust's and nalgebra's by their names: rustc is asked whether they are.
+//! They, the module `mem`, and `RealField` in the path of a method, are taken for Rust's and nalgebra's by their names: rustc is asked whether they are.
 
 use bessemer_tree as tree;
 use proc_macro2::TokenStream;
@@ -9,6 +9,7 @@ use quote::{format_ident, quote};
 use super::names::{site, text};
 use super::refuse;
 use super::walk::Lowering;
+use crate::owned::FIELDS;
 
 /// `matches!`, which is a `match`.
 pub(super) const MATCHES: &str = "matches";
@@ -33,7 +34,8 @@ impl Lowering {
         }
     }
 
-    /// Lets rustc be asked whether the module of [`in_module`] is Rust's, where it is named without its crate.
+    /// Lets rustc be asked whether the module of [`in_module`] is Rust's, or the trait of a method's path nalgebra's, where it is
+    /// named without its crate.
     pub(super) fn ask_home(&mut self, path: &syn::Path) {
         if let (2, Some(home)) = (path.segments.len(), path.segments.first()) {
             self.ask(&home.ident);
@@ -184,7 +186,10 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
                 let _ = || #name!(0.0, 0.0);
             } };
         }
-        None => return own_module(name, &module),
+        None if FIELDS.iter().any(|it| name == it) => {
+            return own_item(name, &module, &quote! { ::bessemer::nalgebra });
+        }
+        None => return own_item(name, &module, &quote! { ::core }),
     };
     quote! {
         {
@@ -198,12 +203,12 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
     }
 }
 
-/// The same for a module of Rust's: a name that two globs bring is ambiguous unless both mean one thing.
-fn own_module(name: &syn::Ident, module: &syn::Ident) -> TokenStream {
+/// The same for a module of Rust's or a trait of nalgebra's: a name that two globs bring is ambiguous unless both mean one thing.
+fn own_item(name: &syn::Ident, module: &syn::Ident, home: &TokenStream) -> TokenStream {
     quote! {
         mod #module {
             mod rusts {
-                pub use ::core::#name;
+                pub use #home::#name;
             }
             #[allow(unused_imports)]
             use super::*;

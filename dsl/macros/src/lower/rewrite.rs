@@ -24,7 +24,13 @@ impl Lowering {
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
-            syn::Expr::Call(it) => return by_method(it).or_else(|| self.of_core(it)),
+            syn::Expr::Call(it) => {
+                let Some(method) = by_method(it) else { return self.of_core(it) };
+                if let syn::Expr::Path(function) = &*it.func {
+                    self.ask_home(&function.path);
+                }
+                return Some(method);
+            }
             syn::Expr::Range(it) => return held(it),
             syn::Expr::Assign(it) => return by_let(it),
             // rustc has computed it in the original.
