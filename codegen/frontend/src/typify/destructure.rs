@@ -12,21 +12,26 @@ use super::pattern::{Test, aligned};
 use super::value::Value;
 use super::{Needed, Result};
 
+/// `let name = value;`
+#[derive(Clone, Copy)]
+pub(super) struct Let<'t> {
+    pub name: &'t str,
+    pub slot: u32,
+    pub value: Option<&'t tree::Expr>,
+    pub site: Site,
+    pub mutable: bool,
+}
+
 /// A pattern, and what is done with what it takes.
 type Arm<'t> = (&'t Pattern, Cow<'t, tree::Expr>);
 
 impl Lowering<'_, '_> {
     /// `let name = value;`
-    pub(super) fn let_stmt(
-        &mut self,
-        (name, mutable): (&str, bool),
-        slot: u32,
-        value: Option<&tree::Expr>,
-        site: Site,
-    ) -> Result<()> {
+    pub(super) fn let_stmt(&mut self, it: Let) -> Result<()> {
+        let Let { name, slot, value, site, mutable } = it;
         let whole = Pattern::Name { name: name.to_owned(), slot, mutable: false, inner: None };
         if !value.map_or(Ok(false), |value| self.take_tried(&whole, value))? {
-            self.give_name((name, mutable), slot, value, site)?;
+            self.give_name(it)?;
         }
         if mutable && let Value::Local(local) = self.lookup(name, site)? {
             self.note_changing(local, slot);
@@ -84,14 +89,15 @@ impl Lowering<'_, '_> {
             }
             (Pattern::Any, _) => self.effect(value),
             // What a block lends is found where the block is lowered, by the subject below.
-            (Pattern::Name { name, slot, mutable, inner: None }, _)
-                if *slot != NO_SLOT
-                    && (self.slot_is_slice(*slot, value.site)?
-                        || !self.slot_is_reference(*slot, value.site)?) =>
+            (&Pattern::Name { ref name, slot, mutable, inner: None }, _)
+                if slot != NO_SLOT
+                    && (self.slot_is_slice(slot, value.site)?
+                        || !self.slot_is_reference(slot, value.site)?) =>
             {
                 self.naming_scope(|inner| {
-                    inner.let_stmt((name, *mutable), *slot, Some(value), value.site)?;
-                    bound.push((name.clone(), inner.lookup(name, value.site)?));
+                    let (site, value) = (value.site, Some(value));
+                    inner.let_stmt(Let { name, slot, value, site, mutable })?;
+                    bound.push((name.clone(), inner.lookup(name, site)?));
                     Ok(())
                 })
             }

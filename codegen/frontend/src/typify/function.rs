@@ -9,6 +9,7 @@ use bessemer_ir::{
 };
 
 use super::borrowed::{Lenders, Path};
+use super::destructure::Let;
 use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since, meaning_in};
 use super::names::split;
 use super::syntax::control_with_value;
@@ -384,9 +385,9 @@ impl Lowering<'_, '_> {
         for stmt in &block.stmts {
             let mark = self.out.len();
             let site = match stmt {
-                tree::Stmt::Let { name, slot, value, site, mutable } => {
-                    self.let_stmt((name, *mutable), *slot, value.as_ref(), *site)?;
-                    *site
+                &tree::Stmt::Let { ref name, slot, ref value, site, mutable } => {
+                    self.let_stmt(Let { name, slot, value: value.as_ref(), site, mutable })?;
+                    site
                 }
                 tree::Stmt::Apart { pattern, value, otherwise, site } => {
                     let naming = match &**pattern {
@@ -409,13 +410,8 @@ impl Lowering<'_, '_> {
     }
 
     /// The same of a value that is no `lent?`.
-    pub(super) fn give_name(
-        &mut self,
-        (name, mutable): (&str, bool),
-        slot: u32,
-        value: Option<&tree::Expr>,
-        site: Site,
-    ) -> Result<()> {
+    pub(super) fn give_name(&mut self, it: Let) -> Result<()> {
+        let Let { name, slot, value, site, mutable } = it;
         if let Some(value) = value {
             if let tree::ExprKind::Closure(closure @ tree::Closure { name: Some(_), .. }) =
                 &value.kind
