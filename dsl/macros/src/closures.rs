@@ -6,7 +6,7 @@
 //! that takes an iterator stands where it is called.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::quote;
 use syn::visit_mut::{self, VisitMut};
 use syn::{GenericParam, TypeParamBound, WherePredicate};
 
@@ -80,7 +80,7 @@ fn is_interface(bound: &TypeParamBound) -> bool {
 
 /// Whether a bound is `?Sized`.
 fn is_relaxed(bound: &TypeParamBound) -> bool {
-    matches!(bound, TypeParamBound::Trait(it) if it.to_token_stream().to_string().starts_with('?'))
+    matches!(bound, TypeParamBound::Trait(it) if it.maybe.is_some())
 }
 
 /// The names that types behind interfaces are given.

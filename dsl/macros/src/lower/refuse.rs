@@ -260,7 +260,8 @@ pub fn library(path: &syn::Path) -> Option<Reason> {
     let first = path.segments.first().filter(|_| path.segments.len() > 1)?;
     match first.ident.to_string().as_str() {
         "std" => Some(STD),
-        "core" | "alloc" => Some(CORE),
+        "core" => Some(CORE),
+        "alloc" => Some(HEAP),
         _ => None,
     }
 }
