@@ -6,7 +6,7 @@
 //!
 //! Must not know: the author's Rust, and who asks for C.
 
-// What is made must not depend on the order in which a hash table happens to lie.
+// The order of a hash table differs from run to run: the C must not depend on it.
 #![warn(clippy::iter_over_hash_type)]
 
 mod built;

@@ -5,7 +5,7 @@
 //!
 //! Must not know: what the passes do with the IR, and C.
 
-// What is made must not depend on the order in which a hash table happens to lie.
+// The order of a hash table differs from run to run: the C must not depend on it.
 #![warn(clippy::iter_over_hash_type)]
 
 pub mod diagnostic;

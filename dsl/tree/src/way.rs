@@ -1,4 +1,4 @@
-//! The ranges and sequences of loops, the targets of assignments, and the claims of assertions.
+//! What loops go through, and the claims of assertions.
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;

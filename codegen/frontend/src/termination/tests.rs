@@ -15,7 +15,7 @@ fn shown(body: &str) -> (bool, bool) {
     shown_of("u8", body)
 }
 
-/// The same of numbers of any type of 8 bits.
+/// The loop's numbers are `u8` or `i8`, as `ty` says: whether the loop is shown to end, and does.
 fn shown_of(ty: &str, body: &str) -> (bool, bool) {
     let text = format!(
         "module demo

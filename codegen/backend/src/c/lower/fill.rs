@@ -36,7 +36,7 @@ pub(super) fn unwritten(
     for stmt in rest {
         let before = written.clone();
         let wrote = match through(module, stmt) {
-            // What makes no pass writes nothing.
+            // A loop without passes writes nothing.
             Some((_, 0, _)) => continue,
             Some((counter, to, body)) => {
                 each(module, local, &body.0, Some((counter, to)), &mut written)
