@@ -69,7 +69,7 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
         command.args(["--", "-D", "warnings"]);
         check(&mut progress, "lints of what only a full run builds", command, None)?;
     }
-    let programs = progress.closed(BUILD, |voice| programs(root, wanted, voice))?;
+    let (programs, documented) = progress.closed(BUILD, |voice| programs(root, wanted, voice))?;
     if let Some(installation) = installation {
         installation.end(&mut progress)?;
         installed(wanted, machine)?;
@@ -81,7 +81,7 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
             let mut beside = Vec::new();
             if let Some(trials) = &trials {
                 beside.push(scope.spawn(move || mutants(trials, voice)));
-                beside.push(scope.spawn(move || documentation(root, voice)));
+                beside.push(scope.spawn(|| documentation(root, &documented, voice)));
             }
             let mut done = runner::run(&programs, &chosen, &stored, &environment, voice)?;
             for one in beside {
@@ -101,8 +101,12 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
 }
 
 /// Builds the tests: those of the workspace, those of what a generation build alone has, and in a full run those of the
-/// ground station's tools.
-fn programs(root: &Path, wanted: &Test, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
+/// ground station's tools. Tells, too, which packages have examples in their documentation.
+fn programs(
+    root: &Path,
+    wanted: &Test,
+    voice: &stages::Voice,
+) -> Result<(Vec<Program>, BTreeSet<String>), Error> {
     let build = |arguments: &[&str], linted: bool| {
         let mut command = project::cargo(root, &["test", "--no-run", "--message-format", "json"]);
         command.args(arguments);
@@ -115,25 +119,37 @@ fn programs(root: &Path, wanted: &Test, voice: &stages::Voice) -> Result<Vec<Pro
         verdict(BUILD, status, None)?;
         // A warning is an error here, also one that cargo repeats from a build before.
         match said.len() {
-            0 => Ok(Program::of(&messages)),
+            0 => Ok(messages),
             count => Err(Error::Lints { count }),
         }
     };
-    let mut programs = build(&["--workspace"], true)?;
+    let messages = build(&["--workspace"], true)?;
+    let (mut programs, documented) = (Program::of(&messages), documented(&messages));
     // Features of a package alone: in a workspace build they would reach the models of every test. With the settings of
     // a generation build, so that it is not built once more.
     const WITNESS: &str = "bessemer-witness";
     let settings: Vec<String> = bessemer_codegen::generate::settings(WITNESS).collect();
     let mut arguments = vec!["--package", WITNESS, "--features", "generate"];
     arguments.extend(settings.iter().flat_map(|setting| ["--config", setting]));
-    programs.extend(build(&arguments, false)?);
+    programs.extend(Program::of(&build(&arguments, false)?));
     if wanted.full {
         for tool in TOOLS.split(',') {
             let package = ["--package", "ground", "--features", TOOLS, "--test", tool];
-            programs.extend(build(&package, true)?);
+            programs.extend(Program::of(&build(&package, true)?));
         }
     }
-    Ok(programs)
+    Ok((programs, documented))
+}
+
+/// The packages of the workspace whose manifests do not say that their documentation has no examples. Cargo would read all
+/// of them for examples, when it is asked for nothing else.
+fn documented(messages: &str) -> BTreeSet<String> {
+    let messages = messages.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+    let own = |message: &Value| {
+        let package = message["package_id"].as_str().filter(|id| id.starts_with("path+"))?;
+        (message["target"]["doctest"] == true).then(|| package.to_owned())
+    };
+    messages.filter_map(|message| own(&message)).collect()
 }
 
 /// What the compiler and its lints said in cargo's messages, each as a person reads it.
@@ -159,10 +175,15 @@ fn mutants(trials: &mutate::Trials, voice: &stages::Voice) -> Result<Done, Error
     Ok(Done { title: "mutants that are found".to_owned(), passed, time: start.elapsed() })
 }
 
-/// Runs the examples of the documentation.
-fn documentation(root: &Path, voice: &stages::Voice) -> Result<Done, Error> {
+/// Runs the examples of these packages' documentation.
+fn documentation(
+    root: &Path,
+    packages: &BTreeSet<String>,
+    voice: &stages::Voice,
+) -> Result<Done, Error> {
     let start = Instant::now();
-    let mut command = project::cargo(root, &["test", "--workspace", "--doc"]);
+    let mut command = project::cargo(root, &["test", "--doc"]);
+    command.args(packages.iter().flat_map(|package| ["--package", package]));
     let passed = stages::captured(project::lint(&mut command), voice)?.success();
     Ok(Done { title: "documentation tests".to_owned(), passed, time: start.elapsed() })
 }
@@ -296,6 +317,21 @@ mod tests {
 not JSON
 {"reason":"compiler-message","message":{"level":"warning","rendered":"warning: one\n"}}
 {"reason":"compiler-message","message":{"level":"warning","rendered":"warning: two\n"}}"#;
+
+    #[test]
+    fn examples_are_those_of_packages_that_may_have_some() {
+        let message = |id: &str, doctest| {
+            let target = format!(r#"{{"name":"a","doctest":{doctest}}}"#);
+            format!(r#"{{"reason":"compiler-artifact","package_id":"{id}","target":{target}}}"#)
+        };
+        let messages = [
+            message("path+file:///a/dsl#bessemer@0.1.0", true),
+            message("path+file:///a/sim#0.1.0", false),
+            message("registry+https://index#syn@3.0.0", true),
+        ];
+        let documented = documented(&messages.join("\n"));
+        assert!(documented.iter().eq(["path+file:///a/dsl#bessemer@0.1.0"]), "{documented:?}");
+    }
 
     #[test]
     fn a_warning_is_told_once() {

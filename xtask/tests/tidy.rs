@@ -240,6 +240,40 @@ fn what_is_not_built_as_a_test_has_none() {
     none("what says `test = false` has no tests", &offences);
 }
 
+/// Libraries whose documentation has no example say `doctest = false`, which saves reading them for one; none says it that
+/// has some: they would not be run.
+#[test]
+fn what_is_not_read_for_examples_has_none() {
+    let root = root();
+    let mut offences = Vec::new();
+    for package in packages() {
+        let is_library = |target: &&Value| {
+            let kinds = target["kind"].as_array().into_iter().flatten();
+            kinds.into_iter().any(|kind| kind == "lib" || kind == "proc-macro")
+        };
+        let targets = package["targets"].as_array().into_iter().flatten();
+        for library in targets.filter(is_library) {
+            let folder = Path::new(library["src_path"].as_str().expect("a path")).parent();
+            let within = |file: &File| {
+                file.is_source() && folder.is_some_and(|it| root.join(&file.path).starts_with(it))
+            };
+            let has_some = files().iter().any(|file| within(file) && has_example(&file.text));
+            if has_some != (library["doctest"] == true) {
+                offences.push(format!("{}: {has_some}", library["src_path"]));
+            }
+        }
+    }
+    none("`doctest = false` says that a library has no example", &offences);
+}
+
+/// Whether the documentation in a source has a block of Rust: every other fence opens one.
+fn has_example(text: &str) -> bool {
+    let comments = text.lines().map(str::trim);
+    let comments = comments.filter_map(|it| it.strip_prefix("///").or(it.strip_prefix("//!")));
+    let mut fences = comments.filter_map(|comment| comment.trim().strip_prefix("```")).step_by(2);
+    fences.any(|language| matches!(language, "" | "no_run" | "should_panic"))
+}
+
 /// C is called from tests and benchmarks only, so the rest needs no `unsafe`.
 #[test]
 fn no_source_is_unsafe() {
