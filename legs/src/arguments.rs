@@ -100,7 +100,7 @@ fn lengths<'w>(
             let fields = item.fields.iter();
             fields.fold(words, |words, field| lengths(random, module, &field.ty, words))
         }
-        other => &mut words[module.leaves(other).len()..],
+        other => &mut words[module.width(other)..],
     }
 }
 

@@ -417,7 +417,7 @@ impl Walk<'_> {
                     let (tag, case) = (&names[0], case.unwrap_or_default());
                     let _ = writeln!(text, "        if ((int){place}.{tag} == {case}) {{");
                     self.words(&field.ty, &inner, text, skip, found);
-                    let count = self.module.leaves(&field.ty).len();
+                    let count = self.module.width(&field.ty);
                     let _ = writeln!(text, "        }} else {{");
                     let _ =
                         writeln!(text, "        for (int n = 0; n < {count}; ++n) {{ {skip} }}");

@@ -114,12 +114,10 @@ impl Process {
         let module = &compiled.explicit;
         let function = &module.functions[entry.index()];
         let state = match function.owner {
-            Some(bessemer_ir::Owner::Struct(id)) => {
-                module.leaves(&bessemer_ir::Type::Struct(id)).len()
-            }
+            Some(bessemer_ir::Owner::Struct(id)) => module.width(&bessemer_ir::Type::Struct(id)),
             _ => 0,
         };
-        process.results = 1 + module.leaves(&function.result).len() + state;
+        process.results = 1 + module.width(&function.result) + state;
         Ok(process)
     }
 

@@ -74,7 +74,7 @@ pub fn with_words(
         let entry = chosen(module, wanted.entry.as_deref())?;
         let function = &module.functions[entry.index()];
         let counts: Vec<usize> =
-            function.parameters().iter().skip(1).map(|it| module.leaves(&it.ty).len()).collect();
+            function.parameters().iter().skip(1).map(|it| module.width(&it.ty)).collect();
         let taken = counts.iter().sum();
         let parted = |words: &Vec<u64>| {
             if words.len() != taken {
@@ -295,7 +295,7 @@ fn initial(module: &Module, component: &Type) -> Vec<u64> {
         Type::Struct(id) => module.structs[id.index()].initial.clone(),
         _ => None,
     };
-    built.unwrap_or_else(|| vec![0; module.leaves(component).len()])
+    built.unwrap_or_else(|| vec![0; module.width(component)])
 }
 
 /// The words that come out, and the component's among them.

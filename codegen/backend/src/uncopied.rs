@@ -38,14 +38,14 @@ const LISTED: usize = 16;
 
 /// Whether a value is worth a table: an aggregate of numbers.
 pub(crate) fn is_table(module: &Module, value: &Expr) -> bool {
-    let words = module.leaves(&value.ty).len();
+    let words = module.width(&value.ty);
     value.ty.is_aggregate() && (WORDS + 1..=TABLE).contains(&words) && is_of_numbers(module, value)
 }
 
 /// Whether a value is a table that is copied to where it is wanted: an aggregate of so many numbers that they are not written
 /// one by one.
 pub(crate) fn is_stored_whole(module: &Module, value: &Expr) -> bool {
-    let words = module.leaves(&value.ty).len();
+    let words = module.width(&value.ty);
     let overlaid = |expr: &Expr| match &expr.ty {
         Type::Struct(id) => module.structs[id.index()].overlaid(),
         _ => false,
@@ -74,7 +74,7 @@ fn is_of_numbers(module: &Module, value: &Expr) -> bool {
         }
         ExprKind::Splat(item) => match item.kind {
             ExprKind::Literal(0) => true,
-            ExprKind::Literal(_) => module.leaves(&value.ty).len() <= LISTED,
+            ExprKind::Literal(_) => module.width(&value.ty) <= LISTED,
             _ => false,
         },
         _ => false,
@@ -116,7 +116,7 @@ impl Names<'_> {
         };
         pointed
             && local.mode == Mode::Value
-            && self.module.leaves(&local.ty).len() > WORDS
+            && self.module.width(&local.ty) > WORDS
             && !writes_local(&self.function.body, id)
     }
 

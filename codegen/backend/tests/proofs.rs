@@ -64,7 +64,7 @@ fn arguments(module: &Module, function: usize) -> Vec<Vec<Vec<u64>>> {
         let choices: Vec<Vec<u64>> = if parameter.ty.is_word() {
             words(module, &parameter.ty).into_iter().map(|word| vec![word]).collect()
         } else {
-            vec![(0..module.leaves(&parameter.ty).len() as u64).collect()]
+            vec![(0..module.width(&parameter.ty) as u64).collect()]
         };
         let longer = |begun: &Vec<Vec<u64>>| {
             let begun = begun.clone();

@@ -12,7 +12,7 @@ impl Module {
             }
             Type::Struct(id) => self.canonical_struct(&self.structs[id.index()], words),
             other => {
-                let count = self.leaves(other).len().min(words.len());
+                let count = self.width(other).min(words.len());
                 &mut words[count..]
             }
         }
@@ -21,7 +21,7 @@ impl Module {
     fn canonical_struct<'w>(&self, definition: &Struct, mut words: &'w mut [u64]) -> &'w mut [u64] {
         let first = words.first().copied().unwrap_or_default();
         for (index, field) in definition.fields.iter().enumerate() {
-            let count = self.leaves(&field.ty).len().min(words.len());
+            let count = self.width(&field.ty).min(words.len());
             let (own, rest) = core::mem::take(&mut words).split_at_mut(count);
             let held = match &definition.form {
                 Form::Record | Form::Lent | Form::Shared => count,

@@ -472,6 +472,20 @@ impl Type {
 }
 
 impl Module {
+    /// How many words a value of type `ty` travels as: the number of its [`leaves`](Self::leaves).
+    pub fn width(&self, ty: &Type) -> usize {
+        match ty {
+            Type::Unit | Type::Slice(_) => 0,
+            Type::Scalar(_) | Type::Enum(_) => 1,
+            Type::Array { element, len } => self.width(element).saturating_mul(*len as usize),
+            Type::Matrix { rows, cols, .. } => (*rows * *cols) as usize,
+            Type::Struct(id) => {
+                let fields = &self.structs[id.index()].fields;
+                fields.iter().map(|field| self.width(&field.ty)).sum()
+            }
+        }
+    }
+
     /// The one-word types that a value of type `ty` is made of, in the order in which its words
     /// travel: fields in order, elements in order, matrices by columns.
     pub fn leaves(&self, ty: &Type) -> Vec<Type> {

@@ -176,7 +176,7 @@ fn interpreted_case(
         let given = arguments.clone();
         // What the compiler added, a work struct, is nothing that Rust knows.
         for added in &parameters[given.len()..] {
-            arguments.push(vec![0; module.leaves(&added.ty).len()]);
+            arguments.push(vec![0; module.width(&added.ty)]);
         }
         let called = interpreter.call(target.id, &mut arguments);
         arguments.truncate(given.len());
@@ -303,7 +303,7 @@ impl<'l> Life<'l> {
     fn trace(&mut self, call: &Call, status: u64, words: &[u64]) -> Option<&'static str> {
         let initial = self.case.initial.as_ref()?;
         let target = &self.case.entries[call.entry];
-        let (result, rest) = words.split_at(self.module.leaves(&target.types[0]).len());
+        let (result, rest) = words.split_at(self.module.width(&target.types[0]));
         let last = &mut self.results[call.entry];
         if status != 0 && !last.is_empty() && last != result {
             return Some("its result");

@@ -221,5 +221,5 @@ fn count_up(counter: &str, count: String, body: Vec<Stmt>) -> StmtKind {
 }
 
 fn count(module: &Module, ty: &Type) -> usize {
-    module.leaves(ty).len()
+    module.width(ty)
 }

@@ -302,7 +302,7 @@ impl Writer<'_> {
         let each = |types: &mut dyn Iterator<Item = &Type>| {
             let (mut rest, mut all) = (words, Vec::new());
             for ty in types {
-                let (own, later) = rest.split_at(module.leaves(ty).len().min(rest.len()));
+                let (own, later) = rest.split_at(module.width(ty).min(rest.len()));
                 rest = later;
                 all.extend(self.in_memory(ty, own));
             }

@@ -369,14 +369,15 @@ impl<'a> Context<'a> {
     }
 
     fn span(&mut self, file: &str, Site(line, column): Site) -> Span {
-        let next = self.module.files.len() as u32;
-        let index = *self.files.entry(file.to_owned()).or_insert(next);
-        if index == next {
-            self.module.files.push(file.to_owned());
-            let about = self.sources.about(file);
-            if !about.is_empty() {
-                self.module.about.insert(file.to_owned(), about);
-            }
+        if let Some(&file) = self.files.get(file) {
+            return Span { file, line, column };
+        }
+        let index = self.module.files.len() as u32;
+        self.files.insert(file.to_owned(), index);
+        self.module.files.push(file.to_owned());
+        let about = self.sources.about(file);
+        if !about.is_empty() {
+            self.module.about.insert(file.to_owned(), about);
         }
         Span { file: index, line, column }
     }

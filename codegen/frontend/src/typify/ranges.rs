@@ -77,14 +77,14 @@ impl Walk<'_> {
         let item = &module.structs[id.index()];
         let (first, mut rest) = (words.first().copied().unwrap_or_default(), words);
         for (index, field) in item.fields.iter().enumerate() {
-            let (mut own, later) = rest.split_at(module.leaves(&field.ty).len().min(rest.len()));
+            let (mut own, later) = rest.split_at(module.width(&field.ty).min(rest.len()));
             rest = later;
             if !item.holds(index, first) {
                 continue;
             }
             if let (Form::Sequence, Type::Array { element, .. }) = (&item.form, &field.ty) {
                 // Behind the elements that there are stands what nobody reads.
-                let held = module.leaves(element).len().saturating_mul(first as usize);
+                let held = module.width(element).saturating_mul(first as usize);
                 own = &own[..held.min(own.len())];
             }
             let path = format!("{path}.{}", field.name);
@@ -99,7 +99,7 @@ impl Walk<'_> {
         match ty {
             Type::Struct(id) => self.fields(*id, words, path),
             Type::Array { element, .. } if !matches!(**element, Type::Scalar(_)) => {
-                let each = self.module.leaves(element).len().max(1);
+                let each = self.module.width(element).max(1);
                 words.chunks(each).for_each(|words| self.value(element, words, path));
             }
             _ => {}

@@ -149,7 +149,7 @@ impl Lower<'_> {
         let spared: usize = nothing.iter().map(|(_, item)| lines(item)).sum();
         let wanted = spared > 1
             && !module.structs[id.index()].overlaid()
-            && module.leaves(&value.ty).len() <= BRIEF
+            && module.width(&value.ty) <= BRIEF
             && held.iter().all(|(_, item)| self.initialisable(item))
             && !value.any_expr(|item| self.is_part(item));
         if !wanted {
