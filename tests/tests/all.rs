@@ -22,7 +22,6 @@ mod large;
 mod layouts;
 mod linear;
 mod mathematics;
-mod misra;
 mod newcomers;
 mod parameters;
 mod plain;

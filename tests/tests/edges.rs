@@ -188,7 +188,7 @@ fn every_operation_at_every_edge() {
         });
     }
     legs.extend(toolchain::target().into_iter().filter(|it| it.level == 3).map(|it| (it, &[][..])));
-    let legs = turn::some_of(legs, 2);
+    let legs = turn::one_of(legs);
     let content = (texts(&compiled.files), texts(&of_proofs.files), &calls, &expected);
     once("every operation at every edge", &content, || {
         thread::scope(|scope| {

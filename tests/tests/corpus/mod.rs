@@ -11,6 +11,7 @@ mod coverage;
 mod eva;
 mod guards;
 mod kinds;
+mod misra;
 mod mistakes;
 mod names;
 
@@ -133,7 +134,7 @@ fn lives(
     let starts = !native.component.is_empty() || of_data.is_some() && !initial.is_empty();
     let given_back =
         !native.component.is_empty() || of_data.is_some_and(|it| it.mode == Mode::RefMut);
-    let results = module.leaves(&function.result).len();
+    let results = module.width(&function.result);
     let mut state = initial.clone();
     for _ in 0..RUN {
         let mut call = call(random, Size::Tame);
@@ -207,7 +208,7 @@ pub(super) fn interpreted(
         let mut arguments = call.clone();
         // What the compiler added, a work struct, is nothing that Rust knows.
         for added in &parameters[call.len()..] {
-            arguments.push(vec![0; module.leaves(&added.ty).len()]);
+            arguments.push(vec![0; module.width(&added.ty)]);
         }
         let got = match interpreter.call(case.id, &mut arguments) {
             Ok(mut words) => {
