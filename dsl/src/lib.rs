@@ -51,10 +51,20 @@
 extern crate alloc;
 extern crate self as bessemer;
 
+#[cfg(not(feature = "generate"))]
 #[doc(hidden)]
 pub use bessemer_macros::library;
 #[doc(inline)]
-pub use bessemer_macros::{c, component, data, entry, external, function, interface};
+pub use bessemer_macros::{c, entry};
+#[cfg(not(feature = "generate"))]
+#[doc(inline)]
+pub use bessemer_macros::{component, data, external, function, interface};
+#[cfg(feature = "generate")]
+pub use bessemer_macros::{
+    component_in_generation as component, data_in_generation as data,
+    external_in_generation as external, function_in_generation as function,
+    interface_in_generation as interface, library_in_generation as library,
+};
 pub use bounded::BoundedMatrix;
 pub use element::{Element, Number};
 pub use instance::{EntriesInOneBlock, EntriesOfSomeInstances};

@@ -103,14 +103,15 @@ fn panicked(error: &str, sources: &Sources) -> Option<Diagnostic> {
     })
 }
 
-/// The settings that `--config` passes to cargo for a generation build of a package. Its program runs once, for its tree: neither the
-/// builders nor the tree are worth optimising, and nobody steps through them.
+/// The settings that `--config` passes to cargo for a generation build of a package. Its program runs once, for its tree: the
+/// builders are not worth optimising, and nobody steps through them. The macros, and what they rest on, are left as the
+/// workspace has them: its other builds need them, too.
 pub fn settings(package: &str) -> impl Iterator<Item = String> {
     let of = |package: &str| {
         ["opt-level=0", "debug=false"].map(|it| format!("profile.dev.package.{package}.{it}"))
     };
     let whole = "profile.dev.panic=\"unwind\"".to_owned();
-    [package, "bessemer", "bessemer-tree"].into_iter().flat_map(of).chain([whole])
+    [package, "bessemer"].into_iter().flat_map(of).chain([whole])
 }
 
 /// Bytes of rustc's stack in a generation build. In the witness copy each value of an expression stands in a call, so

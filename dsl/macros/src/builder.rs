@@ -293,7 +293,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         walk.refusals.forget_since(signature_refused);
     }
     *refusals = std::mem::take(&mut walk.refusals);
-    if !refusals.is_empty() || !lower::GENERATING {
+    if !refusals.is_empty() || !lower::generating() {
         return None;
     }
     let tree = FunctionTree {

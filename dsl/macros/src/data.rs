@@ -104,7 +104,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     let scope = Scope::of_type(&it.generics);
     if borrows {
         // It lives in locals, and has no words.
-        if !lower::GENERATING {
+        if !lower::generating() {
             return TokenStream::new();
         }
         let definition = struct_definition(kind, it);
@@ -145,7 +145,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
             const _: fn() -> #name = <#name as ::core::default::Default>::default;
         }
     });
-    let definition = cfg!(feature = "generate").then(|| struct_definition(kind, it));
+    let definition = lower::generating().then(|| struct_definition(kind, it));
     quote! { #plain #initial #definition }
 }
 
@@ -365,7 +365,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     }
     let plain = (!borrows).then(|| enum_words(it));
     let numbered = it.variants.iter().any(|variant| variant.discriminant.is_some());
-    let definition = cfg!(feature = "generate").then(|| {
+    let definition = lower::generating().then(|| {
         let variants = it.variants.iter().map(|variant| {
             let (name, docs) = (lower::text(&variant.ident), docs::lines(&variant.attrs));
             let fields = field_definitions(&variant.fields);

@@ -18,11 +18,11 @@ pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
         return TokenStream::new();
     }
     let (declared, owner) = (scope.declared(), &it.self_ty);
-    let bounds = match lower::GENERATING {
+    let bounds = match lower::generating() {
         true => scope.value_bounds(builder::owner_bound(scope, &quote! { #owner })),
         false => scope.bounds([]),
     };
-    let build = lower::GENERATING.then(|| {
+    let build = lower::generating().then(|| {
         quote! {
             fn build(cx: &mut ::bessemer::generate::Builder) {
                 #(Self::#faces(cx);)*
@@ -46,7 +46,7 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     lower::check_attributes(&it.attrs, refusals);
     lower::check_field(&it.ty, refusals);
     let given = given::tokens(&given::read(&it.attrs, On::Type, refusals));
-    if !refusals.is_empty() || !lower::GENERATING {
+    if !refusals.is_empty() || !lower::generating() {
         return TokenStream::new();
     }
     let (name, docs) = (&it.ident, docs::lines(&it.attrs));

@@ -64,7 +64,7 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
             }
             syn::TraitItem::Const(_) => {}
             syn::TraitItem::Type(it) if it.generics.params.is_empty() => {
-                if lower::GENERATING {
+                if lower::generating() {
                     it.colon_token.get_or_insert_default();
                     it.bounds.push(syn::parse_quote!(::bessemer::generate::Value));
                 }
@@ -220,7 +220,7 @@ pub fn implementation(
             let registered = place::registered(name, &build);
             quote! { const _: () = { #registered }; }
         }));
-    } else if lower::GENERATING {
+    } else if lower::generating() {
         let values = scope.types().map(|name| scope.value(name)).map(|it| syn::parse_quote!(#it));
         let values: Vec<syn::WherePredicate> = values.collect();
         it.generics.make_where_clause().predicates.extend(values);
@@ -230,7 +230,7 @@ pub fn implementation(
 
 /// Asks the trait whether it is an interface.
 fn marked(scope: Scope<'_>, owner: &syn::Type, path: &syn::Path) -> TokenStream {
-    let (declared, bounds) = match lower::GENERATING {
+    let (declared, bounds) = match lower::generating() {
         true => (scope.declared(), scope.value_bounds([])),
         false => (scope.declared(), scope.bounds([])),
     };

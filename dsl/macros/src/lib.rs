@@ -1,8 +1,8 @@
 //! The attribute macros: `#[data]`, `#[component]`, `#[function]`, `#[interface]`, `#[entry]`.
 //!
 //! Each leaves the Rust item as written, save that scalar methods go to the DSL ([`redirect`]), and
-//! refuses at its own token what the DSL does not take ([`lower`]). In a generation build (feature
-//! `generate`) it adds the builder of the item's tree ([`builder`]).
+//! refuses at its own token what the DSL does not take ([`lower`]). In a generation build it adds the builder of the item's
+//! tree ([`builder`]): there the DSL gives the names of the attributes to others, so that one build of this crate serves both.
 //!
 //! Must not know: types. rustc supplies them through the witness slots of the builder.
 
@@ -360,4 +360,24 @@ fn alone(item: proc_macro2::TokenStream, reason: lower::refuse::Reason) -> Token
     refusals.add(lower::refuse::first_token(&item), reason);
     let error = refusals.into_tokens();
     quote::quote! { #error #item }.into()
+}
+
+/// The attributes of a generation build.
+macro_rules! in_generation {
+    ($($name:ident: $attribute:ident;)*) => {$(
+        #[doc(hidden)]
+        #[proc_macro_attribute]
+        pub fn $name(arguments: TokenStream, item: TokenStream) -> TokenStream {
+            lower::in_generation(|| $attribute(arguments, item))
+        }
+    )*};
+}
+
+in_generation! {
+    component_in_generation: component;
+    data_in_generation: data;
+    external_in_generation: external;
+    function_in_generation: function;
+    interface_in_generation: interface;
+    library_in_generation: library;
 }

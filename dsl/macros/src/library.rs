@@ -38,7 +38,7 @@ fn block(arguments: TokenStream, item: TokenStream) -> syn::Result<TokenStream> 
         Owner(&self_ty).visit_signature_mut(&mut method.sig);
         functions.extend(function::expand(asked.function, method.into_token_stream()));
     }
-    if !lower::GENERATING {
+    if !lower::generating() {
         return Ok(functions);
     }
     if let Some(parameter) = generics.type_params().find(|it| is_named(&self_ty, &it.ident)) {

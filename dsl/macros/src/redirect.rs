@@ -10,7 +10,7 @@ use syn::visit_mut::{self, VisitMut};
 
 use crate::generics::{Floats, Scope};
 use crate::lower::macros::{expanded, in_every_build};
-use crate::lower::{GENERATING, Refusals, loops, sort};
+use crate::lower::{Refusals, generating, loops, sort};
 use crate::owned::{associated, by_method, of_libm, of_path, owned};
 
 /// The body as Rust runs it; or the errors in its place: rustc has nothing to add to what was refused, and callers still
@@ -22,7 +22,7 @@ pub fn native(
 ) {
     // A generation build runs what its constants call, and nothing else: rustc makes machine code of a function that is
     // `inline` where it is called alone.
-    if GENERATING && !attributes.iter().any(|it| it.path().is_ident("inline")) {
+    if generating() && !attributes.iter().any(|it| it.path().is_ident("inline")) {
         attributes.push(syn::parse_quote!(#[inline]));
     }
     if refusals.is_empty() {

@@ -37,7 +37,7 @@ fn announced(
     let expression = expression::told(value);
     let given = Given { hexadecimal, expression, ..given::read(attributes, On::Table, refusals) };
     given::strip(attributes);
-    if !refusals.is_empty() || !lower::GENERATING {
+    if !refusals.is_empty() || !lower::generating() {
         return TokenStream::new();
     }
     let (docs, given) = (docs::lines(attributes), given::tokens(&given));

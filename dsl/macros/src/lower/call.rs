@@ -11,7 +11,7 @@ use bessemer_tree::{EACH, ExprKind};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
-use super::names::{GENERATING, callee_name, text};
+use super::names::{callee_name, generating, text};
 use super::pattern::is_constant_name;
 use super::refuse;
 use super::syntax::{is_constructor_name, last_segment};
@@ -101,7 +101,7 @@ impl Lowering {
     /// Writes `__take(&callee, call)` for a call of a companion, so that a slot learns which function it is.
     fn take(&mut self, it: &mut syn::ExprCall) -> u32 {
         let callee = self.callee();
-        if GENERATING {
+        if generating() {
             let (name, call) = (callee_name(callee), it.clone());
             *it.func = syn::Expr::Verbatim(quote_spanned! { call.span() => __take });
             it.args = syn::parse_quote! { &#name, #call };
@@ -112,7 +112,7 @@ impl Lowering {
     /// Writes `callee.__take(call)`, so that the expression stays a method call.
     fn take_method(&mut self, it: &mut syn::ExprMethodCall) -> u32 {
         let callee = self.callee();
-        if GENERATING {
+        if generating() {
             let (name, call) = (callee_name(callee), it.clone());
             *it.receiver = syn::Expr::Verbatim(quote_spanned! { call.span() => #name });
             it.method = syn::Ident::new("__take", call.method.span());

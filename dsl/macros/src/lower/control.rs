@@ -5,7 +5,7 @@ use bessemer_tree::ExprKind;
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::names::{GENERATING, place, site, span, text};
+use super::names::{generating, place, site, span, text};
 use super::walk::Lowering;
 use super::{loops, pattern, refuse};
 
@@ -45,7 +45,7 @@ impl Lowering {
             {
                 let mut named = Vec::new();
                 let left = self.condition(&mut it.left, &mut named);
-                if GENERATING && !named.is_empty() {
+                if generating() && !named.is_empty() {
                     // What follows may borrow what has a name here.
                     let before = &it.left;
                     let seen = quote_spanned! { span(&it.left) => #before && { #(#named)* true } };
@@ -165,7 +165,7 @@ impl Lowering {
 
 /// Puts statements before the value of an arm.
 fn behind(body: &mut syn::Expr, looks: Vec<syn::Stmt>) {
-    if GENERATING && !looks.is_empty() {
+    if generating() && !looks.is_empty() {
         let span = span(body);
         *body = syn::Expr::Verbatim(quote_spanned! { span => { #(#looks)* #body } });
     }

@@ -10,7 +10,7 @@ use syn::parse_quote;
 use syn::spanned::Spanned;
 
 use super::call::companion;
-use super::names::{GENERATING, UNIT, callee_name, plain, site, slot_name, text};
+use super::names::{UNIT, callee_name, generating, plain, site, slot_name, text};
 use super::syntax::{is_constructor_name, last_segment};
 use super::walk::{Constant, Lowering, wrap};
 use crate::owned::{associated, of_path};
@@ -60,7 +60,7 @@ impl Lowering {
         let (place, span) = (site(function), function.span());
         let (arguments, result) = (self.slot(), self.slot());
         let callee = self.callee();
-        if GENERATING {
+        if generating() {
             let [given, gives] = [arguments, result].map(slot_name);
             let callee = callee_name(callee);
             asked.path = companion;

@@ -9,13 +9,13 @@
 use proc_macro2::TokenTree;
 use syn::visit::{self, Visit};
 
-use super::names::{GENERATING, text};
+use super::names::{generating, text};
 use super::refuse;
 use super::refuse::Refusals;
 
 /// Refuses a local whose name stands for another as well, that of a macro and that of its caller.
 pub fn check_hygiene(signature: &syn::Signature, body: &syn::Block, refusals: &mut Refusals) {
-    if !GENERATING {
+    if !generating() {
         return;
     }
     let mut names = Names::default();

@@ -39,7 +39,7 @@ pub use closure::{mutable_names, without_returns};
 pub use generator::{hand_on, items};
 pub use hygiene::check_hygiene;
 pub use macros::asked;
-pub use names::{GENERATING, Site, callee_name, own_name, site, slot_name, text};
+pub use names::{Site, callee_name, generating, in_generation, own_name, site, slot_name, text};
 pub use pattern::{is_constant_name, member};
 pub use refuse::Refusals;
 pub use signature::{

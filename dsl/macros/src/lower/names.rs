@@ -1,18 +1,34 @@
 //! Where a node stands, what it is called, and the names that builder and witness copy agree on.
 
+use std::cell::Cell;
+
 pub use bessemer_tree::Site;
 use bessemer_tree::{Expr, ExprKind};
 use quote::format_ident;
 use syn::ext::IdentExt;
 use syn::spanned::Spanned;
 
-/// Whether this is a generation build. Elsewhere the walk only refuses: places cost a call into
+thread_local! {
+    static GENERATING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Whether what is expanded is of a generation build. Elsewhere the walk only refuses: places cost a call into
 /// rustc each, and nobody reads the witness copy.
-pub const GENERATING: bool = cfg!(feature = "generate");
+pub fn generating() -> bool {
+    GENERATING.get()
+}
+
+/// Expands what is of a generation build.
+pub fn in_generation<T>(expand: impl FnOnce() -> T) -> T {
+    GENERATING.set(true);
+    let expanded = expand();
+    GENERATING.set(false);
+    expanded
+}
 
 /// Line and column of a node, both from 1; unknown outside a generation build.
 pub fn site(node: &impl Spanned) -> Site {
-    if !GENERATING {
+    if !generating() {
         return Site::default();
     }
     let start = node.span().start();
@@ -29,7 +45,7 @@ pub(super) fn plain(kind: ExprKind, node: &impl Spanned) -> Expr {
 
 /// The site of an expression.
 pub fn place(expr: &syn::Expr) -> Site {
-    if GENERATING { site(&span(expr)) } else { Site::default() }
+    if generating() { site(&span(expr)) } else { Site::default() }
 }
 
 /// The span of an expression: that of its first token. Syn finds it by printing the whole, and what nests as deep as an

@@ -13,7 +13,7 @@ use bessemer_tree::{BinaryOp, ExprKind};
 use proc_macro2::Span;
 use quote::quote_spanned;
 
-use super::names::{GENERATING, own_name, slot_name, span};
+use super::names::{generating, own_name, slot_name, span};
 use super::walk::{Lowering, glance_in, wrap};
 
 impl Lowering {
@@ -92,7 +92,7 @@ impl Lowering {
             }
             _ => return,
         };
-        if GENERATING {
+        if generating() {
             let own = own_name(self.operators.len());
             let [named_left, named_right] = names.each_ref().map(Option::is_some);
             let asks = match (named_left, named_right) {
@@ -135,7 +135,7 @@ impl Lowering {
     /// Lets a slot see the place of `place op= value`.
     fn look_at_place(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
-        if let (true, syn::Expr::Binary(it)) = (GENERATING, &*expr) {
+        if let (true, syn::Expr::Binary(it)) = (generating(), &*expr) {
             let (name, place, left) = (slot_name(slot), &it.left, Side::Left.name());
             *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => {
                 __look(&#name, &#place);

@@ -6,7 +6,7 @@ use bessemer_tree as tree;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
-use super::names::{GENERATING, UNIT, slot_name, span, text};
+use super::names::{UNIT, generating, slot_name, span, text};
 use super::refuse::{Place, Reason, Refusals};
 
 /// The walk over one function.
@@ -208,7 +208,7 @@ pub(super) fn glance_in(slot: u32, expr: &mut syn::Expr) {
 
 /// Writes `function(&slot, …, expr)` for `expr`, in the witness copy alone.
 pub(super) fn wrap(expr: &mut syn::Expr, function: &str, slots: impl Iterator<Item = syn::Ident>) {
-    if GENERATING {
+    if generating() {
         let (function, span) = (syn::Ident::new(function, span(expr)), span(expr));
         *expr = syn::Expr::Verbatim(quote_spanned! { span => #function(#(&#slots,)* #expr) });
     }
