@@ -4,6 +4,7 @@
 //!
 //! `cargo test -p bessemer-tests corpus::` runs one module.
 
+mod as_nalgebra;
 mod asked;
 mod command;
 mod corpus;

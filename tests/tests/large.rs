@@ -1,5 +1,5 @@
 //! Systems beyond 127 rows, which nalgebra has no static decompositions of: the interpreter and the C of each compiler give the bits of
-//! `bessemer::inverse_mut` and `bessemer::solve_mut`, whose own bits `dsl/tests/linear.rs` holds to nalgebra's matrices of dynamic
+//! `bessemer::inverse_mut` and `bessemer::solve_mut`, whose own bits `as_nalgebra/linear.rs` holds to nalgebra's matrices of dynamic
 //! size.
 
 use std::collections::BTreeMap;
