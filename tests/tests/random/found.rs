@@ -1,4 +1,4 @@
-//! Programs that once differed, made small: a file each in `tests/found`, run in every run beside its random ones.
+//! Programs that once differed, made small: a file each in `tests/found`, half of which run beside the random ones of a run.
 //!
 //! The first line of a file says what of it is called; it is `cargo xtask fuzz` that writes them. One that fails stays: a
 //! mend shows by its passing.
