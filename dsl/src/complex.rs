@@ -59,6 +59,7 @@ impl<T: Real> Native<T> {
     }
 
     /// The conjugate.
+    #[method(conj, conjugate)]
     pub fn conj(z: &Self) -> Self {
         Native::new(z.re, -z.im)
     }
@@ -70,22 +71,26 @@ impl<T: Real> Native<T> {
     }
 
     /// The square of the absolute value.
+    #[method(norm_sqr, modulus_squared)]
     pub fn norm_sqr(z: &Self) -> T {
         z.re * z.re + z.im * z.im
     }
 
     /// The sum of the magnitudes of the parts.
+    #[method(l1_norm, norm1)]
     pub fn l1_norm(z: &Self) -> T {
         z.re.abs() + z.im.abs()
     }
 
     /// The absolute value, as nalgebra's `ComplexField` calls it.
+    #[method(abs, modulus)]
     #[by_value(z)]
     pub fn abs(z: &Self) -> T {
         norm(z)
     }
 
     /// The argument, rad, −π to π.
+    #[method(arg, argument)]
     #[by_value(z)]
     pub fn arg(z: &Self) -> T {
         z.im.atan2(z.re)
@@ -315,6 +320,10 @@ pub trait ComplexMethods<T>: Sized {
     fn dsl_abs(self) -> T;
     /// [`arg`].
     fn dsl_arg(self) -> T;
+    /// [`abs`], by its other name.
+    fn dsl_modulus(self) -> T;
+    /// [`arg`], by its other name.
+    fn dsl_argument(self) -> T;
     /// [`to_polar`].
     fn dsl_to_polar(self) -> (T, T);
     /// [`powi`].
@@ -348,6 +357,12 @@ impl<T: Real> ComplexMethods<T> for Native<T> {
         abs(&self)
     }
     fn dsl_arg(self) -> T {
+        arg(&self)
+    }
+    fn dsl_modulus(self) -> T {
+        abs(&self)
+    }
+    fn dsl_argument(self) -> T {
         arg(&self)
     }
     fn dsl_to_polar(self) -> (T, T) {

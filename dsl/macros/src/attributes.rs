@@ -36,6 +36,19 @@ pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked
     asked
 }
 
+/// Marks the functions in a body, each a function of its own, which stands so deep in others.
+pub fn mark_inner(body: &mut syn::Block, depth: u32) {
+    for stmt in &mut body.stmts {
+        if let syn::Stmt::Item(syn::Item::Fn(inner)) = stmt {
+            let depth = proc_macro2::Literal::u32_unsuffixed(depth);
+            let mark =
+                |path: &syn::Path| path.segments.last().is_some_and(|it| it.ident == "function");
+            inner.attrs.retain(|attribute| !mark(attribute.path()));
+            inner.attrs.push(syn::parse_quote!(#[::bessemer::function(#depth)]));
+        }
+    }
+}
+
 /// Whether others see it.
 pub fn is_public(visibility: &syn::Visibility) -> bool {
     !matches!(visibility, syn::Visibility::Inherited)
@@ -77,6 +90,7 @@ pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusa
     });
     asked.take(attributes, refusals);
     given::parameters(&mut method.sig, &mut asked.attributes, refusals);
+    mark_inner(&mut method.block, 1);
     asked
 }
 
@@ -85,6 +99,7 @@ pub fn of_interface(method: &mut syn::TraitItemFn, refusals: &mut Refusals) -> A
     let mut asked = Asked { role: Role::Public, attributes: Attributes::default() };
     asked.take(&mut method.attrs, refusals);
     given::parameters(&mut method.sig, &mut asked.attributes, refusals);
+    method.default.iter_mut().for_each(|body| mark_inner(body, 1));
     asked
 }
 

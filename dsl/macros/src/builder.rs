@@ -55,6 +55,8 @@ impl<'a> Subject<'a> {
 pub enum Home<'a> {
     /// In a module.
     Module,
+    /// In the body of a function, or of one in that: so deep.
+    Function(u32),
     /// In an `impl` block of a type.
     Block,
     /// In the definition of an interface.
@@ -86,7 +88,9 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let bounds = subject.signature.generics.where_clause.to_token_stream();
     let companion = companion(subject, &call, (&quote! { #marker #arguments }, &bounds), &parts);
     let callee = callee_by(marker, scope, None, &parts.builder);
-    let register = (!rewritten).then(|| register(name, marker, scope));
+    // What stands in a function is built where that calls it.
+    let announced = !rewritten && matches!(subject.home, Home::Module);
+    let register = announced.then(|| register(name, marker, scope));
     quote! {
         #declared
         const _: () = {
@@ -356,7 +360,9 @@ fn builder(
     let text = serde_json::to_string(tree).unwrap_or_default();
     // What is no method is built where its marker says how: one function less for rustc.
     let (build, declared, bounds) = match subject.home {
-        Home::Module => (format_ident!("callee"), TokenStream::new(), TokenStream::new()),
+        Home::Module | Home::Function(_) => {
+            (format_ident!("callee"), TokenStream::new(), TokenStream::new())
+        }
         _ => {
             let build = build_name(&subject.signature.ident);
             (build, scope.own().declared(), build_bounds(subject, scope))
@@ -370,6 +376,10 @@ fn builder(
     };
     let (told, own) = (scope.told(), scope.own().told());
     let interface = interface(subject.home, scope);
+    let depth = match subject.home {
+        Home::Function(depth) => depth,
+        _ => 0,
+    };
     let floats = scope.floats().map(|floats| {
         let (companions, methods) = (floats.companions(), floats.methods());
         quote! {
@@ -387,10 +397,10 @@ fn builder(
             #floats
             #(#items)*
             #(#macros)*
-            let owner = #owner;
-            let generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface };
+            let __owner = #owner;
+            let __generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface, depth: #depth };
             cx.function(
-                #named, owner, generics, #text,
+                #named, __owner, __generics, #text,
                 &|cx: &mut ::bessemer::generate::Builder, __told: &mut ::bessemer::generate::Witness| { #parts },
             )
         }
@@ -402,7 +412,7 @@ pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
     let this = || quote! { Self: ::bessemer::generate::Value };
     let types = || scope.types().map(|name| scope.value(name));
     match subject.home {
-        Home::Module | Home::Block => {
+        Home::Module | Home::Function(_) | Home::Block => {
             scope.own().bounds(types().chain(owner_bound(scope, &quote! { Self })))
         }
         Home::Interface(_) => scope.own().bounds(types().chain([this()])),
@@ -424,7 +434,9 @@ pub fn owner_bound(scope: Scope<'_>, owner: &TokenStream) -> Option<TokenStream>
 /// The interface that a function is part of, with what stands for its parameters.
 fn interface(home: Home<'_>, scope: Scope<'_>) -> TokenStream {
     let (name, told, module) = match home {
-        Home::Module | Home::Block => return quote! { ::core::option::Option::None },
+        Home::Module | Home::Function(_) | Home::Block => {
+            return quote! { ::core::option::Option::None };
+        }
         Home::Interface(name) => {
             (lower::text(name), scope.outer().told(), quote! { ::core::module_path!() })
         }
@@ -442,7 +454,7 @@ fn interface(home: Home<'_>, scope: Scope<'_>) -> TokenStream {
 
 impl Subject<'_> {
     fn is_method(&self) -> bool {
-        !matches!(self.home, Home::Module)
+        !matches!(self.home, Home::Module | Home::Function(_))
     }
 }
 

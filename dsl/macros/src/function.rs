@@ -21,10 +21,12 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         Ok("rewrite") => Role::Rewritten,
         _ => Role::Public,
     };
-    if !arguments.is_empty() && role == Role::Public {
+    let depth = syn::parse2::<syn::LitInt>(arguments.clone()).and_then(|it| it.base10_parse());
+    let depth = depth.unwrap_or(0);
+    if !arguments.is_empty() && role == Role::Public && depth == 0 {
         refusals.add(&arguments, refuse::ARGUMENTS);
     }
-    marked(item, refusals, |function, refusals| {
+    marked(item, refusals, depth, |function, refusals| {
         if role != Role::Public {
             lower::without_returns(&function.block, refusals);
         }
@@ -34,16 +36,17 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
 
 /// `#[external]`.
 pub fn expand_external(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    marked(item, Refusals::default(), |function, refusals| Asked {
+    marked(item, Refusals::default(), 0, |function, refusals| Asked {
         role: Role::Public,
         attributes: attributes::external(&arguments, function, refusals),
     })
 }
 
-/// A free function with what its attribute itself asks for.
+/// A free function with what its attribute itself asks for; `depth`: in how many functions it stands.
 fn marked(
     item: TokenStream,
     mut refusals: Refusals,
+    depth: u32,
     more: impl FnOnce(&syn::ItemFn, &mut Refusals) -> Asked,
 ) -> TokenStream {
     let mut function = match syn::parse2::<syn::Item>(item.clone()) {
@@ -71,13 +74,14 @@ fn marked(
     } else if more.role != Role::Public {
         asked.role = more.role;
     }
+    attributes::mark_inner(&mut function.block, depth + 1);
     let subject = Subject {
         attributes: &function.attrs,
         visibility: &function.vis,
         signature: &function.sig,
         body: &function.block,
         asked,
-        home: Home::Module,
+        home: if depth > 0 { Home::Function(depth) } else { Home::Module },
     };
     let builder = builder::build(&subject, &mut refusals);
     let (visibility, name) = (&function.vis, &function.sig.ident);

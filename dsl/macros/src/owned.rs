@@ -7,6 +7,7 @@ pub const OWNED: &[&str] = &[
     "acos",
     "acosh",
     "arg",
+    "argument",
     "asin",
     "asinh",
     "atan",
@@ -45,6 +46,7 @@ pub const OWNED: &[&str] = &[
     "lp_norm",
     "max",
     "min",
+    "modulus",
     "mul_add",
     "partition_point",
     "powf",
@@ -132,6 +134,9 @@ pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
     (is(&home.ident, &["nalgebra", "na"]) && is(&last.ident, &known))
         .then(|| syn::parse_quote!(::bessemer::generate::generic::#last))
 }
+
+/// The module and the name of core's iterator through one value.
+pub const ONCE: (&str, &str) = ("iter", "once");
 
 /// What `libm` calls otherwise than Rust does.
 const LIBM: &[(&str, &str)] = &[

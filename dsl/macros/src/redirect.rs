@@ -59,6 +59,9 @@ struct Redirect {
 }
 
 impl VisitMut for Redirect {
+    /// It has an attribute of its own.
+    fn visit_item_fn_mut(&mut self, _: &mut syn::ItemFn) {}
+
     fn visit_local_mut(&mut self, it: &mut syn::Local) {
         loops::hand_on(it);
         visit_mut::visit_local_mut(self, it);

@@ -22,7 +22,19 @@ pub struct Builder {
     pub(super) package: Package,
     pub(super) known: BTreeSet<String>,
     /// The functions being built, outermost first.
-    pub(super) stack: Vec<String>,
+    pub(super) stack: Vec<Underway>,
+}
+
+/// A function that is being built, and what those in its body have of it.
+#[derive(Clone)]
+pub(super) struct Underway {
+    pub path: String,
+    /// In how many functions it stands.
+    pub depth: u32,
+    pub owner: Option<String>,
+    pub interface: Option<String>,
+    pub name: String,
+    pub suffix: Vec<Argument>,
 }
 
 /// What rustc decided about one function.
@@ -221,8 +233,9 @@ impl Builder {
 
     /// How a function comes back to itself.
     pub(super) fn round_trip(&self, path: &str) -> String {
-        let from = self.stack.iter().position(|known| known == path).unwrap_or_default();
-        match &self.stack[from + 1..] {
+        let from = self.stack.iter().position(|known| known.path == path).unwrap_or_default();
+        let through: Vec<_> = self.stack[from + 1..].iter().map(|it| it.path.as_str()).collect();
+        match through.as_slice() {
             [] => format!("`{path}` calls itself"),
             through => format!("`{path}` calls itself, by way of `{}`", through.join("`, `")),
         }

@@ -11,9 +11,8 @@ use bessemer_tree as tree;
 use bessemer_tree::visit::{VisitMut, walk_expr_mut};
 use bessemer_tree::{Closure, Expr, ExprKind, Pattern, Ty};
 
-use super::builder::{Builder, Witness, words};
-use super::slot::{Called, DslType, Seen, Slot};
-use crate::Plain;
+use super::builder::{Builder, Witness};
+use super::slot::{Called, DslType, Evaluated, Seen, Slot};
 
 /// A companion with parameters of the types `A`.
 pub trait CompanionOf<A> {
@@ -54,10 +53,10 @@ pub trait Made<K>: Sized {
 /// What tells values apart.
 pub struct Itself;
 
-impl<T: DslType + Plain> Made<Itself> for T {
+impl<T: Evaluated> Made<Itself> for T {
     type Slot = T;
     fn constant(self, cx: &mut Builder) -> tree::Constant {
-        tree::Constant { ty: T::ty(cx), words: words(&self) }
+        self.evaluated(cx)
     }
 }
 
@@ -108,16 +107,49 @@ macro_rules! takes {
 
 takes! { A; A, B; A, B, C; }
 
-/// Puts the closures in, for which functions and constructors stand.
+/// Puts the closures in, for which functions and constructors stand, and the arrays, to which constants refer; notes the
+/// operator of each sum.
 pub(super) fn as_closures(tree: &mut tree::FunctionTree, witness: &mut Witness) {
-    Closures { witness }.block(&mut tree.body);
+    Closures { witness, operators: &mut tree.operators }.block(&mut tree.body);
+    for constant in &mut witness.constants {
+        constant.ty = array(&constant.ty).unwrap_or(&constant.ty).clone();
+    }
+}
+
+/// What a constant refers to.
+pub(super) fn array(ty: &Ty) -> Option<&Ty> {
+    match ty {
+        Ty::Ref(array, _) => Some(array),
+        _ => None,
+    }
 }
 
 struct Closures<'w> {
     witness: &'w mut Witness,
+    operators: &'w mut Vec<tree::Operator>,
 }
 
 impl Closures<'_> {
+    /// Whether a path is that of a constant which refers to an array.
+    fn refers(&self, path: &ExprKind) -> bool {
+        let ExprKind::Path(constant, _) = path else { return false };
+        let constant = self.witness.constants.get(*constant as usize);
+        constant.is_some_and(|it| array(&it.ty).is_some())
+    }
+
+    /// Notes the operator by which a call adds up.
+    fn note_sum(&mut self, expr: &Expr) {
+        use tree::{Builtin, Callee, Desugared, Together};
+        let ExprKind::Call(callee, _) = expr.kind else { return };
+        let sum = Callee::Builtin(Builtin::Desugared(Desugared::Together(Together::Sum)));
+        if let (Some(at), Some(callee)) = (expr.slot, self.witness.callees.get(callee as usize))
+            && *callee == sum
+        {
+            let operands = Vec::from([expr.slot; 2]);
+            self.operators.push(tree::Operator { at, of: "Add".to_string(), operands });
+        }
+    }
+
     fn slot(&mut self, ty: Ty) -> u32 {
         self.witness.slots.push(ty);
         self.witness.slots.len() as u32 - 1
@@ -156,6 +188,13 @@ impl Closures<'_> {
 impl VisitMut for Closures<'_> {
     fn expr(&mut self, expr: &mut Expr) {
         walk_expr_mut(self, expr);
+        self.note_sum(expr);
+        if self.refers(&expr.kind) {
+            let array = Expr { slot: None, ..expr.clone() };
+            *expr =
+                Expr { kind: ExprKind::Ref(false, Box::new(array)), slot: None, site: expr.site };
+            return;
+        }
         let Some(slot) = expr.slot else { return };
         let site = expr.site;
         let (parameters, body) = match &mut expr.kind {

@@ -11,8 +11,10 @@ use alloc::vec::Vec;
 use bessemer_tree as tree;
 use bessemer_tree::{Argument, Site, Ty};
 
-use super::builder::{Builder, Named, Said, Witness, owned, path, said, type_text, words};
-use super::slot::{DslType, ScalarType};
+use super::builder::{
+    Builder, Named, Said, Underway, Witness, owned, path, said, type_text, words,
+};
+use super::slot::{DslType, Evaluated, ScalarType};
 use super::{handed, operators};
 use crate::Plain;
 
@@ -97,6 +99,8 @@ pub struct Generics<'a> {
     pub own: &'a [(String, Argument)],
     /// The interface that it is part of, what stands for its parameters, and the module that it stands in.
     pub interface: Option<(&'static str, &'a [(String, Argument)], &'static str)>,
+    /// In how many functions it stands.
+    pub depth: u32,
 }
 
 /// The type that stands for the parameter `name`.
@@ -172,7 +176,7 @@ impl Builder {
     }
 
     /// A constant or a table of which its author says more than its value.
-    pub fn table<T: DslType + Plain>(
+    pub fn table<T: Evaluated>(
         &mut self,
         named: Named,
         docs: &[&str],
@@ -181,7 +185,8 @@ impl Builder {
         public: bool,
         given: Option<Said>,
     ) {
-        let value = tree::Constant { ty: T::ty(self), words: words(value) };
+        let tree::Constant { ty, words } = value.evaluated(self);
+        let value = tree::Constant { ty: handed::array(&ty).cloned().unwrap_or(ty), words };
         self.package.tables.push(tree::Table {
             module: named.module.to_owned(),
             name: named.name.to_owned(),
@@ -204,20 +209,12 @@ impl Builder {
         text: &str,
         witness: &dyn Fn(&mut Builder, &mut Witness),
     ) -> tree::Callee {
-        let owner = owner.map(|owner| type_text(&owner));
-        let home = owner.as_deref().unwrap_or(named.module);
-        let path = match &generics.interface {
-            None => path(home, named.name, generics.own),
-            Some((name, arguments, module)) => {
-                let interface = path(home, &format!("<{module}::{name}>"), arguments);
-                path(&interface, named.name, generics.own)
-            }
-        };
-        let suffix = self.suffix(owner.as_deref(), &generics);
-        if self.stack.contains(&path) {
+        let underway = self.underway(&named, owner, &generics);
+        let path = underway.path.clone();
+        if self.stack.iter().any(|it| it.path == path) {
             self.recursion(&path, named.file, text);
         } else if self.known.insert(path.clone()) {
-            self.stack.push(path.clone());
+            self.stack.push(underway.clone());
             let mut told = Witness::default();
             witness(self, &mut told);
             self.stack.pop();
@@ -231,6 +228,8 @@ impl Builder {
                 }
             };
             handed::as_closures(&mut tree, &mut told);
+            let Underway { owner, interface, name, suffix, .. } = underway;
+            tree.name = name;
             let operators = operators::called(self, &tree.operators, told.operators, &told.slots);
             self.package.functions.push(tree::Function {
                 path: path.clone(),
@@ -238,7 +237,7 @@ impl Builder {
                 file: named.file.to_owned(),
                 owner,
                 generics: generics.scope.to_vec(),
-                interface: generics.interface.map(|(name, ..)| name.to_owned()),
+                interface,
                 suffix,
                 tree,
                 slots: told.slots,
@@ -248,6 +247,31 @@ impl Builder {
             });
         }
         tree::Callee::Function(path)
+    }
+
+    /// What a function is called, and where it stands: one in the body of another belongs to what that belongs to, and has its
+    /// name and what stands for its parameters beside its own.
+    fn underway(&self, named: &Named, owner: Option<Ty>, generics: &Generics<'_>) -> Underway {
+        let (name, depth) = (named.name, generics.depth);
+        if let Some(outer) = self.stack.iter().rfind(|it| it.depth < depth) {
+            let path = path(&outer.path, name, generics.own);
+            let mut inner = Underway { path, depth, ..outer.clone() };
+            inner.name = format!("{name}_in_{}", outer.name);
+            inner.suffix.extend(self.suffix(None, generics));
+            return inner;
+        }
+        let owner = owner.map(|owner| type_text(&owner));
+        let home = owner.as_deref().unwrap_or(named.module);
+        let path = match &generics.interface {
+            None => path(home, name, generics.own),
+            Some((interface, arguments, module)) => {
+                let interface = path(home, &format!("<{module}::{interface}>"), arguments);
+                path(&interface, name, generics.own)
+            }
+        };
+        let suffix = self.suffix(owner.as_deref(), generics);
+        let interface = generics.interface.map(|(name, ..)| name.to_owned());
+        Underway { path, depth, owner, interface, name: name.to_owned(), suffix }
     }
 
     /// What tells a function from others of its name and owner: what stands for its parameters and for

@@ -185,9 +185,40 @@ impl Witness {
     }
 }
 
+/// What rustc evaluates: plain data, or a reference to an array or a slice of such, of which the tree has the array.
+#[diagnostic::on_unimplemented(
+    message = "a constant of the type `{Self}` is not part of the DSL",
+    label = "not a constant of the DSL",
+    note = "a constant is plain data, an array, or a slice of such: `&[(u8, f64)]`"
+)]
+pub trait Evaluated {
+    /// The value in words, with its type: of a reference, that of one to the array.
+    fn evaluated(&self, cx: &mut Builder) -> tree::Constant;
+}
+
+impl<T: DslType + Plain> Evaluated for T {
+    fn evaluated(&self, cx: &mut Builder) -> tree::Constant {
+        tree::Constant { ty: T::ty(cx), words: words(self) }
+    }
+}
+
+impl<T: DslType + Plain> Evaluated for &[T] {
+    fn evaluated(&self, cx: &mut Builder) -> tree::Constant {
+        let array = Ty::Array(Box::new(T::ty(cx)), self.len() as u32);
+        let words = self.iter().flat_map(words).collect();
+        tree::Constant { ty: Ty::Ref(Box::new(array), false), words }
+    }
+}
+
+impl<T: DslType + Plain, const N: usize> Evaluated for &[T; N] {
+    fn evaluated(&self, cx: &mut Builder) -> tree::Constant {
+        self.as_slice().evaluated(cx)
+    }
+}
+
 /// The value of a path that rustc evaluated: a constant, or a variant without payload.
-pub fn constant<T: DslType + Plain>(cx: &mut Builder, _: &Slot<T>, value: T) -> tree::Constant {
-    tree::Constant { ty: T::ty(cx), words: words(&value) }
+pub fn constant<T: Evaluated>(cx: &mut Builder, _: &Slot<T>, value: T) -> tree::Constant {
+    value.evaluated(cx)
 }
 
 /// An array as a list.

@@ -124,6 +124,13 @@ pub struct Function {
     pub operators: Vec<(u32, Callee)>,
 }
 
+impl Function {
+    /// Whether it stands in the body of another, which its name tells and its path has as a part.
+    pub fn is_inner(&self) -> bool {
+        self.suffix.is_empty() && !self.path.ends_with(&self.tree.name)
+    }
+}
+
 /// The callee of a call.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Callee {

@@ -53,7 +53,10 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
         Some(owner) => format!("{owner}_{name}"),
         None => name,
     };
-    let name = lowering.cx.instance_name(home, &name, &suffix);
+    let mut name = lowering.cx.instance_name(home, &name, &suffix);
+    if source.is_inner() && lowering.cx.authored.contains(&format!("{home}::{name}")) {
+        name.push_str("_inside");
+    }
     // The methods of an instance stand where its author named it.
     let alias = source.owner.as_deref().and_then(|owner| lowering.cx.aliases.get(owner));
     let module = alias.map_or(&source.module, |alias| &alias.module).clone();

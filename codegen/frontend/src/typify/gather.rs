@@ -29,7 +29,9 @@ impl Lowering<'_, '_> {
         let (first, rest) = arguments.split_first()?;
         match method {
             Desugared::Together(Together::Tried) => tried(first, rest, expr),
-            Desugared::Together(how) => Some(together(how, first, expr)),
+            Desugared::Together(how) => {
+                Some(together(how, first, expr, self.operator(expr.slot).is_some()))
+            }
             Desugared::ArrayMap => mapped(first, rest.first()?, expr),
             Desugared::FromFn => from_fn(first, expr),
             // What is lent stands where it stands.
@@ -100,9 +102,10 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The number that a sum or a product begins with; nalgebra's sum of matrices with zeros.
+    /// The number that a sum or a product begins with; nalgebra's sum of matrices, or of complex numbers, with zeros.
     fn neutral(&mut self, number: f64, ty: &Type, expr: &tree::Expr) -> Result<Expr> {
-        if matches!(ty, Type::Matrix { .. }) && number == 0.0 {
+        let of_zeros = matches!(ty, Type::Matrix { .. }) || self.operator(expr.slot).is_some();
+        if of_zeros && number == 0.0 {
             let span = self.span(expr.site);
             return Ok(self.zero(ty, span));
         }
@@ -114,7 +117,7 @@ impl Lowering<'_, '_> {
             Type::Scalar(Scalar::Int(_)) => Ok(Expr::literal(number as u64, ty.clone(), span)),
             _ => problem(
                 expr.site,
-                "only numbers and matrices are summed up in the DSL",
+                "only numbers, complex numbers and matrices are summed up in the DSL",
                 "use `fold`",
             ),
         }
@@ -167,14 +170,20 @@ fn filled(
     tree::Expr { kind, ..*expr }
 }
 
-/// `items.sum()`, `items.product()`: a loop that adds each item to what it has so far, or multiplies by it.
-fn together(how: Together, items: &tree::Expr, expr: &tree::Expr) -> tree::Expr {
+/// `items.sum()`, `items.product()`: a loop that adds each item to what it has so far, or multiplies by it; `by_function`, if
+/// the operator is one.
+fn together(how: Together, items: &tree::Expr, expr: &tree::Expr, by_function: bool) -> tree::Expr {
     let (name, start, op) = match how {
         Together::Product => ("%product", Start::Product, tree::BinaryOp::Mul),
         _ => ("%sum", Start::Sum, tree::BinaryOp::Add),
     };
     gathered(items, (name, start), expr, &|so_far, item| {
-        Tree::Assign(Some(op), Box::new(so_far), Box::new(item))
+        let (so_far, item) = (Box::new(so_far), Box::new(item));
+        if !by_function {
+            return Tree::Assign(Some(op), so_far, item);
+        }
+        let kind = Tree::Binary(op, so_far.clone(), item);
+        Tree::Assign(None, so_far, Box::new(tree::Expr { kind, ..*expr }))
     })
 }
 

@@ -30,6 +30,11 @@ impl Lowering {
 
     /// What an expression is gone through for.
     fn source(&mut self, expr: &mut syn::Expr) -> Source {
+        if let syn::Expr::Call(_) = expr
+            && let Some(other) = self.rewritten(expr)
+        {
+            *expr = other;
+        }
         let linked = is_source(expr);
         match expr {
             syn::Expr::Paren(it) if linked => self.source(&mut it.expr),

@@ -8,7 +8,7 @@ use quote::ToTokens;
 use super::link::is_source;
 use super::names::{UNIT, place, site, text};
 use super::operator::Side;
-use super::syntax::{is_variant, last_segment};
+use super::syntax::{is_of_type, is_variant, last_segment};
 use super::walk::{Lowering, see_in};
 use super::{call, loops, macros, operator, pattern, refuse, signature};
 
@@ -61,7 +61,7 @@ impl Lowering {
             syn::Expr::Path(it) => {
                 // Of what type it is only its use says.
                 let open = it.path.segments.last().is_some_and(|it| it.ident == "PhantomData");
-                let seen = open || is_variant(&it.path);
+                let seen = open || is_variant(&it.path) || is_of_type(&it.path);
                 (self.path(it), seen)
             }
             syn::Expr::Paren(it) => self.kind(&mut it.expr, value),

@@ -5,6 +5,7 @@
 use bessemer_tree::Grouping;
 
 use super::names::text;
+use super::rewrite;
 use super::syntax::bare;
 
 /// A method of an iterator, or of what has elements.
@@ -122,7 +123,8 @@ fn is_lent(expr: &syn::Expr) -> bool {
 /// Whether what an iterator goes on with is an array, or its elements.
 fn is_array(expr: &syn::Expr) -> bool {
     match bare(expr) {
-        syn::Expr::Range(_) | syn::Expr::Call(_) => false,
+        syn::Expr::Range(_) => false,
+        syn::Expr::Call(it) => rewrite::is_once(it),
         syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::IntoIter) => is_array(&it.receiver),
         syn::Expr::MethodCall(_) | syn::Expr::Reference(_) => is_lent(expr),
         _ => true,

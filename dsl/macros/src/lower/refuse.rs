@@ -162,7 +162,7 @@ reasons! {
     NEVER: "a function that never returns would hang the firmware", "return a value";
     RECEIVER: "this receiver is not in the DSL", "write `self`, `&self` or `&mut self`";
     STATIC: "a `static mut` is a global that anybody changes", "state belongs into the component: a field, which its methods change through `&mut self`; a table that nobody changes is a `const`";
-    NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
+    NESTED_ITEM: "inside a function the DSL has functions and constants, and no other items", "move it out, next to the function";
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
     RANGE_VALUE: "a range that is written down is not a value in the DSL", "write it in a `for`; one that is held, `RangeInclusive::new(a, b)`, or as a constant: `const LIMITS: Range<u8> = 2..5;`";
     OPERATOR_TRAIT: "what lends by itself hides in the Rust what the C has to name", "write a method that gives the reference, `fn inner(&self) -> &Inner`";

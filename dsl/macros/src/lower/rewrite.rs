@@ -13,7 +13,7 @@ use super::sort::Leg;
 use super::syntax::{bare, fresh, is_plain, names};
 use super::walk::Lowering;
 use super::{macros, sort};
-use crate::owned::by_method;
+use crate::owned::{ONCE, by_method};
 
 /// The modules of core whose functions have companions, and these functions.
 const OF_CORE: [(&str, &[&str]); 3] =
@@ -51,9 +51,15 @@ impl Lowering {
         }
     }
 
-    /// `core::mem::swap(&mut a, &mut b)`, `core::cmp::max(a, b)`: by the companions that these have.
+    /// `core::mem::swap(&mut a, &mut b)`, `core::cmp::max(a, b)`: by the companions that these have. `iter::once(x)` is the
+    /// element of an array.
     fn of_core(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
         let syn::Expr::Path(syn::ExprPath { path, .. }) = &*it.func else { return None };
+        if is_once(it) {
+            self.ask_home(path);
+            let one = &it.args;
+            return Some(parse_quote! { [#one].into_iter() });
+        }
         let (home, name) = macros::in_module(path)?;
         let name = text(name);
         let (module, functions) = OF_CORE.into_iter().find(|(module, _)| home == module)?;
@@ -117,6 +123,12 @@ impl Lowering {
             false => parse_quote! { { #(#names)* (#(#inside)&&*) } },
         })
     }
+}
+
+/// Whether a call is that of `iter::once`.
+pub(super) fn is_once(it: &syn::ExprCall) -> bool {
+    let syn::Expr::Path(syn::ExprPath { path, .. }) = &*it.func else { return false };
+    macros::in_module(path).is_some_and(|(home, name)| home == ONCE.0 && name == ONCE.1)
 }
 
 /// Whether computing `value` may change what `end` reads: whoever writes a variable names it.

@@ -61,6 +61,7 @@ impl Lowering {
         let token = match item {
             syn::Item::Const(it) => it.const_token.span,
             syn::Item::Use(it) => it.use_token.span,
+            syn::Item::Fn(it) => it.sig.fn_token.span,
             syn::Item::Static(it) if matches!(it.mutability, syn::StaticMutability::None) => {
                 it.static_token.span
             }

@@ -98,6 +98,9 @@ impl VisitMut for Strip<'_> {
         }
     }
 
+    /// It has an attribute of its own, which strips it.
+    fn visit_item_fn_mut(&mut self, _: &mut syn::ItemFn) {}
+
     fn visit_local_mut(&mut self, it: &mut syn::Local) {
         loops::hand_on(it);
         visit_mut::visit_local_mut(self, it);

@@ -63,6 +63,14 @@ pub(super) fn is_variant(path: &syn::Path) -> bool {
     path.segments.len() > 1 && is_constructor_name(&last_segment(path))
 }
 
+/// Whether a path is that of a constant of a type which may be generic: what stands for its parameters, only its use says.
+pub(super) fn is_of_type(path: &syn::Path) -> bool {
+    let owner = path.segments.iter().rev().nth(1);
+    owner.is_some_and(|it| {
+        it.ident != "Self" && it.arguments.is_none() && is_constructor_name(&text(&it.ident))
+    })
+}
+
 /// Whether a name is that of a variant or a struct: a constant has no small letters.
 pub(super) fn is_constructor_name(name: &str) -> bool {
     name.starts_with(|first: char| first.is_uppercase())

@@ -101,6 +101,18 @@ void complex_numbers_polar(const complex_number_f32_t *z, float share,
     bessemer_complex_unscale_f32(&turned, bessemer_complex_norm_f32(z), complex_number);
 }
 
+void complex_numbers_strength(const complex_number_f64_t parts[3], double result[2])
+{
+    complex_number_f64_t sum = {.re = 0.0, .im = 0.0};
+    for (uint32_t i = 0U; i < 3U; i++) {
+        complex_number_f64_t sum_next;
+        bessemer_complex_sum_f64(&sum, &parts[i], &sum_next);
+        sum = sum_next;
+    }
+    result[0] = bessemer_complex_abs_f64(&sum);
+    result[1] = bessemer_complex_norm_sqr_f64(&sum);
+}
+
 void complex_numbers_functions(const complex_number_f64_t *z, complex_number_f64_t result[5])
 {
     complex_number_f64_t result_exp_f64;

@@ -2,6 +2,7 @@
 
 use bessemer::complex;
 pub use bessemer::nalgebra::Complex;
+use bessemer::nalgebra::ComplexField;
 use bessemer::prelude::*;
 
 /// In single precision.
@@ -40,6 +41,13 @@ pub fn polar(z: C32, share: f32) -> C32 {
     let (r, angle) = z.to_polar();
     let turned = C32::from_polar(r * share, angle) + C32::cis(z.arg());
     turned.unscale(complex::norm(&z))
+}
+
+/// The magnitude of a sum, and its square, by the names of nalgebra's `ComplexField`.
+#[function]
+pub fn strength(parts: &[Complex<f64>; 3]) -> [f64; 2] {
+    let sum: Complex<f64> = parts.iter().sum();
+    [sum.modulus(), sum.modulus_squared()]
 }
 
 /// Elementary functions.
