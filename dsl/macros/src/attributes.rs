@@ -44,7 +44,7 @@ pub fn mark_inner(body: &mut syn::Block, depth: u32) {
             let mark =
                 |path: &syn::Path| path.segments.last().is_some_and(|it| it.ident == "function");
             inner.attrs.retain(|attribute| !mark(attribute.path()));
-            inner.attrs.push(syn::parse_quote!(#[::bessemer::function(#depth)]));
+            inner.attrs.insert(0, syn::parse_quote!(#[::bessemer::function(#depth)]));
         }
     }
 }
