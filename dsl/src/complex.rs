@@ -346,6 +346,21 @@ pub trait ComplexMethods<T>: Sized {
     fn dsl_cosh(self) -> Self;
 }
 
+/// What these are of real numbers, as nalgebra has them: no function of the platform's.
+#[doc(hidden)]
+pub trait RealMethods: nalgebra::RealField {
+    /// The magnitude.
+    fn dsl_modulus(self) -> Self {
+        nalgebra::ComplexField::modulus(self)
+    }
+    /// 0, or π of what is negative, rad.
+    fn dsl_argument(self) -> Self {
+        nalgebra::ComplexField::argument(self)
+    }
+}
+
+impl<T: nalgebra::RealField> RealMethods for T {}
+
 impl<T: Real> ComplexMethods<T> for Native<T> {
     fn dsl_from_polar(r: T, angle: T) -> Self {
         from_polar(r, angle)

@@ -42,7 +42,7 @@ fn block(block: &mut syn::Block, scope: Scope<'_>) {
             #[allow(unused_imports)]
             use ::bessemer::math::{
                 AbsentMethods as _, AngleMethods as _, BetweenMethods as _, ByteMethods as _, ComplexMethods as _, DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _, MatrixMethods as _,
-                OrderMethods as _, RankMethods as _, RotationMethods as _, RoundMethods as _, SearchMethods as _,
+                OrderMethods as _, RankMethods as _, RealMethods as _, RotationMethods as _, RoundMethods as _, SearchMethods as _,
                 SignMethods as _, SquareMethods as _, TotalMethods as _, TurnMethods as _,
             };
         };

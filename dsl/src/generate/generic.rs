@@ -75,6 +75,7 @@ macro_rules! floats {
                 __b_to_degrees() -> Self = numbers::ToDegrees;
                 __b_to_radians() -> Self = numbers::ToRadians;
                 __b_abs() -> Self = numbers::Abs;
+                __b_modulus() -> Self = numbers::Modulus;
                 __b_signum() -> Self = numbers::Signum;
                 __b_is_nan() -> bool = numbers::IsNan;
                 __b_is_finite() -> bool = numbers::IsFinite;

@@ -104,9 +104,9 @@ pub mod prelude {
     pub use crate::math::{
         AngleMethods as _, BetweenMethods as _, ByteMethods as _, ComplexMethods as _,
         DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _,
-        MatrixMethods as _, OrderMethods as _, RankMethods as _, RotationMethods as _,
-        RoundMethods as _, SearchMethods as _, SignMethods as _, SquareMethods as _,
-        TotalMethods as _, TurnMethods as _,
+        MatrixMethods as _, OrderMethods as _, RankMethods as _, RealMethods as _,
+        RotationMethods as _, RoundMethods as _, SearchMethods as _, SignMethods as _,
+        SquareMethods as _, TotalMethods as _, TurnMethods as _,
     };
     pub use crate::optional::{
         BoolCompanions as _, CopiedMutCompanions as _, FlattenCompanion as _,

@@ -103,6 +103,7 @@ companions! {
         fn __b_is_sign_negative(self) -> bool = IsSignNegative: Number(NumberMethod::IsSignNegative);
         fn __b_is_sign_positive(self) -> bool = IsSignPositive: Number(NumberMethod::IsSignPositive);
         fn __b_copysign(self, _sign: Self) -> Self = Copysign: Scalar(Intrinsic::Copysign);
+        fn __b_modulus(self) -> Self = Modulus: Scalar(Intrinsic::Abs);
         fn __b_to_bits(self) -> Self::Bits = ToBits: Scalar(Intrinsic::ToBits);
         fn __b_raw_bits(self) -> Self::Bits = RawBits: Scalar(Intrinsic::RawBits);
         fn __b_from_bits(_bits: Self::Bits) -> Self = FromBits: Scalar(Intrinsic::FromBits);

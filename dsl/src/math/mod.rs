@@ -50,7 +50,7 @@ pub(crate) use single as of_f32;
 use core::cmp::Ordering;
 
 #[doc(hidden)]
-pub use crate::complex::ComplexMethods;
+pub use crate::complex::{ComplexMethods, RealMethods};
 #[doc(hidden)]
 pub use crate::rotation::{
     AngleMethods, BetweenMethods, EulerMethods, RotationMethods, TurnMethods,
