@@ -3,6 +3,7 @@
 
 use bessemer::math::Real;
 use bessemer::nalgebra::{DMatrix, SMatrix};
+use bessemer_codegen::deep::deep;
 
 /// A generator of numbers; the same in every run.
 struct Random(u64);
@@ -126,26 +127,29 @@ macro_rules! large {
     ($($name:ident: $n:literal;)*) => {$(
         #[test]
         fn $name() {
-            const N: usize = $n;
-            let mut random = Random(7 + $n);
-            for kind in [Kind::Uniform, Kind::Graded, Kind::Singular, Kind::Special] {
-                let list = elements(kind, N, N, &mut random);
-                let right = elements(kind, N, 2, &mut random);
-                let mut a: Box<SMatrix<f64, N, N>> = Box::new(SMatrix::from_column_slice(&list));
-                let mut b: Box<SMatrix<f64, N, 2>> = Box::new(SMatrix::from_column_slice(&right));
-                let mut inverse = a.clone();
-                let lu = DMatrix::from_vec(N, N, list.clone()).lu();
-                let expected = lu.solve(&DMatrix::from_vec(N, 2, right));
-                assert_eq!(bessemer::solve_mut(&mut *a, &mut *b), expected.is_some(), "{kind:?}");
-                if let Some(expected) = expected {
-                    assert_eq!(bits(b.as_slice()), bits(expected.as_slice()), "{kind:?}");
+            // Unoptimised, matrices pass through the stack by value.
+            deep(|| {
+                const N: usize = $n;
+                let mut random = Random(7 + $n);
+                for kind in [Kind::Uniform, Kind::Graded, Kind::Singular, Kind::Special] {
+                    let list = elements(kind, N, N, &mut random);
+                    let right = elements(kind, N, 2, &mut random);
+                    let mut a: Box<SMatrix<f64, N, N>> = Box::new(SMatrix::from_column_slice(&list));
+                    let mut b: Box<SMatrix<f64, N, 2>> = Box::new(SMatrix::from_column_slice(&right));
+                    let mut inverse = a.clone();
+                    let lu = DMatrix::from_vec(N, N, list.clone()).lu();
+                    let expected = lu.solve(&DMatrix::from_vec(N, 2, right));
+                    assert_eq!(bessemer::solve_mut(&mut *a, &mut *b), expected.is_some(), "{kind:?}");
+                    if let Some(expected) = expected {
+                        assert_eq!(bits(b.as_slice()), bits(expected.as_slice()), "{kind:?}");
+                    }
+                    let expected = DMatrix::from_vec(N, N, list).try_inverse();
+                    assert_eq!(bessemer::inverse_mut(&mut *inverse), expected.is_some(), "{kind:?}");
+                    if let Some(expected) = expected {
+                        assert_eq!(bits(inverse.as_slice()), bits(expected.as_slice()), "{kind:?}");
+                    }
                 }
-                let expected = DMatrix::from_vec(N, N, list).try_inverse();
-                assert_eq!(bessemer::inverse_mut(&mut *inverse), expected.is_some(), "{kind:?}");
-                if let Some(expected) = expected {
-                    assert_eq!(bits(inverse.as_slice()), bits(expected.as_slice()), "{kind:?}");
-                }
-            }
+            });
         }
     )*};
 }

@@ -1,9 +1,11 @@
 //! The native leg of random programs: a program of the same package, as rustc compiles it.
 
 use std::fmt::Write as _;
+use std::fs::File;
 use std::io::{Read, Write as _};
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::time::SystemTime;
 
 use bessemer_tests::outcome::{Outcome, fault};
 use bessemer_tests::workspace::Workspace;
@@ -140,8 +142,16 @@ pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, Str
     result.map(|()| own.display().to_string())
 }
 
-/// Builds the program as `own`.
+/// Builds the program as `own`, alone: cargo takes the models of another workspace, built into the same folder since these
+/// were written, for these.
 fn build_anew(workspace: &Workspace, own: &Path) -> Result<(), String> {
+    let alone = File::create(bessemer_tests::root().join("target/.bessemer-lock"));
+    let alone = alone.and_then(|file| file.lock().map(|()| file)).expect("the target folder");
+    for source in ["src/lib.rs", SOURCE] {
+        let source = File::options().append(true).open(workspace.folder().join(source));
+        let touched = source.and_then(|file| file.set_modified(SystemTime::now()));
+        touched.expect("a source file");
+    }
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
         .args(["build", "--quiet", "--package", "models", "--bin", NAME])
@@ -156,6 +166,7 @@ fn build_anew(workspace: &Workspace, own: &Path) -> Result<(), String> {
         let program = messages.iter().rev().find_map(|it| it["executable"].as_str());
         // Another run may build its own to the same place.
         std::fs::copy(program.expect("a program"), own).expect("a copy of it");
+        drop(alone);
         return Ok(());
     }
     let said = messages.iter().filter(|it| it["message"]["level"] == "error");
