@@ -72,6 +72,39 @@ fn a_package_of_another_workspace_without_anything_marked_is_not_taken_for_ones_
     assert!(own.generate_anew("1").expect("generated").contains_key("models.c"));
 }
 
+/// Nor is a panic where the other's C is written told as one's own.
+#[test]
+fn a_panic_of_another_workspace_is_not_ones_own() {
+    let limits = "
+/// Limits.
+#[component]
+pub struct Limits {
+    /// The least.
+    pub least: u8,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        panic!(\"the other's\")
+    }
+}
+
+#[component]
+impl Limits {
+    /// Whether a value is above the least.
+    #[entry(infallible)]
+    pub fn step(&mut self, value: u8) -> bool {
+        value > self.least
+    }
+}
+";
+    let [own, other] = [MODEL.to_owned(), format!("{MODEL}{limits}")]
+        .map(|text| Workspace::with_source(&text).expect("a workspace"));
+    let Err(Error::Refused(said)) = other.generate_anew("1") else { panic!("it panics") };
+    assert!(said.to_string().contains("the other's"), "{said}");
+    assert!(own.generate_anew("1").expect("generated").contains_key("models.c"));
+}
+
 /// Where the only thing that is marked becomes no C, the author is told why, and not that nothing is marked.
 #[test]
 fn a_package_of_which_nothing_becomes_c_says_why() {

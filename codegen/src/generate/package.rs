@@ -62,20 +62,22 @@ pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Resul
         // It runs as long as the models are large; nothing that it needs is built over.
         drop(alone);
         let printed = program.run(library)?;
+        // What was just built anew is this workspace's, though it says nothing.
+        let silent = printed.silent.filter(|source| !anew.contains(source));
+        anew = printed.strangers.into_iter().chain(silent).collect();
+        // Of what is another workspace's, neither a tree nor a panic is this one's.
+        if !anew.is_empty() {
+            continue;
+        }
         if !printed.success {
             return Err(match panicked(&printed.error, sources) {
                 Some(told) => Error::Refused(Told::new(vec![told], sources, job.colour)),
                 None => failed(printed.error),
             });
         }
-        // What was just built anew is this workspace's, though it says nothing.
-        let silent = printed.silent.filter(|source| !anew.contains(source));
-        anew = printed.strangers.into_iter().chain(silent).collect();
-        if anew.is_empty() {
-            let read = || bessemer_ir::tree::read(&printed.tree);
-            let package = deep::deep(read).map_err(|error| failed(error.to_string()))?;
-            return Ok(Tree { package, warnings });
-        }
+        let read = || bessemer_ir::tree::read(&printed.tree);
+        let package = deep::deep(read).map_err(|error| failed(error.to_string()))?;
+        return Ok(Tree { package, warnings });
     }
     Err(failed(why))
 }
