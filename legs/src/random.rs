@@ -18,6 +18,11 @@ impl Random {
         (self.bits() % n as u64) as usize
     }
 
+    /// A number from −1 to 1, of 53 bits.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
     /// Whether it happens, once in `n` times.
     pub fn one_in(&mut self, n: usize) -> bool {
         self.below(n) == 0

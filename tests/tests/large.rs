@@ -11,6 +11,7 @@ use bessemer_backend::kernels::Tuning;
 use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, FunctionId, Kernel, KernelRoutine, Module};
 use bessemer_tests::kernels::{self, Program, kernel, number, word};
+use bessemer_tests::random::Random;
 use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{texts, turn};
@@ -43,19 +44,6 @@ enum Kind {
 
 const KINDS: [Kind; 4] = [Kind::Uniform, Kind::Graded, Kind::Singular, Kind::Special];
 const UNUSUAL: [Kind; 3] = [Kind::Undefined, Kind::Infinite, Kind::Subnormal];
-
-/// A generator of numbers; the same in every run.
-struct Random(u64);
-
-impl Random {
-    /// From −1 to 1.
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 * 2f64.powi(-52) - 1.0
-    }
-}
 
 fn elements(kind: Kind, element: Float, n: usize, random: &mut Random) -> Vec<f64> {
     let mut list: Vec<f64> = (0..n * n).map(|_| random.unit()).collect();

@@ -9,6 +9,7 @@ use bessemer_codegen::compile::Compiled;
 use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, Function, FunctionId, Mode, Module, Scalar, Type};
 use bessemer_tests::process::{Process, at_once, lay_out};
+use bessemer_tests::random::Random;
 use bessemer_tests::store::once;
 use bessemer_tests::toolchain::{self, Toolchain, run};
 use bessemer_tests::{compiled, harness, texts, turn};
@@ -22,27 +23,6 @@ const SHARED: usize = 40;
 
 /// Calls of each routine of the other sizes: one of each kind.
 const FEWER_CALLS: usize = 6;
-
-/// A generator of numbers; the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    fn below(&mut self, count: u64) -> u64 {
-        self.next() % count
-    }
-
-    /// From −1 to 1.
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
 
 /// What the elements of a call's matrices are like.
 #[derive(Clone, Copy, Debug, Hash)]
@@ -71,7 +51,7 @@ fn elements(kind: Kind, rows: usize, cols: usize, random: &mut Random) -> Vec<f6
     let mut list: Vec<f64> = (0..rows * cols)
         .map(|index| match kind {
             Kind::Graded => random.unit() * 10f64.powi((index % rows) as i32 % 16 - 8),
-            Kind::Whole => [0.0, -0.0, 1.0, -1.0, 2.0][random.below(5) as usize],
+            Kind::Whole => [0.0, -0.0, 1.0, -1.0, 2.0][random.below(5)],
             _ => random.unit(),
         })
         .collect();
@@ -90,8 +70,8 @@ fn elements(kind: Kind, rows: usize, cols: usize, random: &mut Random) -> Vec<f6
         }
         Kind::Special => {
             for _ in 0..1 + random.below(3) {
-                let at = random.below(list.len() as u64) as usize;
-                list[at] = SPECIALS[random.below(SPECIALS.len() as u64) as usize];
+                let at = random.below(list.len());
+                list[at] = SPECIALS[random.below(SPECIALS.len())];
             }
         }
         _ => {}
@@ -116,7 +96,7 @@ fn argument(module: &Module, ty: &Type, kind: Kind, random: &mut Random) -> Vec<
             .iter()
             .map(|leaf| match leaf.as_float() {
                 Some(_) => word(leaf, random.unit()),
-                None => random.below(2),
+                None => random.below(2) as u64,
             })
             .collect(),
     }

@@ -4,20 +4,7 @@
 use bessemer::linear::{ldl, svd, symmetric_eigen};
 use bessemer::math::{Real, SquareMethods};
 use bessemer::nalgebra::{SMatrix, SVector};
-
-/// A generator of numbers; the same in every run.
-struct Random(u64);
-
-impl Random {
-    /// From −1 to 1.
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        let word = self.0.wrapping_mul(0x2545_f491_4f6c_dd1d);
-        (word >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
+use bessemer_tests::random::Random;
 
 /// Matrices of several kinds: between −1 and 1, of very different sizes, of low rank, nearly diagonal.
 fn matrix<T: Real, const R: usize, const C: usize>(

@@ -4,23 +4,7 @@
 use bessemer::math::Real;
 use bessemer::nalgebra::{DMatrix, SMatrix};
 use bessemer_codegen::deep::deep;
-
-/// A generator of numbers; the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    /// From −1 to 1.
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
+use bessemer_tests::random::Random;
 
 /// What the elements of a matrix are like.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +27,7 @@ fn elements(kind: Kind, rows: usize, cols: usize, random: &mut Random) -> Vec<f6
     let mut list: Vec<f64> = (0..rows * cols)
         .map(|index| match kind {
             Kind::Graded => random.unit() * 10f64.powi((index % rows) as i32 % 16 - 8),
-            Kind::Whole => (random.next() % 5) as f64 - 2.0,
+            Kind::Whole => random.below(5) as f64 - 2.0,
             _ => random.unit(),
         })
         .collect();
@@ -54,9 +38,9 @@ fn elements(kind: Kind, rows: usize, cols: usize, random: &mut Random) -> Vec<f6
         }
         Kind::Special => {
             let specials = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 5e-324];
-            for _ in 0..1 + random.next() % 3 {
-                let at = random.next() as usize % list.len();
-                list[at] = specials[random.next() as usize % specials.len()];
+            for _ in 0..1 + random.below(3) {
+                let at = random.below(list.len());
+                list[at] = specials[random.below(specials.len())];
             }
         }
         _ => {}
