@@ -133,6 +133,9 @@ fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
     }
     let of_type = refuse::named_type(&syn::Ident::new(owner, function.span()).into());
     let outside = refuse::library(&function.path);
+    if outside.is_some() && last == "discriminant" {
+        return Some(refuse::VARIANT_VALUE);
+    }
     // A companion of the type answers.
     let answered = bessemer_tree::number::Scalar::from_name(owner).is_some()
         || is_constructor_name(owner) && outside.is_some_and(refuse::Reason::is_of_core);

@@ -16,7 +16,7 @@ pub struct Reason {
 }
 
 impl Reason {
-    /// Whether it is that of a function of core's.
+    /// The function that is refused is one of core's.
     pub fn is_of_core(self) -> bool {
         self.what == CORE.what
     }
@@ -138,6 +138,7 @@ reasons! {
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends, `for i in 0..n`; or leave it: `if … { break; }`";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
+    VARIANT_VALUE: "which variant a value has is not a value in the DSL", "ask `matches!(mode, Mode::Idle | …)`, or write a method with a `match` that gives a number for each";
     LENT_PARAMETER: "a parameter that is called takes the closure as it is", "leave the `&` out, here and where it is passed: `f: impl Fn(f64) -> f64`";
     HYGIENE_UNKNOWN: "a macro makes this function, and this rustc does not show which names are its own", "write the function out, or build with the rustc of `rust-version`";
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
