@@ -57,7 +57,8 @@ pub fn found_functions_in_functions(a: f64, b: u8) -> [f64; 7] {
 pub fn found_functions_in_functions_b(a: f32) -> f32 {
     fn helper(x: f32) -> f32 { if x < 0.0 { return -x; } x.sqrt() }
     fn owner(x: f32) -> f32 { x + 1.0 }
-    let n = Some(a).map(helper).map(owner).unwrap_or(0.0);
+    fn cx(x: f32) -> f32 { x * 0.5 }
+    let n = Some(a).map(helper).map(owner).map(cx).unwrap_or(0.0);
     n + Filter(a).step(2.0)
 }
 }

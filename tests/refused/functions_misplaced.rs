@@ -44,3 +44,9 @@ pub fn fourfold(x: f64) -> f64 {
 pub fn doubled(x: f64) -> f64 {
     2.0 * x
 }
+
+/// A number says nothing of it.
+#[function(2)]
+pub fn square(x: f64) -> f64 {
+    x * x
+}

@@ -36,15 +36,29 @@ pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked
     asked
 }
 
+/// The argument by which a function in the body of others is marked, which no author writes: it is in so many.
+const INSIDE: &str = "__inside";
+
+/// In how many functions the function stands that these arguments mark.
+pub fn depth(arguments: &TokenStream) -> u32 {
+    let value = syn::parse2::<syn::MetaNameValue>(arguments.clone()).ok();
+    match value.filter(|it| it.path.is_ident(INSIDE)).map(|it| it.value) {
+        Some(syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(depth), .. })) => {
+            depth.base10_parse().unwrap_or_default()
+        }
+        _ => 0,
+    }
+}
+
 /// Marks the functions in a body, each a function of its own, which stands so deep in others.
 pub fn mark_inner(body: &mut syn::Block, depth: u32) {
     for stmt in &mut body.stmts {
         if let syn::Stmt::Item(syn::Item::Fn(inner)) = stmt {
-            let depth = proc_macro2::Literal::u32_unsuffixed(depth);
+            let inside = quote::format_ident!("{INSIDE}");
             let mark =
                 |path: &syn::Path| path.segments.last().is_some_and(|it| it.ident == "function");
             inner.attrs.retain(|attribute| !mark(attribute.path()));
-            inner.attrs.insert(0, syn::parse_quote!(#[::bessemer::function(#depth)]));
+            inner.attrs.insert(0, syn::parse_quote!(#[::bessemer::function(#inside = #depth)]));
         }
     }
 }

@@ -88,7 +88,7 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let bounds = subject.signature.generics.where_clause.to_token_stream();
     let companion = companion(subject, &call, (&quote! { #marker #arguments }, &bounds), &parts);
     let callee = callee_by(marker, scope, None, &parts.builder);
-    // What stands in a function is built where that calls it.
+    // A function inside another is built when the other calls it.
     let announced = !rewritten && matches!(subject.home, Home::Module);
     let register = announced.then(|| register(name, marker, scope));
     quote! {
@@ -192,8 +192,8 @@ pub fn callee(
 ) -> TokenStream {
     let (build, own) = (build_name(name), scope.own().turbofish());
     let build = quote! {
-        fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
-            #owner::#build #own(cx)
+        fn callee(__cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
+            #owner::#build #own(__cx)
         }
     };
     callee_by(marker, scope, bound, &build)
@@ -370,7 +370,7 @@ fn builder(
     };
     let named = named(&subject.signature.ident);
     let owner = if subject.is_method() {
-        quote! { ::core::option::Option::Some(<Self as ::bessemer::generate::DslType>::ty(cx)) }
+        quote! { ::core::option::Option::Some(<Self as ::bessemer::generate::DslType>::ty(__cx)) }
     } else {
         quote! { ::core::option::Option::None }
     };
@@ -390,7 +390,7 @@ fn builder(
     quote! {
         #[doc(hidden)]
         #[allow(warnings, clippy::all)]
-        fn #build #declared(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee
+        fn #build #declared(__cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee
         #bounds
         {
             use ::bessemer::generate::prelude::*;
@@ -399,9 +399,9 @@ fn builder(
             #(#macros)*
             let __owner = #owner;
             let __generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface, depth: #depth };
-            cx.function(
+            __cx.function(
                 #named, __owner, __generics, #text,
-                &|cx: &mut ::bessemer::generate::Builder, __told: &mut ::bessemer::generate::Witness| { #parts },
+                &|__cx: &mut ::bessemer::generate::Builder, __told: &mut ::bessemer::generate::Witness| { #parts },
             )
         }
     }

@@ -237,7 +237,7 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
 /// A generic component announces itself: without an instance it has no C, of which its author is told.
 fn template(name: &syn::Ident) -> TokenStream {
     let (named, site) = (place::named(name), place::site(name));
-    let build = quote! { Other(|cx| cx.template(#named, #site)) };
+    let build = quote! { Other(|__cx| __cx.template(#named, #site)) };
     place::registered(name, &build)
 }
 
@@ -268,7 +268,7 @@ fn field_definitions(fields: &syn::Fields) -> TokenStream {
         let (name, docs, ty) = (lower::member(&member), docs::lines(&field.attrs), &field.ty);
         let given = given::read(&field.attrs, On::Value, &mut Refusals::default());
         let given = given::tokens(&Given { sizes: sizes::of(ty), ..given });
-        quote! { ::bessemer::generate::field::<#ty>(cx, #name, &[#(#docs),*], #given) }
+        quote! { ::bessemer::generate::field::<#ty>(__cx, #name, &[#(#docs),*], #given) }
     });
     quote! { ::bessemer::generate::list([#(#fields),*]) }
 }
@@ -320,7 +320,7 @@ fn definition(
             }
             #[allow(private_bounds)]
             impl #declared ::bessemer::generate::DslType for #name #arguments #bounds {
-                fn ty(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Ty {
+                fn ty(__cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Ty {
                     #[allow(unused_imports)]
                     use ::bessemer::generate::NotImplemented as _;
                     let arguments = #told;
@@ -331,9 +331,9 @@ fn definition(
                         drop: asked.drops(),
                         lends: asked.lends(),
                     };
-                    cx.definition(
+                    __cx.definition(
                         #named, &[#(#docs),*], #site, arguments, (#equal, #ordered, own, #given),
-                        &|cx: &mut ::bessemer::generate::Builder| #kind,
+                        &|__cx: &mut ::bessemer::generate::Builder| #kind,
                     )
                 }
             }

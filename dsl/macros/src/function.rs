@@ -21,8 +21,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         Ok("rewrite") => Role::Rewritten,
         _ => Role::Public,
     };
-    let depth = syn::parse2::<syn::LitInt>(arguments.clone()).and_then(|it| it.base10_parse());
-    let depth = depth.unwrap_or(0);
+    let depth = attributes::depth(&arguments);
     if !arguments.is_empty() && role == Role::Public && depth == 0 {
         refusals.add(&arguments, refuse::ARGUMENTS);
     }

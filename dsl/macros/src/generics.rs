@@ -163,7 +163,7 @@ impl<'a> Scope<'a> {
             let name = name(param);
             match param {
                 GenericParam::Const(_) => quote! { ::bessemer::generate::number(#text, #name) },
-                _ => quote! { ::bessemer::generate::argument::<#name>(cx, #text) },
+                _ => quote! { ::bessemer::generate::argument::<#name>(__cx, #text) },
             }
         });
         quote! { &[#(#told),*] }
@@ -180,7 +180,7 @@ impl<'a> Scope<'a> {
                 Some(quote! { ::bessemer::generate::number("", #ty) })
             }
             syn::GenericArgument::Type(ty) => {
-                Some(quote! { ::bessemer::generate::argument::<#ty>(cx, "") })
+                Some(quote! { ::bessemer::generate::argument::<#ty>(__cx, "") })
             }
             syn::GenericArgument::Const(value) => {
                 Some(quote! { ::bessemer::generate::number("", #value) })

@@ -24,8 +24,8 @@ pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
     };
     let build = lower::generating().then(|| {
         quote! {
-            fn build(cx: &mut ::bessemer::generate::Builder) {
-                #(Self::#faces(cx);)*
+            fn build(__cx: &mut ::bessemer::generate::Builder) {
+                #(Self::#faces(__cx);)*
             }
         }
     });
@@ -54,13 +54,13 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     let registered = place::registered(
         name,
         &quote! {
-            Other(|cx| {
+            Other(|__cx| {
                 #[allow(unused_imports)]
                 use ::bessemer::generate::WithoutEntries as _;
-                cx.alias::<#name>(#named, &[#(#docs),*], #site, #given);
+                __cx.alias::<#name>(#named, &[#(#docs),*], #site, #given);
                 let instance = ::bessemer::generate::Instance::<#name>::new();
-                instance.build_entries(cx);
-                instance.build_further_entries(cx);
+                instance.build_entries(__cx);
+                instance.build_further_entries(__cx);
             })
         },
     );

@@ -145,10 +145,10 @@ impl Method<'_> {
             let site = place::site(name);
             syn::parse_quote! {
                 #[doc(hidden)]
-                fn #build #declared(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee
+                fn #build #declared(__cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee
                 #bounds
                 {
-                    cx.unmarked::<Self>(#told, ::core::file!(), #site)
+                    __cx.unmarked::<Self>(#told, ::core::file!(), #site)
                 }
             }
         };

@@ -46,8 +46,8 @@ fn announced(
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::table(#place, #site, |cx| {
-                    cx.table(#named, &[#(#docs),*], #site, &#name, #public, #given);
+                ::bessemer::generate::Registered::table(#place, #site, |__cx| {
+                    __cx.table(#named, &[#(#docs),*], #site, &#name, #public, #given);
                 })
             }
         };

@@ -147,8 +147,8 @@ fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> To
         walk.constants[begin.constants..end.constants].iter().map(|(slot, path, of)| {
             let slot = lower::slot_name(*slot);
             match of {
-                Constant::Value => quote! { ::bessemer::generate::constant(cx, &#slot, #path) },
-                Constant::Made => quote! { ::bessemer::generate::made(cx, &#slot, #path) },
+                Constant::Value => quote! { ::bessemer::generate::constant(__cx, &#slot, #path) },
+                Constant::Made => quote! { ::bessemer::generate::made(__cx, &#slot, #path) },
             }
         });
     quote! {
@@ -156,7 +156,7 @@ fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> To
         #(let #callees = [];)*
         #(let #owned = [];)*
         #copy
-        __told.learn(cx, &[#(&#slots),*], &[#(&#callees),*], &[#(&#owned),*]);
+        __told.learn(__cx, &[#(&#slots),*], &[#(&#callees),*], &[#(&#owned),*]);
         #(__told.constants.push(#constants);)*
     }
 }

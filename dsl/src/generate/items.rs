@@ -228,7 +228,7 @@ impl Builder {
                 }
             };
             handed::as_closures(&mut tree, &mut told);
-            let Underway { owner, interface, name, suffix, .. } = underway;
+            let Underway { depth, owner, interface, name, suffix, .. } = underway;
             tree.name = name;
             let operators = operators::called(self, &tree.operators, told.operators, &told.slots);
             self.package.functions.push(tree::Function {
@@ -239,6 +239,7 @@ impl Builder {
                 generics: generics.scope.to_vec(),
                 interface,
                 suffix,
+                inner: depth > 0,
                 tree,
                 slots: told.slots,
                 callees: told.callees,

@@ -111,6 +111,9 @@ pub struct Function {
     pub interface: Option<String>,
     /// The suffix that tells it from other functions of its name and owner.
     pub suffix: Vec<Argument>,
+    /// Whether it stands in the body of another, whose name its own has as a part.
+    #[serde(default)]
+    pub inner: bool,
     /// The author's text.
     pub tree: FunctionTree,
     /// The types of the slots.
@@ -122,13 +125,6 @@ pub struct Function {
     /// The callees of its operators, by [`Operator::at`], where they are functions.
     #[serde(default)]
     pub operators: Vec<(u32, Callee)>,
-}
-
-impl Function {
-    /// Whether it stands in the body of another, which its name tells and its path has as a part.
-    pub fn is_inner(&self) -> bool {
-        self.suffix.is_empty() && !self.path.ends_with(&self.tree.name)
-    }
 }
 
 /// The callee of a call.

@@ -25,7 +25,8 @@ const NEXT: &str = "bessemer::iterate::next";
 /// The index of an item that is taken, beside the item.
 const TAKEN: &str = "index%";
 
-/// Whether a loop over an iterator counts the items that it takes, by the index beside each: such a loop is neither reversed nor zipped.
+/// Such a loop over an iterator counts the items that it takes: its pattern has the index beside each. It is neither reversed nor
+/// zipped.
 pub(super) fn takes(pattern: &Pattern) -> bool {
     matches!(pattern, Pattern::Tuple(parts) if matches!(&parts[..], [Pattern::Name { name, .. }, _] if name == TAKEN))
 }

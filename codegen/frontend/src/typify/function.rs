@@ -54,7 +54,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
         None => name,
     };
     let mut name = lowering.cx.instance_name(home, &name, &suffix);
-    if source.is_inner() && lowering.cx.authored.contains(&format!("{home}::{name}")) {
+    if source.inner && lowering.cx.authored.contains(&format!("{home}::{name}")) {
         name.push_str("_inside");
     }
     // The methods of an instance stand where its author named it.

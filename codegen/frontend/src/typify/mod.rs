@@ -214,7 +214,7 @@ fn refusal(refusal: &tree::Refusal) -> Diagnostic {
 fn authored(package: &Package) -> HashSet<String> {
     let name = |home: &str, name: &str| format!("{home}::{}", names::snake(name));
     let types = package.types.iter().filter(|it| it.arguments.is_empty());
-    let functions = package.functions.iter().filter(|it| it.suffix.is_empty() && !it.is_inner());
+    let functions = package.functions.iter().filter(|it| it.suffix.is_empty() && !it.inner);
     types
         .map(|it| name(&it.module, &it.name))
         .chain(package.aliases.iter().map(|it| name(&it.module, &it.name)))

@@ -14,7 +14,7 @@ use crate::owned::FIELDS;
 /// `matches!`, which is a `match`.
 pub(super) const MATCHES: &str = "matches";
 
-/// Those of nalgebra's: a column, and rows.
+/// nalgebra has a macro for a column and one for rows.
 const ROWS: [&str; 2] = ["vector", "matrix"];
 
 impl Lowering {

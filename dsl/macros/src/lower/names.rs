@@ -12,8 +12,8 @@ thread_local! {
     static GENERATING: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Whether what is expanded is of a generation build. Elsewhere the walk only refuses: places cost a call into
-/// rustc each, and nobody reads the witness copy.
+/// The attribute that is being expanded is of a generation build. In any other build the walk only refuses: places cost a
+/// call into rustc each, and nobody reads the witness copy.
 pub fn generating() -> bool {
     GENERATING.get()
 }

@@ -22,7 +22,7 @@ pub fn middle([mut a, mut b, mut c, mut d, mut e]: [f32; 5]) -> f32 {
     c
 }
 
-/// What goes into the checksum of a message beside its bytes; none of one that nobody knows.
+/// The checksum of a message starts with this byte; a message that nobody knows has none.
 #[function]
 pub fn extra(message: u8) -> Option<u8> {
     const EXTRAS: &[(u8, u8)] = &[(0, 50), (1, 124), (24, 24), (30, 39), (33, 104)];
