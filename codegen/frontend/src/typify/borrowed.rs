@@ -11,7 +11,7 @@
 use bessemer_ir::tree::{Site, Ty};
 use bessemer_ir::{Expr, Field, LocalId, Place, Span, Step, StructId, Type};
 
-use super::{Context, Problem, Result, problem};
+use super::{Context, Problem, Result, refusals, refused};
 
 /// The fields that lead to a slice in a value; an element of an array is as any other.
 pub(super) type Path = Vec<u32>;
@@ -21,13 +21,6 @@ pub(super) type Spot = (Option<LocalId>, Path);
 
 /// Two slices in a struct that have one lender, since a function makes one a part of the other.
 pub(super) type Joined = (StructId, [Path; 2]);
-
-/// The remedy where elements are zero-sized.
-pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
-
-/// The refusal of an array of slices: each would have a lender of its own.
-pub(super) const MANY: &str = "an array or a list of slices is not in the DSL";
-pub(super) const ONE: &str = "keep their ends, an array of pairs, or a field for each slice";
 
 /// A slice in a value.
 #[derive(Clone)]
@@ -158,7 +151,7 @@ impl Context<'_> {
     /// The type of the elements of a slice.
     pub(super) fn element_type(&mut self, element: &Ty, site: Site) -> Result<Type> {
         match self.value_type(element, site)? {
-            Type::Unit => problem(site, "a slice of zero-sized elements is not in the DSL", COUNT),
+            Type::Unit => refused(site, refusals::EMPTY_ELEMENTS),
             element => Ok(element),
         }
     }

@@ -13,7 +13,7 @@ use super::pattern::Test;
 use super::syntax::is_rest;
 use super::value::{Slice, Value};
 use super::words;
-use super::{Needed, Result, problem};
+use super::{Needed, Result, refusals, refused};
 
 impl Lowering<'_, '_> {
     /// The slice that a method of slices lends or that an expression is; none if it is neither.
@@ -115,7 +115,7 @@ impl Lowering<'_, '_> {
             tree::Pattern::Constructor(name, _) if name == "None" => {
                 Ok(Test::of(Some(there.clone().negated())))
             }
-            _ => problem(site, LENT, TAKE_APART),
+            _ => refused(site, refusals::LENT),
         }
     }
 
@@ -132,13 +132,7 @@ impl Lowering<'_, '_> {
                 return Ok(Test::named(name, *slot, stands, site));
             }
             tree::Pattern::Array(patterns) => patterns,
-            _ => {
-                return problem(
-                    site,
-                    "this pattern does not fit a slice",
-                    "write `[first, .., last]`, `[first, rest @ ..]` and the like",
-                );
-            }
+            _ => return refused(site, refusals::SLICE_PATTERN),
         };
         let span = slice.base.span;
         let rest = patterns.iter().position(is_rest);
@@ -179,11 +173,9 @@ impl Lowering<'_, '_> {
 
     /// `*part`: its elements as an array.
     pub(super) fn part_value(&mut self, part: &Slice, site: Site) -> Result<Expr> {
-        let len = number(&part.length).and_then(|length| u32::try_from(length).ok()).or_told(
-            site,
-            "a slice is no value",
-            "match what `&` refers to",
-        )?;
+        let len = number(&part.length)
+            .and_then(|length| u32::try_from(length).ok())
+            .or_refused(site, refusals::SLICE_VALUE)?;
         let ty = Type::Array { element: Box::new(part.element.clone()), len };
         Ok(part.as_array(ty, self.span(site)))
     }
@@ -213,7 +205,3 @@ const NOT_LENT: [SliceMethod; 6] = {
     use SliceMethod as M;
     [M::Len, M::IsEmpty, M::CopyFrom, M::Reverse, M::ToArray, M::FirstChunk]
 };
-
-/// The refusal of a reference that is kept.
-pub(super) const LENT: &str = "what this lends is no value in the DSL";
-pub(super) const TAKE_APART: &str = "take it apart where it is called: `if let Some(x) = values.get_mut(i) { … }`, `let (a, b) = values.split_at(n);`";

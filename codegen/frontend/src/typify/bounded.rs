@@ -19,7 +19,7 @@ use super::order::is_free;
 use super::syntax::is_named;
 use super::value::Value;
 use super::words;
-use super::{Needed, OUR_FAULT, Result, problem, struct_of};
+use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
 
 /// A container in its place.
 struct Bounded {
@@ -152,12 +152,11 @@ impl Lowering<'_, '_> {
     }
 
     fn bounded_indices(&mut self, index: &tree::Expr) -> Result<[Expr; 2]> {
-        let remedy = "write `m[(row, column)]`";
         let tree::ExprKind::Tuple(parts) = &index.kind else {
-            return problem(index.site, "a `BoundedMatrix` takes a row and a column", remedy);
+            return refused(index.site, refusals::ROW_AND_COLUMN);
         };
         let [row, column] = parts.as_slice() else {
-            return problem(index.site, "this takes a row and a column", remedy);
+            return refused(index.site, refusals::TWO_INDICES);
         };
         let [row, column] = self.row_and_column([row, column])?;
         Ok([self.steady("row", row), self.steady("column", column)])
@@ -212,7 +211,7 @@ impl Lowering<'_, '_> {
             ListMethod::IsEmpty => Ok(self.list(&arguments[0])?.length_is(CompareOp::Eq, 0, span)),
             ListMethod::Pop => self.pop(&arguments[0], expr),
             ListMethod::Push | ListMethod::Clear | ListMethod::Truncate | ListMethod::Resize => {
-                problem(site, "this has no value", "write it as a statement")
+                refused(site, refusals::STATEMENT)
             }
         }
     }
@@ -263,7 +262,7 @@ impl Lowering<'_, '_> {
                 self.emit_if(some_left, Block::of(shorter, span), span);
             }
             ListMethod::New | ListMethod::Len | ListMethod::IsEmpty | ListMethod::Capacity => {
-                return problem(site, "the value of this is not used", "leave it out");
+                return refused(site, refusals::UNUSED_VALUE);
             }
         }
         Ok(true)

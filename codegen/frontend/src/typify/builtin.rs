@@ -10,7 +10,7 @@ use super::lowering::Lowering;
 use super::numbers::number;
 use super::order::is_free;
 use super::words;
-use super::{Needed, OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 /// `N as f64`, where `N` is what an instance is made of, as a literal.
 fn whole(value: Expr) -> Expr {
@@ -64,7 +64,7 @@ impl Lowering<'_, '_> {
             MatrixMethod::ByRows => self.by_rows(&arguments[0], expr),
             MatrixMethod::FromArray => self.exchanged_with_array(&arguments[0], expr),
             MatrixMethod::Swizzle(axes, count) => self.swizzle(&axes[..usize::from(count)], call),
-            MatrixMethod::Part(_) => Self::moved_part(expr.site),
+            MatrixMethod::Part(_) => refused(expr.site, refusals::MOVED_VIEW),
             MatrixMethod::New
             | MatrixMethod::Zeros
             | MatrixMethod::Identity

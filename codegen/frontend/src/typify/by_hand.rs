@@ -17,7 +17,7 @@ use super::items::handing;
 use super::lowering::{Closure, Hand, Lowering};
 use super::syntax::{generates, some_of};
 use super::value::Value;
-use super::{Result, problem};
+use super::{Result, refusals, refused};
 
 /// The function that takes the next item of an iterator.
 const NEXT: &str = "bessemer::iterate::next";
@@ -51,11 +51,7 @@ impl<'a> Lowering<'a, '_> {
         let mut both = [(); 2].map(|()| (*self.closures[through]).clone());
         let [counted, again] = both.each_mut().map(|it| &mut *it.text.body);
         if !self.count(counted, &taken, true) || !self.count(again, &taken, false) {
-            return problem(
-                site,
-                "this iterator is not gone through by hand in the DSL",
-                "go through it in one `for`, or by hand through the elements alone, `values.iter()`; or keep an index",
-            );
+            return refused(site, refusals::BY_HAND);
         }
         let none = Expr::usize(0, self.span(site));
         Ok(Value::Closure(self.hand(both, (&taken, format!("{name}_taken")), none).0))

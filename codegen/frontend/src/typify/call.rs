@@ -6,12 +6,8 @@ use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
 use super::lowering::Lowering;
 use super::value::Submatrix;
 use super::words;
-use super::{Result, problem};
+use super::{Result, refusals, refused};
 use bessemer_ir::{alias, effects};
-
-/// Two parts of one array where what is checked before the call keeps them apart, if anything does.
-const MAY_MEET: &str = "two arguments are parts of one array, one of them to be written, and nothing shows that they have no element in common";
-const APART: &str = "pass the halves of one `split_at_mut` as they are, and take the parts in the function: `merge(low, n, high)`, there `low[..n]`";
 
 /// A function, and what it is called with.
 pub(super) type Called<'a, 't> = (&'a tree::Function, &'t [tree::Expr]);
@@ -95,7 +91,7 @@ impl<'a> Lowering<'a, '_> {
             self.settle_lent(&mut passed);
         }
         if !alias::conflicts(&passed).is_empty() {
-            return problem(expr.site, MAY_MEET, APART);
+            return refused(expr.site, refusals::MAY_MEET);
         }
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
         let call = self.counted_from_lender(call)?;
@@ -177,11 +173,7 @@ fn lent_twice(passed: &[Argument], lenders: &[Argument], site: Site) -> Result<(
         lenders.any(|(place, also)| (mutable || also) && effects::overlap(earlier, place))
     });
     if hurt {
-        return problem(
-            site,
-            "this refers to elements of an array to which another argument refers, too",
-            "pass the parts themselves, as `&mut [T]`, and choose in the function; or exchange by index, `values.swap(i, j)`",
-        );
+        return refused(site, refusals::LENT_TWICE);
     }
     Ok(())
 }

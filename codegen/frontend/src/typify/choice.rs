@@ -13,7 +13,7 @@ use super::lowering::{Lowering, Target};
 use super::pattern::Test;
 use super::subject::taken_name;
 use super::value::Value;
-use super::{Result, problem};
+use super::{Result, problem, refusals, refused};
 use bessemer_ir::effects;
 
 /// An arm with more values than this is told by their ends.
@@ -302,13 +302,7 @@ impl Lowering<'_, '_> {
         let whole = match ty {
             Type::Scalar(Scalar::Int(int)) => (Int::min(*int), Int::max(*int)),
             Type::Enum(_) | Type::Scalar(Scalar::Bool) => (0, i128::from(u32::MAX)),
-            _ => {
-                return problem(
-                    site,
-                    "`match` compares integers, `bool` and enums in the DSL",
-                    "compare with `if`",
-                );
-            }
+            _ => return refused(site, refusals::MATCHED),
         };
         match pattern {
             Pattern::Value(value) => {
@@ -329,11 +323,7 @@ impl Lowering<'_, '_> {
                 };
                 Ok((from.transpose()?.unwrap_or(whole.0), last))
             }
-            _ => problem(
-                site,
-                "this pattern is not one of a number",
-                "give values, ranges, a name or `_`",
-            ),
+            _ => refused(site, refusals::NUMBER_PATTERN),
         }
     }
 

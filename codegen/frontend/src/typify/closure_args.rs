@@ -16,7 +16,7 @@ use bessemer_ir::{
 use super::lowering::{Closure, Lowering, Scope, UNNAMED, local_since, meaning_in};
 use super::value::Value;
 use super::words;
-use super::{Needed, Result, names, problem};
+use super::{Needed, Result, names, refusals, refused};
 use bessemer_ir::effects;
 
 impl<'a> Lowering<'a, '_> {
@@ -57,11 +57,7 @@ impl<'a> Lowering<'a, '_> {
         let is_here = |name: &String| self.with_name(name).is_some();
         let mut stmts = Vec::new();
         for name in names_in(&text).into_iter().filter(is_here) {
-            let closure = self.text_here(&name).or_told(
-                site,
-                "a name that a closure uses means something else where another calls it",
-                "give the later variable another name",
-            )?;
+            let closure = self.text_here(&name).or_refused(site, refusals::HIDDEN_NAME)?;
             let closure = tree::ExprKind::Closure(self.with_called(closure, site)?);
             let value = Some(tree::Expr::plain(closure, site));
             stmts.push(tree::Stmt::Let { name, slot: NO_SLOT, value, site, mutable: false });
@@ -131,11 +127,7 @@ impl<'a> Lowering<'a, '_> {
             tree::ExprKind::Local(name) => {
                 self.closure_named(name).needed(argument.site, "this is not a closure")
             }
-            _ => problem(
-                argument.site,
-                "a function that takes a closure is given one in the DSL",
-                "write one that calls the function: `|x| name(x)`",
-            ),
+            _ => refused(argument.site, refusals::CLOSURE_GIVEN),
         }
     }
 
@@ -153,13 +145,7 @@ impl<'a> Lowering<'a, '_> {
                 (Value::Closure(_), _) => {}
                 (Value::Nothing, _) => captures.push((name, meaning)),
                 (_, Some(place)) if plain(&place) => captures.push((name, meaning)),
-                _ => {
-                    return problem(
-                        site,
-                        "a closure that is handed to a function uses no slice in the DSL",
-                        "take what it needs of the slice before: `let first = values[0];`",
-                    );
-                }
+                _ => return refused(site, refusals::SLICE_IN_CLOSURE),
             }
         }
         let scope = Scope { names: vec![captures], expanding: Vec::new(), locals: None };
@@ -321,11 +307,10 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
         end: impl FnOnce(&mut Self, &tree::Closure) -> Result<T>,
     ) -> Result<T> {
-        let handed = self.closure_named(name).map(|it| Rc::clone(&self.closures[it])).or_told(
-            site,
-            "a closure that was handed on is not called in another closure in the DSL",
-            "call it before, and use its value",
-        )?;
+        let handed = self
+            .closure_named(name)
+            .map(|it| Rc::clone(&self.closures[it]))
+            .or_refused(site, refusals::CLOSURE_HANDED_ON)?;
         let closure = &handed.text;
         // A closure that was written before what calls it changes nothing there but what it is lent for that.
         let stays = handed.scope.locals.filter(|_| name != tree::EACH);

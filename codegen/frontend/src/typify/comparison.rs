@@ -20,7 +20,7 @@ use super::lowering::Lowering;
 use super::order::{has_effect, is_free};
 use super::value::step_to;
 use super::words;
-use super::{Needed, OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 /// Up to so many elements are compared one by one.
 const FEW: u32 = 4;
@@ -223,11 +223,7 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         if self.cx.as_borrowed(ty).is_some() {
-            return problem(
-                site,
-                "slices inside of values are not compared in the DSL",
-                "compare the slices themselves: `a.bytes == b.bytes`",
-            );
+            return refused(site, refusals::SLICES_COMPARED);
         }
         let Some(name) = self.cx.name_of(ty) else { return Ok(()) };
         problem(
@@ -322,7 +318,7 @@ impl Lowering<'_, '_> {
             Some(id) => self.by_variants(op, id, &pair),
             None => {
                 let steps = self.steps_to_parts(&pair.sides[0]);
-                let steps = steps.or_told(site, "this has no order in the DSL", "compare parts; tuples have an order, arrays of up to 8 elements, and enums and structs that derive `PartialOrd` below `#[data]`")?;
+                let steps = steps.or_refused(site, refusals::ORDER)?;
                 self.by_parts(op, &pair, steps)
             }
         }
@@ -343,7 +339,7 @@ impl Lowering<'_, '_> {
                 }
             });
         }
-        decided.or_told(site, "what is empty has no order in the DSL", "leave it out")
+        decided.or_refused(site, refusals::EMPTY_ORDER)
     }
 
     /// An enum with payload that has an order, an `Option` or a `Result`.

@@ -10,7 +10,7 @@ use super::lowering::{Leaving, Lowering, RESULT, Target};
 use super::syntax::{control_with_value, ends_in_loop, names_by_case};
 use super::value::Value;
 use super::words;
-use super::{Needed, Result, order, problem};
+use super::{Needed, Result, order, refusals, refused};
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
@@ -130,7 +130,7 @@ impl Lowering<'_, '_> {
         let target = self.left_by(label, site)?;
         let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), self.wanted(&target))
         else {
-            return problem(site, "`?` takes an `Option` or a `Result`", "`match` on the value");
+            return refused(site, refusals::TRIED);
         };
         let taken = self.going_on(id).and_then(|name| self.variant_at(&place, id, name));
         let (taken, value) = taken.needed(site, "`?` takes an `Option` or a `Result`")?;
@@ -359,7 +359,7 @@ impl Lowering<'_, '_> {
             let element = !self.cx.borrowed.is_empty()
                 && matches!(place.kind, Tree::Field(..) | Tree::Index(..))
                 && self.place_type(place).is_ok_and(|ty| self.type_behind(ty.clone()) != ty);
-            return if element { Self::moved_reference(place.site) } else { Ok(()) };
+            return if element { refused(place.site, refusals::MOVED_REFERENCE) } else { Ok(()) };
         };
         let refers = match self.lookup(name, place.site)? {
             Value::Place(_) | Value::Slice(_) => true,
@@ -371,15 +371,7 @@ impl Lowering<'_, '_> {
             },
             _ => false,
         };
-        if refers { Self::moved_reference(place.site) } else { Ok(()) }
-    }
-
-    fn moved_reference(site: Site) -> Result<()> {
-        problem(
-            site,
-            "a reference cannot be made to refer to something else in the DSL",
-            "write to what it refers to (`*name = …`), or choose between two places by an index or an `if`",
-        )
+        if refers { refused(place.site, refusals::MOVED_REFERENCE) } else { Ok(()) }
     }
 
     fn is_reference(&self, value: &tree::Expr) -> Result<bool> {
@@ -401,7 +393,7 @@ impl Lowering<'_, '_> {
         if self.is_submatrix(place) {
             // Without a `*` the name is given another view.
             return match (op, &place.kind) {
-                (None, Tree::Local(_)) => Self::moved_part(site),
+                (None, Tree::Local(_)) => refused(site, refusals::MOVED_VIEW),
                 _ => self.assign_part(op, place, value, site),
             };
         }
@@ -543,11 +535,7 @@ impl Lowering<'_, '_> {
     /// The place that an assignment writes.
     pub(super) fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
         self.not_coords(expr)?;
-        self.place(expr)?.or_told(
-            expr.site,
-            "this is not a place to assign",
-            "assign a variable or a field",
-        )
+        self.place(expr)?.or_refused(expr.site, refusals::ASSIGNED)
     }
 }
 

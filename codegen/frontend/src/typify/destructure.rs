@@ -10,7 +10,7 @@ use bessemer_ir::{Block, Expr, ExprKind, Type};
 use super::lowering::Lowering;
 use super::pattern::{Test, aligned};
 use super::value::Value;
-use super::{Needed, Result};
+use super::{Needed, Result, refusals};
 
 /// `let name = value;`
 #[derive(Clone, Copy)]
@@ -122,11 +122,7 @@ impl Lowering<'_, '_> {
             Value::Tuple(_, Some(ty)) => self.whole(tuple, ty, site),
             _ => None,
         };
-        let made = made.or_told(
-            site,
-            "a tuple with a slice in it, or with what may be changed, is not made in the DSL",
-            "take it apart where it is named: `|(a, b)| …`",
-        )?;
+        let made = made.or_refused(site, refusals::TUPLE_MADE)?;
         Ok(made)
     }
 

@@ -10,7 +10,7 @@ use super::lowering::{Frame, Lowering};
 use super::seq::{Elements, Item, Kind, Of, Seq, begin, ended_range};
 use super::value::{Slice, Value};
 use super::words;
-use super::{Result, problem};
+use super::{Result, refusals, refused};
 use bessemer_ir::effects;
 
 /// A loop.
@@ -137,15 +137,11 @@ impl Lowering<'_, '_> {
         let name = match pattern {
             Pattern::Any => return Ok(()),
             // They are not one behind the other.
-            Pattern::Name { .. } if slice.within.is_some() => return Self::moved_part(site),
-            Pattern::Name { name, inner: None, .. } => name,
-            _ => {
-                return problem(
-                    site,
-                    "a window is not taken apart in the DSL",
-                    "give it a name, and index it",
-                );
+            Pattern::Name { .. } if slice.within.is_some() => {
+                return refused(site, refusals::MOVED_VIEW);
             }
+            Pattern::Name { name, inner: None, .. } => name,
+            _ => return refused(site, refusals::WINDOW_APART),
         };
         let length = slice.length.clone();
         let group = match way {
@@ -179,11 +175,11 @@ impl Lowering<'_, '_> {
             let mut items = Vec::new();
             part.items(&Pattern::Any, index.clone(), (&mut items, site))?;
             let [Item { of: Of::Elements(elements), index: at, .. }] = &items[..] else {
-                return Self::not_chained(site);
+                return refused(site, refusals::CHAINED);
             };
             // What goes through a copy of its own would see what is written.
             if elements.owned && !self.is_lasting(&elements.slice.base) {
-                return Self::not_chained(site);
+                return refused(site, refusals::CHAINED);
             }
             let condition = Expr::compare(CompareOp::Lt, index.clone(), count.clone());
             cases.push((condition, elements.slice.at(at.clone())));
@@ -207,14 +203,6 @@ impl Lowering<'_, '_> {
         });
         self.out.extend(chosen.into_iter().flat_map(|(_, chosen)| chosen.0));
         Ok(place)
-    }
-
-    fn not_chained<T>(site: Site) -> Result<T> {
-        problem(
-            site,
-            "of these two, one is not read element by element by reference",
-            "write `a.iter().chain(b.iter())` of arrays, slices, lists or vectors; two loops otherwise",
-        )
     }
 
     /// A loop over a value does not see what its body writes: then it goes through a copy. Gives the

@@ -16,7 +16,7 @@ use super::items::begins_at_once;
 use super::lowering::{Lowering, Scope, local_since};
 use super::syntax::generates;
 use super::value::Value;
-use super::{Problem, Result, diagnostic, problem};
+use super::{Problem, Result, diagnostic, problem, refusals, refused};
 
 /// The crate whose functions no author reads.
 const DSL: &str = "bessemer";
@@ -59,11 +59,7 @@ impl<'a> Lowering<'a, '_> {
         end: impl FnOnce(&mut Self, Option<&tree::Expr>) -> Result<T>,
     ) -> Result<T> {
         if generates(function) {
-            return problem(
-                site,
-                "an iterator that a function gives is gone through where the function is called",
-                "write the call in the `for`, or before `.map(…)`, `.filter(…)`, `.sum()` and the like, with `.into_iter()` between",
-            );
+            return refused(site, refusals::ITERATOR_CALL);
         }
         let given = self.given_to(function, arguments)?;
         self.inside(function, given, site, |inner| {
@@ -114,7 +110,7 @@ impl<'a> Lowering<'a, '_> {
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
         if self.expanding.contains(&function.path.as_str()) {
-            return problem(site, "this calls itself where it stands", "write a loop over a range");
+            return refused(site, refusals::EXPANDS_ITSELF);
         }
         let expanding = [&self.expanding[..], &[&function.path]].concat();
         self.from(function, Scope { names: vec![bound], expanding, locals: None }, site, lower)

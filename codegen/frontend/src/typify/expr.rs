@@ -10,7 +10,7 @@ use super::lengths::plus;
 use super::lowering::Lowering;
 use super::syntax::{control_with_value, is_question, numbered};
 use super::words;
-use super::{Needed, OUR_FAULT, Result, literal, order, problem};
+use super::{Needed, OUR_FAULT, Result, literal, order, problem, refusals, refused};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
 pub(super) struct Operand<'e> {
@@ -93,11 +93,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Binary(op, left, right) => self.binary(*op, left, right, expr),
             tree::ExprKind::Call(callee, arguments) => self.call(*callee, arguments, expr),
             tree::ExprKind::Apply(name, arguments) => self.apply(name, arguments, site),
-            tree::ExprKind::Closure(_) => problem(
-                site,
-                "a closure is no argument of this in the DSL",
-                "what takes closures is listed in docs/book/reference/statements.md; elsewhere call it, and pass its value",
-            ),
+            tree::ExprKind::Closure(_) => refused(site, refusals::CLOSURE_ARGUMENT),
             tree::ExprKind::Struct(name, fields, rest) => {
                 self.struct_value(name, fields, rest.as_deref(), expr)
             }
@@ -111,7 +107,7 @@ impl Lowering<'_, '_> {
             },
             tree::ExprKind::Try(label, operand) => self
                 .try_value(label.as_deref(), operand, site)?
-                .or_told(site, "this has no value", "write it as a statement"),
+                .or_refused(site, refusals::STATEMENT),
             tree::ExprKind::Array(elements) => self.array(elements, expr),
             tree::ExprKind::Repeat(element) => {
                 let ty = self.slot_of(expr)?;
@@ -143,7 +139,7 @@ impl Lowering<'_, '_> {
                     tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
                         self.value(inner, expected)
                     }
-                    _ => problem(site, "this has no value", "write a value here"),
+                    _ => refused(site, refusals::NO_VALUE),
                 },
             },
         }
@@ -308,11 +304,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let ty = left.ty.clone();
         if ty == Type::Unit {
-            return problem(
-                site,
-                "zero-sized values are not compared in the DSL",
-                "leave the comparison out: there is one value alone",
-            );
+            return refused(site, refusals::NOTHING_COMPARED);
         }
         if ty != right.ty {
             // rustc compares numbers of one type only.
@@ -323,11 +315,7 @@ impl Lowering<'_, '_> {
         let equality = matches!(op, CompareOp::Eq | CompareOp::Ne);
         let known = self.cx.known(&ty);
         if !equality && known.own_equality.is_some() {
-            return problem(
-                site,
-                "an order that was derived and a `==` of its author's own may contradict each other",
-                "derive `PartialEq` too, or compare parts",
-            );
+            return refused(site, refusals::ORDER_AND_EQUALITY);
         }
         // A word too, where its author says what `==` is.
         if equality && (!ty.is_word() || known.own_equality.is_some() || known.unequal) {
@@ -363,7 +351,7 @@ impl Lowering<'_, '_> {
             (Op::Div, Type::Matrix { .. }, Type::Scalar(_)) => {
                 (Routine::Unscale, vec![left, right])
             }
-            _ => return problem(site, "this operator does not take these types", "use a method"),
+            _ => return refused(site, refusals::OPERAND_TYPES),
         };
         self.routine_node(routine, arguments, site)
     }
@@ -372,7 +360,7 @@ impl Lowering<'_, '_> {
         let ty = self.slot_of(expr)?;
         let element = elements_of(&ty).needed(expr.site, "this is not an array")?.clone();
         if let Some(moved) = elements.iter().find(|it| self.is_submatrix(it)) {
-            return Self::moved_part(moved.site);
+            return refused(moved.site, refusals::MOVED_VIEW);
         }
         let elements = self.alike(elements, Some(element), &[])?;
         self.node(ExprKind::Array(elements), ty, expr.site)
@@ -388,7 +376,7 @@ impl Lowering<'_, '_> {
         let expected = of_kind.then(|| ty.clone());
         let operand = self.value(operand, expected.as_ref())?;
         if !operand.ty.is_word() || !matches!(ty, Type::Scalar(_)) {
-            return problem(expr.site, "`as` converts scalars", "convert the parts");
+            return refused(expr.site, refusals::CAST);
         }
         self.node(ExprKind::Cast(Box::new(operand)), ty, expr.site)
     }

@@ -8,7 +8,7 @@ use super::generic::Case;
 use super::lowering::{Lowering, local_since};
 use super::order::{has_effect, is_free};
 use super::syntax::numbered;
-use super::{Needed, OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 impl Lowering<'_, '_> {
     /// `Name { field: value, ..base }`: a struct, or a variant.
@@ -22,7 +22,7 @@ impl Lowering<'_, '_> {
         let ty = self.slot_of(expr)?;
         let Type::Struct(id) = ty else {
             if let Type::Enum(_) = ty {
-                return problem(expr.site, "write the variant without braces", "leave `{}` out");
+                return refused(expr.site, refusals::VARIANT_BRACES);
             }
             return problem(expr.site, "this is not a struct", OUR_FAULT);
         };
@@ -124,7 +124,7 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         if let Some((_, moved)) = fields.iter().find(|(_, it)| self.is_submatrix(it)) {
-            return Self::moved_part(moved.site);
+            return refused(moved.site, refusals::MOVED_VIEW);
         }
         let declared = self.cx.fields(id).to_vec();
         let at = |(name, _): &(String, _)| self.cx.field_at(id, name).flatten();

@@ -14,7 +14,7 @@ use super::lowering::{Lowering, RESULT, Target, UNNAMED, local_since, meaning_in
 use super::names::split;
 use super::syntax::control_with_value;
 use super::value::Value;
-use super::{Context, Needed, Result, names, problem};
+use super::{Context, Needed, Result, names, problem, refusals, refused};
 
 /// A function, and what its callers have to know of it.
 pub(super) struct Lowered {
@@ -332,7 +332,7 @@ impl Lowering<'_, '_> {
         match meaning {
             Value::Word(value) => Ok(*value),
             Value::Nothing => Ok(self.nothing(site)),
-            Value::Submatrix(_) => Self::moved_part(site),
+            Value::Submatrix(_) => refused(site, refusals::MOVED_VIEW),
             tuple => self.made(&tuple, site),
         }
     }

@@ -16,7 +16,7 @@ use super::order::{is_free, is_settled};
 use super::rewrite::rewritten;
 use super::value::Value;
 use super::words;
-use super::{Needed, OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 impl Lowering<'_, '_> {
     /// What a call stands for; none if `expr` is something else.
@@ -85,11 +85,7 @@ impl Lowering<'_, '_> {
             Type::Struct(id) => self.going_on(id),
             _ => None,
         };
-        let case = case.or_told(
-            expr.site,
-            "a `try_fold` gives an `Option` or a `Result` in the DSL",
-            "let its closure give one",
-        )?;
+        let case = case.or_refused(expr.site, refusals::TRY_FOLD)?;
         let kind = Tree::Constructor(case.to_owned(), vec![value.clone()]);
         self.value(&tree::Expr { kind, site: value.site, slot: expr.slot }, None)
     }
@@ -115,11 +111,7 @@ impl Lowering<'_, '_> {
         match ty {
             Type::Scalar(Scalar::Float(_)) => Ok(float(double, double as f32, ty, span)),
             Type::Scalar(Scalar::Int(_)) => Ok(Expr::literal(number as u64, ty.clone(), span)),
-            _ => problem(
-                expr.site,
-                "only numbers, complex numbers and matrices are summed up in the DSL",
-                "use `fold`",
-            ),
+            _ => refused(expr.site, refusals::SUMMED),
         }
     }
 }

@@ -23,7 +23,7 @@ use super::lowering::{Closure, Lowering, local_since};
 use super::seq::{elements_through, pair};
 use super::syntax::generates;
 use super::value::Value;
-use super::{Result, problem};
+use super::{Result, refusals, refused};
 
 /// What gives the items.
 pub(super) enum By<'a, 'e> {
@@ -71,11 +71,7 @@ impl<'a> Lowering<'a, '_> {
                 continue;
             };
             if leaves.len() > 1 {
-                return problem(
-                    of.site,
-                    "what a function gives is gone through by itself in the DSL",
-                    "go through it alone, and count: `.enumerate()`, and index the other",
-                );
+                return refused(of.site, refusals::BY_ITSELF);
             }
             return Ok(Some(by));
         }
@@ -118,11 +114,7 @@ impl<'a> Lowering<'a, '_> {
         };
         let itself = going(links);
         if itself.is_none() && !matches!(links, Source::Elements(..)) {
-            return problem(
-                site,
-                "what a function gives is gone through one by one in the DSL, and from the first on",
-                "count with `.enumerate()`, and leave out in the loop, or in a `.filter(…)`, what is not wanted",
-            );
+            return refused(site, refusals::ONE_BY_ONE);
         }
         self.naming_scope(|inner| {
             let (mut body, mut pattern) = (body.clone(), pattern.clone());

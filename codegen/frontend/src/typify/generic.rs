@@ -11,7 +11,7 @@ use bessemer_ir::{
 
 use super::names::snake;
 use super::words;
-use super::{Context, OUR_FAULT, Result, problem};
+use super::{Context, OUR_FAULT, Result, problem, refusals, refused};
 
 /// A variant of a [`Form::Choice`]; its word is its index.
 #[derive(Clone)]
@@ -99,7 +99,7 @@ impl Context<'_> {
         let types =
             parts.iter().map(|ty| self.content_type(ty, site)).collect::<Result<Vec<_>>>()?;
         if types.contains(&Type::Unit) {
-            return problem(site, "a part of this tuple is zero-sized", "leave it out");
+            return refused(site, refusals::EMPTY_PART);
         }
         let words: String = types.iter().map(|ty| self.word(ty)).collect();
         let name = format!("{}{words}", capitalised(&arity(types.len())));
@@ -143,14 +143,10 @@ impl Context<'_> {
     fn list(&mut self, element: &Ty, n: u32, site: Site) -> Result<StructId> {
         let element = self.value_type(element, site)?;
         if !self.slices_in(&element).is_empty() {
-            return problem(site, super::borrowed::MANY, super::borrowed::ONE);
+            return refused(site, refusals::MANY_SLICES);
         }
         if element == Type::Unit || n == 0 {
-            return problem(
-                site,
-                "this list is zero-sized",
-                "give it room for an element, or keep the count",
-            );
+            return refused(site, refusals::EMPTY_LIST);
         }
         let name = format!("List{n}{}", self.word(&element));
         let shown = (format!("List<{}, {n}>", self.show(&element)), ": elements, and how many");
@@ -437,11 +433,7 @@ fn capitalised(word: &str) -> String {
 pub(super) fn numbered(variants: &[tree::Variant], site: Site) -> Result<Vec<Variant>> {
     let number = |(index, it): (i64, &tree::Variant)| {
         let Ok(value) = i32::try_from(it.value.unwrap_or(index)) else {
-            return problem(
-                site,
-                "the number of a variant has 32 bits in C",
-                "choose numbers between -2147483648 and 2147483647",
-            );
+            return refused(site, refusals::VARIANT_NUMBER);
         };
         let (name, docs, given) = (it.name.clone(), it.docs.clone(), it.given.clone());
         Ok(Variant { name, docs, value, given })

@@ -7,7 +7,7 @@ use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, StructId, Type};
 
 use super::lowering::Lowering;
-use super::{Context, Problem, Result, diagnostic, function, problem};
+use super::{Context, Problem, Result, diagnostic, function, problem, refusals, refused};
 
 impl<'a> Context<'a> {
     /// The function of a path, made now if it was not; none where it was refused, which is told.
@@ -119,22 +119,14 @@ impl Lowering<'_, '_> {
                     return Ok(None);
                 }
                 if from == Some(&tree::Ty::Unit) {
-                    return problem(
-                        site,
-                        "`?` makes no error of nothing in the DSL",
-                        "write `.map_err(|_| …)?`",
-                    );
+                    return refused(site, refusals::ERROR_OF_NOTHING);
                 }
                 let meant = |it: &&&tree::Implied| Some(&it.owner) == to && Some(&it.other) == from;
                 found.extend(self.cx.conversions.iter().find(meant).map(|it| it.function.as_str()));
             }
         }
         let [path] = found.as_slice() else {
-            return problem(
-                site,
-                "the conversion of this error is not part of the DSL",
-                "mark its `impl From` block as the type is, `#[data]`, or `map_err` the error",
-            );
+            return refused(site, refusals::ERROR_CONVERSION);
         };
         let call = self.call_implied(path, error, wanted.cloned().unwrap_or(Type::Unit), site)?;
         if wanted.is_some() {

@@ -21,30 +21,8 @@ use super::call::lent;
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
 use super::order::indices;
-use super::{Needed, Problem, Result, problem};
+use super::{Needed, Problem, Result, problem, refusals, refused};
 use bessemer_ir::effects::same_place;
-
-/// The refusal of a slice with two lenders.
-const ONE_OR_OTHER: (&str, &str) = (
-    "this may be a part of one array or of another, which is decided at run time",
-    "let both be parts of one array, or do what is to be done in each branch",
-);
-
-/// The refusals of what is chosen by an index that is younger than the name.
-const CHOSEN: (&str, &str) = (
-    "the array that this is a part of is chosen while the name lives",
-    "compute its index above the `let`",
-);
-const OF_MATRIX: (&str, &str) = (
-    "a value refers to elements of arrays in the DSL, and this is one of a matrix",
-    "find where it is, and index: `if let Some(at) = m.iter().position(|x| …) { m[at] = … }`",
-);
-
-/// The refusal of a result that is a part of something else than a parameter.
-const UNNAMEABLE: (&str, &str) = (
-    "what this function gives is a part of an array that its caller cannot name",
-    "let the caller pass the array itself, and give a part of it",
-);
 
 /// The remedies where the array of a slice, or of a `&mut T`, is not known.
 const FIRST_VALUE: &str =
@@ -66,11 +44,7 @@ impl Lowering<'_, '_> {
         let Local { ty, span, .. } = self.locals[local.index()].clone();
         let groups = self.cx.groups_in(&ty);
         if !groups.is_empty() && matches!(self.source.tree.role, tree::Role::Entry { .. }) {
-            return problem(
-                param.site,
-                "an entry point takes no value with a slice in it: nothing could tell whether its length is right",
-                "take an array, `&[T; N]`, or a `List<T, N>`, and make the value of it inside",
-            );
+            return refused(param.site, refusals::ENTRY_BORROWS);
         }
         for (paths, Borrowed { element, mutable, .. }) in groups {
             let name = self.cx.lender_name(&param.name, &ty, &paths[0]);
@@ -204,14 +178,16 @@ impl Lowering<'_, '_> {
     fn lend(&mut self, to: Spot, lender: Place, span: Span) {
         let of_param = lender.root.index() < self.lenders.params;
         let (message, help) = match (to.0, self.lenders.of(&to)) {
-            (None, _) if !of_param || !indices(&lender).all(Expr::is_literal) => UNNAMEABLE,
+            (None, _) if !of_param || !indices(&lender).all(Expr::is_literal) => {
+                refusals::UNNAMEABLE
+            }
             (_, Some(known)) if same_place(&known, &lender) || self.join(&known, &lender) => return,
-            (_, Some(_)) => ONE_OR_OTHER,
+            (_, Some(_)) => refusals::ONE_OR_OTHER,
             (Some(root), None) if indices(&lender).any(|index| mentions_from(index, root)) => {
                 let outer = lender.steps.split_last().map_or(&[][..], |(_, outer)| outer);
                 match self.type_of(lender.root, outer) {
-                    Type::Matrix { .. } => OF_MATRIX,
-                    _ => CHOSEN,
+                    Type::Matrix { .. } => refusals::OF_MATRIX,
+                    _ => refusals::CHOSEN,
                 }
             }
             (_, None) => return self.lenders.known.push((to, lender)),
@@ -243,11 +219,7 @@ impl Lowering<'_, '_> {
             let lenders = known.iter().filter(|it| paths.contains(&it.0)).map(|it| &it.1);
             let lenders: Vec<_> = lenders.collect();
             if lenders.iter().any(|it| !same_place(it, lenders[0])) {
-                return problem(
-                    site,
-                    "two slices in this value are parts of two arrays, and this function makes one a part of the other",
-                    "let both be parts of one array",
-                );
+                return refused(site, refusals::TWO_LENDERS);
             }
             let (lender, slice) = lenders
                 .first()
@@ -316,11 +288,7 @@ impl Lowering<'_, '_> {
     pub(super) fn lent_out(&mut self) -> Result<Vec<(Path, Place)>> {
         let is_entry = matches!(self.source.tree.role, tree::Role::Entry { .. });
         if is_entry && !self.cx.slices_in(&self.result).is_empty() {
-            return problem(
-                self.source.tree.site,
-                "the firmware takes no slice: it would not know of which array",
-                "return a copy, or where the elements are: an index and a length",
-            );
+            return refused(self.source.tree.site, refusals::SLICE_GIVEN);
         }
         match self.lenders.problem.take() {
             Some(wrong) => Err(wrong),

@@ -6,7 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Float, Scalar, Type};
 
 use super::lowering::Lowering;
 use super::value::Value;
-use super::{Needed, OUR_FAULT, Result, names, problem};
+use super::{Needed, OUR_FAULT, Result, names, problem, refusals, refused};
 
 /// The word of an integer literal as a value of `scalar`.
 pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) -> Result<u64> {
@@ -117,11 +117,7 @@ impl<'a> Lowering<'a, '_> {
             return self.choice(id, word, None, site);
         }
         if !self.cx.slices_in(&ty).is_empty() {
-            return problem(
-                site,
-                "a value that borrows is no constant in C",
-                "make it here, or in a function, instead of a `const`",
-            );
+            return refused(site, refusals::BORROWED_CONSTANT);
         }
         let number = matches!(self.generic(name), Some(tree::Argument::Number(..)));
         let plain = ["::ZERO", "::ONE"].iter().any(|end| name.ends_with(end));

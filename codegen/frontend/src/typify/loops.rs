@@ -19,7 +19,7 @@ use super::order::is_light;
 use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
-use super::{Needed, Result, labelled, problem};
+use super::{Needed, Result, labelled, problem, refusals, refused};
 
 impl Lowering<'_, '_> {
     /// A loop that counts through a range, perhaps from its end.
@@ -251,11 +251,7 @@ impl Lowering<'_, '_> {
     fn passes(&mut self, bound: &tree::Expr) -> Result<Expr> {
         let value = self.value(bound, Some(&Type::USIZE))?;
         if value.ty.as_int().is_none() {
-            return problem(
-                bound.site,
-                "the bound of a loop is an integer",
-                "write `#[bound(64)]`",
-            );
+            return refused(bound.site, refusals::BOUND);
         }
         Ok(value)
     }

@@ -51,6 +51,7 @@ mod pattern;
 mod place;
 mod place_functions;
 mod ranges;
+mod refusals;
 mod rewrite;
 mod seq;
 mod slice;
@@ -86,9 +87,19 @@ fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -
     Err(Problem { site, message: message.into(), help: help.into() })
 }
 
+/// The same for a reason that is said elsewhere, too.
+fn refused<T>(site: Site, (message, help): refusals::Reason) -> Result<T> {
+    problem(site, message, help)
+}
+
 /// What is there, or a problem.
 trait Needed<T>: Sized {
     fn or_told(self, site: Site, message: impl Into<String>, help: &str) -> Result<T>;
+
+    /// The same for such a reason.
+    fn or_refused(self, site: Site, (message, help): refusals::Reason) -> Result<T> {
+        self.or_told(site, message, help)
+    }
 
     /// The same where the compiler is wrong if it is not there.
     fn needed(self, site: Site, message: impl Into<String>) -> Result<T> {

@@ -17,7 +17,7 @@ use super::lowering::Lowering;
 use super::seq::{Item, Kind, Of, Seq, Way};
 use super::stepped::Numbers;
 use super::value::Value;
-use super::{Needed, Result, problem, words};
+use super::{Needed, Result, refusals, refused, words};
 
 /// How a loop asks what it goes through side by side.
 pub(super) struct Turns {
@@ -76,11 +76,7 @@ impl Lowering<'_, '_> {
             _ => None,
         });
         match all.find(|it| is_told(it)) {
-            Some(numbers) => problem(
-                numbers.site,
-                "these numbers may come to the last of their type, and how many are asked for does not show here",
-                "let the elements come first, `values.iter().zip(first..)`, without `.skip(n)`; or number with `0_usize..`",
-            ),
+            Some(numbers) => refused(numbers.site, refusals::LAST_NUMBER),
             None => Ok(Turns { counts, over }),
         }
     }
@@ -196,7 +192,7 @@ impl Lowering<'_, '_> {
 
 /// The integers that a loop counts in.
 fn counting(ty: &Type, site: Site) -> Result<Int> {
-    ty.as_int().or_told(site, "a loop counts in integers in the DSL", "number with `0..`")
+    ty.as_int().or_refused(site, refusals::COUNTER)
 }
 
 /// Whether a pass hands on what it goes through: then who asks for it is another.

@@ -6,12 +6,8 @@ use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
 use super::expr::{Call, Operand};
 use super::lowering::Lowering;
 use super::order::is_free;
-use super::{Needed, OUR_FAULT, Result, problem, struct_of};
+use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
 use bessemer_ir::effects;
-
-/// The remedy where a reference into an `Option` would be kept.
-const LENT_BY_OPTION: &str =
-    "take it apart where it is called: `if let Some(x) = self.last.as_mut() { … }`";
 
 impl Lowering<'_, '_> {
     /// The value of a method of `Option` or `Result`.
@@ -19,17 +15,15 @@ impl Lowering<'_, '_> {
         let Call { arguments, expr } = call;
         use OptionMethod as M;
         match method {
-            M::Unwrap | M::UnwrapErr => self.unwrap(method, call)?.or_told(
-                expr.site,
-                "this has no value",
-                "write it as a statement",
-            ),
+            M::Unwrap | M::UnwrapErr => {
+                self.unwrap(method, call)?.or_refused(expr.site, refusals::STATEMENT)
+            }
             M::Copied => self.value(&arguments[0], None),
             M::Take | M::Replace => self.exchanged(arguments, expr),
             M::UnwrapOr | M::Or | M::And | M::OkOr | M::Ok | M::Err => self.chosen(method, call),
             // A place is lent: each use of one that takes it has looked before.
             M::AsMut | M::Insert | M::GetOrInsert | M::GetOrInsertWith => {
-                problem(expr.site, super::borrowed_slices::LENT, LENT_BY_OPTION)
+                refused(expr.site, refusals::LENT_BY_OPTION)
             }
         }
     }
@@ -61,11 +55,7 @@ impl Lowering<'_, '_> {
     /// `take` and `replace`: what was there, with `None` or another in its place.
     fn exchanged(&mut self, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         let span = self.span(expr.site);
-        let mut place = self.place(&arguments[0])?.or_told(
-            expr.site,
-            "this is not a place",
-            "keep it in a variable",
-        )?;
+        let mut place = self.place(&arguments[0])?.or_refused(expr.site, refusals::PLACE)?;
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         let next = match arguments.get(1) {
             None => self.choice(id, 0, None, expr.site)?,
@@ -139,8 +129,7 @@ impl Lowering<'_, '_> {
             }
             _ => return problem(site, "this is not an `Option`", OUR_FAULT),
         };
-        let then =
-            then.or_told(site, "there is nothing to the value", "ask with `is_some`, `is_ok`")?;
+        let then = then.or_refused(site, refusals::EMPTY_CHOICE)?;
         let span = self.span(site);
         Ok(self.either("choice", otherwise, (there, then), span))
     }

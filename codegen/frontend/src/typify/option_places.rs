@@ -7,7 +7,7 @@ use bessemer_ir::{Block, Fault, Place, StmtKind, StructId};
 use super::borrowed::is_element;
 use super::lowering::Lowering;
 use super::rewrite::is_plain;
-use super::{Result, order, problem, struct_of};
+use super::{Result, order, refusals, refused, struct_of};
 
 /// The hidden name of the place that `lent?` leads to.
 const TRIED: &str = "__tried";
@@ -131,7 +131,7 @@ impl Lowering<'_, '_> {
                 self.fix(&mut place);
                 Ok(place)
             }
-            None => problem(expr.site, "this is not a place", "keep it in a variable"),
+            None => refused(expr.site, refusals::PLACE),
         }
     }
 
@@ -140,7 +140,7 @@ impl Lowering<'_, '_> {
         let id = struct_of(&place.ty, expr.site, "an `Option`")?;
         match self.variant_at(place, id, "Some") {
             Some((word, Some(held))) => Ok((id, word, held)),
-            _ => problem(expr.site, "there is nothing to this value", "keep a `bool`"),
+            _ => refused(expr.site, refusals::EMPTY_OPTION),
         }
     }
 
@@ -160,7 +160,7 @@ impl Lowering<'_, '_> {
         let given = match &given.kind {
             Tree::Closure(it) if method == OptionMethod::GetOrInsertWith => Err(&it.body),
             _ if method == OptionMethod::GetOrInsertWith => {
-                return problem(expr.site, "this takes a closure", "write `|| …`");
+                return refused(expr.site, refusals::CLOSURE_TAKEN);
             }
             _ => {
                 let value = self.value(given, Some(&there.ty))?;

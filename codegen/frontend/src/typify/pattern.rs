@@ -15,7 +15,7 @@ use super::conditions::within;
 use super::generic::Case;
 use super::lowering::Lowering;
 use super::value::{Named, Value};
-use super::{Needed, Result, problem};
+use super::{Needed, Result, problem, refusals, refused};
 use bessemer_ir::effects;
 
 /// What has to hold for a pattern to take a value, if anything, and the names that it gives then.
@@ -88,11 +88,7 @@ impl Lowering<'_, '_> {
                 let ty = if *slot == NO_SLOT { None } else { self.slot(*slot, site).ok() };
                 Ok(Test::named(name, *slot, Value::Tuple(parts.clone(), ty), site))
             }
-            _ => problem(
-                site,
-                "a tuple that is written out is matched part by part",
-                "give it a name first: `let pair = (a, b);`",
-            ),
+            _ => refused(site, refusals::TUPLE_PATTERN),
         }
     }
 
@@ -104,11 +100,7 @@ impl Lowering<'_, '_> {
             // Each of `x @ 1 | x @ 2` is another name of one place.
             let first = known.get_or_insert_with(|| names.clone());
             if first.len() != names.len() || !first.iter().zip(&names).all(same_names) {
-                return problem(
-                    site,
-                    "names inside `|` stand for different places",
-                    "write a `match` with an arm for each",
-                );
+                return refused(site, refusals::NAMES_BY_CASE);
             }
             let Some(next) = condition else { return Ok(Test { condition: None, names }) };
             any = Some(match any {
@@ -193,11 +185,7 @@ impl Lowering<'_, '_> {
             }
             (Pattern::Value(value), Type::Struct(id)) => match self.unit_word(value, *id) {
                 Some(word) => Ok(Test::of(Some(self.tag_is(place, *id, word)))),
-                None => problem(
-                    value.site,
-                    "a constant of this type is not a pattern",
-                    "compare with `==`",
-                ),
+                None => refused(value.site, refusals::CONSTANT_PATTERN),
             },
             (Pattern::Value(_) | Pattern::Range { .. }, Type::Scalar(Scalar::Float(_))) => {
                 self.test_float(pattern, place)
@@ -208,11 +196,7 @@ impl Lowering<'_, '_> {
                 let range = self.range(pattern, ty, site)?;
                 Ok(Test::of(Some(within(&place.load(), range, place.span))))
             }
-            _ => problem(
-                site,
-                "this pattern does not fit what the DSL takes apart",
-                "take apart arrays, tuples, structs and variants",
-            ),
+            _ => refused(site, refusals::PATTERN),
         }
     }
 

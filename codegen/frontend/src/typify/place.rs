@@ -8,7 +8,7 @@ use super::lowering::{Lowering, RESULT, UNNAMED};
 use super::syntax::bare;
 use super::value::{Value, step_to};
 use super::words;
-use super::{Needed, Result, problem};
+use super::{Needed, Result, problem, refusals, refused};
 use bessemer_ir::effects;
 
 /// Whether a field is all there is: of a point its `coords`, of a translation its `vector`.
@@ -164,13 +164,7 @@ impl Lowering<'_, '_> {
             bounded if self.contained(bounded).is_some() => {
                 return self.bounded_element(base, index, span);
             }
-            _ => {
-                return problem(
-                    Site(span.line, span.column),
-                    "only arrays, matrices and vectors have elements in the DSL",
-                    "use `[T; N]`, or a vector",
-                );
-            }
+            _ => return refused(Site(span.line, span.column), refusals::INDEXED),
         };
         let step = self.settling(
             |inner| {
@@ -261,9 +255,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Call(..) | tree::ExprKind::Try(..) if expr.slot.is_some() => {
                 self.refers_to(expr.slot.unwrap_or_default(), expr.site)
             }
-            _ => {
-                problem(expr.site, "this is not a place to assign", "assign a variable or a field")
-            }
+            _ => refused(expr.site, refusals::ASSIGNED),
         }
     }
 
@@ -321,7 +313,7 @@ impl Lowering<'_, '_> {
         if let (None, Some(lent)) = (&place, lent) {
             place = Some(self.held(lent)?);
         }
-        let mut place = place.or_told(site, "a reference in a variable names a place in the DSL", "copy the value: `let x = *place;`, or pass the reference as an argument; of what may be there, `let Some(x) = … else { … };`")?;
+        let mut place = place.or_refused(site, refusals::NAMED_REFERENCE)?;
         let moves = !exclusive && (self.is_loan(&place) || value.is_some_and(is_held));
         if moves && !self.is_lasting(&place) {
             // A reference that a value holds is a copy there; the value may get another.

@@ -14,7 +14,7 @@ use super::function::result_of;
 use super::lowering::Lowering;
 use super::rewrite::Placed;
 use super::value::Value;
-use super::{Context, Needed, Problem, Result, problem};
+use super::{Context, Needed, Problem, Result, refusals, refused};
 
 /// Whether a function lends a place, and whether to be written.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
@@ -199,11 +199,9 @@ impl<'a> Lowering<'a, '_> {
             }
         }
         match found {
-            [Some(read), Some(written)] if !same_meaning(read, written) => problem(
-                site,
-                "`Index` and `IndexMut` of this type lend in two ways, and here either may be meant",
-                "write one and the same body in both, or methods with names",
-            ),
+            [Some(read), Some(written)] if !same_meaning(read, written) => {
+                refused(site, refusals::TWO_INDEXINGS)
+            }
             [Some(read), Some(written)] if !self.cx.lends_place(read) => Ok(Some(written)),
             [read, _] => Ok(read),
         }
@@ -223,13 +221,8 @@ impl<'a> Lowering<'a, '_> {
     /// The statements of a function before the place that it returns, and the place.
     fn placed(&mut self, called: Called<'a, '_>, site: Site) -> Result<Place> {
         self.expanded(called, site, |inner, tail| {
-            let tail =
-                tail.or_told(called.0.tree.site, "this lends no place", "end in `&self.field`")?;
-            let mut place = inner.place(tail)?.or_told(
-                tail.site,
-                "this is no place that could be lent",
-                "end in a field or an element: `&self.axes[i]`",
-            )?;
+            let tail = tail.or_refused(called.0.tree.site, refusals::LENDS_NOTHING)?;
+            let mut place = inner.place(tail)?.or_refused(tail.site, refusals::LENT_PLACE)?;
             inner.fix(&mut place);
             Ok(place)
         })

@@ -16,7 +16,7 @@ use super::lowering::{Closure, Lowering};
 use super::pattern::aligned;
 use super::stepped::{Numbers, Steps};
 use super::value::Slice;
-use super::{Result, problem, words};
+use super::{Result, refusals, refused, words};
 
 /// A sequence.
 pub(super) struct Seq {
@@ -272,21 +272,9 @@ impl Lowering<'_, '_> {
         let own = matches!(place.ty, Type::Struct(_));
         match self.all_of(place) {
             Some(slice) => Ok(slice),
-            None if bounded => problem(
-                expr.site,
-                "all elements of a `BoundedMatrix` are gone through by themselves, and from the first on",
-                "give the matrix a name; or write `for column in 0..m.ncols()`, and index",
-            ),
-            None if own => problem(
-                expr.site,
-                "by the names `iter` and `iter_mut` the DSL means those of arrays and vectors",
-                "give the method of this type another name: `fn items(&self) -> impl Iterator<Item = &T>`",
-            ),
-            None => problem(
-                expr.site,
-                "a loop goes through arrays and vectors in the DSL",
-                "write `for i in 0..n`, and index",
-            ),
+            None if bounded => refused(expr.site, refusals::BOUNDED_MATRIX),
+            None if own => refused(expr.site, refusals::OWN_ITER),
+            None => refused(expr.site, refusals::GONE_THROUGH),
         }
     }
 
@@ -294,11 +282,7 @@ impl Lowering<'_, '_> {
     fn group_size(&mut self, size: &tree::Expr) -> Result<Expr> {
         let (size, site) = (self.value(size, Some(&Type::USIZE))?, size.site);
         match self.known(&size) {
-            Some(0) => problem(
-                site,
-                "no elements at a time never come to an end",
-                "write a number above 0",
-            ),
+            Some(0) => refused(site, refusals::EMPTY_GROUPS),
             Some(word) => Ok(Expr::usize(word, size.span)),
             None => {
                 let span = size.span;
@@ -316,11 +300,7 @@ impl Seq {
     pub(super) fn ended(&self, site: Site) -> Result<Expr> {
         match &self.count {
             Some(count) => Ok(count.clone()),
-            None => problem(
-                site,
-                "nothing ends this sequence",
-                "write both ends of a range, `0..n`; or let `.zip(…)` come first, and the other links behind it",
-            ),
+            None => refused(site, refusals::ENDLESS),
         }
     }
 
@@ -485,11 +465,7 @@ pub(super) fn pair(pattern: &Pattern, site: Site) -> Result<[&Pattern; 2]> {
         };
         return Ok([part(0), part(1)]);
     }
-    problem(
-        site,
-        "the pairs that a loop goes through are taken apart in the DSL",
-        "give both of each a name: `for (i, x) in …`",
-    )
+    refused(site, refusals::PAIRS)
 }
 
 /// Where a group begins.

@@ -17,7 +17,7 @@ use super::lowering::Lowering;
 use super::syntax::{bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;
-use super::{Needed, Result, problem};
+use super::{Needed, Result, refusals, refused};
 
 impl Lowering<'_, '_> {
     /// A parameter that is a slice.
@@ -28,11 +28,7 @@ impl Lowering<'_, '_> {
         mutable: bool,
     ) -> Result<()> {
         if matches!(self.source.tree.role, tree::Role::Entry { .. }) {
-            return problem(
-                param.site,
-                "an entry point takes no slice: nothing could tell whether its length is right",
-                "take an array, `&[T; N]`, or a `List<T, N>`",
-            );
+            return refused(param.site, refusals::ENTRY_SLICE);
         }
         let (element, span) = (self.cx.element_type(element, param.site)?, self.span(param.site));
         let local = self.slice_local(&param.name, element, mutable, span);
@@ -97,11 +93,7 @@ impl Lowering<'_, '_> {
         let mut place = self.base(expr)?;
         // Whether anything is asked of the elements or not.
         self.fix(&mut place);
-        self.all_of(place).or_told(
-            expr.site,
-            "this has no elements in a row",
-            "take an array, a `List`, or `.as_slice()` of a vector",
-        )
+        self.all_of(place).or_refused(expr.site, refusals::IN_A_ROW)
     }
 
     /// All elements of an array, a vector or a list, or of a parameter that is a slice.
@@ -271,12 +263,8 @@ impl Lowering<'_, '_> {
             (M::IsEmpty, _) => Ok(compared(CompareOp::Eq, &slice.length, &zero, span)),
             (M::ToArray, _) => self.as_array(true, &slice, expr),
             (M::FirstChunk, _) => self.as_array(false, &slice, expr),
-            (M::CopyFrom | M::Reverse, _) => {
-                problem(expr.site, "this has no value", "write it as a statement")
-            }
-            _ => {
-                problem(expr.site, super::borrowed_slices::LENT, super::borrowed_slices::TAKE_APART)
-            }
+            (M::CopyFrom | M::Reverse, _) => refused(expr.site, refusals::STATEMENT),
+            _ => refused(expr.site, refusals::LENT),
         }
     }
 
@@ -308,11 +296,7 @@ impl Lowering<'_, '_> {
                 if !to.length.is_literal() || !from.length.is_literal() {
                     self.check_index(&to.length, CompareOp::Eq, &from.length, span);
                 } else if to.length.kind != from.length.kind {
-                    return problem(
-                        expr.site,
-                        "these are never of one length",
-                        "name as many elements on both sides",
-                    );
+                    return refused(expr.site, refusals::TWO_LENGTHS);
                 }
                 self.below("i", to.length.clone(), span, |inner, index| {
                     let (place, value) = (to.nth(index.clone()), from.nth(index).load());

@@ -8,7 +8,7 @@ use super::comparison::Pair;
 use super::expr::{Call, two};
 use super::lowering::Lowering;
 use super::words;
-use super::{OUR_FAULT, Result, problem, struct_of};
+use super::{OUR_FAULT, Result, problem, refusals, refused, struct_of};
 
 /// Whether the type at a path stands for a quaternion, and then whether for a unit one.
 pub(super) fn quaternion(path: &str) -> Option<bool> {
@@ -32,11 +32,7 @@ impl Lowering<'_, '_> {
         let Call { arguments, expr } = call;
         use SpatialMethod as M;
         match (method, arguments) {
-            (M::PlatformAngles, _) => problem(
-                expr.site,
-                "nalgebra takes sine, cosine or the root from the platform here, so the bits would depend on the target",
-                "call the function of `bessemer::rotation` or `bessemer::complex` for it: `rotation::angle(&q)`, `rotation::from_scaled_axis(v)`, `complex::norm(&z)` and the like",
-            ),
+            (M::PlatformAngles, _) => refused(expr.site, refusals::PLATFORM),
             (M::QuaternionIdentity, _) => {
                 let id = struct_of(&self.slot_of(expr)?, expr.site, "a quaternion")?;
                 let part = |name: &str| {
@@ -111,11 +107,7 @@ impl Lowering<'_, '_> {
     /// Refuses to write to what is a value in the C.
     pub(super) fn not_coords(&mut self, expr: &tree::Expr) -> Result<()> {
         if self.in_coords(expr)? {
-            return problem(
-                expr.site,
-                "the parts of a quaternion are no vector in the C",
-                "write to `q.i`, `q.j`, `q.k` and `q.w`, or assign a new quaternion",
-            );
+            return refused(expr.site, refusals::QUATERNION_PARTS);
         }
         Ok(())
     }

@@ -273,15 +273,6 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// What is wrong with a part as a value that goes elsewhere, where it would be a copy.
-    pub(super) fn moved_part<T>(site: Site) -> Result<T> {
-        problem(
-            site,
-            "a view that is written stays where it is in the DSL",
-            "give it a name by `let`, and use that; for a copy of it call `.into_owned()`",
-        )
-    }
-
     /// The inlined form of a call of the library; none if it stays a call.
     pub(super) fn shorter(&mut self, path: &str, call: Call<'_>) -> Result<Option<Expr>> {
         let view = path.strip_prefix("bessemer::linear::views::");

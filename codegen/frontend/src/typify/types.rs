@@ -11,7 +11,7 @@ use bessemer_ir::{
 
 use super::generic::Home;
 use super::names::{snake, split};
-use super::{Context, Result, problem};
+use super::{Context, Result, problem, refusals, refused};
 
 impl<'a> Context<'a> {
     /// The fields of a struct.
@@ -183,11 +183,9 @@ impl<'a> Context<'a> {
     /// The type of a value; references are refused.
     pub(super) fn value_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
-            Ty::Ref(inner, _) if !matches!(**inner, Ty::Slice(_)) => problem(
-                site,
-                "a reference is not a value in the DSL",
-                "copy what it refers to, or pass the reference as an argument",
-            ),
+            Ty::Ref(inner, _) if !matches!(**inner, Ty::Slice(_)) => {
+                refused(site, refusals::REFERENCE_VALUE)
+            }
             ty => self.pointee(ty, site),
         }
     }
@@ -209,22 +207,12 @@ impl<'a> Context<'a> {
             Ty::Unit => Type::Unit,
             Ty::Scalar(scalar) => Type::Scalar(*scalar),
             Ty::Array(_, 0) | Ty::Matrix(_, 0, _) | Ty::Matrix(_, _, 0) => {
-                return problem(
-                    site,
-                    "an array or matrix without elements is not in the DSL",
-                    "C has none: give it an element, or pass no part of another array, `&other[..0]`",
-                );
+                return refused(site, refusals::EMPTY_ARRAY);
             }
             Ty::Array(element, len) => match self.value_type(element, site)? {
-                Type::Unit => {
-                    return problem(
-                        site,
-                        "an array of zero-sized elements is not in the DSL",
-                        "keep the count, or an array of `bool`; write `core::array::from_fn(|i| …)` for `[(); N].map(|()| …)`",
-                    );
-                }
+                Type::Unit => return refused(site, refusals::ARRAY_OF_NOTHING),
                 element if !self.slices_in(&element).is_empty() => {
-                    return problem(site, super::borrowed::MANY, super::borrowed::ONE);
+                    return refused(site, refusals::MANY_SLICES);
                 }
                 element => Type::Array { element: Box::new(element), len: *len },
             },

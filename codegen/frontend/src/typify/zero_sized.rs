@@ -9,7 +9,7 @@ use super::generic::position;
 use super::lowering::Lowering;
 use super::pattern::Test;
 use super::value::Value;
-use super::{Context, Result, problem};
+use super::{Context, Result, refusals, refused};
 
 /// An author's zero-sized type.
 pub(super) struct Nothing {
@@ -24,18 +24,10 @@ impl Context<'_> {
     pub(super) fn define_nothing(&mut self, definition: &Definition, name: String) -> Result<()> {
         let (site, kind) = (definition.site, &definition.kind);
         if let tree::DefinitionKind::Struct { initial: Some(_), .. } = kind {
-            return problem(
-                site,
-                "a component whose fields are zero-sized has no state to keep",
-                "mark it and its `impl` blocks `#[data]`, or give it a field",
-            );
+            return refused(site, refusals::EMPTY_COMPONENT);
         }
         if definition.given.name.is_some() {
-            return problem(
-                site,
-                "a zero-sized struct is no type in the C, and has no name there",
-                "leave the name out, or give one to its methods",
-            );
+            return refused(site, refusals::EMPTY_NAME);
         }
         let (module, unequal) = (definition.module.clone(), !definition.equal);
         self.nothings.insert(definition.path.clone(), Nothing { name, module, unequal });
@@ -179,11 +171,9 @@ impl Lowering<'_, '_> {
     /// Refuses to keep what holds nothing, wherever it was not left out.
     pub(super) fn check_locals(&self) -> Result<()> {
         match self.locals.iter().find(|local| local.ty == Type::Unit) {
-            Some(local) => problem(
-                Site(local.span.line, local.span.column),
-                "a zero-sized value is not kept here in the DSL",
-                "leave it out: there is one value alone",
-            ),
+            Some(local) => {
+                refused(Site(local.span.line, local.span.column), refusals::KEPT_NOTHING)
+            }
             None => Ok(()),
         }
     }
