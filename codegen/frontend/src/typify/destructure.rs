@@ -4,13 +4,13 @@
 
 use std::borrow::Cow;
 
+use bessemer_ir::Block;
 use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
-use bessemer_ir::{Block, Expr, ExprKind, Type};
 
+use super::Result;
 use super::lowering::Lowering;
 use super::pattern::{Test, aligned};
 use super::value::Value;
-use super::{Needed, Result, refusals};
 
 /// `let name = value;`
 #[derive(Clone, Copy)]
@@ -113,32 +113,6 @@ impl Lowering<'_, '_> {
                     Ok(())
                 })
             }
-        }
-    }
-
-    /// The value of a tuple that is never made, under its name.
-    pub(super) fn made(&mut self, tuple: &Value, site: Site) -> Result<Expr> {
-        let made = match tuple {
-            Value::Tuple(_, Some(ty)) => self.whole(tuple, ty, site),
-            _ => None,
-        };
-        let made = made.or_refused(site, refusals::TUPLE_MADE)?;
-        Ok(made)
-    }
-
-    /// The value of a tuple, if its parts are values.
-    fn whole(&mut self, tuple: &Value, ty: &Type, site: Site) -> Option<Expr> {
-        match (tuple, ty) {
-            (Value::Place(_), _) => self.lent_value(tuple.clone(), ty, site).ok(),
-            (Value::Word(word), _) => Some((**word).clone()),
-            (Value::Tuple(parts, _), Type::Struct(id)) => {
-                let fields = self.cx.fields(*id).to_vec();
-                let parts = parts.iter().zip(&fields);
-                let parts = parts.map(|(part, field)| self.whole(part, &field.ty, site));
-                let kind = ExprKind::Struct(parts.collect::<Option<_>>()?);
-                Some(Expr { kind, ty: ty.clone(), span: self.span(site) })
-            }
-            _ => None,
         }
     }
 

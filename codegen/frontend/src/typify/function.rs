@@ -333,7 +333,8 @@ impl Lowering<'_, '_> {
             Value::Word(value) => Ok(*value),
             Value::Nothing => Ok(self.nothing(site)),
             Value::Submatrix(_) => refused(site, refusals::MOVED_VIEW),
-            tuple => self.made(&tuple, site),
+            Value::Tuple(parts, Some(ty)) => self.lent_value(Value::Tuple(parts, None), &ty, site),
+            _ => refused(site, refusals::TUPLE_MADE),
         }
     }
 

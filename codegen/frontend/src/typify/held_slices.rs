@@ -15,7 +15,7 @@ use super::lowering::{Lowering, UNNAMED};
 use super::syntax::control_with_value;
 use super::value::{Slice, Value};
 use super::words;
-use super::{Needed, OUR_FAULT, Result, problem};
+use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
@@ -163,7 +163,7 @@ impl Lowering<'_, '_> {
         value
     }
 
-    /// What a method lends, as a value of a type.
+    /// What a method lends, or a name means, as a value of a type.
     pub(super) fn lent_value(&mut self, lent: Value, ty: &Type, site: Site) -> Result<Expr> {
         let span = self.span(site);
         match (lent, ty) {
@@ -171,6 +171,7 @@ impl Lowering<'_, '_> {
                 Some((id, Borrowed { one: true, .. })) => self.element_value(place, id, site),
                 _ => Ok(place.load()),
             },
+            (Value::Word(word), _) => Ok(*word),
             (Value::Slice(slice), Type::Struct(id)) => Ok(self.borrowed_value(*slice, *id, site)),
             (Value::Tuple(parts, _), Type::Struct(id)) => {
                 let fields = self.cx.fields(*id).to_vec();
@@ -195,7 +196,7 @@ impl Lowering<'_, '_> {
                 self.emit_if(there, then, span);
                 Ok(held)
             }
-            _ => problem(site, "this is not what a slice lends", OUR_FAULT),
+            _ => refused(site, refusals::TUPLE_MADE),
         }
     }
 

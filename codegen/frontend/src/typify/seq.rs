@@ -256,26 +256,13 @@ impl Lowering<'_, '_> {
     fn slice_through(&mut self, array: &tree::Expr) -> Result<Slice> {
         let slice = match self.submatrix(array)? {
             Some(part) => part.elements(),
-            None => match self.slice(array)? {
-                Some(slice) => slice,
-                None => self.elements_of(array)?,
-            },
+            None => self.all_elements(array, |inner, ty| match ty {
+                bounded if inner.contained(bounded).is_some() => refusals::BOUNDED_MATRIX,
+                Type::Struct(_) => refusals::OWN_ITER,
+                _ => refusals::GONE_THROUGH,
+            })?,
         };
         Ok(self.kept_elements(slice))
-    }
-
-    fn elements_of(&mut self, expr: &tree::Expr) -> Result<Slice> {
-        let mut place = self.base(expr)?;
-        // Whether there is a pass or not.
-        self.fix(&mut place);
-        let bounded = self.contained(&place.ty).is_some();
-        let own = matches!(place.ty, Type::Struct(_));
-        match self.all_of(place) {
-            Some(slice) => Ok(slice),
-            None if bounded => refused(expr.site, refusals::BOUNDED_MATRIX),
-            None if own => refused(expr.site, refusals::OWN_ITER),
-            None => refused(expr.site, refusals::GONE_THROUGH),
-        }
     }
 
     /// How many elements an item has: a literal, or a local that is not zero.

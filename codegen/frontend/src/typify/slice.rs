@@ -14,6 +14,7 @@ use super::expr::Call;
 use super::function::{result_of, slice_of};
 use super::lengths::{compared, divided, is_number, lesser, minus, plus, same, size};
 use super::lowering::Lowering;
+use super::refusals::Reason;
 use super::syntax::{bare, control_with_value};
 use super::value::{Slice, Value};
 use super::words;
@@ -87,13 +88,23 @@ impl Lowering<'_, '_> {
 
     /// The slice that is lent, or all elements of an array or a list.
     pub(super) fn sliced(&mut self, expr: &tree::Expr) -> Result<Slice> {
+        self.all_elements(expr, |_, _| refusals::IN_A_ROW)
+    }
+
+    /// The same; `why` says what is wrong with a type that has none.
+    pub(super) fn all_elements(
+        &mut self,
+        expr: &tree::Expr,
+        why: impl FnOnce(&Self, &Type) -> Reason,
+    ) -> Result<Slice> {
         if let Some(slice) = self.slice(expr)? {
             return Ok(slice);
         }
         let mut place = self.base(expr)?;
         // Whether anything is asked of the elements or not.
         self.fix(&mut place);
-        self.all_of(place).or_refused(expr.site, refusals::IN_A_ROW)
+        let reason = why(self, &place.ty);
+        self.all_of(place).or_refused(expr.site, reason)
     }
 
     /// All elements of an array, a vector or a list, or of a parameter that is a slice.
