@@ -5,7 +5,7 @@
 // They are what they would be written with.
 #![allow(clippy::manual_swap, clippy::manual_slice_fill, clippy::manual_contains)]
 
-use crate::{function, library};
+use crate::{Number, function, library};
 
 /// Exchanges two elements. Both are read before one is written.
 #[function(expand)]
@@ -80,42 +80,43 @@ impl<T: Copy> [T] {
     }
 }
 
-/// The letters between the white space at both ends.
-#[function]
-pub fn trim_ascii(letters: &[u8]) -> &[u8] {
-    trim_ascii_end(trim_ascii_start(letters))
-}
-
-/// The letters behind the white space that they begin with.
-#[function]
-pub fn trim_ascii_start(letters: &[u8]) -> &[u8] {
-    let mut from = 0_usize;
-    while from < letters.len() && letters[from].is_ascii_whitespace() {
-        from += 1;
+#[library(LetterCompanions)]
+impl [u8] {
+    /// The letters between the white space at both ends.
+    pub fn trim_ascii(letters: &Self) -> &Self {
+        trim_ascii_end(trim_ascii_start(letters))
     }
-    &letters[from..]
-}
 
-/// The letters before the white space that they end in.
-#[function]
-pub fn trim_ascii_end(letters: &[u8]) -> &[u8] {
-    let mut to = letters.len();
-    while to > 0 && letters[to - 1].is_ascii_whitespace() {
-        to -= 1;
+    /// The letters behind the white space that they begin with.
+    pub fn trim_ascii_start(letters: &Self) -> &Self {
+        let mut from = 0_usize;
+        while from < letters.len() && letters[from].is_ascii_whitespace() {
+            from += 1;
+        }
+        &letters[from..]
     }
-    &letters[..to]
+
+    /// The letters before the white space that they end in.
+    pub fn trim_ascii_end(letters: &Self) -> &Self {
+        let mut to = letters.len();
+        while to > 0 && letters[to - 1].is_ascii_whitespace() {
+            to -= 1;
+        }
+        &letters[..to]
+    }
 }
 
-/// Whether the first elements are these.
-#[function]
-pub fn starts_with<T: Copy + PartialEq>(values: &[T], start: &[T]) -> bool {
-    start.len() <= values.len() && values[..start.len()] == *start
-}
+#[library(EndCompanions)]
+impl<T: Number + PartialEq> [T] {
+    /// Whether the first elements are these.
+    pub fn starts_with(values: &Self, start: &Self) -> bool {
+        start.len() <= values.len() && values[..start.len()] == *start
+    }
 
-/// Whether the last elements are these.
-#[function]
-pub fn ends_with<T: Copy + PartialEq>(values: &[T], end: &[T]) -> bool {
-    end.len() <= values.len() && values[values.len() - end.len()..] == *end
+    /// Whether the last elements are these.
+    pub fn ends_with(values: &Self, end: &Self) -> bool {
+        end.len() <= values.len() && values[values.len() - end.len()..] == *end
+    }
 }
 
 #[cfg(test)]

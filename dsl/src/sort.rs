@@ -4,8 +4,8 @@
 //! elements it compares at most n (n − 1) / 2 pairs. No index is checked: that of an inner loop is below that of the
 //! outer one, which is below the length.
 
-use crate::function;
 use crate::math::Real;
+use crate::{Number, function, library};
 
 /// Sorts `values` so that none is `below` the one before it; equal ones keep their order.
 #[function]
@@ -22,32 +22,37 @@ pub fn sort_by<T: Copy, F: Fn(&T, &T) -> bool>(values: &mut [T], below: F) {
     }
 }
 
-/// Sorts integers, the least first.
-#[function]
-pub fn ascending<T: Copy + Ord>(values: &mut [T]) {
-    for i in 1..values.len() {
-        for at in (0..i).rev() {
-            let (one, next) = (values[at], values[at + 1]);
-            if next >= one {
-                break;
+#[library(SortCompanions)]
+impl<T: Number + Ord> [T] {
+    /// Sorts integers, the least first.
+    #[method(sort, sort_unstable)]
+    pub fn ascending(values: &mut Self) {
+        for i in 1..values.len() {
+            for at in (0..i).rev() {
+                let (one, next) = (values[at], values[at + 1]);
+                if next >= one {
+                    break;
+                }
+                values[at] = next;
+                values[at + 1] = one;
             }
-            values[at] = next;
-            values[at + 1] = one;
         }
     }
 }
 
-/// Whether no element comes before the one in front of it; a NaN has no place in an order.
-#[function]
-#[allow(clippy::neg_cmp_op_on_partial_ord)]
-pub fn is_sorted<T: PartialOrd>(values: &[T]) -> bool {
-    for at in 1..values.len() {
-        // As `PartialOrd` has it: not `>`, which a NaN is not either.
-        if !(values[at - 1] <= values[at]) {
-            return false;
+#[library(OrderCompanion)]
+impl<T: PartialOrd> [T] {
+    /// Whether no element comes before the one in front of it; a NaN has no place in an order.
+    #[allow(clippy::neg_cmp_op_on_partial_ord)]
+    pub fn is_sorted(values: &Self) -> bool {
+        for at in 1..values.len() {
+            // As `PartialOrd` has it: not `>`, which a NaN is not either.
+            if !(values[at - 1] <= values[at]) {
+                return false;
+            }
         }
+        true
     }
-    true
 }
 
 /// Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.

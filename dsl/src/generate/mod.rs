@@ -120,7 +120,10 @@ pub mod prelude {
         PlaneRotationCompanion as _, SpaceRotationCompanions as _, TurnCompanions as _,
     };
     pub use crate::search::SearchCompanions as _;
-    pub use crate::slice_edit::{ContainsCompanion as _, SliceEditCompanions as _};
+    pub use crate::slice_edit::{
+        ContainsCompanion as _, EndCompanions as _, LetterCompanions as _, SliceEditCompanions as _,
+    };
+    pub use crate::sort::{OrderCompanion as _, SortCompanions as _};
 }
 
 /// Registers an item with the package; expanded by the attributes.

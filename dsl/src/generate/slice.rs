@@ -12,7 +12,7 @@ use super::companions::{companions, markers};
 use super::numbers::TryFromBuiltin;
 use super::slot::{Called, DslType, Seen, Value, dsl_types, never_held};
 use crate::math::Real;
-use crate::{Number, search, slice_edit, sort};
+use crate::{search, slice_edit, sort};
 
 companions! {
     pub mod traits[];
@@ -50,22 +50,6 @@ companions! {
         fn __b_split_first_chunk[const N: usize](&self) -> Option<(&[T; N], &[T])> = [SplitFirstChunk<N>];
         fn __b_split_last_chunk[const N: usize](&self) -> Option<(&[T], &[T; N])> = [SplitLastChunk<N>];
     }
-    /// Methods of bytes that are letters.
-    impl[] SliceLetters for [u8] {
-        fn __b_trim_ascii(&self) -> &[u8] = [slice_edit::trim_ascii];
-        fn __b_trim_ascii_start(&self) -> &[u8] = [slice_edit::trim_ascii_start];
-        fn __b_trim_ascii_end(&self) -> &[u8] = [slice_edit::trim_ascii_end];
-    }
-    /// Methods of slices of numbers that compare their ends.
-    impl[T: Value + Number + PartialEq] SliceEnds<T> for [T] {
-        fn __b_starts_with(&self, _start: &[T]) -> bool = [slice_edit::__function_starts_with<T>];
-        fn __b_ends_with(&self, _end: &[T]) -> bool = [slice_edit::__function_ends_with<T>];
-    }
-    /// Methods of slices of integers.
-    impl[T: Value + Number + Ord] SliceSorts<T> for [T] {
-        fn __b_sort(&mut self) -> () = [sort::__function_ascending<T>];
-        fn __b_sort_unstable(&mut self) -> () = [sort::__function_ascending<T>];
-    }
     /// The search of an element in a sorted slice.
     impl[T: Value + Copy + Ord] SliceSearch<T> for [T] {
         fn __b_binary_search(&self, _wanted: &T) -> Result<usize, usize> = [search::__function_binary_search<T>];
@@ -74,10 +58,6 @@ companions! {
     impl[T: Value + Copy] SliceSearches<T> for [T] {
         fn __b_binary_search_by_key[B: Value + Copy + Ord, F: Fn(&T) -> B](&self, _wanted: &B, _key: F) -> Result<usize, usize>
             = [search::__function_binary_search_by_key<T, B>];
-    }
-    /// Methods of slices whose elements have `<`.
-    impl[T: Value + PartialOrd] SliceOrder<T> for [T] {
-        fn __b_is_sorted(&self) -> bool = [sort::__function_is_sorted<T>];
     }
     /// The order of floats in `total_cmp`, which the C has as a function.
     pub trait TotalOrder: Sized {
