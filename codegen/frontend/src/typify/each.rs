@@ -7,7 +7,7 @@ use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Place, Span, Stmt, StmtKind,
 
 use super::lengths::{least, minus, number, plus};
 use super::lowering::{Frame, Lowering};
-use super::seq::{Elements, Item, Kind, Of, Seq, begin, ended_range};
+use super::seq::{Elements, Item, Kind, Seq, begin, ended_range};
 use super::value::{Slice, Value};
 use super::words;
 use super::{Result, refusals, refused};
@@ -44,17 +44,17 @@ impl Lowering<'_, '_> {
                 return self.one_pass(array, each);
             }
         }
-        let way = match (counted(source), pattern) {
+        let seq = match (counted(source), pattern) {
             (true, Pattern::Name { name, .. }) if !name.starts_with('_') => {
-                self.naming_as(name, |inner| inner.way(source, site))?
+                self.naming_as(name, |inner| inner.seq(source, site))?
             }
-            _ => self.way(source, site)?,
+            _ => self.seq(source, site)?,
         };
-        let [from, end] = match (&way.of.kind, &way.to) {
-            (Kind::Elements(it), _) if way.all => [it.slice.from.clone(), it.slice.to.clone()],
-            (Kind::Steps(steps), _) if way.all => steps.ends(),
-            (_, Some(to)) => [way.from.clone(), to.clone()],
-            (_, None) => [way.from.clone(), way.of.ended(site)?],
+        let [from, end] = match (&seq.kind, &seq.to) {
+            (Kind::Elements(it), _) if seq.all => [it.slice.from.clone(), it.slice.to.clone()],
+            (Kind::Steps(steps), _) if seq.all => steps.ends(),
+            (_, Some(to)) => [seq.from.clone(), to.clone()],
+            (_, None) => return refused(site, refusals::ENDLESS),
         };
         let mark = self.out.len();
         let mut copies = Vec::new();
@@ -62,15 +62,15 @@ impl Lowering<'_, '_> {
             let variable = inner.local(words::PASS, from.ty.clone(), span);
             let counter = Expr::local(variable, &from.ty, span);
             let mut items = Vec::new();
-            match way.bare() {
-                Some(it) => {
-                    items.push(Item { pattern, of: Of::Elements(it), index: counter.clone() })
+            match seq.bare() {
+                Some(_) => {
+                    items.push(Item { pattern, of: Some(&seq.kind), index: counter.clone() })
                 }
-                None => way.of.items(pattern, counter.clone(), (&mut items, site))?,
+                None => seq.items(pattern, counter.clone(), (&mut items, site))?,
             }
-            let turns = inner.turns(&way, &items, body)?;
+            let turns = inner.turns(&seq, &items, body)?;
             let over = turns.over;
-            if !matches!(items[..], [Item { of: Of::Steps(_), .. }]) {
+            if !matches!(items[..], [Item { of: Some(Kind::Steps(_)), .. }]) {
                 inner.locals[variable.index()].name = inner.next_index(&items).into();
             }
             inner.counters.push(variable);
@@ -83,8 +83,7 @@ impl Lowering<'_, '_> {
             })?;
             copies = inner.copy_written(&items, &mut body, span);
             inner.counters.pop();
-            let way = (over, way.down);
-            Ok(StmtKind::for_way(variable, [from, end], way, body))
+            Ok(StmtKind::for_way(variable, [from, end], (over, seq.down), body))
         })?;
         self.out.splice(mark..mark, copies);
         Ok(())
@@ -96,7 +95,7 @@ impl Lowering<'_, '_> {
         let named = |wanted: &str| {
             let is = |it: &Item| {
                 let named = matches!(it.pattern, Pattern::Name { name, .. } if name == wanted);
-                named && matches!(it.of, Of::Index | Of::Numbers(_) | Of::Steps(_))
+                named && matches!(it.of, None | Some(Kind::Numbers(_) | Kind::Steps(_)))
             };
             items.iter().any(is)
         };
@@ -111,12 +110,12 @@ impl Lowering<'_, '_> {
     /// Gives the name of an item its meaning.
     fn name_item(&mut self, Item { pattern, of, index }: &Item, site: Site) -> Result<()> {
         let element = match of {
-            Of::Index | Of::Numbers(_) | Of::Steps(_) => return Ok(()),
-            Of::Elements(elements) => elements.slice.at(index.clone()),
-            Of::Groups(slice, way, size) => {
+            Some(Kind::Elements(elements)) => elements.slice.at(index.clone()),
+            Some(Kind::Groups(slice, way, size)) => {
                 return self.name_group(pattern, slice, (*way, size), index.clone(), site);
             }
-            Of::Chain(parts) => self.one_of_several(pattern, parts, index.clone(), site)?,
+            Some(Kind::Chain(parts)) => self.one_of_several(pattern, parts, index.clone(), site)?,
+            _ => return Ok(()),
         };
         self.bind_pattern(pattern, &Value::Place(element), site)
     }
@@ -173,8 +172,8 @@ impl Lowering<'_, '_> {
         for part in parts {
             let count = part.ended(site)?;
             let mut items = Vec::new();
-            part.items(&Pattern::Any, index.clone(), (&mut items, site))?;
-            let [Item { of: Of::Elements(elements), index: at, .. }] = &items[..] else {
+            part.items_within(&Pattern::Any, index.clone(), (&mut items, site))?;
+            let [Item { of: Some(Kind::Elements(elements)), index: at, .. }] = &items[..] else {
                 return refused(site, refusals::CHAINED);
             };
             // What goes through a copy of its own would see what is written.
@@ -210,7 +209,7 @@ impl Lowering<'_, '_> {
     fn copy_written(&mut self, items: &[Item], body: &mut Block, span: Span) -> Vec<Stmt> {
         let mut copies = Vec::new();
         for item in items {
-            let Of::Elements(Elements { slice, owned, .. }) = item.of else { continue };
+            let Some(Kind::Elements(Elements { slice, owned })) = item.of else { continue };
             let place = &slice.base;
             // Elements that are references, whatever they are gone through by: those of a slice with a name.
             let refers = |slot| matches!(self.source.slots.get(slot as usize), Some(Ty::Ref(..)));

@@ -14,7 +14,7 @@ use bessemer_ir::{
 use super::expr::{Operand, two};
 use super::lengths::{is_number, lesser, plus};
 use super::lowering::Lowering;
-use super::seq::{Item, Kind, Of, Seq, Way};
+use super::seq::{Item, Kind, Seq};
 use super::stepped::Numbers;
 use super::value::Value;
 use super::{Needed, Result, refusals, refused, words};
@@ -41,7 +41,7 @@ impl Lowering<'_, '_> {
         if range.to.is_some() {
             let steps = self.steps((range, down), step, (int, &ty))?;
             let count = Some(steps.count());
-            return Ok(Seq { kind: Kind::Steps(steps), count, span });
+            return Ok(Seq::new(Kind::Steps(steps), count, span));
         }
         let first = self.value(&range.from, Some(&ty))?;
         let first = match self.known(&first) {
@@ -49,30 +49,32 @@ impl Lowering<'_, '_> {
             None => self.steady(words::BOUNDS[0], first),
         };
         let kind = Kind::Numbers(Numbers { site, first, int, calm: false });
-        Ok(Seq { kind, count: None, span })
+        Ok(Seq::new(kind, None, span))
     }
 
     /// How a loop goes that is given these items.
-    pub(super) fn turns(&self, way: &Way, items: &[Item], body: &tree::Block) -> Result<Turns> {
+    pub(super) fn turns(&self, seq: &Seq, items: &[Item], body: &tree::Block) -> Result<Turns> {
         let (mut sides, mut counts, mut loud) = (Vec::new(), vec![Vec::new()], Vec::new());
-        way.of.sides(&mut sides);
+        seq.sides(&mut sides);
         for side in sides {
             match &side.kind {
-                Kind::Numbers(numbers) if !numbers.calm => {
+                Kind::Numbers(numbers)
+                    if !numbers.calm && (side.whole() || std::ptr::eq(side, seq)) =>
+                {
                     loud.push(numbers);
                     counts.push(Vec::new());
                 }
-                _ => counts.last_mut().into_iter().for_each(|it| it.extend(side.count.clone())),
+                _ => counts.last_mut().into_iter().for_each(|it| it.extend(side.length())),
             }
         }
         let over = counts[1..].iter().any(|it| !it.is_empty());
         // What elements come before is asked once for each, whoever goes through them.
-        let elsewhere = over && (hands_on(body) || !way.all);
-        let skips = !way.all && !is_number(&way.from, 0);
+        let elsewhere = over && (hands_on(body) || !seq.all);
+        let skips = !seq.all && !is_number(&seq.from, 0);
         let is_told =
             |it: &Numbers| elsewhere || skips || !loud.iter().any(|side| std::ptr::eq(*side, it));
         let mut all = items.iter().filter_map(|item| match item.of {
-            Of::Numbers(it) if !it.calm => Some(it),
+            Some(Kind::Numbers(it)) if !it.calm => Some(it),
             _ => None,
         });
         match all.find(|it| is_told(it)) {
@@ -90,7 +92,7 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let mut counts = turns.counts.into_iter().map(|it| it.into_iter().filter(|_| turns.over));
         for item in items {
-            if matches!(item.of, Of::Numbers(numbers) if !numbers.calm) {
+            if matches!(item.of, Some(Kind::Numbers(numbers)) if !numbers.calm) {
                 self.end_pass(counter, counts.next().into_iter().flatten());
             }
             self.one_number(item, counter, site)?;
@@ -111,12 +113,12 @@ impl Lowering<'_, '_> {
     fn one_number(&mut self, item: &Item, counter: &Expr, site: Site) -> Result<()> {
         let Item { pattern, of, index } = item;
         let (value, loud) = match of {
-            Of::Index => (index.clone(), None),
-            Of::Steps(steps) => (steps.number(index.clone()), None),
-            Of::Numbers(it) if it.calm => {
+            None => (index.clone(), None),
+            Some(Kind::Steps(steps)) => (steps.number(index.clone()), None),
+            Some(Kind::Numbers(it)) if it.calm => {
                 (plus(index.clone().cast(&it.first.ty), it.first.clone()), None)
             }
-            Of::Numbers(it) => {
+            Some(Kind::Numbers(it)) => {
                 let index = index.clone().cast(&it.first.ty);
                 let both = vec![it.first.clone(), index];
                 (Expr::intrinsic(Intrinsic::WrappingAdd, both), Some(it))
@@ -134,7 +136,7 @@ impl Lowering<'_, '_> {
             }
             _ => {}
         }
-        if let (Of::Steps(_), Pattern::Name { name, inner: None, .. }) = (of, pattern) {
+        if let (Some(Kind::Steps(_)), Pattern::Name { name, inner: None, .. }) = (of, pattern) {
             self.let_named(name, value, index.span);
             return self.own_number(pattern, site);
         }

@@ -16,13 +16,19 @@ use super::lowering::{Closure, Lowering};
 use super::pattern::aligned;
 use super::stepped::{Numbers, Steps};
 use super::value::Slice;
-use super::{Result, refusals, refused, words};
+use super::{Needed, Result, refusals, refused, words};
 
-/// A sequence.
+/// A sequence: what has items, from one index to another, or back.
 pub(super) struct Seq {
     pub kind: Kind,
-    /// How many items there are; none if nothing ends it.
-    pub count: Option<Expr>,
+    /// How many items there are in all; none if nothing ends it.
+    count: Option<Expr>,
+    /// The first index, and the one behind the last; none if nothing ends it.
+    pub from: Expr,
+    pub to: Option<Expr>,
+    pub down: bool,
+    /// Whether these are all items.
+    pub all: bool,
     /// Where the numbers stand that are made of it.
     pub span: Span,
 }
@@ -43,7 +49,6 @@ pub(super) enum Kind {
     Cycle(Box<Seq>),
     /// The first of so many.
     StepBy(Box<Seq>, Expr),
-    Way(Box<Way>),
 }
 
 /// Elements of an array.
@@ -53,34 +58,13 @@ pub(super) struct Elements {
     pub owned: bool,
 }
 
-/// The items of a sequence from one index to another, or back.
-pub(super) struct Way {
-    pub of: Seq,
-    pub from: Expr,
-    /// None if nothing ends it.
-    pub to: Option<Expr>,
-    pub down: bool,
-    /// Whether these are all its items.
-    pub all: bool,
-}
-
 /// What a pass is given of one of the sequences that are gone through side by side.
 pub(super) struct Item<'s> {
     pub pattern: &'s Pattern,
-    pub of: Of<'s>,
+    /// None of the index itself.
+    pub of: Option<&'s Kind>,
     /// Of an element, that of the array itself.
     pub index: Expr,
-}
-
-#[derive(Clone, Copy)]
-pub(super) enum Of<'s> {
-    /// The index itself.
-    Index,
-    Elements(&'s Elements),
-    Numbers(&'s Numbers),
-    Steps(&'s Steps),
-    Groups(&'s Slice, Grouping, &'s Expr),
-    Chain(&'s [Seq]),
 }
 
 impl Lowering<'_, '_> {
@@ -100,50 +84,51 @@ impl Lowering<'_, '_> {
                     (way, ..) => *way,
                 };
                 let count = groups(way, &slice.length, &size, span);
-                Ok(Seq { kind: Kind::Groups(slice, way, size), count: Some(count), span })
+                Ok(Seq::new(Kind::Groups(slice, way, size), Some(count), span))
             }
             Source::Zip(one, other) => {
-                let (mut one, mut other) = (self.seq(one, site)?, self.seq(other, site)?);
+                let (mut one, mut other) =
+                    (self.inner_seq(one, site)?, self.inner_seq(other, site)?);
                 let most = one.most().into_iter().chain(other.most()).min();
                 one.calm(most);
                 other.calm(most);
-                let span = one.span;
-                let kind = Kind::Zip(Box::new(one), Box::new(other));
-                let mut zip = Seq { kind, count: None, span };
                 let mut sides = Vec::new();
-                zip.sides(&mut sides);
-                let all = sides.iter().filter_map(|it| it.count.clone());
-                zip.count = shortest(all.chain(beside(&sides)));
-                Ok(zip)
+                one.side(&mut sides);
+                other.side(&mut sides);
+                let all = sides.iter().filter_map(|it| it.length());
+                let (count, span) = (shortest(all.chain(beside(&sides))), one.span);
+                Ok(Seq::new(Kind::Zip(Box::new(one), Box::new(other)), count, span))
             }
             Source::Chain(one, other) => {
                 let mut parts = Vec::new();
                 for source in [one, other] {
-                    match self.seq(source, site)? {
-                        Seq { kind: Kind::Chain(inner), .. } => parts.extend(inner),
+                    match self.inner_seq(source, site)? {
+                        Seq { kind: Kind::Chain(inner), all: true, down: false, .. } => {
+                            parts.extend(inner);
+                        }
                         part => parts.push(part),
                     }
                 }
-                let (counts, span) = (parts.iter().map(|it| it.count.clone()), parts[0].span);
+                let (counts, span) = (parts.iter().map(Seq::length), parts[0].span);
                 let count = counts.reduce(|all, it| Some(plus(all?, it?))).flatten();
-                Ok(Seq { kind: Kind::Chain(parts), count, span })
+                Ok(Seq::new(Kind::Chain(parts), count, span))
             }
             Source::Enumerate(of) => {
-                let of = self.seq(of, site)?;
-                let (count, span) = (of.count.clone(), of.span);
-                Ok(Seq { kind: Kind::Enumerate(Box::new(of)), count, span })
+                let of = self.inner_seq(of, site)?;
+                let (count, span) = (of.length(), of.span);
+                Ok(Seq::new(Kind::Enumerate(Box::new(of)), count, span))
             }
             Source::Cycle(of) => {
-                let of = self.seq(of, site)?;
+                let of = self.inner_seq(of, site)?;
                 of.ended(site)?;
                 let span = of.span;
-                Ok(Seq { kind: Kind::Cycle(Box::new(of)), count: None, span })
+                Ok(Seq::new(Kind::Cycle(Box::new(of)), None, span))
             }
             Source::StepBy(of, size) => {
                 if let Some(range) = ended_range(of) {
                     return self.numbers(range, Some(size));
                 }
-                let of = self.seq(of, site)?;
+                let of = self.inner_seq(of, site)?;
                 let (length, span) = (of.ended(site)?, of.span);
                 let size = self.group_size(size)?.at(span);
                 let count = match number(&length).is_some() || of.is_in_memory() {
@@ -154,73 +139,61 @@ impl Lowering<'_, '_> {
                         rounded_up(length, size.clone(), span).into(),
                     ),
                 };
-                Ok(Seq { kind: Kind::StepBy(Box::new(of), size), count: Some(count), span })
+                Ok(Seq::new(Kind::StepBy(Box::new(of), size), Some(count), span))
             }
-            Source::Rev(_) | Source::Skip(..) | Source::Take(..) => {
-                let way = self.way(source, site)?;
-                if way.whole() {
-                    return Ok(way.of);
-                }
-                // How many were taken changes from pass to pass.
-                let from = self.steady(words::BOUNDS[0], way.from.clone());
-                Ok(Way { from, ..way }.seq())
-            }
-        }
-    }
-
-    /// The way through a source.
-    pub(super) fn way(&mut self, source: &Source, site: Site) -> Result<Way> {
-        match source {
             // The last number of a type has no number of its own.
-            Source::Rev(_) if let Some(range) = ended_range(source) => {
-                Ok(Way::all(self.numbers(range, None)?))
-            }
+            Source::Rev(_) if let Some(range) = ended_range(source) => self.numbers(range, None),
             Source::Rev(of) => {
-                let way = self.way(of, site)?;
-                way.of.ended(site)?;
-                Ok(Way { down: !way.down, ..way })
+                let of = self.seq(of, site)?;
+                of.ended(site)?;
+                Ok(Seq { down: !of.down, ..of })
             }
             Source::Skip(of, count) => {
-                let way = self.way(of, site)?;
-                self.cut(way, count, true)
+                let of = self.seq(of, site)?;
+                self.cut(of, count, true)
             }
             Source::Take(of, count) => {
-                let way = self.way(of, site)?;
-                self.cut(way, count, false)
+                let of = self.seq(of, site)?;
+                self.cut(of, count, false)
             }
-            _ => Ok(Way::all(self.seq(source, site)?)),
         }
     }
 
-    /// A way without its first items, or with them alone.
-    fn cut(&mut self, mut way: Way, count: &tree::Expr, skip: bool) -> Result<Way> {
+    /// The same of a source that is part of another.
+    fn inner_seq(&mut self, source: &Source, site: Site) -> Result<Seq> {
+        let seq = self.seq(source, site)?;
+        // How many were taken changes from pass to pass.
+        let from = self.steady(words::BOUNDS[0], seq.from.clone());
+        Ok(Seq { from, ..seq })
+    }
+
+    /// A sequence without its first items, or with them alone.
+    fn cut(&mut self, mut of: Seq, count: &tree::Expr, skip: bool) -> Result<Seq> {
         let site = count.site;
         let count = self.value(count, Some(&Type::USIZE))?;
         // No more were taken than there are.
         let taken = self.is_taken(&count);
         // An index behind it begins anew.
-        if let (true, Kind::Elements(Elements { slice, .. })) =
-            (way.whole() && !taken, &mut way.of.kind)
+        if let (true, Kind::Elements(Elements { slice, owned })) = (of.whole() && !taken, &of.kind)
         {
             let count = least(count, slice.length.clone());
             let count = self.steady("count", count);
-            *slice = match skip {
+            let slice = match skip {
                 true => slice.behind(count),
                 false => slice.part(Expr::usize(0, slice.base.span), count),
             };
-            way.of.count = Some(slice.length.clone());
-            return Ok(Way::all(way.of));
+            return Ok(Seq::elements(slice, *owned));
         }
-        let from = way.from.clone();
-        let Some(to) = way.to.take() else {
+        let from = of.from.clone();
+        let Some(to) = of.to.take() else {
             // What begins anew goes on, and gives as many as are taken if it has some.
-            if !matches!(&way.of.kind, Kind::Cycle(of) if skip || of.has_some()) {
-                way.of.ended(site)?;
+            if !matches!(&of.kind, Kind::Cycle(of) if skip || of.has_some()) {
+                return refused(site, refusals::ENDLESS);
             }
             let end = plus(from.clone(), self.steady("count", count));
             return Ok(match skip {
-                true => Way { from: end, all: false, ..way },
-                false => Way { to: Some(end), all: false, ..way },
+                true => Seq { from: end, all: false, ..of },
+                false => Seq { to: Some(end), all: false, ..of },
             });
         };
         let count = match taken {
@@ -230,13 +203,13 @@ impl Lowering<'_, '_> {
                 self.steady("count", count)
             }
         };
-        let (from, to) = match (skip, way.down) {
+        let (from, to) = match (skip, of.down) {
             (true, false) => (plus(from, count), to),
             (false, false) => (from.clone(), plus(from, count)),
             (true, true) => (from, minus(to, count)),
             (false, true) => (minus(to.clone(), count), to),
         };
-        Ok(Way { from, to: Some(to), all: false, ..way })
+        Ok(Seq { from, to: Some(to), all: false, ..of })
     }
 
     /// All elements of an array, or of what an iterator with a name goes through.
@@ -244,12 +217,10 @@ impl Lowering<'_, '_> {
         if let Some(named) = self.iterator_named(array) {
             let named = Rc::clone(&self.closures[named]);
             if let Some(source) = elements_through(&named) {
-                return self.in_scope_of(&named, None, site, |inner| inner.seq(source, site));
+                return self.in_scope_of(&named, None, site, |inner| inner.inner_seq(source, site));
             }
         }
-        let slice = self.slice_through(array)?;
-        let (count, span) = (Some(slice.length.clone()), slice.base.span);
-        Ok(Seq { kind: Kind::Elements(Elements { slice, owned }), count, span })
+        Ok(Seq::elements(self.slice_through(array)?, owned))
     }
 
     /// All elements of what a loop goes through.
@@ -283,43 +254,69 @@ impl Lowering<'_, '_> {
 }
 
 impl Seq {
-    /// How many items there are, which has to be known to leave some out or to turn them round.
+    /// All items of a kind.
+    pub(super) fn new(kind: Kind, count: Option<Expr>, span: Span) -> Seq {
+        let (from, to) = (Expr::usize(0, span), count.clone());
+        Seq { kind, count, from, to, down: false, all: true, span }
+    }
+
+    fn elements(slice: Slice, owned: bool) -> Seq {
+        let (count, span) = (Some(slice.length.clone()), slice.base.span);
+        Seq::new(Kind::Elements(Elements { slice, owned }), count, span)
+    }
+
+    /// Whether these are all items of its kind, the first one first.
+    pub(super) fn whole(&self) -> bool {
+        self.all && !self.down
+    }
+
+    /// How many items there are; none if nothing ends it.
+    pub(super) fn length(&self) -> Option<Expr> {
+        Some(minus(self.to.clone()?, self.from.clone()))
+    }
+
+    /// The same, which has to be known to leave some out or to turn them round.
     pub(super) fn ended(&self, site: Site) -> Result<Expr> {
-        match &self.count {
-            Some(count) => Ok(count.clone()),
-            None => refused(site, refusals::ENDLESS),
-        }
+        self.length().or_refused(site, refusals::ENDLESS)
     }
 
     /// Whether it is known that there are items.
     fn has_some(&self) -> bool {
-        self.count.as_ref().and_then(number).is_some_and(|count| count > 0)
+        self.length().as_ref().and_then(number).is_some_and(|count| count > 0)
     }
 
     /// What begins anew.
     fn again(&self) -> Option<&Seq> {
         match &self.kind {
-            Kind::Cycle(of) => Some(of),
-            Kind::Way(way) if way.to.is_none() => way.of.again(),
+            Kind::Cycle(of) if self.to.is_none() => Some(of),
             _ => None,
         }
     }
 
-    /// The sequences that are gone through side by side, each from its first item on.
+    /// The sequences of its kind that are gone through side by side, each from its first item on.
     pub(super) fn sides<'s>(&'s self, all: &mut Vec<&'s Seq>) {
         match &self.kind {
             Kind::Zip(one, other) => {
-                one.sides(all);
-                other.sides(all);
+                one.side(all);
+                other.side(all);
             }
-            Kind::Enumerate(of) => of.sides(all),
+            Kind::Enumerate(of) => of.side(all),
             _ => all.push(self),
+        }
+    }
+
+    /// The same of what stands beside others.
+    fn side<'s>(&'s self, all: &mut Vec<&'s Seq>) {
+        match self.whole() {
+            true => self.sides(all),
+            false => all.push(self),
         }
     }
 
     /// Whether there are no more items than elements.
     fn is_in_memory(&self) -> bool {
         match &self.kind {
+            _ if !self.whole() => false,
             Kind::Elements(_) => true,
             Kind::Zip(one, other) => one.is_in_memory() || other.is_in_memory(),
             Kind::Enumerate(of) => of.is_in_memory(),
@@ -329,7 +326,9 @@ impl Seq {
 
     /// How many items there are at most, if the type of the elements' home says so.
     fn most(&self) -> Option<u64> {
-        match (self.count.as_ref().and_then(number), &self.kind) {
+        let length = self.length();
+        let known = length.as_ref().and_then(number).or(self.count.as_ref().and_then(number));
+        match (known, &self.kind) {
             (Some(count), _) => Some(count),
             (None, Kind::Elements(Elements { slice, .. }) | Kind::Groups(slice, ..)) => {
                 match &slice.base.ty {
@@ -339,14 +338,15 @@ impl Seq {
             }
             (None, Kind::Zip(one, other)) => one.most().into_iter().chain(other.most()).min(),
             (None, Kind::Enumerate(of) | Kind::StepBy(of, _)) => of.most(),
-            (None, Kind::Way(way)) => way.of.most(),
             _ => None,
         }
     }
 
     /// Notes that no more than so many are asked for.
     fn calm(&mut self, most: Option<u64>) {
+        let whole = self.whole();
         match &mut self.kind {
+            _ if !whole => {}
             Kind::Numbers(numbers) => numbers.calm(most),
             Kind::Zip(one, other) => [one, other].into_iter().for_each(|it| it.calm(most)),
             Kind::Enumerate(of) => of.calm(most),
@@ -354,71 +354,48 @@ impl Seq {
         }
     }
 
-    /// What a pass is given at an index.
+    /// Where the elements are that are gone through one by one, so that the counter is the index of the array itself.
+    pub(super) fn bare(&self) -> Option<&Elements> {
+        match &self.kind {
+            Kind::Elements(elements) if self.all => Some(elements),
+            _ => None,
+        }
+    }
+
+    /// What a pass is given that counts from the first index of its kind.
     pub(super) fn items<'s>(
         &'s self,
         pattern: &'s Pattern,
         index: Expr,
         (all, site): (&mut Vec<Item<'s>>, Site),
     ) -> Result<()> {
-        let of = match &self.kind {
-            Kind::Elements(it) => {
-                let index = plus(it.slice.from.clone(), index);
-                all.push(Item { pattern, of: Of::Elements(it), index });
-                return Ok(());
-            }
+        let index = match &self.kind {
+            Kind::Elements(it) => plus(it.slice.from.clone(), index),
             Kind::Zip(one, other) => {
                 let [left, right] = pair(pattern, site)?;
-                one.items(left, index.clone(), (all, site))?;
-                return other.items(right, index, (all, site));
+                one.items_within(left, index.clone(), (all, site))?;
+                return other.items_within(right, index, (all, site));
             }
             Kind::Enumerate(of) => {
                 let [number, pattern] = pair(pattern, site)?;
-                all.push(Item { pattern: number, of: Of::Index, index: index.clone() });
-                return of.items(pattern, index, (all, site));
+                all.push(Item { pattern: number, of: None, index: index.clone() });
+                return of.items_within(pattern, index, (all, site));
             }
             Kind::Cycle(of) => {
                 let index = Expr::binary(BinaryOp::Rem, index, of.ended(site)?);
-                return of.items(pattern, index, (all, site));
+                return of.items_within(pattern, index, (all, site));
             }
-            Kind::StepBy(of, size) => return of.items(pattern, begin(index, size), (all, site)),
-            Kind::Way(way) => return way.items(pattern, index, (all, site)),
-            Kind::Numbers(it) => Of::Numbers(it),
-            Kind::Steps(it) => Of::Steps(it),
-            Kind::Groups(slice, way, size) => Of::Groups(slice, *way, size),
-            Kind::Chain(parts) => Of::Chain(parts),
+            Kind::StepBy(of, size) => {
+                return of.items_within(pattern, begin(index, size), (all, site));
+            }
+            Kind::Numbers(_) | Kind::Steps(_) | Kind::Groups(..) | Kind::Chain(_) => index,
         };
-        all.push(Item { pattern, of, index });
+        all.push(Item { pattern, of: Some(&self.kind), index });
         Ok(())
     }
-}
 
-impl Way {
-    fn all(of: Seq) -> Way {
-        let (from, to) = (Expr::usize(0, of.span), of.count.clone());
-        Way { of, from, to, down: false, all: true }
-    }
-
-    /// Whether it is the sequence itself.
-    fn whole(&self) -> bool {
-        self.all && !self.down
-    }
-
-    /// Where the elements are that are gone through one by one, so that the counter is the index of the array itself.
-    pub(super) fn bare(&self) -> Option<&Elements> {
-        match &self.of.kind {
-            Kind::Elements(elements) if self.all => Some(elements),
-            _ => None,
-        }
-    }
-
-    fn seq(self) -> Seq {
-        let (span, from) = (self.of.span, self.from.clone());
-        let count = self.to.clone().map(|to| minus(to, from));
-        Seq { kind: Kind::Way(Box::new(self)), count, span }
-    }
-
-    fn items<'s>(
+    /// The same of a pass that counts from its own first item on.
+    pub(super) fn items_within<'s>(
         &'s self,
         pattern: &'s Pattern,
         index: Expr,
@@ -431,11 +408,11 @@ impl Way {
         match (self.bare(), &self.to) {
             (Some(it), _) if self.down => {
                 let index = back(&it.slice.to, index);
-                all.push(Item { pattern, of: Of::Elements(it), index });
+                all.push(Item { pattern, of: Some(&self.kind), index });
                 Ok(())
             }
-            (_, Some(to)) if self.down => self.of.items(pattern, back(to, index), (all, site)),
-            _ => self.of.items(pattern, plus(self.from.clone(), index), (all, site)),
+            (_, Some(to)) if self.down => self.items(pattern, back(to, index), (all, site)),
+            _ => self.items(pattern, plus(self.from.clone(), index), (all, site)),
         }
     }
 }
@@ -518,9 +495,9 @@ fn shortest(counts: impl Iterator<Item = Expr>) -> Option<Expr> {
 /// How many items those give at most that begin anew, where they may have none while what they stand beside has some.
 fn beside(sides: &[&Seq]) -> impl Iterator<Item = Expr> {
     let again = sides.iter().filter_map(|it| it.again()).filter(|of| !of.has_some());
-    let lengths = again.filter_map(|of| of.count.clone());
+    let lengths = again.filter_map(|of| of.length());
     let is_beside =
-        |length: &Expr| sides.iter().filter_map(|it| it.count.as_ref()).any(|it| same(it, length));
+        |length: &Expr| sides.iter().filter_map(|it| it.length()).any(|it| same(&it, length));
     lengths.filter(move |length| !is_beside(length)).map(|length| {
         let most = Expr::usize(u64::MAX, length.span);
         Expr::intrinsic(Intrinsic::SaturatingMul, vec![length, most])
