@@ -12,6 +12,7 @@ use bessemer_ir::{
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
 use super::subject::taken_name;
+use super::syntax::alternatives;
 use super::value::Value;
 use super::{Result, problem, refusals, refused};
 use bessemer_ir::effects;
@@ -120,7 +121,7 @@ impl Lowering<'_, '_> {
         span: Span,
     ) -> Result<Vec<Place>> {
         let written = RefCell::new(Vec::new());
-        self.chain(arms, span, &|inner, arm, last| {
+        self.chain(arms, span, None, &|inner, arm, last| {
             let mut test = inner.test(&arm.pattern, subject, arm.site)?;
             let mark = inner.out.len();
             match last {
@@ -166,11 +167,12 @@ impl Lowering<'_, '_> {
     }
 
     /// Arms as conditions, one after the other; `taken` gives the condition and the body of one. The last takes what is
-    /// left.
-    fn chain<A>(
+    /// left. Where one `stays` alone, what it does stands behind the others, by which control leaves.
+    pub(super) fn chain<A>(
         &mut self,
         arms: &[A],
         span: Span,
+        stays: Option<&dyn Fn(&A) -> bool>,
         taken: &dyn Fn(&mut Self, &A, bool) -> Result<Branch>,
     ) -> Result<()> {
         let Some((arm, rest)) = arms.split_first() else { return Ok(()) };
@@ -179,8 +181,18 @@ impl Lowering<'_, '_> {
             self.out.extend(then.0);
             return Ok(());
         };
-        let otherwise = self.scoped(|inner| inner.chain(rest, span, taken))?;
-        self.branch(condition, then, otherwise, span);
+        let otherwise = self.scoped(|inner| inner.chain(rest, span, stays, taken))?;
+        let (condition, then, Block(behind)) = match stays.map(|stays| stays(arm)) {
+            None => {
+                self.branch(condition, then, otherwise, span);
+                return Ok(());
+            }
+            Some(true) => (condition.negated(), otherwise, then),
+            Some(false) => (condition, then, otherwise),
+        };
+        let span = condition.span;
+        self.branch(condition, then, Block::default(), span);
+        self.out.extend(behind);
         Ok(())
     }
 
@@ -362,45 +374,6 @@ impl Lowering<'_, '_> {
 fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
     let arms = alternatives(&arm.pattern).into_iter();
     arms.map(|pattern| tree::Arm { pattern, ..arm.clone() }).collect()
-}
-
-/// The patterns that a pattern with names inside `|` stands for, in the order in which Rust tries them.
-fn alternatives(pattern: &Pattern) -> Vec<Pattern> {
-    // The parts beside each other: each case of the first with each of the rest.
-    let all = |parts: &[Pattern]| {
-        parts.iter().fold(vec![Vec::new()], |before: Vec<Vec<Pattern>>, part| {
-            let next = |before: &Vec<Pattern>| {
-                let each = alternatives(part).into_iter();
-                each.map(|case| [&before[..], &[case]].concat()).collect::<Vec<_>>()
-            };
-            before.iter().flat_map(next).collect()
-        })
-    };
-    match pattern {
-        Pattern::Or(each) if each.iter().any(has_names) => {
-            each.iter().flat_map(alternatives).collect()
-        }
-        Pattern::Name { name, slot, mutable, inner: Some(inner) } => {
-            let named = |inner| Pattern::Name {
-                name: name.clone(),
-                slot: *slot,
-                mutable: *mutable,
-                inner: Some(Box::new(inner)),
-            };
-            alternatives(inner).into_iter().map(named).collect()
-        }
-        Pattern::Tuple(parts) => all(parts).into_iter().map(Pattern::Tuple).collect(),
-        Pattern::Array(parts) => all(parts).into_iter().map(Pattern::Array).collect(),
-        Pattern::Constructor(name, parts) => {
-            all(parts).into_iter().map(|parts| Pattern::Constructor(name.clone(), parts)).collect()
-        }
-        Pattern::Fields(name, fields) => {
-            let (names, parts): (Vec<_>, Vec<_>) = fields.iter().cloned().unzip();
-            let fields = |parts| names.iter().cloned().zip::<Vec<_>>(parts).collect();
-            all(&parts).into_iter().map(|it| Pattern::Fields(name.clone(), fields(it))).collect()
-        }
-        other => vec![other.clone()],
-    }
 }
 
 /// The name that a pattern gives to all that is matched, and its slot.

@@ -7,7 +7,7 @@ use super::conditions::{decided, has_let};
 use super::each::Each;
 use super::expr::Call;
 use super::lowering::{Leaving, Lowering, RESULT, Target};
-use super::syntax::{control_with_value, ends_in_loop, names_by_case};
+use super::syntax::{control_with_value, either, ends_in_loop, names_by_case};
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, order, refusals, refused};
@@ -401,7 +401,8 @@ impl Lowering<'_, '_> {
             self.keeps_what_it_refers_to(place, value)?;
         }
         if op.is_none() && self.holds_nothing(place) {
-            return self.assign_nothing(place, value);
+            self.effect(value)?;
+            return self.effect(place);
         }
         let other = self.in_place(value);
         let value = other.as_ref().unwrap_or(value);
@@ -537,19 +538,6 @@ impl Lowering<'_, '_> {
         self.not_coords(expr)?;
         self.place(expr)?.or_refused(expr.site, refusals::ASSIGNED)
     }
-}
-
-/// `if let pattern` as the arms of a `match`.
-fn either(
-    pattern: &tree::Pattern,
-    then: &tree::Block,
-    otherwise: Option<&tree::Expr>,
-    site: Site,
-) -> [tree::Arm; 2] {
-    let plain = |block| tree::Expr { kind: Tree::Block(block), site, slot: None };
-    let arm = |pattern, body| tree::Arm { pattern, guard: None, body, site };
-    let rest = otherwise.cloned().unwrap_or_else(|| plain(tree::Block::default()));
-    [arm(pattern.clone(), plain(then.clone())), arm(tree::Pattern::Any, rest)]
 }
 
 /// What a place that takes computing is called while it is assigned.

@@ -2,14 +2,14 @@
 //! `enumerate` under one name, in functions that stand where they are called. The name means the parts, side by side; only
 //! where it is used as a value, one is made of them.
 
-use std::borrow::Cow;
+use std::cell::RefCell;
 
-use bessemer_ir::Block;
 use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
 
 use super::Result;
 use super::lowering::Lowering;
 use super::pattern::{Test, aligned};
+use super::syntax::either;
 use super::value::Value;
 
 /// `let name = value;`
@@ -21,9 +21,6 @@ pub(super) struct Let<'t> {
     pub site: Site,
     pub mutable: bool,
 }
-
-/// A pattern, and what is done with what it takes.
-type Arm<'t> = (&'t Pattern, Cow<'t, tree::Expr>);
 
 impl Lowering<'_, '_> {
     /// `let name = value;`
@@ -129,70 +126,43 @@ impl Lowering<'_, '_> {
         value: &tree::Expr,
         site: Site,
     ) -> Result<bool> {
-        let Some((subject, arms)) = arms(value) else { return Ok(false) };
-        let mut stay = arms.iter().enumerate().filter(|(_, (_, body))| !leaves(body));
-        let (Some((at, (pattern, body))), None) = (stay.next(), stay.next()) else {
-            return Ok(false);
+        let (subject, arms) = match &value.kind {
+            Tree::Match(subject, arms) => (subject, arms.clone()),
+            Tree::If(condition, then, otherwise @ Some(_))
+                if let Tree::Let(pattern, subject) = &condition.kind =>
+            {
+                (subject, either(pattern, then, otherwise.as_deref(), value.site).into())
+            }
+            _ => return Ok(false),
         };
-        let place = self.naming_scope(|inner| {
-            let subject = inner.subject_of(pattern, subject)?;
-            inner.leave_by(&arms[..at], &subject, site, false)?;
-            inner.bind_or(pattern, &subject, site, |inner| match &arms[at + 1..] {
-                [] => Ok(None),
-                others => {
-                    inner.scoped(|inner| inner.leave_by(others, &subject, site, true)).map(Some)
-                }
-            })?;
-            let mut body = &**body;
-            while let Tree::Block(tree::Block { stmts, tail: Some(tail) }) = &body.kind {
-                inner.stmts(&tree::Block { stmts: stmts.clone(), tail: None })?;
-                body = tail;
-            }
-            inner.alias((name, slot), Some(body), site)?;
-            inner.lookup(name, site)
-        })?;
-        self.bind(name, place);
-        Ok(true)
-    }
-
-    /// Leaves by the arm that takes the subject; where they are the last, it is the last arm if none of the others does.
-    fn leave_by(&mut self, arms: &[Arm], subject: &Value, site: Site, last: bool) -> Result<()> {
-        for (at, (pattern, body)) in arms.iter().enumerate() {
-            let Test { condition, names } = self.test(pattern, subject, site)?;
-            let then = self.scoped(|inner| {
+        let stays = |arm: &tree::Arm| !leaves(&arm.body);
+        let mut staying = arms.iter().filter(|arm| stays(arm));
+        let (Some(stay), None) = (staying.next(), staying.next()) else { return Ok(false) };
+        if arms.iter().any(|arm| arm.guard.is_some()) {
+            return Ok(false);
+        }
+        let (subject, span) = (self.subject_of(&stay.pattern, subject)?, self.span(site));
+        let given = RefCell::new(Value::Nothing);
+        self.chain(&arms, span, Some(&stays), &|inner, arm, last| {
+            let Test { condition, names } = inner.test(&arm.pattern, &subject, site)?;
+            let then = inner.scoped(|inner| {
                 inner.bind_names(&names)?;
-                inner.effect(body)
+                if !stays(arm) {
+                    return inner.effect(&arm.body);
+                }
+                let mut body = &arm.body;
+                while let Tree::Block(tree::Block { stmts, tail: Some(tail) }) = &body.kind {
+                    inner.stmts(&tree::Block { stmts: stmts.clone(), tail: None })?;
+                    body = tail;
+                }
+                inner.alias((name, slot), Some(body), site)?;
+                given.replace(inner.lookup(name, site)?);
+                Ok(())
             })?;
-            match condition.filter(|_| !last || at + 1 < arms.len()) {
-                Some(taken) => {
-                    let span = taken.span;
-                    self.branch(taken, then, Block::default(), span);
-                }
-                None => {
-                    self.out.extend(then.0);
-                    break;
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-/// What is matched, and the arms of a `match` without guards, or of `if let … else`.
-fn arms(value: &tree::Expr) -> Option<(&tree::Expr, Vec<Arm<'_>>)> {
-    match &value.kind {
-        Tree::Match(subject, arms) if arms.iter().all(|arm| arm.guard.is_none()) => {
-            let arms = arms.iter().map(|arm| (&arm.pattern, Cow::Borrowed(&arm.body)));
-            Some((subject, arms.collect()))
-        }
-        Tree::If(condition, then, Some(otherwise)) => {
-            let Tree::Let(pattern, subject) = &condition.kind else { return None };
-            let then = tree::Expr::plain(Tree::Block(then.clone()), value.site);
-            let arms =
-                [(&**pattern, Cow::Owned(then)), (&Pattern::Any, Cow::Borrowed(&**otherwise))];
-            Some((subject, arms.into()))
-        }
-        _ => None,
+            Ok((condition.filter(|_| !last), then))
+        })?;
+        self.bind(name, given.into_inner());
+        Ok(true)
     }
 }
 

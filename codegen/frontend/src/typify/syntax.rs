@@ -1,7 +1,7 @@
 //! Properties that the author's syntax shows by itself.
 
 use bessemer_ir::tree;
-use bessemer_ir::tree::visit::Walk;
+use bessemer_ir::tree::visit::{VisitMut, Walk, walk_pattern_mut};
 
 /// An expression without `&` and `*`: a reference is another name for what it refers to.
 pub(super) fn bare(expr: &tree::Expr) -> &tree::Expr {
@@ -53,14 +53,38 @@ pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
 
 /// Whether a pattern has names inside `|`, which stand for one place in one case and for another in another.
 pub(super) fn names_by_case(pattern: &tree::Pattern) -> bool {
-    match pattern {
-        tree::Pattern::Or(cases) => cases.iter().any(|case| !case.bound().is_empty()),
-        tree::Pattern::Name { inner: Some(inner), .. } => names_by_case(inner),
-        tree::Pattern::Tuple(parts)
-        | tree::Pattern::Array(parts)
-        | tree::Pattern::Constructor(_, parts) => parts.iter().any(names_by_case),
-        tree::Pattern::Fields(_, fields) => fields.iter().any(|(_, it)| names_by_case(it)),
-        _ => false,
+    alternatives(pattern).len() > 1
+}
+
+/// The patterns that such a pattern stands for, in the order in which Rust tries them.
+pub(super) fn alternatives(pattern: &tree::Pattern) -> Vec<tree::Pattern> {
+    let one = |case| {
+        let (mut whole, mut cases) = (pattern.clone(), Cases { case, count: 0 });
+        cases.pattern(&mut whole);
+        (whole, cases.count)
+    };
+    match one(0) {
+        (whole, 0) => vec![whole],
+        (_, count) => (0..count).flat_map(|case| alternatives(&one(case).0)).collect(),
+    }
+}
+
+/// Puts a case in the place of the first `|` with names in it, and says how many it has.
+struct Cases {
+    case: usize,
+    count: usize,
+}
+
+impl VisitMut for Cases {
+    fn pattern(&mut self, pattern: &mut tree::Pattern) {
+        match pattern {
+            _ if self.count > 0 => {}
+            tree::Pattern::Or(cases) if cases.iter().any(|it| !it.bound().is_empty()) => {
+                self.count = cases.len();
+                *pattern = cases.swap_remove(self.case);
+            }
+            _ => walk_pattern_mut(self, pattern),
+        }
     }
 }
 
@@ -72,6 +96,19 @@ pub(super) fn is_named(expr: &tree::Expr, lent: bool) -> bool {
         tree::ExprKind::Ref(_, base) => lent && is_named(base, lent),
         _ => false,
     }
+}
+
+/// `if let pattern` as the arms of a `match`.
+pub(super) fn either(
+    pattern: &tree::Pattern,
+    then: &tree::Block,
+    otherwise: Option<&tree::Expr>,
+    site: tree::Site,
+) -> [tree::Arm; 2] {
+    let plain = |block| tree::Expr { kind: tree::ExprKind::Block(block), site, slot: None };
+    let arm = |pattern, body| tree::Arm { pattern, guard: None, body, site };
+    let rest = otherwise.cloned().unwrap_or_else(|| plain(tree::Block::default()));
+    [arm(pattern.clone(), plain(then.clone())), arm(tree::Pattern::Any, rest)]
 }
 
 /// The patterns and the value of `let Some(…) = value`.

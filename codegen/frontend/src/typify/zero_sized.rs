@@ -156,12 +156,6 @@ impl Lowering<'_, '_> {
         Ok(self.nothing(expr.site))
     }
 
-    /// `place = value` of what holds nothing: the value is computed, then the place.
-    pub(super) fn assign_nothing(&mut self, place: &tree::Expr, value: &tree::Expr) -> Result<()> {
-        self.effect(value)?;
-        self.effect(place)
-    }
-
     /// Gives the names of a pattern to what holds nothing, which every pattern takes.
     pub(super) fn take_nothing(pattern: &Pattern, site: Site) -> Test {
         let named = |name: &String| Test::named(name, NO_SLOT, Value::Nothing, site);
