@@ -90,13 +90,8 @@ impl Lowering<'_, '_> {
 
     /// Copies what the statements to come could change; of what is lent, where it is.
     fn settle_subject(&mut self, subject: &mut Value, expr: &tree::Expr, later: &[Stmt]) {
-        self.each_subject(subject, expr, &mut |inner, place, lent| {
-            let value = place.load();
-            if lent {
-                inner.settle_place(place, later);
-            } else if !later.is_empty() && !is_settled(&value, later) {
-                *place = inner.temporary_place(words::SELECTOR, value);
-            }
+        self.settle_parts((subject, expr), later, &|place| {
+            !later.is_empty() && !is_settled(&place.load(), later)
         });
     }
 
@@ -107,12 +102,8 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
         later: &[Stmt],
     ) {
-        self.copy_subject(subject, expr, &effects::writes(later));
-        self.each_subject(subject, expr, &mut |inner, place, lent| {
-            if lent {
-                inner.settle_place(place, later);
-            }
-        });
+        let written = effects::writes(later);
+        self.settle_parts((subject, expr), later, &|place| is_among(place, &written));
     }
 
     /// Copies those parts of a subject that are values in places which something writes.
@@ -122,34 +113,32 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
         written: &[Place],
     ) {
-        self.each_subject(subject, expr, &mut |inner, place, lent| {
-            if !lent && written.iter().any(|written| effects::overlap(place, written)) {
-                *place = inner.temporary_place(words::SELECTOR, place.load());
-            }
-        });
+        self.settle_parts((subject, expr), &[], &|place| is_among(place, written));
     }
 
-    /// Does something with each place of a subject, and whether it is lent; all else is another name for what is there,
-    /// whatever becomes of it.
-    fn each_subject(
+    /// Settles each place of a subject that is lent, and copies each other that `changes`; all else is another name for what is
+    /// there, whatever becomes of it.
+    fn settle_parts(
         &mut self,
-        subject: &mut Value,
-        expr: &tree::Expr,
-        act: &mut dyn FnMut(&mut Self, &mut Place, bool),
+        (subject, expr): (&mut Value, &tree::Expr),
+        later: &[Stmt],
+        changes: &dyn Fn(&Place) -> bool,
     ) {
         match (subject, &expr.kind) {
             (Value::Tuple(parts, _), Tree::Tuple(exprs)) => {
-                for (part, expr) in parts.iter_mut().zip(exprs) {
-                    self.each_subject(part, expr, act);
+                for both in parts.iter_mut().zip(exprs) {
+                    self.settle_parts(both, later, changes);
                 }
             }
             (Value::Tuple(parts, _), _) => {
-                parts.iter_mut().for_each(|part| self.each_subject(part, expr, act));
+                parts.iter_mut().for_each(|part| self.settle_parts((part, expr), later, changes));
             }
-            (Value::Place(place), _) => {
-                // One that holds a reference is a value: another may come to stand there.
-                let lent = self.is_lent(expr) && !self.is_loan(place);
-                act(self, place, lent);
+            // One that holds a reference is a value: another may come to stand there.
+            (Value::Place(place), _) if self.is_lent(expr) && !self.is_loan(place) => {
+                self.settle_place(place, later);
+            }
+            (Value::Place(place), _) if changes(place) => {
+                *place = self.temporary_place(words::SELECTOR, place.load());
             }
             _ => {}
         }
@@ -166,6 +155,11 @@ impl Lowering<'_, '_> {
             _ => matches!(self.seen_as(expr), Some(tree::Ty::Ref(..))),
         }
     }
+}
+
+/// Whether a place is one of those that something writes, or a part of one.
+fn is_among(place: &Place, written: &[Place]) -> bool {
+    written.iter().any(|written| effects::overlap(place, written))
 }
 
 /// The only name in `Some(name)`, or that of the whole, of what does not change.
