@@ -132,15 +132,14 @@ impl Lowering<'_, '_> {
         else {
             return refused(site, refusals::TRIED);
         };
-        let taken = self.going_on(id).and_then(|name| self.variant_at(&place, id, name));
-        let (taken, value) = taken.needed(site, "`?` takes an `Option` or a `Result`")?;
-        let left = if self.case(id, "None").is_some() { "None" } else { "Err" };
+        let (there, value) =
+            self.present(&place, false).needed(site, "`?` takes an `Option` or a `Result`")?;
+        let error = self.present(&place, true);
+        let left = if error.is_some() { "Err" } else { "None" };
         let (word, case) =
             self.case(result, left).needed(site, "this does not fit the result of the function")?;
-        let payload = self.variant_at(&place, id, left).and_then(|(_, from)| from);
-        let payload = payload.map(|from| from.load());
+        let payload = error.and_then(|(_, from)| from).map(|from| from.load());
         let wanted = case.field.map(|field| self.cx.field_type(result, field));
-        let condition = self.tag_is(&place, id, taken).negated();
         let then = self.scoped(|inner| {
             let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;
             let leave = inner.choice(result, word, payload, site)?;
@@ -150,7 +149,7 @@ impl Lowering<'_, '_> {
                 Target::Place(_) => inner.leave(label, Leaving::Break, site),
             }
         })?;
-        self.emit_if(condition, then, span);
+        self.emit_if(there.negated(), then, span);
         Ok(value.map(|value| value.load()))
     }
 

@@ -1,6 +1,6 @@
 //! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
 
-use bessemer_ir::tree::{self, OptionMethod};
+use bessemer_ir::tree::{self, OptionMethod, Site};
 use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
 
 use super::expr::{Call, Operand};
@@ -28,11 +28,14 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The word and the payload of the variant that has a value (or, `error`, the reason for none).
-    fn present(&mut self, place: &Place, id: StructId, error: bool) -> (u64, Option<Expr>) {
-        let name = if error { Some("Err") } else { self.going_on(id) };
-        let found = name.and_then(|name| self.variant_at(place, id, name));
-        found.map_or((0, None), |(word, value)| (word, value.map(|value| value.load())))
+    /// The condition for an `Option` or a `Result` to have a value (or, `error`, the reason for none), and the place of that, if
+    /// there is something to it; none of what has no such variant.
+    pub(super) fn present(&mut self, place: &Place, error: bool) -> Option<(Expr, Option<Place>)> {
+        let Type::Struct(id) = place.ty else { return None };
+        let name = if error { "Err" } else { self.going_on(id)? };
+        let (word, case) = self.case(id, name)?;
+        let held = case.field.map(|field| self.part(place, id, field as usize));
+        Some((self.tag_is(place, id, word), held))
     }
 
     /// `unwrap`: a check, and the value if there is something to it.
@@ -44,12 +47,21 @@ impl Lowering<'_, '_> {
             return Ok(Some(array));
         }
         let place = self.held(&arguments[0])?;
-        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
-        let (word, value) = self.present(&place, id, method == OptionMethod::UnwrapErr);
-        let condition = self.tag_is(&place, id, word);
-        let span = self.span(expr.site);
-        self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
-        Ok(value)
+        let held = self.unwrapped(&place, method == OptionMethod::UnwrapErr, expr.site)?;
+        Ok(held.map(|held| held.load()))
+    }
+
+    /// The place of what is there, behind the check that it is, if there is something to it.
+    pub(super) fn unwrapped(
+        &mut self,
+        place: &Place,
+        error: bool,
+        site: Site,
+    ) -> Result<Option<Place>> {
+        let (there, held) = self.present(place, error).needed(site, "this is not an `Option`")?;
+        let span = self.span(site);
+        self.check(there, Fault::Absent, span);
+        Ok(held)
     }
 
     /// `take` and `replace`: what was there, with `None` or another in its place.
@@ -108,15 +120,16 @@ impl Lowering<'_, '_> {
         if second.iter().any(|second| !is_free(second)) {
             self.fix(&mut place);
         }
-        let id = struct_of(&place.ty, site, "an `Option`")?;
-        let (word, value) = self.present(&place, id, method == M::Err);
-        let mut there = self.tag_is(&place, id, word);
+        let (mut there, value) =
+            self.present(&place, method == M::Err).needed(site, "this is not an `Option`")?;
+        let value = value.map(|value| value.load());
         let (otherwise, then) = match (method, &ty, second) {
             (M::UnwrapOr, _, Some(second)) => (second, value),
             (M::Or, _, Some(second)) => (second, Some(place.load())),
             (M::And, Type::Struct(result), Some(second)) => {
                 there = there.negated();
-                let (_, error) = self.present(&place, id, true);
+                let error = self.present(&place, true).and_then(|(_, error)| error);
+                let error = error.map(|error| error.load());
                 (second, Some(self.choice(*result, 0, error, site)?))
             }
             (M::OkOr, Type::Struct(result), second) => {

@@ -2,12 +2,12 @@
 //! another name for the content.
 
 use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Pattern, Ty};
-use bessemer_ir::{Block, Fault, Place, StmtKind, StructId};
+use bessemer_ir::{Block, Place, StmtKind};
 
 use super::borrowed::is_element;
 use super::lowering::Lowering;
 use super::rewrite::is_plain;
-use super::{Result, order, refusals, refused, struct_of};
+use super::{Needed, Result, order, refusals, refused, struct_of};
 
 /// The hidden name of the place that `lent?` leads to.
 const TRIED: &str = "__tried";
@@ -31,9 +31,8 @@ impl Lowering<'_, '_> {
                     None if self.may_lend_element(lent) => self.base(lent)?,
                     None => return Ok(None),
                 };
-                let (id, word, held) = self.held_in(&place, expr)?;
-                let (there, span) = (self.tag_is(&place, id, word), self.span(expr.site));
-                self.check(there, Fault::Absent, span);
+                let held = self.unwrapped(&place, false, expr.site)?;
+                let held = held.or_refused(expr.site, refusals::EMPTY_OPTION)?;
                 if by_itself { Ok(Some(held)) } else { self.element_lent(&held, expr.site) }
             }
             _ => Ok(None),
@@ -135,15 +134,6 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The struct of an `Option`, the word of `Some`, and the place of what is in it.
-    fn held_in(&mut self, place: &Place, expr: &tree::Expr) -> Result<(StructId, u64, Place)> {
-        let id = struct_of(&place.ty, expr.site, "an `Option`")?;
-        match self.variant_at(place, id, "Some") {
-            Some((word, Some(held))) => Ok((id, word, held)),
-            _ => refused(expr.site, refusals::EMPTY_OPTION),
-        }
-    }
-
     /// Puts a value into an `Option`, or what a closure computes; only `insert` does where there is one.
     fn filled(
         &mut self,
@@ -154,7 +144,10 @@ impl Lowering<'_, '_> {
     ) -> Result<Place> {
         let unless = method != OptionMethod::Insert;
         let place = self.settled(option)?;
-        let ((id, word, there), span) = (self.held_in(&place, expr)?, self.span(expr.site));
+        let (id, span) = (struct_of(&place.ty, expr.site, "an `Option`")?, self.span(expr.site));
+        let Some((is_there, Some(there))) = self.present(&place, false) else {
+            return refused(expr.site, refusals::EMPTY_OPTION);
+        };
         // What no closure computes is computed whether it is wanted or not.
         let given = &self.written_out(std::slice::from_ref(given))[0];
         let given = match &given.kind {
@@ -171,13 +164,12 @@ impl Lowering<'_, '_> {
         let Block(put) = self.scoped(|inner| {
             let value = given.or_else(|body| inner.value(body, Some(&there.ty)))?;
             inner.agree(&value.ty, &there.ty, expr.site)?;
-            let value = inner.choice(id, word, Some(value), expr.site)?;
+            let value = inner.choice(id, 1, Some(value), expr.site)?;
             inner.emit(StmtKind::Assign { place: place.clone(), value }, span);
             Ok(())
         })?;
         if unless {
-            let condition = self.tag_is(&place, id, word).negated();
-            self.emit_if(condition, Block(put), span);
+            self.emit_if(is_there.negated(), Block(put), span);
         } else {
             self.out.extend(put);
         }

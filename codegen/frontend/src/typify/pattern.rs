@@ -263,17 +263,6 @@ impl Lowering<'_, '_> {
         Some((index as u64, cases[index].clone()))
     }
 
-    /// The word of a variant, and the place of what it holds in a value, if that is anything.
-    pub(super) fn variant_at(
-        &self,
-        place: &Place,
-        id: StructId,
-        name: &str,
-    ) -> Option<(u64, Option<Place>)> {
-        let (word, case) = self.case(id, name)?;
-        Some((word, case.field.map(|field| self.part(place, id, field as usize))))
-    }
-
     /// The word of the variant without payload that a path has for a value: its name may be another.
     pub(super) fn unit_word(&self, value: &tree::Expr, id: StructId) -> Option<u64> {
         let Tree::Path(index, _) = &value.kind else { return None };
