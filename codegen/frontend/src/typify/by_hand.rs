@@ -13,6 +13,7 @@ use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Int, Scalar, Span, Stmt as Made, StmtKind, Type,
 };
 
+use super::choice::takes_all;
 use super::items::handing;
 use super::lowering::{Closure, Hand, Lowering};
 use super::syntax::{generates, some_of};
@@ -173,16 +174,6 @@ impl<'a> Lowering<'a, '_> {
             return None;
         }
         Some((pattern, Source::Elements(array.clone(), false)))
-    }
-}
-
-/// Whether a pattern takes any value.
-fn takes_all(pattern: &Pattern) -> bool {
-    match pattern {
-        Pattern::Any => true,
-        Pattern::Name { inner, .. } => inner.is_none(),
-        Pattern::Tuple(parts) => parts.iter().all(takes_all),
-        _ => false,
     }
 }
 

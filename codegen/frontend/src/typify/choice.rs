@@ -273,7 +273,6 @@ impl Lowering<'_, '_> {
 
     /// The values that a pattern takes; none if it looks within, or takes many.
     fn words(&mut self, pattern: &Pattern, of: &Type, site: Site) -> Result<Option<Vec<i128>>> {
-        let free = |part: &Pattern| matches!(part, Pattern::Rest) || takes_all(part);
         let named = |name: &str, id| Some(self.case(id, name)?.0);
         let word = match (pattern, of) {
             (Pattern::Or(cases), _) => {
@@ -284,8 +283,10 @@ impl Lowering<'_, '_> {
             (Pattern::Name { inner: Some(inner), .. }, _) => return self.words(inner, of, site),
             (_, Type::Struct(id)) if self.is_tagged(*id) => match pattern {
                 Pattern::Value(value) => self.unit_word(value, *id),
-                Pattern::Constructor(name, parts) if parts.iter().all(free) => named(name, *id),
-                Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => {
+                Pattern::Constructor(name, parts) if parts.iter().all(takes_all) => {
+                    named(name, *id)
+                }
+                Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| takes_all(it)) => {
                     named(name, *id)
                 }
                 _ => None,
@@ -388,11 +389,12 @@ fn has_names(pattern: &Pattern) -> bool {
     !pattern.bound().is_empty()
 }
 
-/// Whether a pattern takes every value, whatever it is of.
-fn takes_all(pattern: &Pattern) -> bool {
+/// Whether a pattern takes every value of its type, as far as its form shows.
+pub(super) fn takes_all(pattern: &Pattern) -> bool {
     match pattern {
-        Pattern::Any => true,
+        Pattern::Any | Pattern::Rest => true,
         Pattern::Name { inner, .. } => inner.as_deref().is_none_or(takes_all),
+        Pattern::Tuple(parts) => parts.iter().all(takes_all),
         Pattern::Or(cases) => cases.iter().any(takes_all),
         _ => false,
     }
