@@ -506,6 +506,28 @@ impl Module {
                 .collect(),
         }
     }
+
+    /// The type of what a step leads to in a value of type `ty`; none if there is nothing of the kind.
+    pub fn behind(&self, ty: &Type, step: &Step) -> Option<Type> {
+        Some(match (step, ty) {
+            (Step::Field(field), Type::Struct(id)) => {
+                self.structs.get(id.index())?.fields.get(*field as usize)?.ty.clone()
+            }
+            (Step::Index(_), Type::Array { element, .. } | Type::Slice(element)) => {
+                (**element).clone()
+            }
+            (Step::From(_), Type::Array { element, .. } | Type::Slice(element)) => {
+                Type::Slice(element.clone())
+            }
+            (Step::From(_), Type::Matrix { element, .. }) => {
+                Type::Slice(Box::new(Type::Scalar(*element)))
+            }
+            (Step::Index(_) | Step::Element(..), Type::Matrix { element, .. }) => {
+                Type::Scalar(*element)
+            }
+            _ => return None,
+        })
+    }
 }
 
 impl Block {

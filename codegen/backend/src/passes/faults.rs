@@ -6,8 +6,8 @@
 //! the limit.
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LocalId, LogicOp, Module, Scalar,
-    Span, Step, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LocalId, LogicOp, Scalar, Span,
+    Step, Type, UnaryOp,
 };
 
 use super::analysis::Interval;
@@ -90,22 +90,6 @@ pub(crate) fn signs_matter(op: BinaryOp, ty: &Type) -> (bool, bool) {
         BinaryOp::Add | BinaryOp::Sub => (false, int.signed()),
         BinaryOp::Mul => (int.signed(), true),
         _ => (false, false),
-    }
-}
-
-/// The type of what a step leads to.
-pub(crate) fn step_type(module: &Module, container: &Type, step: &Step) -> Option<Type> {
-    match (container, step) {
-        (Type::Struct(id), Step::Field(field)) => {
-            Some(module.structs.get(id.index())?.fields.get(*field as usize)?.ty.clone())
-        }
-        (Type::Array { element, .. } | Type::Slice(element), Step::Index(_)) => {
-            Some((**element).clone())
-        }
-        (Type::Matrix { element, .. }, Step::Index(_) | Step::Element(..)) => {
-            Some(Type::Scalar(*element))
-        }
-        _ => None,
     }
 }
 

@@ -20,7 +20,7 @@ use bessemer_ir::{
 
 use super::analysis::State;
 use super::checked;
-use super::faults::{self, Obligation, step_type};
+use super::faults::{self, Obligation};
 use super::lowering::Lowering;
 use super::names::{self, Purpose};
 use super::places::weight;
@@ -264,7 +264,7 @@ impl<'m> Lowering<'m> {
             if let Some(container) = &container {
                 self.secure_step(container, &mut step, &done);
             }
-            container = container.and_then(|container| step_type(self.module, &container, &step));
+            container = container.and_then(|container| self.module.behind(&container, &step));
             done.steps.push(step);
         }
         done

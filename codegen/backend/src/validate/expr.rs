@@ -253,25 +253,7 @@ impl Body<'_> {
                 self.note(index.span, Err(Problem::IndexType(index.ty.clone())));
             }
         }
-        match (step, ty) {
-            (Step::Field(field), Type::Struct(id)) => {
-                let fields = &self.module.structs[id.index()].fields;
-                fields.get(*field as usize).map(|field| field.ty.clone())
-            }
-            (Step::Index(_), Type::Array { element, .. } | Type::Slice(element)) => {
-                Some((**element).clone())
-            }
-            (Step::From(_), Type::Array { element, .. } | Type::Slice(element)) => {
-                Some(Type::Slice(element.clone()))
-            }
-            (Step::From(_), Type::Matrix { element, .. }) => {
-                Some(Type::Slice(Box::new(Type::Scalar(*element))))
-            }
-            (Step::Index(_) | Step::Element(..), Type::Matrix { element, .. }) => {
-                Some(Type::Scalar(*element))
-            }
-            _ => None,
-        }
+        self.module.behind(ty, step)
     }
 }
 

@@ -162,16 +162,12 @@ impl Lowering<'_, '_> {
 
     /// The type at a place.
     pub(super) fn type_of(&self, root: LocalId, steps: &[Step]) -> Type {
-        let mut ty = self.locals[root.index()].ty.clone();
-        for step in steps {
-            ty = match (step, ty) {
-                (Step::Field(at), Type::Struct(id)) => self.cx.field_type(id, *at),
-                (Step::Index(_), Type::Array { element, .. } | Type::Slice(element)) => *element,
-                (_, Type::Matrix { element, .. }) => Type::Scalar(element),
-                (_, other) => other,
-            };
-        }
-        ty
+        let root = self.locals[root.index()].ty.clone();
+        steps.iter().fold(root, |ty, step| match step {
+            // A part is lent as the whole is.
+            Step::From(_) => ty,
+            _ => self.cx.module.behind(&ty, step).unwrap_or(ty),
+        })
     }
 
     /// Notes the lender of a slice; refuses what would need a pointer.

@@ -8,7 +8,7 @@
 
 use alloc::boxed::Box;
 
-use crate::ir::{ExprKind, Intrinsic, Module, Place, Routine, Step, Type};
+use crate::ir::{ExprKind, Intrinsic, Module, Place, Routine, Type};
 
 /// The definitions above the current place.
 pub(super) struct Scope<'a> {
@@ -20,26 +20,7 @@ pub(super) struct Scope<'a> {
 impl Scope<'_> {
     /// The type of what `place` names, when its root has the type `root`.
     pub fn place(&self, root: Option<&Type>, place: &Place) -> Option<Type> {
-        let mut ty = root?.clone();
-        for step in &place.steps {
-            ty = match (step, ty) {
-                (Step::Field(field), Type::Struct(id)) => {
-                    let fields = &self.module.structs.get(id.index())?.fields;
-                    fields.get(*field as usize)?.ty.clone()
-                }
-                (Step::Index(_), Type::Array { element, .. } | Type::Slice(element)) => *element,
-                (Step::From(_), Type::Array { element, .. }) => Type::Slice(element),
-                (Step::From(_), Type::Slice(element)) => Type::Slice(element),
-                (Step::From(_), Type::Matrix { element, .. }) => {
-                    Type::Slice(Box::new(Type::Scalar(element)))
-                }
-                (Step::Index(_) | Step::Element(..), Type::Matrix { element, .. }) => {
-                    Type::Scalar(element)
-                }
-                _ => return None,
-            };
-        }
-        Some(ty)
+        place.steps.iter().try_fold(root?.clone(), |ty, step| self.module.behind(&ty, step))
     }
 
     /// The type of an expression of this kind; literals, structs and empty lists say it themselves.
