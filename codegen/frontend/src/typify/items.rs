@@ -10,7 +10,7 @@ use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
 use super::lowering::Lowering;
-use super::syntax::{bare, generates};
+use super::syntax::{bare, generates, is_named};
 use super::value::Value;
 
 /// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
@@ -216,13 +216,13 @@ impl<'a> Lowering<'a, '_> {
     fn is_held_slice(&mut self, expr: &tree::Expr) -> bool {
         let named = bare(expr);
         !self.cx.borrowed.is_empty()
-            && is_variable(named)
+            && is_named(named, false)
             && self.place_type(named).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some())
     }
 
     /// Whether elements are those of a variable that is borrowed, and stays what it is.
     fn is_borrowed_variable(&mut self, elements: &tree::Expr) -> Result<bool> {
-        if !is_variable(elements) {
+        if !is_named(elements, false) {
             return Ok(false);
         }
         Ok(!self.place(elements)?.is_some_and(|place| self.is_loan(&place)))
@@ -240,14 +240,5 @@ impl<'a> Lowering<'a, '_> {
         let name = format!("{name}{known}");
         self.bind(&name, given);
         *expr = tree::Expr::local(&name, expr.site);
-    }
-}
-
-/// Whether an expression is a variable, or what fields alone lead to: the same place whenever it is looked for.
-fn is_variable(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        Tree::Local(_) => true,
-        Tree::Field(base, _) => is_variable(base),
-        _ => false,
     }
 }
