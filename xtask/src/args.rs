@@ -136,7 +136,7 @@ pub struct Test {
     /// Leave out the ARM part: neither the cross compiler nor QEMU is needed
     #[arg(long)]
     pub host: bool,
-    /// Leave out the documentation tests, and the tests that took over 3 s in the stored run
+    /// Leave out the documentation tests, and the tests that used over 1 s of the processors in the stored run
     #[arg(long, conflicts_with = "full")]
     pub quick: bool,
     /// Leave nothing out: every leg, compiler, size and seed

@@ -1,7 +1,7 @@
 //! Tests of one program that run in one process, one after another: those of one module at the top.
 //!
 //! The standard harness, told to use one thread, writes `test NAME ... ` before a test and its outcome after it. From
-//! these lines each test gets its time.
+//! these lines each test gets its times: by the clock, and of the processors that the process and its children used.
 //!
 //! Invariants:
 //! - each test of the group is told of once, also where the process dies within one;
@@ -9,12 +9,13 @@
 //!
 //! What it must not know: what else runs at the time.
 
+use super::meter::Meter;
 use super::{Done, Program, Times};
 use crate::error::Error;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead as _, BufReader, Read as _};
 use std::process::Stdio;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Tests of one program.
 #[derive(Clone, Debug)]
@@ -39,7 +40,7 @@ impl<'p> Group<'p> {
         self.names.len()
     }
 
-    /// How long it took before.
+    /// How much it used of the processors before.
     pub(super) fn known(&self, times: &Times) -> Duration {
         self.names.iter().map(|name| times.of(&self.program.title_of(name))).sum()
     }
@@ -60,6 +61,7 @@ impl<'p> Group<'p> {
         let program = command.get_program().to_string_lossy().into_owned();
         let failed = |source| Error::Spawn { program: program.clone(), source };
         let mut child = command.spawn().map_err(failed)?;
+        let mut meter = Meter::of(child.id());
         let (out, mut err) = (child.stdout.take(), child.stderr.take());
         let (heard, complaints) = std::thread::scope(|scope| {
             let complaints = scope.spawn(|| {
@@ -71,15 +73,12 @@ impl<'p> Group<'p> {
             let lines = out.into_iter().flat_map(|out| BufReader::new(out).split(b'\n'));
             let lines = lines.map_while(Result::ok);
             let lines = lines.map(|line| String::from_utf8_lossy(&line).into_owned());
-            (self.heard(lines, told), complaints.join().unwrap_or_default())
+            (self.heard(&mut meter, lines, told), complaints.join().unwrap_or_default())
         });
+        let spent = meter.lap();
         let good = child.wait().map_err(failed)?.success();
         for name in &heard.open {
-            told(Done {
-                title: self.program.title_of(name),
-                passed: good,
-                time: heard.since.elapsed(),
-            });
+            told(Done { title: self.program.title_of(name), passed: good, spent });
         }
         if !good {
             let said = format!("{}{}", heard.text, String::from_utf8_lossy(&complaints));
@@ -89,19 +88,18 @@ impl<'p> Group<'p> {
     }
 
     /// Goes through the lines that the harness writes while the tests run.
-    fn heard(&self, lines: impl Iterator<Item = String>, told: &dyn Fn(Done)) -> Heard {
-        let mut heard = Heard {
-            text: String::new(),
-            open: self.names.iter().cloned().collect(),
-            since: Instant::now(),
-        };
+    fn heard(
+        &self,
+        meter: &mut Meter,
+        lines: impl Iterator<Item = String>,
+        told: &dyn Fn(Done),
+    ) -> Heard {
+        let mut heard = Heard { text: String::new(), open: self.names.iter().cloned().collect() };
         for line in lines {
             if let Some((name, passed)) = outcome(&line)
                 && heard.open.remove(name)
             {
-                let (title, time) = (self.program.title_of(name), heard.since.elapsed());
-                told(Done { title, passed, time });
-                heard.since = Instant::now();
+                told(Done { title: self.program.title_of(name), passed, spent: meter.lap() });
             }
             heard.text.push_str(&line);
             heard.text.push('\n');
@@ -116,8 +114,6 @@ struct Heard {
     text: String,
     /// The tests of which no line told the outcome.
     open: BTreeSet<String>,
-    /// When the last test ended whose outcome was told.
-    since: Instant,
 }
 
 /// The test that a line of the harness tells of, and whether it passed; one that is ignored has.

@@ -7,14 +7,16 @@
 //! Invariants:
 //! - a test runs as `cargo test` would run it: in the folder of its package, with the variables that cargo sets;
 //! - a group that fails is printed whole; a test that passes is a line only if it took long;
-//! - groups that took longest in the last stored run begin first, so that no processor waits for a late long one.
+//! - groups that used most of the processors in the last stored run begin first, so that none waits for a late long one.
 //!
 //! What it must not know: what the tests test.
 
 mod group;
+mod meter;
 mod program;
 mod times;
 
+pub use meter::Spent;
 pub use program::Program;
 pub use times::{Times, slowest};
 
@@ -38,11 +40,11 @@ pub struct Done {
     pub title: String,
     /// Whether it passed.
     pub passed: bool,
-    /// How long it took.
-    pub time: Duration,
+    /// What it took.
+    pub spent: Spent,
 }
 
-/// Runs the tests of `programs` that are `chosen` by their titles; `known` says how long each took before.
+/// Runs the tests of `programs` that are `chosen` by their titles; `known` says what each used of the processors before.
 ///
 /// # Errors
 /// [`Error::Spawn`] if a program does not start.
@@ -73,10 +75,10 @@ pub fn run(
                 group.run(
                     environment,
                     &|one: Done| {
-                        if one.passed && one.time >= LONG {
+                        if one.passed && one.spent.work >= LONG {
                             voice.print(&format!(
                                 "{:>7.1} s  {}",
-                                one.time.as_secs_f64(),
+                                one.spent.work.as_secs_f64(),
                                 one.title
                             ));
                         }

@@ -1,4 +1,4 @@
-//! How long stages and tests took: the slowest, and which grew beside a stored run.
+//! What stages took by the clock, and tests of the processors: the slowest, and which grew beside a stored run.
 //!
 //! A machine may be faster or busier than the one of the stored run. So what is compared is each part's time over
 //! its stored time, beside the median of these ratios.
@@ -15,6 +15,9 @@ const GROWTH: f64 = 4.0 / 3.0;
 /// Shorter ones vary by themselves.
 const SHORT: Duration = Duration::from_secs(4);
 
+/// What takes less is not stored: next to nothing.
+const STORED: Duration = Duration::from_millis(300);
+
 /// Times by the name of a stage or a test.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Times(BTreeMap<String, Duration>);
@@ -30,11 +33,11 @@ impl Times {
         Self(text.lines().filter_map(line).collect())
     }
 
-    /// The lines that [`read`](Self::read) reads, for what takes a while.
+    /// The lines that [`read`](Self::read) reads, for what takes at least [`STORED`].
     #[must_use]
     pub fn text(&self) -> String {
-        let long = self.0.iter().filter(|(_, time)| **time >= Duration::from_secs(1));
-        long.map(|(name, time)| format!("{name}\t{:.0}\n", time.as_secs_f64())).collect()
+        let long = self.0.iter().filter(|(_, time)| **time >= STORED);
+        long.map(|(name, time)| format!("{name}\t{:.1}\n", time.as_secs_f64())).collect()
     }
 
     /// Adds a part.
@@ -65,11 +68,11 @@ impl Times {
     }
 }
 
-/// The tests that took longest.
+/// The tests that used most of the processors.
 #[must_use]
 pub fn slowest(done: &[Done], count: usize) -> Vec<&Done> {
     let mut list: Vec<&Done> = done.iter().collect();
-    list.sort_by(|a, b| b.time.cmp(&a.time).then(a.title.cmp(&b.title)));
+    list.sort_by(|a, b| b.spent.work.cmp(&a.spent.work).then(a.title.cmp(&b.title)));
     list.truncate(count);
     list
 }
@@ -77,6 +80,7 @@ pub fn slowest(done: &[Done], count: usize) -> Vec<&Done> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::runner::Spent;
 
     fn times(list: &[(&str, u64)]) -> Times {
         let mut times = Times::default();
@@ -105,7 +109,7 @@ mod tests {
         let done = |title: &str, seconds| Done {
             title: title.to_owned(),
             passed: true,
-            time: Duration::from_secs(seconds),
+            spent: Spent { work: Duration::from_secs(seconds), ..Spent::default() },
         };
         let list = [done("a", 1), done("b", 3), done("c", 2)];
         let titles: Vec<_> = slowest(&list, 2).iter().map(|it| it.title.as_str()).collect();
