@@ -126,7 +126,8 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
 
 /// Programs that rustc takes only below the attributes, which give what they call, or that need another crate: left out of all
 /// three.
-const NEEDY: [&str; 2] = ["other_crates", "powers_of_matrices"];
+const NEEDY: [&str; 4] =
+    ["complex_numbers", "named_iterators", "other_crates", "powers_of_matrices"];
 
 /// Copies a folder of programs, and gives the text of its modules; without attributes if so asked.
 fn copied(from: &Path, to: &Path, annotated: bool, lines: &mut usize) -> std::io::Result<String> {
@@ -161,36 +162,44 @@ fn copied(from: &Path, to: &Path, annotated: bool, lines: &mut usize) -> std::io
     Ok(modules)
 }
 
+/// The attributes of the DSL.
+const OWN: [&str; 12] = [
+    "data",
+    "component",
+    "function",
+    "entry",
+    "bound",
+    "interface",
+    "external",
+    "unit",
+    "range",
+    "c",
+    "unroll",
+    "keep",
+];
+
 /// The text without the attributes of the DSL.
 fn bare(text: &str) -> String {
-    let own = [
-        "data",
-        "component",
-        "function",
-        "entry",
-        "bound",
-        "interface",
-        "external",
-        "unit",
-        "c",
-        "unroll",
-        "keep",
-    ];
-    let is_own = |line: &str| {
-        let name = line.trim_start().strip_prefix("#[").unwrap_or_default();
-        own.iter()
-            .any(|it| name.starts_with(&format!("{it}]")) || name.starts_with(&format!("{it}(")))
-    };
-    let kept = text.lines().filter(|line| !is_own(line));
-    kept.map(|line| without(&without(line, "#[unit("), "#[c(") + "\n").collect()
+    let kept = text.lines().filter_map(|line| {
+        let rest = without(line);
+        (rest.len() == line.len() || !rest.trim().is_empty()).then(|| rest + "\n")
+    });
+    kept.collect()
 }
 
-/// A line without the attributes that begin so: those of parameters and of the parts of tuple structs.
-fn without(line: &str, begin: &str) -> String {
-    let mut parts = line.split(begin);
+/// A line without those that stand in it: of items, loops, parameters and fields.
+fn without(line: &str) -> String {
+    let mut parts = line.split("#[");
     let first = parts.next().unwrap_or_default().to_owned();
-    parts.fold(first, |kept, part| {
-        let rest = part.split_once(")]").map_or(part, |(_, rest)| rest);
-        kept + rest.trim_start()
+    parts.fold(first, |kept, part| match behind(part) {
+        Some(rest) => kept + rest.trim_start(),
+        None => kept + "#[" + part,
     })
+}
+
+/// What stands behind an attribute of the DSL, of which the `#[` is gone; none if it is another.
+fn behind(attribute: &str) -> Option<&str> {
+    let name = attribute.split(['(', ']']).next()?;
+    let rest = OWN.contains(&name).then(|| &attribute[name.len()..])?;
+    rest.strip_prefix(']').or_else(|| rest.split_once(")]").map(|(_, rest)| rest))
 }
