@@ -20,3 +20,22 @@ pub fn action(key: &Key, shift: bool) -> u8 {
         (Key { held: Some(_), .. }, _) => 2,
     }
 }
+
+/// A part of a line.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stretch {
+    Point(f32),
+    Between((f32, f32)),
+    Around { centre: f32, half: f32 },
+}
+
+/// Its length.
+#[function]
+pub fn length(stretch: &Stretch) -> f32 {
+    match *stretch {
+        Stretch::Point(_) => 0.0,
+        Stretch::Between((from, to)) => to - from,
+        Stretch::Around { half, .. } => 2.0 * half,
+    }
+}
