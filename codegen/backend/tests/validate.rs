@@ -233,6 +233,7 @@ const BAD: &[(&str, &str)] = &[
     ("Step", "fn f(x: f64) { (x[0] : f64); }"),
     ("Step", "fn f(p: P) { (p.#9 : f64); }"),
     ("Step", "fn f(a: [f64; 2]) { (a[0, 0] : f64); }"),
+    ("Step", "fn f(a: [f64; 4]) { (a[1..][0] : f64); }"),
     ("IndexType", "fn f(a: [f64; 2]) { a[1.0]; }"),
     ("IndexType", "fn f(a: matrix<f64, 1, 1>) { a[0, true]; }"),
     ("Slice", "fn f(a: &[f64]) { }"),

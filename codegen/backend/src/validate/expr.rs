@@ -226,7 +226,9 @@ impl Body<'_> {
         let mut ty = root.ty.clone();
         let mut whole = ty.clone();
         for (index, step) in place.steps.iter().enumerate() {
-            match self.step(step, &ty) {
+            // A part from an element on ends a place: passes and interpreter find the length of a slice by the place's root.
+            let ended = index > 0 && matches!(place.steps[index - 1], Step::From(_));
+            match self.step(step, &ty).filter(|_| !ended) {
                 Some(inner) => whole = std::mem::replace(&mut ty, inner),
                 None => {
                     self.note(place.span, Err(Problem::Step { step: index, ty }));
@@ -253,7 +255,7 @@ impl Body<'_> {
                 self.note(index.span, Err(Problem::IndexType(index.ty.clone())));
             }
         }
-        self.module.behind(ty, step)
+        self.module.step_type(ty, step)
     }
 }
 
