@@ -178,7 +178,7 @@ const OWN: [&str; 12] = [
     "keep",
 ];
 
-/// The text without the attributes of the DSL.
+/// Removes the DSL's attributes from a text, and lines that held nothing else.
 fn bare(text: &str) -> String {
     let kept = text.lines().filter_map(|line| {
         let rest = without(line);
@@ -187,7 +187,7 @@ fn bare(text: &str) -> String {
     kept.collect()
 }
 
-/// A line without those that stand in it: of items, loops, parameters and fields.
+/// Removes the DSL's attributes from a line, wherever in it they begin.
 fn without(line: &str) -> String {
     let mut parts = line.split("#[");
     let first = parts.next().unwrap_or_default().to_owned();
@@ -197,7 +197,7 @@ fn without(line: &str) -> String {
     })
 }
 
-/// What stands behind an attribute of the DSL, of which the `#[` is gone; none if it is another.
+/// Reads an attribute whose `#[` is gone, and gives the text after it; none if it is not the DSL's.
 fn behind(attribute: &str) -> Option<&str> {
     let name = attribute.split(['(', ']']).next()?;
     let rest = OWN.contains(&name).then(|| &attribute[name.len()..])?;

@@ -208,7 +208,7 @@ fn report(progress: &Progress, done: &[Done], grown: &[(String, f64)]) {
     for (name, time) in progress.done() {
         anstream::println!("{:>8.1} s  {name}", time.as_secs_f64());
     }
-    anstream::println!("\nslowest tests: of the processors, and by the clock");
+    anstream::println!("\nslowest tests: processor time, then time by the clock");
     for test in runner::slowest(done, SLOWEST) {
         let Spent { time, work } = test.spent;
         let (work, time) = (work.as_secs_f64(), time.as_secs_f64());

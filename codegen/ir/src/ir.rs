@@ -507,8 +507,8 @@ impl Module {
         }
     }
 
-    /// The type of what a step leads to in a value of type `ty`; none if there is nothing of the kind.
-    pub fn behind(&self, ty: &Type, step: &Step) -> Option<Type> {
+    /// The type of the part that a step selects in a value of type `ty`; none if such a value has no such part.
+    pub fn step_type(&self, ty: &Type, step: &Step) -> Option<Type> {
         Some(match (step, ty) {
             (Step::Field(field), Type::Struct(id)) => {
                 self.structs.get(id.index())?.fields.get(*field as usize)?.ty.clone()

@@ -1,7 +1,7 @@
-//! What a test takes: time by the clock, and of the processors.
+//! Measures what a test costs: wall time and processor time.
 //!
-//! By the clock a test also waits: for the lock on a target folder, and for the processors that other tests use. So tests
-//! are put in order, left out of a quick run and seen to grow by what they use of the processors.
+//! Wall time includes waiting, for the lock on a target folder and for other tests. So processor time decides in which order
+//! tests run, which ones a quick run leaves out, and which ones have grown.
 //!
 //! What it must not know: what a test is.
 
@@ -10,24 +10,24 @@ use std::time::{Duration, Instant};
 /// Linux counts processor time in hundredths of a second, for all that reads of it.
 const TICKS: u32 = 100;
 
-/// What something took.
+/// The cost of a test or a stage.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spent {
-    /// By the clock.
+    /// Wall time.
     pub time: Duration,
-    /// Of the processors; by the clock where the system does not tell.
+    /// Processor time; wall time where the system does not tell.
     pub work: Duration,
 }
 
 impl Spent {
-    /// What took as much since `start`, if nobody counted what it used of the processors.
+    /// The cost since `start` of something whose processor time was not counted.
     pub fn since(start: Instant) -> Self {
         let time = start.elapsed();
         Self { time, work: time }
     }
 }
 
-/// Measures what a process takes, lap by lap.
+/// Measures a process, lap by lap.
 pub(super) struct Meter {
     pid: u32,
     since: Instant,
@@ -35,12 +35,12 @@ pub(super) struct Meter {
 }
 
 impl Meter {
-    /// Of a process that has just started.
+    /// Starts with a process that has just started.
     pub(super) fn of(pid: u32) -> Self {
         Self { pid, since: Instant::now(), before: Some(Duration::ZERO) }
     }
 
-    /// What the process took since the last lap. Children count once it has waited for them.
+    /// The cost since the last lap. Children count once the process has waited for them.
     pub(super) fn lap(&mut self) -> Spent {
         let time = self.since.elapsed();
         let now = used(self.pid);
@@ -50,7 +50,7 @@ impl Meter {
     }
 }
 
-/// What a process and the children that it has waited for used of the processors.
+/// Processor time of a process and of the children that it has waited for.
 fn used(pid: u32) -> Option<Duration> {
     ticks(&std::fs::read_to_string(format!("/proc/{pid}/stat")).ok()?)
         .map(|ticks| Duration::from_secs(ticks) / TICKS)

@@ -178,7 +178,7 @@ impl Visit for Operations<'_, '_> {
             if !needs.is_empty() {
                 self.operation(Site::of_step(step, place.span), &needs, None, operands);
             }
-            container = self.of.module.behind(ty, step);
+            container = self.of.module.step_type(ty, step);
         }
     }
 }

@@ -264,7 +264,7 @@ impl<'m> Lowering<'m> {
             if let Some(container) = &container {
                 self.secure_step(container, &mut step, &done);
             }
-            container = container.and_then(|container| self.module.behind(&container, &step));
+            container = container.and_then(|container| self.module.step_type(&container, &step));
             done.steps.push(step);
         }
         done

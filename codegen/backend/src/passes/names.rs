@@ -67,7 +67,7 @@ pub(crate) fn place(module: &Module, function: &Function, place: &Place) -> Stri
     let mut ty = Some(root.ty.clone());
     for step in &place.steps {
         let container = ty.take();
-        ty = container.as_ref().and_then(|ty| module.behind(ty, step));
+        ty = container.as_ref().and_then(|ty| module.step_type(ty, step));
         if let (Step::Field(field), Some(bessemer_ir::Type::Struct(id))) = (step, &container)
             && let Some(field) = module.structs[id.index()].fields.get(*field as usize)
         {

@@ -389,7 +389,7 @@ fn has_names(pattern: &Pattern) -> bool {
     !pattern.bound().is_empty()
 }
 
-/// Whether a pattern takes every value of its type, as far as its form shows.
+/// Whether a pattern is irrefutable by its form alone; the types of its parts are not looked at.
 pub(super) fn takes_all(pattern: &Pattern) -> bool {
     match pattern {
         Pattern::Any | Pattern::Rest => true,

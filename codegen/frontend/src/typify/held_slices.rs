@@ -163,7 +163,7 @@ impl Lowering<'_, '_> {
         value
     }
 
-    /// What a method lends, or a name means, as a value of a type.
+    /// Makes a value of type `ty` of what a method returned by reference, or of what a name stands for.
     pub(super) fn lent_value(&mut self, lent: Value, ty: &Type, site: Site) -> Result<Expr> {
         let span = self.span(site);
         match (lent, ty) {

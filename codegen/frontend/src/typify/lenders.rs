@@ -166,7 +166,7 @@ impl Lowering<'_, '_> {
         steps.iter().fold(root, |ty, step| match step {
             // A part is lent as the whole is.
             Step::From(_) => ty,
-            _ => self.cx.module.behind(&ty, step).unwrap_or(ty),
+            _ => self.cx.module.step_type(&ty, step).unwrap_or(ty),
         })
     }
 

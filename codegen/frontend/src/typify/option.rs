@@ -28,8 +28,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The condition for an `Option` or a `Result` to have a value (or, `error`, the reason for none), and the place of that, if
-    /// there is something to it; none of what has no such variant.
+    /// The condition that an `Option` or a `Result` is `Some` or `Ok` (`Err` if `error`), and the payload's place unless it is
+    /// zero-sized. None if the type has no such variant.
     pub(super) fn present(&mut self, place: &Place, error: bool) -> Option<(Expr, Option<Place>)> {
         let Type::Struct(id) = place.ty else { return None };
         let name = if error { "Err" } else { self.going_on(id)? };
@@ -38,7 +38,7 @@ impl Lowering<'_, '_> {
         Some((self.tag_is(place, id, word), held))
     }
 
-    /// `unwrap`: a check, and the value if there is something to it.
+    /// `unwrap`: checks, and gives the value unless it is zero-sized.
     pub(super) fn unwrap(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Option<Expr>> {
         let Call { arguments, expr } = call;
         if method == OptionMethod::Unwrap
@@ -51,7 +51,7 @@ impl Lowering<'_, '_> {
         Ok(held.map(|held| held.load()))
     }
 
-    /// The place of what is there, behind the check that it is, if there is something to it.
+    /// Checks that the variant is the one asked for, and gives the payload's place unless it is zero-sized.
     pub(super) fn unwrapped(
         &mut self,
         place: &Place,

@@ -1,4 +1,4 @@
-//! What a loop goes through: a sequence has a length, and an item at each index, whatever it is made of.
+//! Sequences, which loops iterate over: a sequence has a length, and an item at each index, whatever it is made of.
 //!
 //! Invariants: what is copied when a sequence is made (an end, a size, how many are left out) is computed there, in Rust's
 //! order; what is left is arithmetic of an index.
@@ -18,7 +18,7 @@ use super::stepped::{Numbers, Steps};
 use super::value::Slice;
 use super::{Needed, Result, refusals, refused, words};
 
-/// A sequence: what has items, from one index to another, or back.
+/// A sequence: items at the indices from `from` to `to`, in this order or reversed.
 pub(super) struct Seq {
     pub kind: Kind,
     /// How many items there are in all; none if nothing ends it.
@@ -27,9 +27,9 @@ pub(super) struct Seq {
     pub from: Expr,
     pub to: Option<Expr>,
     pub down: bool,
-    /// Whether these are all items.
+    /// Whether no items were left out by `skip` or `take`.
     pub all: bool,
-    /// Where the numbers stand that are made of it.
+    /// The author's line, for the expressions that are made of it.
     pub span: Span,
 }
 
@@ -37,17 +37,17 @@ pub(super) enum Kind {
     Elements(Elements),
     /// Numbers that nothing ends.
     Numbers(Numbers),
-    /// Those of a range that ends.
+    /// The numbers of a range that ends.
     Steps(Steps),
-    /// So many elements at a time.
+    /// Slices of so many elements: chunks or windows.
     Groups(Slice, Grouping, Expr),
     Zip(Box<Seq>, Box<Seq>),
     /// One after the other.
     Chain(Vec<Seq>),
     Enumerate(Box<Seq>),
-    /// Again and again.
+    /// Repeats without end.
     Cycle(Box<Seq>),
-    /// The first of so many.
+    /// Every `n`th item.
     StepBy(Box<Seq>, Expr),
 }
 
@@ -58,17 +58,17 @@ pub(super) struct Elements {
     pub owned: bool,
 }
 
-/// What a pass is given of one of the sequences that are gone through side by side.
+/// One of the items of a pass: a loop over sequences side by side has one of each.
 pub(super) struct Item<'s> {
     pub pattern: &'s Pattern,
-    /// None of the index itself.
+    /// The sequence that the item comes from; none if the item is the index, as `enumerate` gives it.
     pub of: Option<&'s Kind>,
-    /// Of an element, that of the array itself.
+    /// The item's index in `of`; of an element, its index in the array.
     pub index: Expr,
 }
 
 impl Lowering<'_, '_> {
-    /// What a source is gone through for.
+    /// Lowers a source to its sequence.
     pub(super) fn seq(&mut self, source: &Source, site: Site) -> Result<Seq> {
         match source {
             Source::Elements(array, owned) => self.elements(array, *owned, site),
@@ -159,7 +159,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The same of a source that is part of another.
+    /// Lowers a source that is an operand of another: its first index is evaluated once, before the loop.
     fn inner_seq(&mut self, source: &Source, site: Site) -> Result<Seq> {
         let seq = self.seq(source, site)?;
         // How many were taken changes from pass to pass.
@@ -167,7 +167,7 @@ impl Lowering<'_, '_> {
         Ok(Seq { from, ..seq })
     }
 
-    /// A sequence without its first items, or with them alone.
+    /// Lowers `skip` (`skip` set) and `take`: drops the first `count` items, or all others.
     fn cut(&mut self, mut of: Seq, count: &tree::Expr, skip: bool) -> Result<Seq> {
         let site = count.site;
         let count = self.value(count, Some(&Type::USIZE))?;
@@ -275,7 +275,7 @@ impl Seq {
         Some(minus(self.to.clone()?, self.from.clone()))
     }
 
-    /// The same, which has to be known to leave some out or to turn them round.
+    /// The number of items, which `skip`, `rev` and the like need; refused if the sequence has no end.
     pub(super) fn ended(&self, site: Site) -> Result<Expr> {
         self.length().or_refused(site, refusals::ENDLESS)
     }
@@ -285,7 +285,7 @@ impl Seq {
         self.length().as_ref().and_then(number).is_some_and(|count| count > 0)
     }
 
-    /// What begins anew.
+    /// The sequence that an endless `cycle` repeats.
     fn again(&self) -> Option<&Seq> {
         match &self.kind {
             Kind::Cycle(of) if self.to.is_none() => Some(of),
@@ -305,7 +305,7 @@ impl Seq {
         }
     }
 
-    /// The same of what stands beside others.
+    /// Adds this sequence to those gone through side by side: its own sides if it is whole, itself otherwise.
     fn side<'s>(&'s self, all: &mut Vec<&'s Seq>) {
         match self.whole() {
             true => self.sides(all),
@@ -362,7 +362,7 @@ impl Seq {
         }
     }
 
-    /// What a pass is given that counts from the first index of its kind.
+    /// Collects the items of the pass whose index, counted from the first item of the kind, is `index`.
     pub(super) fn items<'s>(
         &'s self,
         pattern: &'s Pattern,
@@ -394,7 +394,7 @@ impl Seq {
         Ok(())
     }
 
-    /// The same of a pass that counts from its own first item on.
+    /// Collects the items of the pass whose index, counted from the first item of this sequence, is `index`.
     pub(super) fn items_within<'s>(
         &'s self,
         pattern: &'s Pattern,
@@ -467,7 +467,7 @@ fn groups(way: Grouping, length: &Expr, size: &Expr, span: Span) -> Expr {
     }
 }
 
-/// The same of a length to which nothing may be added: how many are whole, and one if there is a rest.
+/// `length / size` rounded up, as two terms to be added: the whole groups, and 1 if there is a rest. No sum overflows.
 fn rounded_up(length: Expr, size: Expr, span: Span) -> [Expr; 2] {
     let rest = Expr::binary(BinaryOp::Rem, length.clone(), size.clone());
     [divided(length, size), lesser(rest, Expr::usize(1, span))]

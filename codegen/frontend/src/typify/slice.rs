@@ -86,12 +86,12 @@ impl Lowering<'_, '_> {
         Ok(Value::Slice(Box::new(self.kept_elements(slice))))
     }
 
-    /// The slice that is lent, or all elements of an array or a list.
+    /// The slice that an expression denotes, or all elements of an array or a list.
     pub(super) fn sliced(&mut self, expr: &tree::Expr) -> Result<Slice> {
         self.all_elements(expr, |_, _| refusals::IN_A_ROW)
     }
 
-    /// The same; `why` says what is wrong with a type that has none.
+    /// All elements of an expression; `why` gives the refusal for a type without elements.
     pub(super) fn all_elements(
         &mut self,
         expr: &tree::Expr,

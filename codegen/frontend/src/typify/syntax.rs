@@ -53,20 +53,24 @@ pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
 
 /// Whether a pattern has names inside `|`, which stand for one place in one case and for another in another.
 pub(super) fn names_by_case(pattern: &tree::Pattern) -> bool {
-    alternatives(pattern).len() > 1
+    with_case(pattern, 0).1 > 0
 }
 
 /// The patterns that such a pattern stands for, in the order in which Rust tries them.
 pub(super) fn alternatives(pattern: &tree::Pattern) -> Vec<tree::Pattern> {
-    let one = |case| {
-        let (mut whole, mut cases) = (pattern.clone(), Cases { case, count: 0 });
-        cases.pattern(&mut whole);
-        (whole, cases.count)
-    };
-    match one(0) {
+    match with_case(pattern, 0) {
         (whole, 0) => vec![whole],
-        (_, count) => (0..count).flat_map(|case| alternatives(&one(case).0)).collect(),
+        (_, count) => {
+            (0..count).flat_map(|case| alternatives(&with_case(pattern, case).0)).collect()
+        }
     }
+}
+
+/// The pattern with one case in the place of the first `|` with names in it, and how many cases that has.
+fn with_case(pattern: &tree::Pattern, case: usize) -> (tree::Pattern, usize) {
+    let (mut whole, mut cases) = (pattern.clone(), Cases { case, count: 0 });
+    cases.pattern(&mut whole);
+    (whole, cases.count)
 }
 
 /// Puts a case in the place of the first `|` with names in it, and says how many it has.

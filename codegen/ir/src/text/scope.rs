@@ -20,7 +20,7 @@ pub(super) struct Scope<'a> {
 impl Scope<'_> {
     /// The type of what `place` names, when its root has the type `root`.
     pub fn place(&self, root: Option<&Type>, place: &Place) -> Option<Type> {
-        place.steps.iter().try_fold(root?.clone(), |ty, step| self.module.behind(&ty, step))
+        place.steps.iter().try_fold(root?.clone(), |ty, step| self.module.step_type(&ty, step))
     }
 
     /// The type of an expression of this kind; literals, structs and empty lists say it themselves.
