@@ -1,6 +1,7 @@
 //! The folder of the C as its users meet it: written whole, compared, never trampled on.
 
 use std::fs;
+use std::process::Command;
 use std::thread;
 
 use bessemer_codegen::generate::{self, Error, Job};
@@ -148,4 +149,19 @@ fn workspaces_that_share_a_target_folder_do_not_mix() {
             });
         }
     });
+}
+
+/// A program is linked with its own workspace's Rust, whoever built into the target folder since its sources were written.
+#[test]
+fn programs_run_their_own_workspaces_rust() {
+    let both = ["2.0", "3.0"].map(|constant| {
+        let text = MODEL.replace("x + x", &format!("x * {constant}"));
+        Workspace::with_source(&text).expect("a workspace")
+    });
+    for (workspace, expected) in both.iter().zip(["4\n", "6\n"]) {
+        let text = "fn main() { println!(\"{}\", models::twice(2.0)); }";
+        let program = generate::native(&workspace.job(), text).expect("built").expect("linked");
+        let output = Command::new(program.path()).output().expect("it runs");
+        assert_eq!(String::from_utf8_lossy(&output.stdout), expected);
+    }
 }

@@ -129,7 +129,17 @@ pub(super) fn native(
 ) -> Result<Result<Program, String>, Error> {
     let library = workspace.member(&job.package)?.models()?;
     let _alone = workspace.alone(BUILDS)?;
-    build(job, sources, false)?.0.link(&job.root, library, text, &[])
+    let (mut built, _) = build(job, sources, false)?;
+    if workspace.may_share() {
+        let found = built.found_in(&workspace.root);
+        for source in &found {
+            program::touch(source)?;
+        }
+        if !found.is_empty() {
+            (built, _) = build(job, sources, false)?;
+        }
+    }
+    built.link(&job.root, library, text, &[])
 }
 
 /// Builds the package and what it is made of; in a generation build, with their builders. Gives what rustc warns of, too.

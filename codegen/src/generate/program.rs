@@ -2,8 +2,9 @@
 //! this workspace's.
 //!
 //! Where workspaces share a target folder, cargo takes what was built of another's package of the same
-//! name for this one's if that is newer than the sources. So the program says first in which folder each
-//! crate was compiled, and what was compiled elsewhere is built anew.
+//! name for this one's if that is newer than the sources. So the program of a generation build says first in which folder each
+//! crate was compiled, and what was compiled elsewhere is built anew. Of a native build, which says nothing, all is built anew
+//! that may be another's.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -38,6 +39,8 @@ struct Artifact {
     source: PathBuf,
     /// The library, if other Rust can be linked with it.
     library: Option<PathBuf>,
+    /// Whether cargo found it built already.
+    found: bool,
 }
 
 /// The output of the program.
@@ -58,6 +61,15 @@ impl Built {
     /// The artifacts, by cargo's messages.
     pub fn of(messages: &[Value]) -> Built {
         Built { artifacts: messages.iter().filter_map(Artifact::of).collect() }
+    }
+
+    /// The first source files of the libraries that cargo found built already, of packages that lie in the folder `root`: whether
+    /// they were built from these sources, or from another workspace's, does not show.
+    pub fn found_in(&self, root: &Path) -> Vec<PathBuf> {
+        let real = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let root = real(root);
+        let found = self.artifacts.iter().filter(|it| it.found && it.library.is_some());
+        found.filter(|it| real(&it.folder).starts_with(&root)).map(|it| it.source.clone()).collect()
     }
 
     /// Links a program with a package's `library` and the DSL: `text`, with the variables that it reads when it is
@@ -162,7 +174,8 @@ impl Artifact {
         let own = of("rmeta").map(|it| it.with_extension("rlib")).filter(|it| it.exists());
         let library = of("rlib").cloned().map(|shared| own.unwrap_or(shared));
         let built = message["reason"] == "compiler-artifact";
-        built.then_some(Artifact { krate, folder, source, library })
+        let found = message["fresh"] == true;
+        built.then_some(Artifact { krate, folder, source, library, found })
     }
 }
 

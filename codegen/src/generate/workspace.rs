@@ -99,6 +99,12 @@ impl Workspace {
         locked.map_err(|source| Error::File { path, source })
     }
 
+    /// Whether other workspaces may build into the target folder, which lies outside of this one.
+    pub(super) fn may_share(&self) -> bool {
+        let real = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        !real(&self.target).starts_with(real(&self.root))
+    }
+
     /// The member of this name.
     ///
     /// # Errors
