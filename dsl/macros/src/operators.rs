@@ -1,9 +1,9 @@
 //! Operators and conversions of authors' own types: `#[data] impl Add for Phasor`, `impl From<f64> for Phasor`,
-//! `impl FromIterator<usize> for Inputs`.
+//! `impl FromIterator<usize> for Inputs`, `impl Iterator for Countdown`.
 //!
 //! The trait is Rust's own and has no room for a builder, so that stands in a trait of the DSL beside it, which the
-//! witness copies of callers ask for. A conversion has a companion besides, since it is called by a name. `==`, and the
-//! conversion that `?` makes, are looked up by type when all is built, in a registry.
+//! witness copies of callers ask for. A conversion has a companion besides, since it is called by a name. `==`, the
+//! conversion that `?` makes and what a loop goes through are looked up by type when all is built, in a registry.
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -26,6 +26,8 @@ pub enum Known {
     Conversion,
     /// `FromIterator`, `Extend`.
     Gathering,
+    /// `Iterator`.
+    Iteration,
 }
 
 /// Whether a trait of Rust's own is one that the DSL calls.
@@ -35,6 +37,7 @@ pub fn known(path: &syn::Path) -> Option<Known> {
         "Neg" | "Not" | "PartialEq" | "Index" | "IndexMut" => return Some(Known::Operator),
         "From" | "TryFrom" => return Some(Known::Conversion),
         "FromIterator" | "Extend" => return Some(Known::Gathering),
+        "Iterator" => return Some(Known::Iteration),
         _ => {}
     }
     let infix = ["Add", "Sub", "Mul", "Div", "Rem", "BitAnd", "BitOr", "BitXor", "Shl", "Shr"];
@@ -53,9 +56,13 @@ pub fn implementation(
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
     let Some((path, _)) = it.trait_.clone() else { return Default::default() };
-    let by_type = ["PartialEq", "Index", "IndexMut"].contains(&last(&path).as_str());
+    let by_type = ["PartialEq", "Index", "IndexMut", "Iterator"].contains(&last(&path).as_str());
     if by_type && Scope::of_type(&it.generics).is_generic() {
-        refusals.add(&it.generics, refuse::GENERIC_OPERATOR);
+        let reason = match known {
+            Known::Iteration => refuse::GENERIC_ITERATOR,
+            _ => refuse::GENERIC_OPERATOR,
+        };
+        refusals.add(&it.generics, reason);
     }
     let other = argument(&path).unwrap_or_else(|| (*it.self_ty).clone());
     if last(&path) == "PartialEq" {
@@ -78,8 +85,18 @@ pub fn implementation(
         named.push((format_ident!("Output"), output));
     }
     let mut beside = TokenStream::new();
+    if known == Known::Iteration && lower::generating() && refusals.is_empty() {
+        beside.extend(gone_through(&it.self_ty));
+    }
     for item in &mut it.items {
         let syn::ImplItem::Fn(method) = item else { continue };
+        if known == Known::Iteration && method.sig.ident != "next" {
+            // A hint alone says nothing of the items.
+            if method.sig.ident != "size_hint" {
+                refusals.add(&method.sig.ident, refuse::OWN_ADAPTER);
+            }
+            continue;
+        }
         let mut own = Refusals::default();
         let asked = attributes::of_method(kind, method, &mut own);
         let mut named = Named(&named);
@@ -97,6 +114,25 @@ pub fn implementation(
         redirect::native((&mut method.attrs, &mut method.block), scope, own);
     }
     (it.into_token_stream(), beside)
+}
+
+/// An iterator of one's own, of which the builder asks whether it is `Copy`: a loop would go through a copy, and leave it as it
+/// was.
+fn gone_through(owner: &syn::Type) -> Option<TokenStream> {
+    let syn::Type::Path(path) = owner else { return None };
+    let (name, held) = (&path.path.segments.last()?.ident, lower::lasting_type(owner));
+    let (named, site) = (place::named(name), place::site(name));
+    let build = quote! {
+        Other(|__cx| {
+            #[allow(unused_imports)]
+            use ::bessemer::generate::NotImplemented as _;
+            if ::bessemer::generate::Asked::<#held>::of().copies() {
+                __cx.copied_iterator(#named, #site);
+            }
+        })
+    };
+    let registered = place::registered(name, &build);
+    Some(quote! { const _: () = { #registered }; })
 }
 
 /// `==` compares values of one type, and `!=` is its opposite.
@@ -178,22 +214,31 @@ impl Beside<'_> {
         // Of what is converted, the copy also asks for the type of the error.
         let error = named.0.iter().find(|(it, _)| name == "TryFrom" && it == "Error");
         let error = error.map(|(_, ty)| quote! { type Error = #ty; });
-        let (found, arguments) = match known {
-            Known::Operator => ("Operates".to_owned(), quote! { #sign, #other }),
-            Known::Conversion if error.is_none() => ("FromBuiltin".to_owned(), quote! { #other }),
-            _ => (format!("{name}Builtin"), quote! { #other }),
+        let found = match known {
+            Known::Operator => Some(("Operates".to_owned(), quote! { #sign, #other })),
+            Known::Conversion if error.is_none() => {
+                Some(("FromBuiltin".to_owned(), quote! { #other }))
+            }
+            // A loop calls it, by no name.
+            Known::Iteration => None,
+            _ => Some((format!("{name}Builtin"), quote! { #other })),
         };
-        let found = format_ident!("{found}", span = Span::call_site());
+        let found = found.map(|(found, arguments)| {
+            let found = format_ident!("{found}", span = Span::call_site());
+            quote! {
+                impl #declared ::bessemer::generate::#found<#arguments> for #owner #bounds {
+                    type Marker = ::bessemer::generate::Operation<#sign, #owner, #other>;
+                    #error
+                }
+            }
+        });
         Some(quote! {
             const _: () = {
                 #[allow(private_bounds)]
                 impl #declared #implements for #owner #bounds {
                     #builder
                 }
-                impl #declared ::bessemer::generate::#found<#arguments> for #owner #bounds {
-                    type Marker = ::bessemer::generate::Operation<#sign, #owner, #other>;
-                    #error
-                }
+                #found
                 #registered
             };
         })

@@ -231,6 +231,15 @@ impl Builder {
         });
     }
 
+    /// An author's own iterator that is `Copy`.
+    pub fn copied_iterator(&mut self, named: Named, site: (u32, u32)) {
+        let message = format!(
+            "`{}` is `Copy`, so a loop goes through a copy of it, and leaves it as it was",
+            named.name
+        );
+        self.refuse(named.file, Site(site.0, site.1), message, "derive `Clone` without `Copy`");
+    }
+
     /// How a function comes back to itself.
     pub(super) fn round_trip(&self, path: &str) -> String {
         let from = self.stack.iter().position(|known| known.path == path).unwrap_or_default();

@@ -24,6 +24,13 @@ impl<T> Clone for Items<T> {
     }
 }
 
+impl<T> Items<T> {
+    /// An iterator twice: the companion of its `clone`, before that of values.
+    pub fn __b_clone(&self) -> Called<containers::AsRef, Self> {
+        unreachable!("a witness copy is never run")
+    }
+}
+
 impl<T> Iterator for Items<T> {
     type Item = T;
     fn next(&mut self) -> Option<T> {
@@ -216,10 +223,6 @@ companions! {
     pub trait CopiedItems[T]: Sized {
         fn __b_copied(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
         fn __b_cloned(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
-    }
-    /// An iterator twice.
-    impl[T] ClonedItems<T> for Items<T> {
-        fn __b_clone(&self) -> Self = [containers::AsRef];
     }
     /// What lends an iterator that is gone through by hand.
     pub trait ByHand: Iterator<Item: Seen>, Sized {

@@ -122,8 +122,8 @@ companions! {
         fn __b_to_scalar(&self) -> T = [parts::__function_to_scalar<T>];
         fn __b_into_scalar(self) -> T = [parts::__function_to_scalar<T>];
     }
-    /// `x.clone()` of what copies itself; of a reference it would be one.
-    pub trait CopyBuiltin: Copy, Value {
+    /// `x.clone()` of a value, whose `Clone` is derived; of a reference it would be one.
+    pub trait CloneBuiltin: Clone, Value {
         fn __b_clone(&self) -> Self = Owned: Owned;
     }
     /// Of a view: what is read is a copy already.
@@ -177,7 +177,7 @@ companions! {
     }
 }
 
-impl<T: Copy + Value> CopyBuiltin for T {}
+impl<T: Clone + Value> CloneBuiltin for T {}
 
 macro_rules! constructors {
     ($($name:ident($($argument:ident),*) for $(($rows:literal, $cols:literal)),*;)*) => {$(

@@ -20,7 +20,7 @@ use super::slot::{Of, ScalarType, Seen, Slot, Tells};
 use super::spatial;
 
 /// The traits that are called by no name and no operator of one's own.
-const IMPLIED: [&str; 4] = ["PartialEq", "From", "Index", "IndexMut"];
+const IMPLIED: [&str; 5] = ["PartialEq", "From", "Index", "IndexMut", tree::ITERATOR];
 
 /// Operators whose operands are of one type, where both are numbers. A shift is by any number.
 pub trait OfOneType {}
@@ -46,7 +46,7 @@ macro_rules! signs {
 signs! {
     of one type: Add Sub Mul Div Rem BitAnd BitOr BitXor Neg Not
         AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign;
-    others: Shl Shr ShlAssign ShrAssign PartialEq From TryFrom Index IndexMut FromIterator Extend
+    others: Shl Shr ShlAssign ShrAssign PartialEq From TryFrom Index IndexMut FromIterator Extend Iterator
 }
 
 /// A type of an author's with an operator or a conversion `O`, for an operand of type `B`.

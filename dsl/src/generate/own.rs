@@ -76,6 +76,13 @@ impl<T: Clone> Asked<T> {
     }
 }
 
+impl<T: Copy> Asked<T> {
+    /// Whether it has `Copy`.
+    pub fn copies(&self) -> bool {
+        true
+    }
+}
+
 impl<T: Ord> Asked<T> {
     /// Whether it has `Ord`.
     pub fn orders(&self) -> bool {
@@ -94,6 +101,10 @@ impl<T: Deref> Asked<T> {
 pub trait NotImplemented {
     /// It has no `Clone`.
     fn clones(&self) -> bool {
+        false
+    }
+    /// It has no `Copy`.
+    fn copies(&self) -> bool {
         false
     }
     /// It has no `Ord`.

@@ -21,7 +21,7 @@ impl ExprKind {
     pub fn each(pattern: Pattern, source: Source, pass: Expr) -> ExprKind {
         let (pattern, source) = (Box::new(pattern), Box::new(source));
         let body = Block { stmts: alloc::vec![Stmt::Expr(pass)], tail: None };
-        ExprKind::Each { label: None, pattern, source, body }
+        ExprKind::Each { label: None, pattern, source, bound: None, body }
     }
 }
 

@@ -352,6 +352,8 @@ pub enum ExprKind {
         pattern: Box<Pattern>,
         /// What it goes through.
         source: Box<Source>,
+        /// Of an iterator of the author's own, how many passes there may be: a literal, or a constant.
+        bound: Option<Box<Expr>>,
         /// The body.
         body: Block,
     },
@@ -436,6 +438,9 @@ pub const EACH: &str = "__each";
 
 /// The method of a type that gives an iterator of what it holds, `set.iter()`: the macro leaves it to whom it stands before.
 pub const ITER: &str = "iter";
+
+/// The trait by which a type of the author's is an iterator.
+pub const ITERATOR: &str = "Iterator";
 
 /// The name of a method that an adaptor may be as well, and that gives what is changed.
 pub const ITER_MUT: &str = "iter_mut";

@@ -189,9 +189,12 @@ macro_rules! visitor {
                     }
                 }
                 ExprKind::Block(block) | ExprKind::Labelled(_, block) => visitor.block(block),
-                ExprKind::Each { pattern, source, body, .. } => {
+                ExprKind::Each { pattern, source, bound, body, .. } => {
                     visitor.pattern(pattern);
                     visitor.source(source);
+                    if let Some(bound) = bound {
+                        visitor.expr(bound);
+                    }
                     visitor.block(body);
                 }
                 ExprKind::Fold { start, each, .. } => {

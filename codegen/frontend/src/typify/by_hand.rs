@@ -169,12 +169,16 @@ impl<'a> Lowering<'a, '_> {
         let ([pattern], value) = some_of(condition)? else { return None };
         let (function, [array]) = self.called(value)? else { return None };
         let Tree::Local(name) = &array.kind else { return None };
-        let is_next = format!("{}::{}", function.module, function.tree.name) == NEXT;
-        if !is_next || !takes_all(pattern) || Mentions::of(name, body) > 0 {
+        if !is_next(function) || !takes_all(pattern) || Mentions::of(name, body) > 0 {
             return None;
         }
         Some((pattern, Source::Elements(array.clone(), false)))
     }
+}
+
+/// Whether a function takes the next item of an iterator.
+pub(super) fn is_next(function: &tree::Function) -> bool {
+    format!("{}::{}", function.module, function.tree.name) == NEXT
 }
 
 /// Whether a function that gives an iterator is one loop, which goes through all, and remembers nothing.

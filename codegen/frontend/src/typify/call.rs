@@ -13,9 +13,15 @@ use bessemer_ir::{alias, effects};
 pub(super) type Called<'a, 't> = (&'a tree::Function, &'t [tree::Expr]);
 
 impl<'a> Lowering<'a, '_> {
+    /// The callee with a number.
+    pub(super) fn callee(&self, number: u32) -> Option<&tree::Callee> {
+        let named = self.source.callees.get(number as usize);
+        named.or_else(|| self.cx.unnamed_callee(number))
+    }
+
     /// The operation that a callee is; none if it is a function.
     pub(super) fn builtin_of(&self, callee: u32) -> Option<Builtin> {
-        match self.source.callees.get(callee as usize)? {
+        match self.callee(callee)? {
             tree::Callee::Builtin(builtin) => Some(*builtin),
             tree::Callee::Function(_) => None,
         }
@@ -33,7 +39,7 @@ impl<'a> Lowering<'a, '_> {
     /// The function that an expression calls, and what it is called with.
     pub(super) fn called<'t>(&self, expr: &'t tree::Expr) -> Option<Called<'a, 't>> {
         let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
-        match self.source.callees.get(*callee as usize)? {
+        match self.callee(*callee)? {
             tree::Callee::Function(path) => Some((self.cx.all.get(path.as_str())?, arguments)),
             tree::Callee::Builtin(_) => None,
         }

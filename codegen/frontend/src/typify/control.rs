@@ -240,9 +240,9 @@ impl Lowering<'_, '_> {
         let span = self.span(expr.site);
         match &expr.kind {
             Tree::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
-            Tree::Each { label, pattern, source, body } => {
-                let (site, label) = (expr.site, label.as_deref());
-                self.each_stmt(Each { site, label, pattern, source, body })
+            Tree::Each { label, pattern, source, bound, body } => {
+                let (site, label, bound) = (expr.site, label.as_deref(), bound.as_deref());
+                self.each_stmt(Each { site, label, pattern, source, bound, body })
             }
             Tree::Unroll(count, inner) => {
                 let mark = self.out.len();

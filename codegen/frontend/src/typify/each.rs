@@ -20,13 +20,21 @@ pub(super) struct Each<'e> {
     pub label: Option<&'e str>,
     pub pattern: &'e Pattern,
     pub source: &'e Source,
+    /// Of an own iterator, how many passes there may be.
+    pub bound: Option<&'e tree::Expr>,
     pub body: &'e tree::Block,
 }
 
 impl Lowering<'_, '_> {
     pub(super) fn each_stmt(&mut self, each: Each) -> Result<()> {
-        let Each { site, label, pattern, source, body } = each;
+        let Each { site, label, pattern, source, bound, body } = each;
         let span = self.span(site);
+        if self.each_of_own(each)? {
+            return Ok(());
+        }
+        if let Some(bound) = bound {
+            return refused(bound.site, refusals::SHOWN_BOUND);
+        }
         if let Source::Numbers(range) = source {
             return self.for_stmt((range, false), each);
         }

@@ -85,6 +85,9 @@ impl<'a> Lowering<'a, '_> {
         argument: &tree::Expr,
     ) -> Result<(String, Value)> {
         let given = match (param.items, param.mutable) {
+            (true, _) if self.own_next(argument).is_some() => {
+                Value::Place(self.own_iterator(argument)?)
+            }
             (true, true) => {
                 let given = self.gone_through(argument)?;
                 self.by_hand(&param.name, given, &function.tree.body, argument.site)?

@@ -433,9 +433,9 @@ impl Lowering<'_, '_> {
     }
 
     fn call(&mut self, callee: u32, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
-        let callee = self.source.callees.get(callee as usize);
+        let callee = self.callee(callee).cloned();
         let callee = callee.needed(expr.site, "the tree names a callee that is not there")?;
-        self.call_of(callee, arguments, expr)
+        self.call_of(&callee, arguments, expr)
     }
 
     /// A call of what rustc resolved.

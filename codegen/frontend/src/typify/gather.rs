@@ -20,7 +20,10 @@ use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 impl Lowering<'_, '_> {
     /// What a call stands for; none if `expr` is something else.
-    pub(super) fn in_place(&self, expr: &tree::Expr) -> Option<tree::Expr> {
+    pub(super) fn in_place(&mut self, expr: &tree::Expr) -> Option<tree::Expr> {
+        if let Some(next) = self.own_next_called(expr) {
+            return Some(next);
+        }
         if let Some((rule, arguments)) = self.rule(expr) {
             return Some(rewritten(rule, &self.written_out(arguments), expr));
         }

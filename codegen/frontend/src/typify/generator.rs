@@ -96,7 +96,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn generated_stmt(
         &mut self,
         by: By<'a, '_>,
-        Each { site, label, pattern, source, body }: Each,
+        Each { site, label, pattern, source, body, .. }: Each,
     ) -> Result<()> {
         let text = match &by {
             By::Argument(through) => Some(&*through.text.body),
@@ -204,7 +204,12 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Numbers the items, from zero on.
-    fn count_items(&mut self, number: &Pattern, body: &mut tree::Block, site: Site) -> Result<()> {
+    pub(super) fn count_items(
+        &mut self,
+        number: &Pattern,
+        body: &mut tree::Block,
+        site: Site,
+    ) -> Result<()> {
         let plain = |kind| tree::Expr::plain(kind, site);
         let size = Some(Scalar::Int(Int::Usize));
         let digits = |digits: &str| plain(Tree::Int(digits.into(), size));

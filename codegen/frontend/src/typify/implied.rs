@@ -1,4 +1,4 @@
-//! Functions that no call names: an author's own `==`, and the conversion that `?` makes of an error.
+//! Functions that no call names: an author's own `==`, the conversion that `?` makes of an error, the `next` of an iterator.
 //!
 //! Which one is meant follows from the types. It may stand behind what needs it, so a function is made when it
 //! is first asked for.
@@ -56,6 +56,7 @@ impl<'a> Context<'a> {
                 }
                 ("From", _) => self.conversions.push(it),
                 ("Index" | "IndexMut", _) => self.note_indexing(it),
+                (tree::ITERATOR, _) => self.note_iterator(it),
                 _ => {}
             }
         }

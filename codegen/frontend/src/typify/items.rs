@@ -177,6 +177,11 @@ impl<'a> Lowering<'a, '_> {
         if self.iterator_named(elements).is_some() {
             return Ok(());
         }
+        if self.own_next(elements).is_some() {
+            let place = self.own_iterator(elements)?;
+            self.stand_in(elements, "items%", Value::Place(place));
+            return Ok(());
+        }
         if let Some(part) = self.submatrix(elements)? {
             self.stand_in(elements, "items%", Value::Submatrix(Box::new(part)));
             return Ok(());

@@ -21,6 +21,9 @@ use super::value::Named;
 use super::words;
 use super::{Needed, Result, labelled, problem, refusals, refused};
 
+/// The remedy where nothing shows how often a loop runs.
+pub(super) const DECLARE: &str = "write `#[bound(64)]` above it: another pass than that is a fault; or count in it: `while i < n { …; i += 1; }`";
+
 impl Lowering<'_, '_> {
     /// A loop that counts through a range, perhaps from its end.
     pub(super) fn for_stmt(
@@ -63,7 +66,8 @@ impl Lowering<'_, '_> {
         if let (Some(condition), None) = (condition, bound)
             && let Some((pattern, rest)) = self.rest_of(condition, body)
         {
-            return self.each_stmt(Each { site, label, pattern, source: &rest, body });
+            let (source, bound) = (&rest, None);
+            return self.each_stmt(Each { site, label, pattern, source, bound, body });
         }
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
@@ -218,8 +222,7 @@ impl Lowering<'_, '_> {
                 return problem(
                     site,
                     format!("nothing shows how often this loop runs at most: {reason}"),
-                    "write `#[bound(64)]` above it: another pass than that is a fault; or count in it: \
-                     `while i < n { …; i += 1; }`",
+                    DECLARE,
                 );
             }
         };

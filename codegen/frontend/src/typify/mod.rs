@@ -33,6 +33,7 @@ mod generic;
 mod held_slices;
 mod implied;
 mod items;
+mod iterators;
 mod kernels;
 mod labelled;
 mod lenders;
@@ -87,21 +88,21 @@ fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -
     Err(Problem { site, message: message.into(), help: help.into() })
 }
 
-/// The same for a reason that is said elsewhere, too.
+/// A problem with a message of the table.
 fn refused<T>(site: Site, (message, help): refusals::Reason) -> Result<T> {
     problem(site, message, help)
 }
 
-/// What is there, or a problem.
+/// Turns an absent value into a problem.
 trait Needed<T>: Sized {
     fn or_told(self, site: Site, message: impl Into<String>, help: &str) -> Result<T>;
 
-    /// The same for such a reason.
+    /// With a message of the table.
     fn or_refused(self, site: Site, (message, help): refusals::Reason) -> Result<T> {
         self.or_told(site, message, help)
     }
 
-    /// The same where the compiler is wrong if it is not there.
+    /// Where only a fault of the compiler can leave it absent.
     fn needed(self, site: Site, message: impl Into<String>) -> Result<T> {
         self.or_told(site, message, OUR_FAULT)
     }
@@ -312,6 +313,8 @@ struct Context<'a> {
     lending: HashSet<&'a str>,
     /// The authors' own `[…]`.
     indexing: Vec<(Type, &'a tree::Implied)>,
+    /// The authors' own iterators, each with its `next`.
+    iterators: Vec<(Type, tree::Callee)>,
     /// Functions that are still to be made.
     waiting: HashMap<&'a str, &'a tree::Function>,
     /// Functions that are being made, each for the one before.
@@ -351,6 +354,7 @@ impl<'a> Context<'a> {
             own_iterators: generator::own_iterators(package),
             lending: HashSet::new(),
             indexing: Vec::new(),
+            iterators: Vec::new(),
             waiting: HashMap::new(),
             underway: Vec::new(),
             told: package.errors.iter().map(refusal).collect(),

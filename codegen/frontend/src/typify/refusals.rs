@@ -1,7 +1,7 @@
-//! The refusals that say the same wherever they arise: what is wrong, in the author's terms, and what to write instead. One that
-//! names something of the author's is written where it arises.
+//! The messages whose text is constant: what is wrong, in the author's terms, and what to write instead. A message that names
+//! something of the author's is formatted where it arises.
 
-/// What is wrong, and the remedy.
+/// A message and its remedy.
 pub(super) type Reason = (&'static str, &'static str);
 
 macro_rules! reasons {
@@ -57,6 +57,7 @@ reasons! {
     TWO_LENDERS: "two slices in this value are parts of two arrays, and this function makes one a part of the other", "let both be parts of one array";
     SLICE_GIVEN: "the firmware takes no slice: it would not know of which array", "return a copy, or where the elements are: an index and a length";
     BORROWED_CONSTANT: "a value that borrows is no constant in C", "make it here, or in a function, instead of a `const`";
+    SHOWN_BOUND: "the bound of this loop shows, or is that of an iterator in it", "leave `#[bound]` out; of a chain that begins with an iterator of your own say behind that how many items are wanted: `.take(64)`";
     BOUND: "the bound of a loop is an integer", "write `#[bound(64)]`";
     LAST_NUMBER: "these numbers may come to the last of their type, and how many are asked for does not show here", "let the elements come first, `values.iter().zip(first..)`, without `.skip(n)`; or number with `0_usize..`";
     COUNTER: "a loop counts in integers in the DSL", "number with `0..`";

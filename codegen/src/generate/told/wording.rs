@@ -232,7 +232,7 @@ fn builders(message: &Message<'_>) -> Option<Words> {
         } else if types::is_parameter(&owner) {
             "mark the trait that has it `#[interface]`, and the `impl` blocks of it `#[data]` or `#[component]`"
         } else if method == "clone" {
-            "derive `Copy` too: then the value copies itself"
+            "derive `Clone` below `#[data]`; what has a slice in it is made again"
         } else if types::is_known(&owner) {
             "write it out with the operations that the DSL has: see docs/book/reference/methods.md"
         } else {

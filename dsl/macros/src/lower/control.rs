@@ -127,7 +127,10 @@ impl Lowering {
     }
 
     /// Takes `#[bound(…)]` off a loop; nothing where it is no bound. Without one the bound has to show.
-    fn bound(&mut self, attributes: &mut Vec<syn::Attribute>) -> Option<Option<Box<tree::Expr>>> {
+    pub(super) fn bound(
+        &mut self,
+        attributes: &mut Vec<syn::Attribute>,
+    ) -> Option<Option<Box<tree::Expr>>> {
         let Some(attribute) = loops::take(attributes, loops::BOUND) else { return Some(None) };
         let span = attribute.path().span();
         let Ok(mut bound) = attribute.parse_args::<syn::Expr>() else {

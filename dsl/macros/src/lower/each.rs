@@ -12,20 +12,28 @@ use super::walk::{Lowering, see_in};
 use super::{loops, refuse};
 
 impl Lowering {
-    pub(super) fn for_loop(&mut self, it: &mut syn::ExprForLoop) -> ExprKind {
+    /// A `for`; nothing where what is said of its bound is none.
+    pub(super) fn for_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
+        let at = loops::bound_at(&it.attrs);
+        let bound = self.bound(&mut it.attrs)?;
+        // Of an iterator of one's own only types tell.
+        let shows = is_source(&it.expr) || matches!(&*it.expr, syn::Expr::Reference(_));
+        if let Some(at) = at.filter(|_| shows) {
+            self.refusals.add(at, refuse::SHOWN_BOUND);
+        }
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let limits = it.expr.span();
         let source = Box::new(self.source(&mut it.expr));
         if matches!(&*source, Source::Numbers(it) if it.to.is_none()) && !loops::is_left(&it.body) {
             self.refusals.add(limits, refuse::OPEN_RANGE);
         }
-        self.scoped(|walk| {
+        Some(self.scoped(|walk| {
             let mut looks = Vec::new();
             let pattern = Box::new(walk.pattern(&it.pat, &mut looks));
             let body = walk.branch(&mut it.body, false);
             it.body.stmts.splice(0..0, looks);
-            ExprKind::Each { label, pattern, source, body }
-        })
+            ExprKind::Each { label, pattern, source, bound, body }
+        }))
     }
 
     /// What an expression is gone through for.

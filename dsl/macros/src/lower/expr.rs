@@ -124,7 +124,7 @@ impl Lowering {
             }
             syn::Expr::ForLoop(it) => {
                 let (site, unroll) = (site(it), self.unrolled(&mut it.attrs));
-                let kind = self.for_loop(it);
+                let kind = self.for_loop(it).unwrap_or(UNIT);
                 let kind = match unroll {
                     Some(count) => {
                         ExprKind::Unroll(count, Box::new(tree::Expr { kind, site, slot: None }))

@@ -16,7 +16,7 @@ use syn::spanned::Spanned;
 
 use super::closure::without_returns;
 use super::link::{is_range, pairs};
-use super::names::plain;
+use super::names::{UNIT, plain};
 use super::refuse::{self, Refusals};
 use super::walk::Lowering;
 use crate::closures;
@@ -57,7 +57,7 @@ impl Lowering {
         *through.expr = expr.clone();
         // Whatever stands in the place of handing it on means other names.
         let outer = std::mem::replace(&mut self.apart, true);
-        let body = self.scoped(|walk| walk.for_loop(&mut through));
+        let body = self.scoped(|walk| walk.for_loop(&mut through)).unwrap_or(UNIT);
         self.apart = outer;
         let syn::ExprForLoop { pat, expr: items, body: mut pass, .. } = through;
         if let Some(last) = pass.stmts.last_mut()

@@ -1,18 +1,27 @@
 //! What authors say above loops, and what leaves loops.
 //!
-//! `#[bound(64)]` above a `while` or a `loop` says how many passes there may be. The native loop counts them down and
+//! `#[bound(64)]` above a `while`, a `loop`, or a `for` through an iterator of the author's own says how many passes there may be. The native loop counts them down and
 //! panics where another would begin, as the C reports a fault. `#[unroll(4)]` and `#[keep]` above a `for` ask it of C
 //! compilers: the native loop goes without.
 
 use bessemer_tree::EACH;
 use proc_macro2::Span;
 use quote::quote_spanned;
+use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 /// What is said of a loop without a range.
 pub(super) const BOUND: &[&str] = &["bound"];
-/// What is said of a `for`.
+/// What is asked of C compilers for a `for`.
 pub(super) const HINTS: &[&str] = &["unroll", "keep"];
+/// What is said of a `for`: of one through an iterator of the author's own, how often it runs at most.
+const OF_FOR: &[&str] = &[HINTS[0], HINTS[1], BOUND[0]];
+
+/// Where a bound is said among attributes.
+pub(super) fn bound_at(attributes: &[syn::Attribute]) -> Option<Span> {
+    let is_bound = |it: &&syn::Attribute| BOUND.iter().any(|name| it.path().is_ident(name));
+    attributes.iter().find(is_bound).map(|it| it.path().span())
+}
 
 /// Takes the first attribute of one of these names.
 pub(super) fn take(attributes: &mut Vec<syn::Attribute>, names: &[&str]) -> Option<syn::Attribute> {
@@ -26,7 +35,7 @@ fn attributes(expr: &mut syn::Expr) -> Option<(&mut Vec<syn::Attribute>, &'stati
     Some(match expr {
         syn::Expr::While(it) => (&mut it.attrs, BOUND),
         syn::Expr::Loop(it) => (&mut it.attrs, BOUND),
-        syn::Expr::ForLoop(it) => (&mut it.attrs, HINTS),
+        syn::Expr::ForLoop(it) => (&mut it.attrs, OF_FOR),
         _ => return None,
     })
 }
@@ -53,11 +62,14 @@ pub fn native(expr: &mut syn::Expr) {
     let body = match expr {
         syn::Expr::While(it) => &mut it.body,
         syn::Expr::Loop(it) => &mut it.body,
+        syn::Expr::ForLoop(it) => &mut it.body,
         _ => return,
     };
-    let Some(Ok(bound)) = attribute.map(|attribute| attribute.parse_args::<syn::Expr>()) else {
+    let Some(attribute) = attribute.filter(|it| !HINTS.iter().any(|hint| it.path().is_ident(hint)))
+    else {
         return;
     };
+    let Ok(bound) = attribute.parse_args::<syn::Expr>() else { return };
     let span = Span::mixed_site();
     let left = syn::Ident::new("passes_left", span);
     let counted = quote_spanned! { span =>

@@ -137,6 +137,7 @@ reasons! {
     FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends, `for i in 0..n`; or leave it: `if … { break; }`";
+    SHOWN_BOUND: "the bound of this loop shows", "leave `#[bound]` out";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     VARIANT_VALUE: "which variant a value has is not a value in the DSL", "ask `matches!(mode, Mode::Idle | …)`, or write a method with a `match` that gives a number for each";
     LENT_PARAMETER: "a parameter that is called takes the closure as it is", "leave the `&` out, here and where it is passed: `f: impl Fn(f64) -> f64`";
@@ -168,6 +169,8 @@ reasons! {
     RANGE_VALUE: "a range that is written down is not a value in the DSL", "write it in a `for`; one that is held, `RangeInclusive::new(a, b)`, or as a constant: `const LIMITS: Range<u8> = 2..5;`";
     OPERATOR_TRAIT: "what lends by itself hides in the Rust what the C has to name", "write a method that gives the reference, `fn inner(&self) -> &Inner`";
     GENERIC_OPERATOR: "a `==` or an index of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name: `fn at(&self, i: usize) -> &T`";
+    GENERIC_ITERATOR: "an iterator of one's own of a generic type is not in the DSL", "implement it for each instance, `impl Iterator for Countdown<8>`; or write a method that gives an iterator: `fn items(&self) -> impl Iterator<Item = T>`";
+    OWN_ADAPTER: "an iterator of one's own is its `next` in the DSL", "leave this method out: Rust makes it of `next`";
     BORROWED_OPERAND: "an operand is a value in the DSL", "derive `Copy`, and implement the trait for the values";
     TWO_TYPES_EQUAL: "`==` compares values of one type in the DSL", "convert one of the two, or write a method with a name";
     OWN_UNEQUAL: "`!=` is the opposite of `==` in the DSL", "leave `ne` out: Rust makes it of `eq`";
@@ -251,7 +254,7 @@ pub fn known_trait(path: &syn::Path) -> Option<Reason> {
         "Deref" | "DerefMut" => OPERATOR_TRAIT,
         "PartialOrd" | "Ord" => OWN_ORDER,
         "Default" | "Clone" | "Copy" | "Debug" | "Display" | "Eq" | "Hash" | "Into"
-        | "Iterator" | "IntoIterator" | "Drop" => STD_TRAIT,
+        | "IntoIterator" | "Drop" => STD_TRAIT,
         _ => return None,
     })
 }

@@ -1,0 +1,234 @@
+//! Iterators of the author's own, `#[data] impl Iterator for Countdown`: a loop calls their `next` until that gives nothing.
+//!
+//! Invariant: such a type is not `Copy`, so what is gone through by value is named by nobody afterwards, and is changed where it
+//! is. The macro holds the type to that.
+//!
+//! Must not know: how a loop ends, or shows that it does ([`loops`](super::loops)).
+
+use bessemer_ir::tree::{
+    self, Builtin, Desugared, ExprKind as Tree, Pattern, Site, Source, Stmt, Ty,
+};
+use bessemer_ir::{Place, Type};
+
+use super::by_hand::is_next;
+use super::each::Each;
+use super::function::result_of;
+use super::lowering::{Lowering, local_since};
+use super::seq::pair;
+use super::syntax::bare;
+use super::value::Value;
+use super::{Context, Result, loops, names};
+
+/// The first number of the callees that no author names: the `next` of own iterators.
+const CALLEES: u32 = 1 << 31;
+
+const UNBOUNDED: &str = "nothing shows how often this loop runs at most: its iterator ends it, which may give any number of items";
+
+/// The remedy where nothing shows how often a loop through one runs.
+const BOUND: &str = "write `#[bound(64)]` above the loop: another pass than that is a fault; or say behind the iterator how many items are wanted, `.take(64)`; or let what has an end come first: `values.iter().zip(it)`";
+
+/// A loop's source with an own iterator in it.
+enum Own<'e> {
+    /// The iterator by itself: the callee that is its `next`, and the iterator.
+    Alone(u32, &'e tree::Expr),
+    /// The iterator beside what is asked before it.
+    Beside(&'e Source, u32, &'e tree::Expr),
+    /// Its items are numbered.
+    Numbered(Box<Own<'e>>),
+}
+
+impl<'a> Context<'a> {
+    /// Notes an author's own iterator.
+    pub(super) fn note_iterator(&mut self, it: &'a tree::Implied) {
+        if let Ty::Named(path) = &it.owner
+            && let Some(ty) = self.types.get(path).filter(|ty| **ty != Type::Unit)
+        {
+            let next = tree::Callee::Function(it.function.clone());
+            self.iterators.push((ty.clone(), next));
+        }
+    }
+
+    /// The callee with a number that no author names.
+    pub(super) fn unnamed_callee(&self, number: u32) -> Option<&tree::Callee> {
+        self.iterators.get(number.checked_sub(CALLEES)? as usize).map(|(_, next)| next)
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// `iterator.next()`, if that is an own iterator's: the call of its function.
+    pub(super) fn own_next_called(&mut self, expr: &tree::Expr) -> Option<tree::Expr> {
+        if self.cx.iterators.is_empty() {
+            return None;
+        }
+        let (function, [iterator]) = self.called(expr)? else { return None };
+        if !is_next(function) {
+            return None;
+        }
+        Some(tree::Expr { kind: calling(self.own_next(iterator)?, iterator.clone()), ..*expr })
+    }
+
+    /// The callee that gives the next item of an expression; none if that is no own iterator.
+    pub(super) fn own_next(&mut self, expr: &tree::Expr) -> Option<u32> {
+        if self.cx.iterators.is_empty() {
+            return None;
+        }
+        let of = self.itself(expr);
+        let ty = match &of.kind {
+            Tree::Local(_) => {
+                let (meaning, span) = (self.meaning(of)?, self.span(of.site));
+                self.place_of(&meaning, span)?.ty
+            }
+            Tree::Field(base, _) | Tree::Index(base, _) if self.is_of_place(base) => {
+                self.place_type(of).ok()?
+            }
+            _ => {
+                let called = self.called(of).and_then(|(it, _)| result_of(it));
+                match called.or_else(|| self.seen_as(of))? {
+                    Ty::Named(path) => self.cx.types.get(path)?.clone(),
+                    Ty::Ref(inner, _) => match &**inner {
+                        Ty::Named(path) => self.cx.types.get(path)?.clone(),
+                        _ => return None,
+                    },
+                    _ => return None,
+                }
+            }
+        };
+        let known = self.cx.iterators.iter().position(|(own, _)| *own == ty)?;
+        Some(CALLEES + known as u32)
+    }
+
+    /// What an expression refers to: without `&`, `*` and `by_ref()`.
+    fn itself<'e>(&self, expr: &'e tree::Expr) -> &'e tree::Expr {
+        match self.builtin_call(bare(expr)) {
+            Some((Builtin::Desugared(Desugared::ByRef), [of])) => self.itself(of),
+            _ => bare(expr),
+        }
+    }
+
+    /// Whether an expression is a part of a place that a name means.
+    fn is_of_place(&mut self, expr: &tree::Expr) -> bool {
+        match &bare(expr).kind {
+            Tree::Field(base, _) | Tree::Index(base, _) => self.is_of_place(base),
+            _ => {
+                let span = self.span(expr.site);
+                self.meaning(expr).is_some_and(|it| self.place_of(&it, span).is_some())
+            }
+        }
+    }
+
+    /// The place of an own iterator, which is changed there.
+    pub(super) fn own_iterator(&mut self, expr: &tree::Expr) -> Result<Place> {
+        let (of, before) = (self.itself(expr), self.locals.len());
+        let place = match self.place(of)? {
+            Some(mut place) => {
+                self.fix(&mut place);
+                place
+            }
+            None => {
+                let value = self.value(of, None)?;
+                let made = match &value.kind {
+                    bessemer_ir::ExprKind::Load(place) => local_since(place, before).map(|_| place),
+                    _ => None,
+                };
+                match made {
+                    Some(place) => place.clone(),
+                    None => {
+                        let name = match &value.ty {
+                            Type::Struct(id) => {
+                                names::role(&self.cx.module.structs[id.index()].name)
+                            }
+                            _ => super::words::ELEMENTS.into(),
+                        };
+                        self.naming_as("", |inner| inner.mutable_place(&name, value))
+                    }
+                }
+            }
+        };
+        let root = place.root;
+        self.held.remove(&root);
+        self.steady.remove(&root);
+        self.changing.entry(root).or_insert(Ty::Unit);
+        Ok(place)
+    }
+
+    /// A loop through an own iterator; false if it goes through something else.
+    pub(super) fn each_of_own(&mut self, each: Each) -> Result<bool> {
+        let Some(own) = self.own_source(each.source) else { return Ok(false) };
+        self.naming_scope(|inner| inner.own_loop(own, each))?;
+        Ok(true)
+    }
+
+    fn own_source<'e>(&mut self, source: &'e Source) -> Option<Own<'e>> {
+        match source {
+            Source::Elements(of, _) => Some(Own::Alone(self.own_next(of)?, of)),
+            Source::Zip(one, other) => match &**other {
+                Source::Elements(of, _) => Some(Own::Beside(one, self.own_next(of)?, of)),
+                _ => None,
+            },
+            Source::Enumerate(of) => Some(Own::Numbered(Box::new(self.own_source(of)?))),
+            _ => None,
+        }
+    }
+
+    fn own_loop(&mut self, own: Own<'_>, each: Each) -> Result<()> {
+        let Each { site, label, pattern, bound, body, .. } = each;
+        let plain = |kind| tree::Expr::plain(kind, site);
+        let some = |pattern: &Pattern| {
+            Box::new(Pattern::Constructor("Some".into(), vec![pattern.clone()]))
+        };
+        let stop =
+            tree::Block { stmts: vec![Stmt::Expr(plain(Tree::Break(None, None)))], tail: None };
+        // The body, which an item begins or, without one, the loop ends.
+        let begun = |pattern: &Pattern, next: tree::Expr| {
+            let (pattern, otherwise) = (some(pattern), Some(stop.clone()));
+            let mut body = body.clone();
+            body.stmts.insert(0, Stmt::Apart { pattern, value: next, otherwise, site });
+            body
+        };
+        match own {
+            Own::Alone(callee, of) => {
+                let next = self.next_item(callee, of, site)?;
+                let Some(bound) = bound else {
+                    let looped =
+                        self.while_stmt(site, label, (None, None), &begun(pattern, next), None);
+                    return looped.map_err(|mut problem| {
+                        if problem.help == loops::DECLARE {
+                            problem.message = UNBOUNDED.into();
+                            problem.help = BOUND.into();
+                        }
+                        problem
+                    });
+                };
+                let condition = plain(Tree::Let(some(pattern), Box::new(next)));
+                self.while_stmt(site, label, (Some(&condition), Some(bound)), body, None)
+            }
+            Own::Beside(source, callee, of) => {
+                let [pattern, item] = pair(pattern, site)?;
+                let next = self.next_item(callee, of, site)?;
+                self.each_stmt(Each { pattern, source, body: &begun(item, next), ..each })
+            }
+            Own::Numbered(own) => {
+                let [number, pattern] = pair(pattern, site)?;
+                let mut body = body.clone();
+                self.count_items(number, &mut body, site)?;
+                self.own_loop(*own, Each { pattern, body: &body, ..each })
+            }
+        }
+    }
+
+    /// The call that gives the next item of an iterator, which has a name from here on.
+    fn next_item(&mut self, callee: u32, of: &tree::Expr, site: Site) -> Result<tree::Expr> {
+        let place = self.own_iterator(of)?;
+        let known: usize = self.scopes.iter().map(|scope| scope.len()).sum();
+        let name = format!("iterator%{known}");
+        self.bind(&name, Value::Place(place));
+        Ok(tree::Expr::plain(calling(callee, tree::Expr::local(&name, site)), site))
+    }
+}
+
+/// A call of an iterator's `next`.
+fn calling(callee: u32, iterator: tree::Expr) -> Tree {
+    let site = iterator.site;
+    let lent = tree::Expr::plain(Tree::Ref(true, Box::new(iterator)), site);
+    Tree::Call(callee, vec![lent])
+}
