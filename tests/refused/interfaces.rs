@@ -10,12 +10,9 @@ pub struct Not {
     pub x: f64,
 }
 
-/// With a name that is taken, and a default that is refused.
+/// With a default that is refused.
 #[interface]
 pub trait Taken {
-    /// Numbers have it.
-    fn clamp(&self) -> f64;
-
     /// Loops for ever.
     fn run(&self) -> f64 {
         loop {}

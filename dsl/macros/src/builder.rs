@@ -410,14 +410,14 @@ fn builder(
 /// The bounds of a builder on the types in its scope; those of an `impl` block stand there.
 pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
     let this = || quote! { Self: ::bessemer::generate::Value };
-    let types = || scope.types().map(|name| scope.value(name));
+    let types = || scope.values();
     match subject.home {
         Home::Module | Home::Function(_) | Home::Block => {
             scope.own().bounds(types().chain(owner_bound(scope, &quote! { Self })))
         }
         Home::Interface(_) => scope.own().bounds(types().chain([this()])),
         Home::Implementation(_) | Home::OfRust(_) => {
-            let types = scope.own().types().map(|name| scope.value(name));
+            let types = scope.own().values();
             // What borrows is one for its longest lifetime alone, which only those who call know to be meant.
             let owns = scope.lifetimes().next().is_none();
             scope.own().bounds(types.chain(owns.then(this)))

@@ -152,8 +152,17 @@ impl<'a> Scope<'a> {
 
     /// The same, each type a value of the DSL.
     pub fn value_bounds(self, more: impl IntoIterator<Item = TokenStream>) -> TokenStream {
-        let values = self.types().map(|name| self.value(name));
-        self.bounds(values.chain(more))
+        self.bounds(self.values().chain(more))
+    }
+
+    /// What a generation build asks of the types among them besides their author.
+    pub fn values(self) -> impl Iterator<Item = TokenStream> {
+        self.types().flat_map(move |name| {
+            let both = self.outer.into_iter().chain(self.own);
+            let asked = both.flat_map(|generics| bounds_of(generics, name)).filter_map(conversion);
+            let asked = asked.map(|(of, other)| of.predicate(&quote! { #name }, other));
+            std::iter::once(self.value(name)).chain(asked.collect::<Vec<_>>())
+        })
     }
 
     /// The arguments for the parameters, as a builder tells them: names and arguments.
@@ -213,8 +222,7 @@ impl<'a> Scope<'a> {
         })
     }
 
-    /// What a generation build asks of a type besides its author.
-    pub fn value(self, name: &syn::Ident) -> TokenStream {
+    fn value(self, name: &syn::Ident) -> TokenStream {
         match self.is_real(name) {
             true => quote! { #name: ::bessemer::generate::Value + ::bessemer::math::Real },
             false => quote! { #name: ::bessemer::generate::Value },
@@ -240,6 +248,45 @@ impl<'a> Scope<'a> {
     pub fn is_named_in(self, ty: &syn::Type) -> bool {
         let names: Vec<_> = self.params().map(|param| name(param).to_string()).collect();
         mentions(ty.to_token_stream(), &names)
+    }
+}
+
+/// A conversion that a bound asks for.
+#[derive(Clone, Copy)]
+pub enum Conversion {
+    /// `From`.
+    From,
+    /// `Into`, from the other end.
+    Into,
+    /// `TryFrom`.
+    TryFrom,
+}
+
+impl Conversion {
+    /// The same of the DSL, asked of a type.
+    pub fn predicate(self, of: &TokenStream, other: &syn::Type) -> TokenStream {
+        match self {
+            Conversion::From => quote! { #of: ::bessemer::generate::FromBuiltin<#other> },
+            Conversion::Into => quote! { #other: ::bessemer::generate::FromBuiltin<#of> },
+            Conversion::TryFrom => quote! { #of: ::bessemer::generate::TryFromBuiltin<#other> },
+        }
+    }
+}
+
+/// The conversion that a bound asks for, and the other type; none if it asks for something else.
+pub fn conversion(bound: &syn::TypeParamBound) -> Option<(Conversion, &syn::Type)> {
+    let syn::TypeParamBound::Trait(bound) = bound else { return None };
+    let last = bound.path.segments.last()?;
+    let of = match lower::text(&last.ident).as_str() {
+        "From" => Conversion::From,
+        "Into" => Conversion::Into,
+        "TryFrom" => Conversion::TryFrom,
+        _ => return None,
+    };
+    let syn::PathArguments::AngleBracketed(list) = &last.arguments else { return None };
+    match list.args.first()? {
+        syn::GenericArgument::Type(other) => Some((of, other)),
+        _ => None,
     }
 }
 

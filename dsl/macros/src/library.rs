@@ -109,8 +109,7 @@ impl Asked {
         let (marker, arguments, bounds) = match self.is_rewritten() {
             true => (signature.ident.clone(), TokenStream::new(), TokenStream::new()),
             false => {
-                let values = values.types().map(|name| values.value(name));
-                let bounds = Scope::of_function(own).bounds(values);
+                let bounds = Scope::of_function(own).bounds(values.values());
                 (builder::function_marker(&signature.ident, all), all.arguments(), bounds)
             }
         };

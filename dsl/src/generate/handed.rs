@@ -197,23 +197,23 @@ impl VisitMut for Closures<'_> {
         }
         let Some(slot) = expr.slot else { return };
         let site = expr.site;
-        let (parameters, body) = match &mut expr.kind {
+        let (name, parameters, body) = match &mut expr.kind {
             ExprKind::Closure(closure) => {
                 let ExprKind::Call(callee, _) = closure.body.kind else { return };
                 let (parameters, arguments) = self.parameters(slot, site);
                 let kind = ExprKind::Call(callee, arguments);
-                (parameters, Expr { kind, site, slot: closure.body.slot })
+                (closure.name.take(), parameters, Expr { kind, site, slot: closure.body.slot })
             }
             ExprKind::Path(constant, path) => {
                 let Some(made) = self.made(*constant, slot) else { return };
                 let name = path.rsplit("::").next().unwrap_or_default().to_string();
                 let (parameters, parts) = self.parameters(slot, site);
                 let kind = ExprKind::Constructor(name, parts);
-                (parameters, Expr { kind, site, slot: Some(self.slot(made)) })
+                (None, parameters, Expr { kind, site, slot: Some(self.slot(made)) })
             }
             _ => return,
         };
-        let closure = Closure { name: None, parameters, body: Box::new(body) };
+        let closure = Closure { name, parameters, body: Box::new(body) };
         *expr = Expr { kind: ExprKind::Closure(closure), site, slot: None };
     }
 }

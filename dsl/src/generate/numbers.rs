@@ -133,9 +133,14 @@ companions! {
         fn __b_from_u32(_code: u32) -> Option<Self> = [ascii::from_code];
     }
     /// Conversions that keep the value, and those of authors' own types.
+    #[diagnostic::on_unimplemented(
+        message = "no `from` of the DSL makes a `{Self}` of a `{T}`",
+        label = "not a conversion of the DSL",
+        note = "the `impl From<{T}>` block of a type of one's own is marked `#[data]`"
+    )]
     pub trait FromBuiltin[T]: Sized {
         /// Which function it is.
-        type Marker;
+        type Marker: Callee;
         fn __b_from(_value: T) -> Self = [Self::Marker];
     }
     /// `x.into()`: the same, from the other end.
@@ -150,9 +155,9 @@ companions! {
     )]
     pub trait TryFromBuiltin[T]: Sized {
         /// Which function it is.
-        type Marker;
+        type Marker: Callee;
         /// Why there is no value.
-        type Error;
+        type Error: Value;
         fn __b_try_from(_value: T) -> Result<Self, Self::Error> = [Self::Marker];
     }
     /// `x.try_into()`: the same, from the other end.

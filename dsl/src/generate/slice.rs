@@ -39,6 +39,9 @@ companions! {
         fn __b_last_mut(&mut self) -> Option<&mut T> = LastMut: Slice(SliceMethod::LastMut);
         fn __b_split_at(&self, _at: usize) -> (&[T], &[T]) = SplitAt: Slice(SliceMethod::SplitAt);
         fn __b_split_at_mut(&mut self, _at: usize) -> (&mut [T], &mut [T]) = SplitAt;
+        fn __b_split_at_checked(&self, _at: usize) -> Option<(&[T], &[T])>
+            = SplitAtChecked: Slice(SliceMethod::SplitAtChecked);
+        fn __b_split_at_mut_checked(&mut self, _at: usize) -> Option<(&mut [T], &mut [T])> = SplitAtChecked;
         fn __b_split_first(&self) -> Option<(&T, &[T])> = SplitFirst: Slice(SliceMethod::SplitFirst);
         fn __b_split_first_mut(&mut self) -> Option<(&mut T, &mut [T])> = SplitFirst;
         fn __b_split_last(&self) -> Option<(&T, &[T])> = SplitLast: Slice(SliceMethod::SplitLast);

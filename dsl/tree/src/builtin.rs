@@ -129,7 +129,7 @@ builtins! {
         GetPart,
         /// `get(from..)`.
         GetFrom,
-        SplitAt, SplitFirst, SplitLast,
+        SplitAt, SplitAtChecked, SplitFirst, SplitLast,
         /// The first so many elements as an array, and the others.
         SplitFirstChunk(u32),
         /// All but the last so many elements, and these as an array.

@@ -58,11 +58,16 @@ impl Lowering<'_, '_> {
                 let from = self.steady_index(words::ENDS[0], from)?;
                 maybe(compared(CompareOp::Le, &from, &length), slice(array.behind(from)))
             }
-            (M::SplitAt, [at]) => {
+            (M::SplitAt | M::SplitAtChecked, [at]) => {
                 let at = self.steady_index("middle", at)?;
-                self.check_index(&at, CompareOp::Le, &length, span);
                 let behind = slice(array.behind(at.clone()));
-                pair(slice(array.part(zero, at)), behind)
+                let both = pair(slice(array.part(zero, at.clone())), behind);
+                if method == M::SplitAtChecked {
+                    maybe(compared(CompareOp::Le, &at, &length), both)
+                } else {
+                    self.check_index(&at, CompareOp::Le, &length, span);
+                    both
+                }
             }
             _ => {
                 let (count, chunk) = match method {

@@ -182,11 +182,16 @@ impl Lowering<'_, '_> {
                 self.node(ExprKind::Struct(values), ty.clone(), site)
             }
             (Value::Maybe(there, lent), Type::Struct(id)) => {
+                let inner =
+                    self.payload_type(*id, "Some").needed(site, "this is not an `Option`")?;
+                // Of an array it is known.
+                if there.kind == ExprKind::Literal(1) {
+                    let value = self.lent_value(*lent, &inner, site)?;
+                    return self.choice(*id, 1, Some(value), site);
+                }
                 let none = self.choice(*id, 0, None, site)?;
                 let place = self.temporary_place(words::FOUND, none);
                 let held = place.load();
-                let inner =
-                    self.payload_type(*id, "Some").needed(site, "this is not an `Option`")?;
                 let then = self.scoped(|it| {
                     let value = it.lent_value(*lent, &inner, site)?;
                     let value = it.choice(*id, 1, Some(value), site)?;

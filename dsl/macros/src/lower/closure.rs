@@ -17,7 +17,7 @@ use super::walk::Lowering;
 use super::{pattern, refuse};
 
 impl Lowering {
-    /// `let f = |x| …;`: the closure is known by its name from here on.
+    /// `let f = |x| …;`, `let f = f64::abs;`: the closure is known by its name from here on.
     pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> Option<tree::Stmt> {
         let (site, init) = (site(&local.let_token), local.init.as_mut()?);
         let mut value = self.argument(&mut init.expr);
@@ -30,6 +30,18 @@ impl Lowering {
             closure.name = Some(own);
         }
         Some(tree::Stmt::Let { name, slot: NO_SLOT, value: Some(value), site, mutable: false })
+    }
+
+    /// Whether an expression is a closure that is written there, or the name of a function.
+    pub(super) fn is_callable(&self, expr: &syn::Expr) -> bool {
+        match expr {
+            syn::Expr::Closure(_) => true,
+            syn::Expr::Path(path) => {
+                let is_local = path.path.get_ident().is_some_and(|it| self.is_local(&text(it)));
+                !is_local && is_function(path)
+            }
+            _ => false,
+        }
     }
 
     /// The name in the tree of a closure, or of a parameter that takes one.

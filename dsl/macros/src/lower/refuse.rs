@@ -180,7 +180,6 @@ reasons! {
     STD_TRAIT: "this trait is Rust's own: no model calls it", "leave the attribute out";
     NOT_A_TRAIT: "`#[interface]` stands on a trait", "a struct, an enum and an `impl` block take `#[data]` or `#[component]`, a function `#[function]`";
     INTERFACE_ITEM: "this is not part of an interface of the DSL", "write methods, constants and types";
-    OWNED_NAME: "a method of this name belongs to numbers in the DSL", "give it a name of its own";
     LIST: "a model has no heap, on which a `Vec` grows", "use `List<T, N>`, a list of at most `N` elements, or an array `[T; N]`";
     TEXT: "a model has no heap, on which a `String` grows", "use `Text<N>`, a text of at most `N` bytes; for a choice an enum";
     QUEUE: "a model has no heap, on which a queue grows", "use an array `[T; N]` and the index of the oldest element, or `List<T, N>`";

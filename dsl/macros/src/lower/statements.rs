@@ -78,7 +78,8 @@ impl Lowering {
 
     /// A `let`; the statements that look at what it binds go to `looks`.
     fn local(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
-        if local.init.as_ref().is_some_and(|it| matches!(*it.expr, syn::Expr::Closure(_))) {
+        let init = local.init.as_ref().filter(|it| it.diverge.is_none());
+        if init.is_some_and(|it| self.is_callable(&it.expr)) {
             return self.closure_local(local);
         }
         let apart = takes_apart(local);
