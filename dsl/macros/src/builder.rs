@@ -173,7 +173,7 @@ pub fn companion(
     quote! {
         #[doc(hidden)]
         #[inline]
-        #[allow(clippy::too_many_arguments, unused_variables, non_snake_case)]
+        #[allow(clippy::too_many_arguments, unused_variables, unused_mut, non_snake_case)]
         #visibility fn #name #generics(#(#parameters),*) -> ::bessemer::generate::Called<#marker, #result>
         #bounds
         {

@@ -215,11 +215,8 @@ impl<'a> Scope<'a> {
 
     /// Whether nalgebra's `RealField` is asked of a type, which then is one of the DSL's floats.
     fn is_real(self, name: &syn::Ident) -> bool {
-        let real = ["RealField", "ComplexField"].map(str::to_owned);
         let mut both = self.outer.into_iter().chain(self.own);
-        both.any(|generics| {
-            bounds_of(generics, name).any(|bound| mentions(bound.to_token_stream(), &real))
-        })
+        both.any(|generics| bounds_of(generics, name).any(is_real))
     }
 
     fn value(self, name: &syn::Ident) -> TokenStream {
@@ -249,6 +246,11 @@ impl<'a> Scope<'a> {
         let names: Vec<_> = self.params().map(|param| name(param).to_string()).collect();
         mentions(ty.to_token_stream(), &names)
     }
+}
+
+/// Whether a bound asks for nalgebra's `RealField`.
+pub fn is_real(bound: &syn::TypeParamBound) -> bool {
+    mentions(bound.to_token_stream(), &["RealField", "ComplexField"].map(str::to_owned))
 }
 
 /// A conversion that a bound asks for.

@@ -11,7 +11,7 @@ use syn::visit_mut::{self, VisitMut};
 
 use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
-use crate::generics::{Scope, conversion};
+use crate::generics::{Scope, conversion, is_real};
 use crate::instance;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
@@ -48,6 +48,14 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
 fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
     let (name, generics) = (it.ident.clone(), it.generics.clone());
     let (mut hidden, mut beside) = (Vec::new(), TokenStream::new());
+    if it.supertraits.iter().any(is_real) {
+        // Who has the interface has what `RealField` has, by the DSL's names.
+        it.supertraits.push(syn::parse_quote!(::bessemer::math::AnyRealMethods));
+        if lower::generating() {
+            it.supertraits.push(syn::parse_quote!(::bessemer::math::Real));
+            it.supertraits.push(syn::parse_quote!(::bessemer::generate::generic::AnyRealBuiltins));
+        }
+    }
     if lower::generating() {
         let asked = it.supertraits.iter().filter_map(conversion);
         let asked = asked.map(|(of, other)| of.predicate(&quote! { Self }, other));

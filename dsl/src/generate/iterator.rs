@@ -133,7 +133,7 @@ companions! {
         type Marker;
         fn __b_extend[I: IntoIterator<Item = A>](&mut self, _items: I) -> () = [Self::Marker];
     }
-    /// What iterators end in.
+    /// What iterators end in. What std takes by `&mut` is taken so, so that an author's own method of the name comes first.
     pub trait Ends: Iterator<Item: Seen>, Sized {
         fn __b_sum[S: core::iter::Sum<Self::Item>](self) -> S = Sum: Desugared(Desugared::Together(Together::Sum));
         fn __b_product[P: core::iter::Product<Self::Item>](self) -> P
@@ -141,10 +141,10 @@ companions! {
         fn __b_for_each[F: FnMut(Self::Item)](self, _: F) -> () = [iterate::__function_for_each<Item<Self>>];
         fn __b_reduce[F: FnMut(Self::Item, Self::Item) -> Self::Item](self, _: F) -> Option<Self::Item>
             = [iterate::__function_reduce<Item<Self>>];
-        fn __b_nth(self, _: usize) -> Option<Self::Item> = [iterate::__function_nth<Item<Self>>];
-        fn __b_position[F: FnMut(Self::Item) -> bool](self, _: F) -> Option<usize>
+        fn __b_nth(&mut self, _: usize) -> Option<Self::Item> = [iterate::__function_nth<Item<Self>>];
+        fn __b_position[F: FnMut(Self::Item) -> bool](&mut self, _: F) -> Option<usize>
             = [iterate::__function_position<Item<Self>>];
-        fn __b_rposition[F: FnMut(Self::Item) -> bool](self, _: F) -> Option<usize>
+        fn __b_rposition[F: FnMut(Self::Item) -> bool](&mut self, _: F) -> Option<usize>
             where Self: DoubleEndedIterator, Self: ExactSizeIterator
             = [iterate::__function_rposition<Item<Self>>];
         fn __b_max(self) -> Option<Self::Item> where Self::Item: Ord = [iterate::__function_max<Item<Self>>];
@@ -152,13 +152,13 @@ companions! {
         fn __b_count(self) -> usize = [iterate::__function_count<Item<Self>>];
         fn __b_fold[A: Seen, F: FnMut(A, Self::Item) -> A](self, _: A, _: F) -> A
             = [iterate::__function_fold<Item<Self>, A::Slot>];
-        fn __b_try_fold[A, R: Tried<A>, F: FnMut(A, Self::Item) -> R](self, _: A, _: F) -> R
+        fn __b_try_fold[A, R: Tried<A>, F: FnMut(A, Self::Item) -> R](&mut self, _: A, _: F) -> R
             = TryFold: Desugared(Desugared::Together(Together::Tried));
-        fn __b_any[F: FnMut(Self::Item) -> bool](self, _: F) -> bool = [iterate::__function_any<Item<Self>>];
-        fn __b_all[F: FnMut(Self::Item) -> bool](self, _: F) -> bool = [iterate::__function_all<Item<Self>>];
-        fn __b_find[F: FnMut(&Self::Item) -> bool](self, _: F) -> Option<Self::Item>
+        fn __b_any[F: FnMut(Self::Item) -> bool](&mut self, _: F) -> bool = [iterate::__function_any<Item<Self>>];
+        fn __b_all[F: FnMut(Self::Item) -> bool](&mut self, _: F) -> bool = [iterate::__function_all<Item<Self>>];
+        fn __b_find[F: FnMut(&Self::Item) -> bool](&mut self, _: F) -> Option<Self::Item>
             = [iterate::__function_find<Item<Self>>];
-        fn __b_find_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](self, _: F) -> Option<U>
+        fn __b_find_map[U: Seen, F: FnMut(Self::Item) -> Option<U>](&mut self, _: F) -> Option<U>
             = [iterate::__function_find_map<Item<Self>, U::Slot>];
         fn __b_max_by[F: FnMut(&Self::Item, &Self::Item) -> Ordering](self, _: F) -> Option<Self::Item>
             = [iterate::__function_max_by<Item<Self>>];
@@ -183,7 +183,7 @@ companions! {
         fn __b_ne[U: Seen, I: IntoIterator<Item = U>](self, _: I) -> bool where Self::Item: PartialEq<U>
             = [iterate::__function_ne<Item<Self>, U::Slot>];
         fn __b_last(self) -> Option<Self::Item> = [iterate::__function_last<Item<Self>>];
-        fn __b_next(self) -> Option<Self::Item> = [iterate::__function_next<Item<Self>>];
+        fn __b_next(&mut self) -> Option<Self::Item> = [iterate::__function_next<Item<Self>>];
     }
     /// What iterators are made of others with. Each gives [`Items`], so that a witness copy has one type of iterators, which
     /// no closure borrows.

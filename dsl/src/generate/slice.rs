@@ -100,6 +100,12 @@ impl<T, const N: usize> TryFromBuiltin<&[T]> for [T; N] {
     type Error = TryFromSliceError;
 }
 
+// What is read only may be a copy.
+impl<'a, T, const N: usize> TryFromBuiltin<&'a [T]> for &'a [T; N] {
+    type Marker = ToArray;
+    type Error = TryFromSliceError;
+}
+
 impl<T, const N: usize> TryFromBuiltin<&mut [T]> for [T; N] {
     type Marker = ToArray;
     type Error = TryFromSliceError;

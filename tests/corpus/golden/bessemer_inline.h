@@ -63,6 +63,7 @@
 #include "pair_u8_i16.h"
 #include "pair_u8_i32.h"
 #include "pair_u8_pair_f32_bool.h"
+#include "plain_idioms.h"
 #include "programs_trouble_defaults.h"
 #include "programs_trouble_lists.h"
 #include "programs_trouble_tuples.h"
@@ -1540,6 +1541,15 @@ static inline bool list3_u8_equal(const list3_u8_t *one, const list3_u8_t *other
 static inline bool mark_equal(const mark_t *one, const mark_t *other)
 {
     return one->at == other->at && list3_u8_equal(&one->notes, &other->notes);
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool plain_idioms_packet_equal(const plain_idioms_packet_t *one,
+    const plain_idioms_packet_t *other)
+{
+    return one->id == other->id && (one->values[0] == other->values[0]
+        && one->values[1] == other->values[1] && one->values[2] == other->values[2])
+        && one->stamp == other->stamp;
 }
 
 /** The greater of two; of equal ones the second. */

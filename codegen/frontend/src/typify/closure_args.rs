@@ -379,9 +379,11 @@ impl<'a> Lowering<'a, '_> {
         if value.ty == Type::Unit {
             return Ok(self.value_subject(value));
         }
+        let by_value = !matches!(taken, Some(Ty::Ref(..)));
         if let ExprKind::Load(place) = &value.kind
             && !each
             && handed.scope.locals.is_some()
+            && !(by_value && self.cx.holds_iterator(&value.ty))
         {
             let mut place = place.clone();
             // Its indices are checked also where the body does not read it.

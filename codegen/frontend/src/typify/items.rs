@@ -111,7 +111,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(())
     }
 
-    fn settle_source(&mut self, source: &mut Source) -> Result<()> {
+    pub(super) fn settle_source(&mut self, source: &mut Source) -> Result<()> {
         match source {
             Source::Elements(array, owned) => self.settle_elements(array, *owned),
             Source::Numbers(range) => {

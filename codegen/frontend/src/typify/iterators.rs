@@ -8,16 +8,17 @@
 use bessemer_ir::tree::{
     self, Builtin, Desugared, ExprKind as Tree, Pattern, Site, Source, Stmt, Ty,
 };
-use bessemer_ir::{Place, Type};
+use bessemer_ir::{Expr, ExprKind, Mode, Place, Type};
 
 use super::by_hand::is_next;
+use super::closure_args::is_hidden;
 use super::each::Each;
 use super::function::result_of;
 use super::lowering::{Lowering, local_since};
 use super::seq::pair;
 use super::syntax::bare;
 use super::value::Value;
-use super::{Context, Result, loops, names};
+use super::{Context, Problem, Result, loops, names, refusals, words};
 
 /// The first number of the callees that no author names: the `next` of own iterators.
 const CALLEES: u32 = 1 << 31;
@@ -25,7 +26,8 @@ const CALLEES: u32 = 1 << 31;
 const UNBOUNDED: &str = "nothing shows how often this loop runs at most: its iterator ends it, which may give any number of items";
 
 /// The remedy where nothing shows how often a loop through one runs.
-const BOUND: &str = "write `#[bound(64)]` above the loop: another pass than that is a fault; or say behind the iterator how many items are wanted, `.take(64)`; or let what has an end come first: `values.iter().zip(it)`";
+const BOUND: &str = "write `#[bound(64)]` above the loop: another pass than that is a fault; or say behind the iterator how many items are wanted, `it.take(64)`; or let what has an end come first: `values.iter().zip(it)`";
+const TAKE: &str = "say right behind the iterator how many items are wanted, `it.take(64)`, and let the other links follow; or let what has an end come first: `values.iter().zip(it)`";
 
 /// A loop's source with an own iterator in it.
 enum Own<'e> {
@@ -41,10 +43,31 @@ impl<'a> Context<'a> {
     /// Notes an author's own iterator.
     pub(super) fn note_iterator(&mut self, it: &'a tree::Implied) {
         if let Ty::Named(path) = &it.owner
-            && let Some(ty) = self.types.get(path).filter(|ty| **ty != Type::Unit)
+            && let Some(ty) = self.types.get(path)
         {
+            if *ty == Type::Unit
+                && let Some(next) = self.all.get(it.function.as_str()).copied()
+            {
+                let (message, help) = refusals::EMPTY_ITERATOR;
+                let (message, help) = (message.to_owned(), help.to_owned());
+                self.tell(&next.file, Problem { site: next.tree.site, message, help });
+                return;
+            }
             let next = tree::Callee::Function(it.function.clone());
             self.iterators.push((ty.clone(), next));
+        }
+    }
+
+    /// Whether a value is, or has in it, an own iterator: going through that changes it, whether its name is `mut` or not.
+    pub(super) fn holds_iterator(&self, ty: &Type) -> bool {
+        match ty {
+            _ if self.iterators.is_empty() => false,
+            Type::Array { element, .. } => self.holds_iterator(element),
+            Type::Struct(id) => {
+                self.iterators.iter().any(|(own, _)| own == ty)
+                    || self.fields(*id).iter().any(|field| self.holds_iterator(&field.ty))
+            }
+            _ => false,
         }
     }
 
@@ -122,25 +145,17 @@ impl Lowering<'_, '_> {
         let place = match self.place(of)? {
             Some(mut place) => {
                 self.fix(&mut place);
-                place
+                match self.locals[place.root.index()].mode {
+                    // A value was copied from there.
+                    Mode::Ref => self.own_copy(place.load()),
+                    _ => place,
+                }
             }
             None => {
                 let value = self.value(of, None)?;
-                let made = match &value.kind {
-                    bessemer_ir::ExprKind::Load(place) => local_since(place, before).map(|_| place),
-                    _ => None,
-                };
-                match made {
-                    Some(place) => place.clone(),
-                    None => {
-                        let name = match &value.ty {
-                            Type::Struct(id) => {
-                                names::role(&self.cx.module.structs[id.index()].name)
-                            }
-                            _ => super::words::ELEMENTS.into(),
-                        };
-                        self.naming_as("", |inner| inner.mutable_place(&name, value))
-                    }
+                match &value.kind {
+                    ExprKind::Load(place) if local_since(place, before).is_some() => place.clone(),
+                    _ => self.own_copy(value),
                 }
             }
         };
@@ -149,6 +164,15 @@ impl Lowering<'_, '_> {
         self.steady.remove(&root);
         self.changing.entry(root).or_insert(Ty::Unit);
         Ok(place)
+    }
+
+    /// An own iterator in a local that is called as its type is.
+    fn own_copy(&mut self, value: Expr) -> Place {
+        let name = match &value.ty {
+            Type::Struct(id) => names::role(&self.cx.module.structs[id.index()].name),
+            _ => words::ELEMENTS.into(),
+        };
+        self.naming_as("", |inner| inner.mutable_place(&name, value))
     }
 
     /// A loop through an own iterator; false if it goes through something else.
@@ -189,12 +213,15 @@ impl Lowering<'_, '_> {
             Own::Alone(callee, of) => {
                 let next = self.next_item(callee, of, site)?;
                 let Some(bound) = bound else {
+                    // The loop of a chain is no `for` of the author's.
+                    let hidden = matches!(pattern, Pattern::Name { name, .. } if is_hidden(name));
+                    let written = self.expanding.is_empty() && !hidden;
                     let looped =
                         self.while_stmt(site, label, (None, None), &begun(pattern, next), None);
                     return looped.map_err(|mut problem| {
                         if problem.help == loops::DECLARE {
                             problem.message = UNBOUNDED.into();
-                            problem.help = BOUND.into();
+                            problem.help = if written { BOUND } else { TAKE }.into();
                         }
                         problem
                     });
@@ -204,8 +231,12 @@ impl Lowering<'_, '_> {
             }
             Own::Beside(source, callee, of) => {
                 let [pattern, item] = pair(pattern, site)?;
+                // What stands first is computed first.
+                let mut source = source.clone();
+                self.settle_source(&mut source)?;
                 let next = self.next_item(callee, of, site)?;
-                self.each_stmt(Each { pattern, source, body: &begun(item, next), ..each })
+                let (source, body) = (&source, &begun(item, next));
+                self.each_stmt(Each { pattern, source, body, ..each })
             }
             Own::Numbered(own) => {
                 let [number, pattern] = pair(pattern, site)?;

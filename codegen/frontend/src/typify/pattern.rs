@@ -412,9 +412,10 @@ impl Lowering<'_, '_> {
     /// for.
     pub(super) fn is_lasting(&self, place: &Place) -> bool {
         let local = &self.locals[place.root.index()];
-        local.mode == Mode::Ref
+        let stays = local.mode == Mode::Ref
             || self.held.contains(&place.root)
-            || place.steps.is_empty() && self.steady.contains(&place.root)
+            || place.steps.is_empty() && self.steady.contains(&place.root);
+        stays && !self.cx.holds_iterator(&place.ty)
     }
 }
 

@@ -269,6 +269,7 @@ impl<'a> Lowering<'a, '_> {
         }
         let lowered = self.cx.value_type(ty, argument.site)?;
         let value = self.value(argument, Some(&lowered))?;
+        let mutable = mutable || self.cx.holds_iterator(&lowered);
         match value.kind {
             _ if mutable || !(self.is_steady(&value) || is_constant(&value)) => {
                 Ok(self.own(name, value, mutable.then_some(ty)))

@@ -18,7 +18,7 @@ reasons! {
     TWO_INDICES: "this takes a row and a column", "write `m[(row, column)]`";
     STATEMENT: "this has no value", "write it as a statement";
     UNUSED_VALUE: "the value of this is not used", "leave it out";
-    BY_HAND: "this iterator is not gone through by hand in the DSL", "go through it in one `for`, or by hand through the elements alone, `values.iter()`; or keep an index";
+    BY_HAND: "this iterator is not gone through by hand in the DSL", "go through it in one `for`, or by hand through the elements alone, `values.iter()`; or keep an index; of an iterator of your own take first, `it.take(n)`, and let the other links follow";
     LENT_TWICE: "this refers to elements of an array to which another argument refers, too", "pass the parts themselves, as `&mut [T]`, and choose in the function; or exchange by index, `values.swap(i, j)`";
     MATCHED: "`match` compares integers, `bool` and enums in the DSL", "compare with `if`";
     NUMBER_PATTERN: "this pattern is not one of a number", "give values, ranges, a name or `_`";
@@ -57,6 +57,7 @@ reasons! {
     TWO_LENDERS: "two slices in this value are parts of two arrays, and this function makes one a part of the other", "let both be parts of one array";
     SLICE_GIVEN: "the firmware takes no slice: it would not know of which array", "return a copy, or where the elements are: an index and a length";
     BORROWED_CONSTANT: "a value that borrows is no constant in C", "make it here, or in a function, instead of a `const`";
+    EMPTY_ITERATOR: "an iterator that is zero-sized has nothing to count by", "give it a field";
     SHOWN_BOUND: "the bound of this loop shows, or is that of an iterator in it", "leave `#[bound]` out; of a chain that begins with an iterator of your own say behind that how many items are wanted: `.take(64)`";
     BOUND: "the bound of a loop is an integer", "write `#[bound(64)]`";
     LAST_NUMBER: "these numbers may come to the last of their type, and how many are asked for does not show here", "let the elements come first, `values.iter().zip(first..)`, without `.skip(n)`; or number with `0_usize..`";
@@ -75,7 +76,7 @@ reasons! {
     LENDS_NOTHING: "this lends no place", "end in `&self.field`";
     LENT_PLACE: "this is no place that could be lent", "end in a field or an element: `&self.axes[i]`";
     BOUNDED_MATRIX: "all elements of a `BoundedMatrix` are gone through by themselves, and from the first on", "give the matrix a name; or write `for column in 0..m.ncols()`, and index";
-    OWN_ITER: "a loop goes through arrays and vectors in the DSL, also by the names `iter` and `iter_mut`", "write `for i in 0..n`, and index; or give this type a method of another name: `fn items(&self) -> impl Iterator<Item = &T>`";
+    OWN_ITER: "a loop goes through arrays and vectors in the DSL, also by the names `iter` and `iter_mut`", "write `for i in 0..n`, and index; or give this type a method of another name, `fn items(&self) -> impl Iterator<Item = &T>`; if it is an iterator itself, mark its `impl Iterator` block `#[data]`";
     GONE_THROUGH: "a loop goes through arrays and vectors in the DSL", "write `for i in 0..n`, and index";
     EMPTY_GROUPS: "no elements at a time never come to an end", "write a number above 0";
     ENDLESS: "nothing ends this sequence", "write both ends of a range, `0..n`; or let `.zip(…)` come first, and the other links behind it";

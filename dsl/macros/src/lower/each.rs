@@ -17,7 +17,8 @@ impl Lowering {
         let at = loops::bound_at(&it.attrs);
         let bound = self.bound(&mut it.attrs)?;
         // Of an iterator of one's own only types tell.
-        let shows = is_source(&it.expr) || matches!(&*it.expr, syn::Expr::Reference(_));
+        let shows = is_source(&it.expr)
+            || matches!(&*it.expr, syn::Expr::Reference(it) if it.mutability.is_none());
         if let Some(at) = at.filter(|_| shows) {
             self.refusals.add(at, refuse::SHOWN_BOUND);
         }

@@ -42,7 +42,12 @@ pub fn hand_on(
         return true;
     };
     let (pattern, value) = named_item(iterator);
-    *iterator = parse_quote! { for #pattern in #iterator { #each(#value) } };
+    // Behind `in` a struct needs parentheses.
+    let items: syn::Expr = match begins_with_struct(iterator) {
+        true => parse_quote! { (#iterator) },
+        false => iterator.clone(),
+    };
+    *iterator = parse_quote! { for #pattern in #items { #each(#value) } };
     signature.inputs.push(parse_quote! { #each: impl FnMut(#item) });
     signature.output = syn::ReturnType::Default;
     true
@@ -73,6 +78,24 @@ impl Lowering {
         let (name, slot) = (EACH.to_owned(), NO_SLOT);
         let each = tree::Pattern::Name { name, slot, mutable: false, inner: None };
         ExprKind::Closure(tree::Closure { name: None, parameters: vec![each], body })
+    }
+}
+
+/// Whether an expression begins with a struct that is written out.
+fn begins_with_struct(expr: &syn::Expr) -> bool {
+    use syn::Expr::{Assign, Binary, Call, Cast, Field, Index, MethodCall, Range, Struct, Try};
+    match expr {
+        Struct(_) => true,
+        MethodCall(it) => begins_with_struct(&it.receiver),
+        Field(it) => begins_with_struct(&it.base),
+        Index(it) => begins_with_struct(&it.expr),
+        Call(it) => begins_with_struct(&it.func),
+        Try(it) => begins_with_struct(&it.expr),
+        Cast(it) => begins_with_struct(&it.expr),
+        Binary(it) => begins_with_struct(&it.left),
+        Assign(it) => begins_with_struct(&it.left),
+        Range(it) => it.start.as_deref().is_some_and(begins_with_struct),
+        _ => false,
     }
 }
 

@@ -96,7 +96,9 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
         syn::Expr::Paren(it) => is_source(&it.expr),
         syn::Expr::Range(_) => true,
         syn::Expr::MethodCall(it) => match Link::of(it) {
-            Some(Link::Iter | Link::IntoIter | Link::Group(_)) => true,
+            // What a method has itself is no array: its `iter` is its author's.
+            Some(Link::Iter) => !is_self(&it.receiver),
+            Some(Link::IntoIter | Link::Group(_)) => true,
             // What is written, or gone through otherwise, is in one of two: a loop for each.
             Some(Link::Chain) => is_lent(&it.receiver) && is_array(&it.args[0]),
             None | Some(Link::Sift) => false,
@@ -104,6 +106,11 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
         },
         _ => false,
     }
+}
+
+/// Whether an expression is `self`.
+fn is_self(expr: &syn::Expr) -> bool {
+    matches!(expr, syn::Expr::Path(it) if it.path.get_ident().is_some_and(|it| text(it) == "self"))
 }
 
 /// Whether an iterator goes through elements that are lent to be read, from the first on.

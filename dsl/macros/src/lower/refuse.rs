@@ -252,8 +252,19 @@ pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     Some(match name.as_str() {
         "Deref" | "DerefMut" => OPERATOR_TRAIT,
         "PartialOrd" | "Ord" => OWN_ORDER,
-        "Default" | "Clone" | "Copy" | "Debug" | "Display" | "Eq" | "Hash" | "Into"
-        | "IntoIterator" | "Drop" => STD_TRAIT,
+        "Default"
+        | "Clone"
+        | "Copy"
+        | "Debug"
+        | "Display"
+        | "Eq"
+        | "Hash"
+        | "Into"
+        | "IntoIterator"
+        | "DoubleEndedIterator"
+        | "ExactSizeIterator"
+        | "FusedIterator"
+        | "Drop" => STD_TRAIT,
         _ => return None,
     })
 }
