@@ -183,3 +183,13 @@ pub fn given(n: u32) -> (u32, u32) {
     }
     (sum, kept(n).looked())
 }
+
+/// A parameter by value, and a name of its clone.
+#[function]
+pub fn again(it: Count) -> (u32, u32) {
+    let first = match it.clone() {
+        other => other.take(2).fold(0_u32, u32::wrapping_add),
+    };
+    let Keep { it: inner, .. } = (Keep { it: it.clone(), other: None, changes: 0 });
+    (first ^ inner.take(1).fold(0, |a, b| a ^ b), it.take(2).fold(1_u32, u32::wrapping_mul))
+}
