@@ -32,16 +32,12 @@ impl Lowering {
         Some(tree::Stmt::Let { name, slot: NO_SLOT, value: Some(value), site, mutable: false })
     }
 
-    /// Whether an expression is a closure that is written there, or the name of a function.
-    pub(super) fn is_callable(&self, expr: &syn::Expr) -> bool {
-        match expr {
-            syn::Expr::Closure(_) => true,
-            syn::Expr::Path(path) => {
-                let is_local = path.path.get_ident().is_some_and(|it| self.is_local(&text(it)));
-                !is_local && is_function(path)
-            }
-            _ => false,
-        }
+    /// Whether an expression is the name of a function: of small letters alone, since a constant may begin with one.
+    pub(super) fn names_function(&self, expr: &syn::Expr) -> bool {
+        let syn::Expr::Path(path) = expr else { return false };
+        let is_local = path.path.get_ident().is_some_and(|it| self.is_local(&text(it)));
+        let last = path.path.segments.last().map(|it| text(&it.ident)).unwrap_or_default();
+        !is_local && is_function(path) && !last.contains(char::is_uppercase)
     }
 
     /// The name in the tree of a closure, or of a parameter that takes one.

@@ -79,7 +79,11 @@ impl Lowering {
     /// A `let`; the statements that look at what it binds go to `looks`.
     fn local(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
         let init = local.init.as_ref().filter(|it| it.diverge.is_none());
-        if init.is_some_and(|it| self.is_callable(&it.expr)) {
+        let is_closure = init.is_some_and(|it| matches!(*it.expr, syn::Expr::Closure(_)));
+        // What is changed is a value.
+        let is_function =
+            !is_mutable(&local.pat) && init.is_some_and(|it| self.names_function(&it.expr));
+        if is_closure || is_function {
             return self.closure_local(local);
         }
         let apart = takes_apart(local);
