@@ -176,7 +176,7 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// Whether a function takes the next item of an iterator.
+/// True for `bessemer::iterate::next`, the DSL's `Iterator::next`.
 pub(super) fn is_next(function: &tree::Function) -> bool {
     format!("{}::{}", function.module, function.tree.name) == NEXT
 }

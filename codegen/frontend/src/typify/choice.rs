@@ -389,7 +389,7 @@ fn has_names(pattern: &Pattern) -> bool {
     !pattern.bound().is_empty()
 }
 
-/// Whether a pattern is irrefutable by its form alone; the types of its parts are not looked at.
+/// True for a pattern that no value fails to match, whatever its type: `_`, a name, or tuples and `|` of these.
 pub(super) fn takes_all(pattern: &Pattern) -> bool {
     match pattern {
         Pattern::Any | Pattern::Rest => true,

@@ -1,7 +1,7 @@
 //! Iterators of the author's own, `#[data] impl Iterator for Countdown`: a loop calls their `next` until that gives nothing.
 //!
-//! Invariant: such a type is not `Copy`, so what is gone through by value is named by nobody afterwards, and is changed where it
-//! is. The macro holds the type to that.
+//! Invariant: such a type is not `Copy`, which the builder refuses. So Rust moves an iterator that a loop takes by value, nothing
+//! reads its variable afterwards, and the loop mutates it in place.
 //!
 //! Must not know: how a loop ends, or shows that it does ([`loops`](super::loops)).
 
@@ -60,7 +60,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Whether a value is, or has in it, an own iterator: going through that changes it, whether its name is `mut` or not.
+    /// True for the type of an own iterator, and for an array or struct that contains one. A loop mutates such a value even if its
+    /// binding is not `mut`.
     pub(super) fn holds_iterator(&self, ty: &Type) -> bool {
         match ty {
             _ if self.iterators.is_empty() => false,
@@ -122,7 +123,7 @@ impl Lowering<'_, '_> {
         Some(CALLEES + known as u32)
     }
 
-    /// What an expression refers to: without `&`, `*` and `by_ref()`.
+    /// The operand of `&`, `*` and `by_ref()`, which all denote the same iterator.
     fn itself<'e>(&self, expr: &'e tree::Expr) -> &'e tree::Expr {
         match self.builtin_call(bare(expr)) {
             Some((Builtin::Desugared(Desugared::ByRef), [of])) => self.itself(of),
@@ -130,7 +131,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Whether an expression is a part of a place that a name means.
+    /// True for a field or an element of a variable that has a place.
     fn is_of_place(&mut self, expr: &tree::Expr) -> bool {
         match &bare(expr).kind {
             Tree::Field(base, _) | Tree::Index(base, _) => self.is_of_place(base),
@@ -233,7 +234,7 @@ impl Lowering<'_, '_> {
             }
             Own::Beside(source, callee, of) => {
                 let [pattern, item] = pair(pattern, site)?;
-                // What stands first is computed first.
+                // Rust evaluates the operands of `zip` from left to right.
                 let mut source = source.clone();
                 self.settle_source(&mut source)?;
                 let next = self.next_item(callee, of, site)?;

@@ -145,6 +145,19 @@ pub fn given(to: i32) -> [i32; 3] {
     [first, at, summed(ramp)]
 }
 
+/// Lent to a loop, which ends by its bound's last pass or before; then taken from by path.
+#[function]
+pub fn lent(to: i32) -> (i32, Option<i32>) {
+    let mut ramp = Ramp::new(0, to & 15, 5);
+    let mut sum = 0_i32;
+    #[bound(3)]
+    for x in &mut ramp {
+        sum = sum.wrapping_add(x);
+    }
+    ramp.goal = 20;
+    (sum, Ramp::next(&mut ramp))
+}
+
 /// Held under a name before it is gone through.
 #[function]
 pub fn held(to: i32) -> i32 {
