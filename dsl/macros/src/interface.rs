@@ -7,7 +7,6 @@ use bessemer_tree::Role;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::visit_mut::{self, VisitMut};
 
 use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
@@ -16,7 +15,7 @@ use crate::instance;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::operators;
-use crate::owned;
+use crate::own_numbers;
 use crate::place;
 use crate::redirect;
 
@@ -74,7 +73,7 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
         match item {
             syn::TraitItem::Fn(method) => {
                 let mut refusals = Refusals::default();
-                hidden.extend(alias(method));
+                hidden.extend(own_numbers::alias(method));
                 let asked = attributes::of_interface(method, &mut refusals);
                 let parts = Method { interface: &name, generics: &generics, method, asked };
                 if let Some((inside, marker)) = parts.expand(&mut refusals) {
@@ -101,74 +100,6 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
     });
     it.items.extend(hidden);
     beside
-}
-
-/// Whether a method takes `self` by value.
-fn is_moved(signature: &syn::Signature) -> bool {
-    signature.receiver().is_some_and(|it| matches!(it.kind, syn::ReceiverKind::Value))
-}
-
-/// The DSL's name of a method that is called as one of numbers: what the DSL owns is called by its name in annotated items,
-/// whatever it is called on. It borrows, as its companion does, so that a number's own method is found before it.
-fn alias(method: &syn::TraitItemFn) -> Option<syn::TraitItem> {
-    let (name, own) = (&method.sig.ident, owned::owned(&method.sig.ident)?);
-    let mut signature = method.sig.clone();
-    signature.ident = own;
-    let moved = is_moved(&method.sig);
-    let arguments: Vec<syn::Expr> = signature
-        .inputs
-        .iter_mut()
-        .enumerate()
-        .map(|(index, input)| match input {
-            syn::FnArg::Receiver(it) if moved => {
-                *it = syn::parse_quote!(&self);
-                syn::parse_quote!(*self)
-            }
-            syn::FnArg::Receiver(_) => syn::parse_quote!(self),
-            syn::FnArg::Typed(it) => {
-                let name = format_ident!("__{index}");
-                it.pat = syn::parse_quote!(#name);
-                syn::parse_quote!(#name)
-            }
-        })
-        .collect();
-    let bounds = &mut signature.generics.make_where_clause().predicates;
-    bounds.push(syn::parse_quote!(Self: Sized));
-    if moved {
-        bounds.push(syn::parse_quote!(Self: ::core::marker::Copy));
-    }
-    Some(syn::parse_quote! {
-        #[doc(hidden)]
-        #[allow(dead_code)]
-        #signature { Self::#name(#(#arguments),*) }
-    })
-}
-
-/// In an implementation of methods that are called as those of numbers, by these names: `f64::sin(self)` is `self.sin()`, which is
-/// the number's own, since both traits are in scope by the path.
-struct OfNumbers(Vec<String>);
-
-impl VisitMut for OfNumbers {
-    fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
-        visit_mut::visit_expr_mut(self, expr);
-        let syn::Expr::Call(it) = &*expr else { return };
-        let syn::Expr::Path(function) = &*it.func else { return };
-        let path = owned::of_libm(&function.path).unwrap_or_else(|| function.path.clone());
-        let Some(name) = path.segments.last().map(|last| &last.ident) else { return };
-        let home = match (&function.qself, path.segments.len()) {
-            (Some(of), 1) => of.ty.to_token_stream().to_string(),
-            (None, 2) => lower::text(&path.segments[0].ident),
-            _ => return,
-        };
-        let is_number = bessemer_tree::number::Scalar::from_name(home.trim()).is_some();
-        let mut arguments = it.args.iter();
-        if is_number
-            && self.0.contains(&lower::text(name))
-            && let Some(receiver) = arguments.next()
-        {
-            *expr = syn::parse_quote! { (#receiver).#name(#(#arguments),*) };
-        }
-    }
 }
 
 /// Whether a type is `Self`.
@@ -224,7 +155,7 @@ impl Method<'_> {
         let scope = Scope::of_type(generics).with_method(&signature.generics);
         let mut parts = builder::lower(&subject, scope, refusals)?;
         let name = &signature.ident;
-        if owned::owned(name).is_some() && is_moved(signature) {
+        if own_numbers::is_borrowed(signature) {
             parts.parameters[0] = quote! { &self };
         }
         let marker = format_ident!("__{}_{}", interface, lower::text(name));
@@ -280,14 +211,7 @@ pub fn implementation(
     }
     let mut hidden: Vec<syn::ImplItem> = Vec::new();
     let (mut builds, mut faces) = (Vec::new(), Vec::new());
-    let names = it.items.iter().filter_map(|item| match item {
-        syn::ImplItem::Fn(method) => owned::owned(&method.sig.ident).map(|_| &method.sig.ident),
-        _ => None,
-    });
-    let names: Vec<String> = names.map(lower::text).collect();
-    if !names.is_empty() {
-        OfNumbers(names).visit_item_impl_mut(&mut it);
-    }
+    own_numbers::by_methods(&mut it);
     for item in &mut it.items {
         let method = match item {
             syn::ImplItem::Fn(method) => method,

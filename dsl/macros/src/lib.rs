@@ -21,6 +21,7 @@ mod kind;
 mod library;
 mod lower;
 mod operators;
+mod own_numbers;
 mod owned;
 mod place;
 mod redirect;

@@ -1,0 +1,97 @@
+//! Interfaces of an author's own for numbers, `trait Scalar { fn sin(self) -> Self; }`, whose methods have the names of the
+//! numbers' own.
+//!
+//! Invariant: what the DSL owns is called by the DSL's name in annotated items, whatever it is called on. So a method of such
+//! a name has that name, too, and a number's own method is still the number's.
+//!
+//! Must not know: what companions and builders are.
+
+use quote::{ToTokens, format_ident};
+use syn::visit_mut::{self, VisitMut};
+
+use crate::{lower, owned};
+
+/// The DSL's name of a method that is called as one of numbers: what the DSL owns is called by its name in annotated items,
+/// whatever it is called on. It borrows, as its companion does, so that a number's own method is found before it.
+pub fn alias(method: &syn::TraitItemFn) -> Option<syn::TraitItem> {
+    let (name, own) = (&method.sig.ident, owned::owned(&method.sig.ident)?);
+    let mut signature = method.sig.clone();
+    signature.ident = own;
+    let moved = is_moved(&method.sig);
+    let arguments: Vec<syn::Expr> = signature
+        .inputs
+        .iter_mut()
+        .enumerate()
+        .map(|(index, input)| match input {
+            syn::FnArg::Receiver(it) if moved => {
+                *it = syn::parse_quote!(&self);
+                syn::parse_quote!(*self)
+            }
+            syn::FnArg::Receiver(_) => syn::parse_quote!(self),
+            syn::FnArg::Typed(it) => {
+                let name = format_ident!("__{index}");
+                it.pat = syn::parse_quote!(#name);
+                syn::parse_quote!(#name)
+            }
+        })
+        .collect();
+    let bounds = &mut signature.generics.make_where_clause().predicates;
+    bounds.push(syn::parse_quote!(Self: Sized));
+    if moved {
+        bounds.push(syn::parse_quote!(Self: ::core::marker::Copy));
+    }
+    Some(syn::parse_quote! {
+        #[doc(hidden)]
+        #[allow(dead_code)]
+        #signature { Self::#name(#(#arguments),*) }
+    })
+}
+
+/// Whether a method has a second name, by which it borrows what it takes by value.
+pub fn is_borrowed(signature: &syn::Signature) -> bool {
+    owned::owned(&signature.ident).is_some() && is_moved(signature)
+}
+
+/// Lets an implementation of methods of these names call the numbers' own as methods: `f64::sin(self)` is `self.sin()` there,
+/// since by its path it may be either trait's.
+pub fn by_methods(it: &mut syn::ItemImpl) {
+    let names = it.items.iter().filter_map(|item| match item {
+        syn::ImplItem::Fn(method) => owned::owned(&method.sig.ident).map(|_| &method.sig.ident),
+        _ => None,
+    });
+    let names: Vec<String> = names.map(lower::text).collect();
+    if !names.is_empty() {
+        OfNumbers(names).visit_item_impl_mut(it);
+    }
+}
+
+/// The names that an implementation gives a second meaning.
+struct OfNumbers(Vec<String>);
+
+impl VisitMut for OfNumbers {
+    fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
+        visit_mut::visit_expr_mut(self, expr);
+        let syn::Expr::Call(it) = &*expr else { return };
+        let syn::Expr::Path(function) = &*it.func else { return };
+        let path = owned::of_libm(&function.path).unwrap_or_else(|| function.path.clone());
+        let Some(name) = path.segments.last().map(|last| &last.ident) else { return };
+        let home = match (&function.qself, path.segments.len()) {
+            (Some(of), 1) => of.ty.to_token_stream().to_string(),
+            (None, 2) => lower::text(&path.segments[0].ident),
+            _ => return,
+        };
+        let is_number = bessemer_tree::number::Scalar::from_name(home.trim()).is_some();
+        let mut arguments = it.args.iter();
+        if is_number
+            && self.0.contains(&lower::text(name))
+            && let Some(receiver) = arguments.next()
+        {
+            *expr = syn::parse_quote! { (#receiver).#name(#(#arguments),*) };
+        }
+    }
+}
+
+/// Whether a method takes `self` by value.
+fn is_moved(signature: &syn::Signature) -> bool {
+    signature.receiver().is_some_and(|it| matches!(it.kind, syn::ReceiverKind::Value))
+}
