@@ -21,9 +21,9 @@ impl Deref for Pair {
 }
 
 #[data]
-impl Add<&Pair> for Pair {
+impl Add<&mut Pair> for Pair {
     type Output = Pair;
-    fn add(self, _other: &Pair) -> Pair {
+    fn add(self, _other: &mut Pair) -> Pair {
         self
     }
 }

@@ -68,14 +68,17 @@ pub fn implementation(
     if last(&path) == "PartialEq" {
         check_equality(&it, &other, refusals);
     }
-    // What is gathered may be references.
     let operand = Some(&other).filter(|_| known != Known::Gathering);
     for ty in [Some(&*it.self_ty), operand].into_iter().flatten() {
-        if matches!(ty, syn::Type::Reference(_)) {
-            refusals.add(ty, refuse::BORROWED_OPERAND);
+        if matches!(ty, syn::Type::Reference(it) if it.mutability.is_some()) {
+            refusals.add(ty, refuse::EXCLUSIVE_OPERAND);
         }
     }
-    if is_composed(&it.self_ty) {
+    let owner = match &*it.self_ty {
+        syn::Type::Reference(of) if known == Known::Operator => &of.elem,
+        owner => owner,
+    };
+    if is_composed(owner) {
         refusals.add(&it.self_ty, refuse::FOREIGN_OPERAND);
     }
     let mut named = associated(&it);

@@ -261,18 +261,32 @@ impl Builder {
             inner.suffix.extend(self.suffix(None, generics));
             return inner;
         }
-        let owner = owner.map(|owner| type_text(&owner));
-        let home = owner.as_deref().unwrap_or(named.module);
+        let home = owner.as_ref().map(type_text).unwrap_or_else(|| named.module.to_owned());
+        let mut name = name.to_owned();
+        let operand = generics.interface.and_then(|(of, arguments, _)| {
+            arguments.iter().find(|_| operators::is_operator(of)).map(|(_, operand)| operand)
+        });
+        // Beside `impl Add for Phasor` there may be those for references.
+        if let Some(Argument::Type(Ty::Ref(..))) = operand {
+            name.push_str("_ref");
+        }
+        let owner = owner.map(|owner| match owner {
+            Ty::Ref(of, _) => {
+                name.insert_str(0, "ref_");
+                type_text(&of)
+            }
+            owner => type_text(&owner),
+        });
         let path = match &generics.interface {
-            None => path(home, name, generics.own),
+            None => path(&home, named.name, generics.own),
             Some((interface, arguments, module)) => {
-                let interface = path(home, &format!("<{module}::{interface}>"), arguments);
-                path(&interface, name, generics.own)
+                let interface = path(&home, &format!("<{module}::{interface}>"), arguments);
+                path(&interface, named.name, generics.own)
             }
         };
         let suffix = self.suffix(owner.as_deref(), generics);
         let interface = generics.interface.map(|(name, ..)| name.to_owned());
-        Underway { path, depth, owner, interface, name: name.to_owned(), suffix }
+        Underway { path, depth, owner, interface, name, suffix }
     }
 
     /// What tells a function from others of its name and owner: what stands for its parameters and for

@@ -43,6 +43,12 @@ macro_rules! signs {
     };
 }
 
+/// Whether an interface is an operator, and no conversion.
+pub(super) fn is_operator(interface: &str) -> bool {
+    let other = ["From", "TryFrom", "FromIterator", "Extend", tree::ITERATOR];
+    is_sign(interface) && !other.contains(&interface)
+}
+
 signs! {
     of one type: Add Sub Mul Div Rem BitAnd BitOr BitXor Neg Not
         AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign;

@@ -171,7 +171,7 @@ reasons! {
     GENERIC_OPERATOR: "a `==` or an index of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name: `fn at(&self, i: usize) -> &T`";
     GENERIC_ITERATOR: "an iterator of one's own of a generic type is not in the DSL", "implement it for each instance, `impl Iterator for Countdown<8>`; or write a method that gives an iterator: `fn items(&self) -> impl Iterator<Item = T>`";
     OWN_ADAPTER: "an iterator of one's own is its `next` in the DSL", "leave this method out: Rust makes it of `next`";
-    BORROWED_OPERAND: "an operand is a value in the DSL", "derive `Copy`, and implement the trait for the values";
+    EXCLUSIVE_OPERAND: "an operand is not written in the DSL", "take it by `&`, or by value; or write a method with a name";
     TWO_TYPES_EQUAL: "`==` compares values of one type in the DSL", "convert one of the two, or write a method with a name";
     OWN_UNEQUAL: "`!=` is the opposite of `==` in the DSL", "leave `ne` out: Rust makes it of `eq`";
     OWN_ORDER: "an order of one's own is not in the DSL", "write a method with a name, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd` (enums without payload), or compare parts";

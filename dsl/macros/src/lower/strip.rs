@@ -33,7 +33,7 @@ pub fn strip(signature: &mut syn::Signature, body: &mut syn::Block, refusals: &m
     strip.visit_block_mut(body);
 }
 
-/// Gives the lifetimes that an `impl` block leaves out, `Reader<'_>`, names that stand before it.
+/// Gives the lifetimes that an `impl` block leaves out, `Reader<'_>`, `From<&Reading>`, names that stand before it.
 pub fn name_lifetimes(block: &mut syn::ItemImpl) {
     struct Named(Vec<syn::Lifetime>);
     impl VisitMut for Named {
@@ -43,6 +43,10 @@ pub fn name_lifetimes(block: &mut syn::ItemImpl) {
                 *it = syn::Lifetime::new(&name, proc_macro2::Span::mixed_site());
                 self.0.push(it.clone());
             }
+        }
+        fn visit_type_reference_mut(&mut self, it: &mut syn::TypeReference) {
+            it.lifetime.get_or_insert_with(|| syn::Lifetime::new("'_", it.and_token.span));
+            visit_mut::visit_type_reference_mut(self, it);
         }
     }
     let mut named = Named(Vec::new());
