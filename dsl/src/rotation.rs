@@ -69,6 +69,15 @@ impl<T: Real> UnitQuaternion<T> {
 
     /// The smallest rotation that turns `a` into `b`; none where they are opposite, so that its axis is open.
     pub fn rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self> {
+        scaled_rotation_between_axis(a, b, T::ONE)
+    }
+
+    /// The same, `share` times as far.
+    pub fn scaled_rotation_between_axis(
+        a: &UnitVector3<T>,
+        b: &UnitVector3<T>,
+        share: T,
+    ) -> Option<Self> {
         let across = a.cross(b);
         let cosine = a.dot(b);
         let squared = across.norm_squared();
@@ -78,12 +87,26 @@ impl<T: Real> UnitQuaternion<T> {
             }
             if cosine < T::ONE {
                 let axis = UnitVector3::new_unchecked(across / squared.sqrt());
-                return Some(from_axis_angle(&axis, cosine.acos()));
+                return Some(from_axis_angle(&axis, cosine.acos() * share));
             }
         } else if cosine < T::ZERO {
             return None;
         }
         Some(UnitQuaternion::identity())
+    }
+
+    /// The smallest rotation that turns the direction of `a` into that of `b`; none where they are opposite, and no rotation
+    /// where one of them is zero.
+    pub fn rotation_between(a: &Vector3<T>, b: &Vector3<T>) -> Option<Self> {
+        scaled_rotation_between(a, b, T::ONE)
+    }
+
+    /// The same, `share` times as far.
+    pub fn scaled_rotation_between(a: &Vector3<T>, b: &Vector3<T>, share: T) -> Option<Self> {
+        match (UnitVector3::try_new(*a, T::ZERO), UnitVector3::try_new(*b, T::ZERO)) {
+            (Some(from), Some(to)) => scaled_rotation_between_axis(&from, &to, share),
+            _ => Some(UnitQuaternion::identity()),
+        }
     }
 
     /// The rotation `share` times as far, about the same axis.
@@ -319,11 +342,34 @@ impl<T: Real> AngleMethods<T> for Rotation3<T> {
 pub trait BetweenMethods<T>: Sized {
     /// [`rotation_between_axis`].
     fn dsl_rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self>;
+    /// [`scaled_rotation_between_axis`].
+    fn dsl_scaled_rotation_between_axis(
+        a: &UnitVector3<T>,
+        b: &UnitVector3<T>,
+        share: T,
+    ) -> Option<Self>;
+    /// [`rotation_between`].
+    fn dsl_rotation_between(a: &Vector3<T>, b: &Vector3<T>) -> Option<Self>;
+    /// [`scaled_rotation_between`].
+    fn dsl_scaled_rotation_between(a: &Vector3<T>, b: &Vector3<T>, share: T) -> Option<Self>;
 }
 
 impl<T: Real> BetweenMethods<T> for UnitQuaternion<T> {
     fn dsl_rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self> {
         rotation_between_axis(a, b)
+    }
+    fn dsl_scaled_rotation_between_axis(
+        a: &UnitVector3<T>,
+        b: &UnitVector3<T>,
+        share: T,
+    ) -> Option<Self> {
+        scaled_rotation_between_axis(a, b, share)
+    }
+    fn dsl_rotation_between(a: &Vector3<T>, b: &Vector3<T>) -> Option<Self> {
+        rotation_between(a, b)
+    }
+    fn dsl_scaled_rotation_between(a: &Vector3<T>, b: &Vector3<T>, share: T) -> Option<Self> {
+        scaled_rotation_between(a, b, share)
     }
 }
 

@@ -87,6 +87,23 @@ proptest! {
     }
 
     #[test]
+    fn between_directions(a in vector(), b in vector(), share in 0.0..1.0_f64) {
+        let cosine = a.normalize().dot(&b.normalize());
+        let angle = acos(cosine);
+        if ComplexField::acos(cosine) == angle && agrees(angle * share / 2.0) {
+            let theirs = UnitQuaternion::scaled_rotation_between(&a, &b, share);
+            prop_assert_eq!(rotation::scaled_rotation_between(&a, &b, share).map(bits), theirs.map(bits));
+        }
+        if ComplexField::acos(cosine) == angle && agrees(angle / 2.0) {
+            let theirs = UnitQuaternion::rotation_between(&a, &b);
+            prop_assert_eq!(rotation::rotation_between(&a, &b).map(bits), theirs.map(bits));
+            let (a, b) = (UnitVector3::new_normalize(a), UnitVector3::new_normalize(b));
+            let theirs = UnitQuaternion::rotation_between_axis(&a, &b);
+            prop_assert_eq!(rotation::rotation_between_axis(&a, &b).map(bits), theirs.map(bits));
+        }
+    }
+
+    #[test]
     fn parts_of_the_way(a in unit(), b in unit(), share in 0.0..1.0_f64) {
         let cosine = a.coords.dot(&b.coords).abs();
         let angle = acos(cosine);
@@ -114,6 +131,12 @@ fn ends_are_those_of_nalgebra() {
     assert_eq!(bits(rotation::powf(&none, 2.0)), bits(none));
     let one = rotation::from_euler_angles(0.1, -0.2, 0.3);
     assert_eq!(bits(rotation::slerp(&one, &one, 0.7)), bits(one));
+    // Nothing turns zero, and nothing says which way something turns into its opposite.
+    let (x, zero) = (Vector3::x(), Vector3::zeros());
+    for (a, b) in [(zero, x), (x, zero), (x, x), (x, -x), (x * 2.0, -x * 3.0)] {
+        let theirs = UnitQuaternion::rotation_between(&a, &b);
+        assert_eq!(rotation::rotation_between(&a, &b).map(bits), theirs.map(bits));
+    }
     // Straight up and down: roll alone is left.
     for pitch in [-1.0, 1.0] {
         let half = 0.5_f64.sqrt();

@@ -52,9 +52,12 @@ pub const OWNED: &[&str] = &[
     "powf",
     "powi",
     "rem_euclid",
+    "rotation_between",
     "rotation_between_axis",
     "round",
     "scaled_axis",
+    "scaled_rotation_between",
+    "scaled_rotation_between_axis",
     "signum",
     "sin",
     "sin_cos",
@@ -131,6 +134,14 @@ pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
     let [home, last] = path.segments.iter().collect::<Vec<_>>()[..] else { return None };
     let is = |ident: &syn::Ident, known: &[&str]| known.iter().any(|it| ident == it);
     let known = ["convert", "distance", "distance_squared"];
+    let mut last = last.clone();
+    // `convert::<f64, T>`: what is converted is in double precision.
+    if let syn::PathArguments::AngleBracketed(list) = &mut last.arguments
+        && list.args.len() == 2
+        && matches!(&list.args[0], syn::GenericArgument::Type(syn::Type::Path(it)) if it.path.is_ident("f64"))
+    {
+        list.args = list.args.iter().skip(1).cloned().collect();
+    }
     (is(&home.ident, &["nalgebra", "na"]) && is(&last.ident, &known))
         .then(|| syn::parse_quote!(::bessemer::generate::generic::#last))
 }

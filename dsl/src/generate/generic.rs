@@ -71,6 +71,7 @@ macro_rules! floats {
                 __b_trunc() -> Self = numbers::Trunc;
                 __b_round() -> Self = numbers::Round;
                 __b_fract() -> Self = numbers::Fract;
+                __b_try_sqrt() -> Option<Self> = roots::__function_try_sqrt<Self>;
                 __b_recip() -> Self = numbers::Recip;
                 __b_to_degrees() -> Self = numbers::ToDegrees;
                 __b_to_radians() -> Self = numbers::ToRadians;
@@ -92,8 +93,6 @@ macro_rules! floats {
                 __b_infinity __function_infinity;
                 __b_neg_infinity __function_neg_infinity;
                 __b_nan __function_nan;
-                __b_max_value __function_max_value;
-                __b_min_value __function_min_value;
                 __b_min_positive_value __function_min_positive_value;
                 __b_pi __function_pi;
                 __b_two_pi __function_two_pi;
@@ -119,11 +118,15 @@ macro_rules! either {
             pub trait AnyFloatBuiltins: Sized {
                 $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
                 $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
+                fn __b_max_value() -> Self = [Either<Self, constants::__function_max_value<f64>, constants::__function_max_value<f32>>];
+                fn __b_min_value() -> Self = [Either<Self, constants::__function_min_value<f64>, constants::__function_min_value<f32>>];
             }
-            /// Of nalgebra's `RealField`.
+            /// Of nalgebra's `RealField`, which may be a number without a largest one.
             pub trait AnyRealBuiltins: Sized {
                 $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
                 $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
+                fn __b_max_value() -> Option<Self> = [Either<Self, constants::__function_largest<f64>, constants::__function_largest<f32>>];
+                fn __b_min_value() -> Option<Self> = [Either<Self, constants::__function_smallest<f64>, constants::__function_smallest<f32>>];
             }
         }
     };

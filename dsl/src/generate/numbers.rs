@@ -12,7 +12,7 @@ use super::builder::{Builder, Callee};
 use super::companions::{companions, markers};
 use super::slot::{Called, DslType, Seen, Value, dsl_types};
 use crate::math::whole::WholeCompanions;
-use crate::math::{ascii, checked, integer};
+use crate::math::{ascii, checked, integer, roots};
 
 markers! {
     From: Number(NumberMethod::From);
@@ -94,6 +94,7 @@ companions! {
         fn __b_trunc(self) -> Self = Trunc: Scalar(Intrinsic::Trunc);
         fn __b_round(self) -> Self = Round: Scalar(Intrinsic::Round);
         fn __b_fract(self) -> Self = Fract: Number(NumberMethod::Fract);
+        fn __b_try_sqrt(self) -> Option<Self> = [roots::__function_try_sqrt<Self>];
         fn __b_recip(self) -> Self = Recip: Number(NumberMethod::Recip);
         fn __b_to_degrees(self) -> Self = ToDegrees: Number(NumberMethod::ToDegrees);
         fn __b_to_radians(self) -> Self = ToRadians: Number(NumberMethod::ToRadians);

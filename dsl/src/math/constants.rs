@@ -50,6 +50,18 @@ pub fn min_value<T: Real>() -> T {
     T::MIN
 }
 
+/// The largest finite number, as nalgebra gives it: of other fields there may be none.
+#[function(expand)]
+pub fn largest<T: Real>() -> Option<T> {
+    Some(T::MAX)
+}
+
+/// The smallest finite number, as nalgebra gives it.
+#[function(expand)]
+pub fn smallest<T: Real>() -> Option<T> {
+    Some(T::MIN)
+}
+
 /// The smallest positive number that is not subnormal.
 #[function(expand)]
 pub fn min_positive_value<T: Real>() -> T {

@@ -97,3 +97,9 @@ pub fn hypot(x: f64, y: f64) -> f64 {
     let small = if width > height { height } else { width };
     if large < 1e150 && small > 1e-130 { length(large, small) } else { far_length(large, small) }
 }
+
+/// The square root, where there is one; as nalgebra, of ±0 that is ±0.
+#[function(expand)]
+pub fn try_sqrt<T: Real>(x: T) -> Option<T> {
+    if x >= T::ZERO { Some(x.sqrt()) } else { None }
+}

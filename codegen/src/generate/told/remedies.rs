@@ -62,7 +62,6 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
         | "face_towards"
         | "look_at_rh"
         | "look_at_lh"
-        | "rotation_between"
         | "from_euler_angles"
         | "from_axis_angle"
         | "from_scaled_axis"

@@ -62,6 +62,48 @@ void turned_between(const double a[3], const double b[3], option_pair_vector3_f6
     result->value.second = option_2.value.second;
 }
 
+void turned_share_between(const float a[3], const float b[3], float share, option_f32x4_t *result)
+{
+    option_unit_quaternion_f32_t whole_option;
+    rotation_rotation_between_f32(a, b, &whole_option);
+    if (!whole_option.is_some) {
+        *result = (option_f32x4_t){.is_some = false};
+        return;
+    }
+    const unit_quaternion_f32_t whole = whole_option.value;
+    option_unit_quaternion_f32_t part_option;
+    rotation_scaled_rotation_between_f32(a, b, share, &part_option);
+    if (!part_option.is_some) {
+        *result = (option_f32x4_t){.is_some = false};
+        return;
+    }
+    const unit_quaternion_f32_t part = part_option.value;
+    const float along_argument[3] = {1.0F, 0.0F, 0.0F};
+    option_vector3_f32_t along_option;
+    norms_try_direction_f32_3(b, 1e-6F, &along_option);
+    if (!along_option.is_some) {
+        *result = (option_f32x4_t){.is_some = false};
+        return;
+    }
+    option_unit_quaternion_f32_t along_option_2;
+    rotation_scaled_rotation_between_axis_f32(along_argument, along_option.value, share,
+        &along_option_2);
+    if (!along_option_2.is_some) {
+        *result = (option_f32x4_t){.is_some = false};
+        return;
+    }
+    const unit_quaternion_f32_t along = along_option_2.value;
+    unit_quaternion_f32_t left_first;
+    unit_quaternion_rotation_to_f32(&part, &whole, &left_first);
+    unit_quaternion_f32_t left;
+    unit_quaternion_product_f32(&left_first, &along, &left);
+    result->is_some = true;
+    result->value[0] = left.w;
+    result->value[1] = left.i;
+    result->value[2] = left.j;
+    result->value[3] = left.k;
+}
+
 void turned_about(const float axis[3], float angle, unit_quaternion_f32_t *unit_quaternion)
 {
     rotation_from_axis_angle_f32(axis, angle, unit_quaternion);

@@ -34,6 +34,16 @@ pub fn between(a: Vector3<f64>, b: Vector3<f64>) -> Option<(Vector3<f64>, f64)> 
     Some((axis.into_inner() * length, angle))
 }
 
+/// Part of the turn between two directions of any length; none where they are opposite.
+#[function]
+pub fn share_between(a: &Vector3<f32>, b: &Vector3<f32>, share: f32) -> Option<[f32; 4]> {
+    let whole = UnitQuaternion::rotation_between(a, b)?;
+    let part = UnitQuaternion::scaled_rotation_between(a, b, share)?;
+    let along = UnitQuaternion::scaled_rotation_between_axis(&Vector3::x_axis(), &Unit::try_new(*b, 1e-6)?, share)?;
+    let left = part.rotation_to(&whole) * along;
+    Some([left.w, left.i, left.j, left.k])
+}
+
 /// About an axis.
 #[function]
 pub fn about(axis: &UnitVector3<f32>, angle: f32) -> UnitQuaternion<f32> {
