@@ -271,6 +271,41 @@ pub fn for_each<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T)) {
     }
 }
 
+/// Does something to each, up to the first of which `f` makes nothing.
+#[function(expand)]
+pub fn try_for_each_some<T>(
+    items: impl Iterator<Item = T>,
+    mut f: impl FnMut(T) -> Option<()>,
+) -> Option<()> {
+    let mut done = Some(());
+    for item in items {
+        done = f(item);
+        if done.is_none() {
+            break;
+        }
+    }
+    done
+}
+
+/// Does something to each, up to the first that `f` fails of.
+///
+/// # Errors
+/// What `f` says of that one.
+#[function(expand)]
+pub fn try_for_each_ok<T, E>(
+    items: impl Iterator<Item = T>,
+    mut f: impl FnMut(T) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut done = Ok(());
+    for item in items {
+        done = f(item);
+        if done.is_err() {
+            break;
+        }
+    }
+    done
+}
+
 /// What `f` makes of the first and of each of the others, one after the other.
 #[function(expand)]
 pub fn reduce<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T, T) -> T) -> Option<T> {

@@ -81,6 +81,8 @@ mod bounded_arithmetic;
 #[doc(hidden)]
 pub mod comparison;
 pub mod complex;
+#[doc(hidden)]
+pub mod cut;
 mod element;
 #[doc(hidden)]
 pub mod exchange;

@@ -73,6 +73,28 @@ pub fn is_empty<T: Copy + PartialOrd>(range: &HalfOpen<T>) -> bool {
     !(range.start < range.end)
 }
 
+/// How many numbers a range has.
+macro_rules! lengths {
+    ($($length:ident: $int:ident,)*) => {$(
+        /// How many numbers there are in it.
+        #[function]
+        pub fn $length(range: &HalfOpen<$int>) -> usize {
+            if range.start < range.end { range.end.abs_diff(range.start) as usize } else { 0 }
+        }
+    )*};
+}
+
+lengths! {
+    len_u8: u8,
+    len_u16: u16,
+    len_u32: u32,
+    len_usize: usize,
+    len_i8: i8,
+    len_i16: i16,
+    len_i32: i32,
+    len_isize: isize,
+}
+
 #[diagnostic::do_not_recommend]
 impl<T: Plain> Plain for RangeInclusive<T> {
     const WORDS: usize = 2 * T::WORDS;

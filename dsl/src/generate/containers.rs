@@ -105,6 +105,12 @@ companions! {
         fn __b_contains(&self, _number: &T) -> bool = [range::__function_contains<T>];
         fn __b_is_empty(&self) -> bool = [range::__function_is_empty<T>];
     }
+    /// How many numbers a range has.
+    pub trait RangeLength: Sized {
+        /// Which function says so.
+        type Marker;
+        fn __b_len(&self) -> usize = [Self::Marker];
+    }
     /// Methods of integers that are not zero.
     pub trait NonZeroBuiltins[T]: Sized {
         fn __b_new(_value: T) -> Option<Self> = [non_zero::__function_new<T>];
@@ -118,6 +124,25 @@ impl<T: Value + Copy + Default, const N: usize> ListExtends<T> for List<T, N> {
 
 impl<T: Value + Copy + Default, const N: usize> ListExtends<&T> for List<T, N> {
     type Marker = list_edit::__function_extend_by<T, N>;
+}
+
+macro_rules! lengths {
+    ($($int:ident: $length:ident,)*) => {$(
+        impl RangeLength for Range<$int> {
+            type Marker = range::$length;
+        }
+    )*};
+}
+
+lengths! {
+    u8: len_u8,
+    u16: len_u16,
+    u32: len_u32,
+    usize: len_usize,
+    i8: len_i8,
+    i16: len_i16,
+    i32: len_i32,
+    isize: len_isize,
 }
 
 macro_rules! integers {

@@ -109,6 +109,20 @@ pub trait Tried<A> {}
 impl<A> Tried<A> for Option<A> {}
 impl<A, E> Tried<A> for Result<A, E> {}
 
+/// What is made of each item of type `T`, where a failure ends it.
+pub trait TriesEach<T> {
+    /// Which function goes through them.
+    type Marker;
+}
+
+impl<T> TriesEach<T> for Option<()> {
+    type Marker = iterate::__function_try_for_each_some<T>;
+}
+
+impl<T, E: Seen> TriesEach<T> for Result<(), E> {
+    type Marker = iterate::__function_try_for_each_ok<T, E::Slot>;
+}
+
 /// What an expression is gone through for.
 pub fn __items<I: IntoIterator>(_: I) -> Items<I::Item> {
     unreachable!("a witness copy is never run")
@@ -139,6 +153,7 @@ companions! {
         fn __b_product[P: core::iter::Product<Self::Item>](self) -> P
             = Product: Desugared(Desugared::Together(Together::Product));
         fn __b_for_each[F: FnMut(Self::Item)](self, _: F) -> () = [iterate::__function_for_each<Item<Self>>];
+        fn __b_try_for_each[R: TriesEach<Item<Self>>, F: FnMut(Self::Item) -> R](&mut self, _: F) -> R = [R::Marker];
         fn __b_reduce[F: FnMut(Self::Item, Self::Item) -> Self::Item](self, _: F) -> Option<Self::Item>
             = [iterate::__function_reduce<Item<Self>>];
         fn __b_nth(&mut self, _: usize) -> Option<Self::Item> = [iterate::__function_nth<Item<Self>>];

@@ -9,10 +9,11 @@ use nalgebra::SVector;
 
 use super::builder::{Builder, Callee};
 use super::companions::{companions, markers};
+use super::iterator::Items;
 use super::numbers::TryFromBuiltin;
 use super::slot::{Called, DslType, Seen, Value, dsl_types, never_held};
 use crate::math::Real;
-use crate::{search, slice_edit, sort};
+use crate::{cut, search, slice_edit, sort};
 
 companions! {
     pub mod traits[];
@@ -52,6 +53,14 @@ companions! {
         fn __b_first_chunk[const N: usize](&self) -> Option<&[T; N]> = FirstChunk: Slice(SliceMethod::FirstChunk);
         fn __b_split_first_chunk[const N: usize](&self) -> Option<(&[T; N], &[T])> = [SplitFirstChunk<N>];
         fn __b_split_last_chunk[const N: usize](&self) -> Option<(&[T], &[T; N])> = [SplitLastChunk<N>];
+    }
+    /// What slices are cut into.
+    impl[T: Seen] SliceCuts<T> for [T] {
+        fn __b_split['a, F: FnMut(&T) -> bool](&'a self, _: F) -> Items<&'a [T]> = [cut::__function_split<T::Slot>];
+        fn __b_split_inclusive['a, F: FnMut(&T) -> bool](&'a self, _: F) -> Items<&'a [T]>
+            = [cut::__function_split_inclusive<T::Slot>];
+        fn __b_chunk_by['a, F: FnMut(&T, &T) -> bool](&'a self, _: F) -> Items<&'a [T]>
+            = [cut::__function_chunk_by<T::Slot>];
     }
     /// The search of an element in a sorted slice.
     impl[T: Value + Copy + Ord] SliceSearch<T> for [T] {

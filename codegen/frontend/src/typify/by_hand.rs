@@ -2,20 +2,22 @@
 //!
 //! How many items were taken is a local of its own. Each loop through the iterator begins there, and counts on in each pass.
 //!
-//! Invariants: only what gives an item for each element, and remembers nothing, is gone through by hand; of anything else it
-//! is an error, unless it is named once.
+//! Invariants: only what gives an item for each element, and remembers nothing, is gone through by hand, and what a function
+//! gives by counting in one loop, whose values live on; of anything else it is an error, unless it is named once.
 //!
 //! Must not know: which methods end an iterator.
 
 use bessemer_ir::tree::visit::{Visit, Walk, walk_expr, walk_stmt};
-use bessemer_ir::tree::{self, BinaryOp, ExprKind as Tree, Pattern, Site, Source, Stmt};
+use bessemer_ir::tree::{
+    self, BinaryOp, EACH, ExprKind as Tree, NO_SLOT, Pattern, Site, Source, Stmt,
+};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Int, Scalar, Span, Stmt as Made, StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Int, Local, Scalar, Span, Stmt as Made, StmtKind, Type,
 };
 
 use super::choice::takes_all;
 use super::items::handing;
-use super::lowering::{Closure, Hand, Lowering};
+use super::lowering::{Closure, Hand, Lowering, meaning_in};
 use super::syntax::{generates, some_of};
 use super::value::Value;
 use super::{Result, refusals, refused};
@@ -25,6 +27,9 @@ const NEXT: &str = "bessemer::iterate::next";
 
 /// The index of an item that is taken, beside the item.
 const TAKEN: &str = "index%";
+
+/// What has as many items as an iterator has left.
+const PASSES: &str = "passes%";
 
 /// Such a loop over an iterator counts the items that it takes: its pattern has the index beside each. It is neither reversed nor
 /// zipped.
@@ -49,13 +54,62 @@ impl<'a> Lowering<'a, '_> {
             return Ok(iterator);
         }
         let taken = format!("taken%{through}");
-        let mut both = [(); 2].map(|()| (*self.closures[through]).clone());
+        let through = (*self.closures[through]).clone();
+        let (through, kept) = match self.begun(&through, site)? {
+            Some((own, kept)) => (own, kept),
+            None => (through, Vec::new()),
+        };
+        let mut both = [through.clone(), through];
         let [counted, again] = both.each_mut().map(|it| &mut *it.text.body);
         if !self.count(counted, &taken, true) || !self.count(again, &taken, false) {
             return refused(site, refusals::BY_HAND);
         }
+        // What takes no item changes a copy of what is kept.
+        let copies = kept.iter().map(|name| Stmt::Let {
+            name: name.clone(),
+            slot: NO_SLOT,
+            value: Some(tree::Expr::local(name, site)),
+            site,
+            mutable: true,
+        });
+        let mut stmts: Vec<_> = copies.collect();
+        if !stmts.is_empty() {
+            let each = std::mem::replace(again, tree::Expr::plain(Tree::Bool(false), site));
+            stmts.push(Stmt::Expr(each));
+            again.kind = Tree::Block(tree::Block { stmts, tail: None });
+        }
         let none = Expr::usize(0, self.span(site));
-        Ok(Value::Closure(self.hand(both, (&taken, format!("{name}_taken")), none).0))
+        Ok(Value::Closure(self.hand(both, (&taken, format!("{name}_taken")), none, kept).0))
+    }
+
+    /// Of an iterator that a function gives by counting in a loop of its own: the loop, behind what stands before it, which is
+    /// done here and now; and the names of what is kept from pass to pass.
+    fn begun(
+        &mut self,
+        through: &Closure<'a>,
+        site: Site,
+    ) -> Result<Option<(Closure<'a>, Vec<String>)>> {
+        let Some(of) = all_of(&through.text.body) else { return Ok(None) };
+        self.in_scope_of(through, None, site, |inner| {
+            let Some((function, arguments)) = inner.expansion(of).filter(|it| counts_on(it.0))
+            else {
+                return Ok(None);
+            };
+            let given = inner.given_to(function, arguments)?;
+            inner.inside(function, given, site, |inner| {
+                let Some((Stmt::Expr(each), before)) = function.tree.body.stmts.split_last() else {
+                    return Ok(None);
+                };
+                inner.stmts(&tree::Block { stmts: before.to_vec(), tail: None })?;
+                let kept = before.iter().filter_map(|stmt| match stmt {
+                    Stmt::Let { name, .. } => Some(name.clone()),
+                    _ => None,
+                });
+                let (name, parameters, body) = (None, Vec::new(), Box::new(each.clone()));
+                let own = inner.written_here(tree::Closure { name, parameters, body });
+                Ok(Some((own, kept.collect())))
+            })
+        })
     }
 
     /// The closure behind a copy of an iterator: the copy goes on from here by itself, and taking from the iterator does
@@ -64,10 +118,19 @@ impl<'a> Lowering<'a, '_> {
         let Some((counted, hand)) = self.hands.iter().find(|(_, hand)| hand.again == known) else {
             return known;
         };
-        let both = [*counted, known].map(|it| (*self.closures[it]).clone());
-        let (name, local) = hand.taken.clone();
+        let mut both = [*counted, known].map(|it| (*self.closures[it]).clone());
+        let ((name, local), kept) = (hand.taken.clone(), hand.kept.clone());
+        for name in &kept {
+            if let Some(&Value::Local(of)) = meaning_in(&both[0].scope.names, name) {
+                let Local { name: own, ty, span, .. } = self.locals[of.index()].clone();
+                let copy = self.let_local(own, Expr::local(of, &ty, span)).root;
+                for closure in &mut both {
+                    closure.scope.names.push(vec![(name.clone(), Value::Local(copy))]);
+                }
+            }
+        }
         let so_far = Expr::local(local, &Type::USIZE, self.locals[local.index()].span);
-        self.hand(both, (&name, self.locals[local.index()].name.clone()), so_far).1
+        self.hand(both, (&name, self.locals[local.index()].name.clone()), so_far, kept).1
     }
 
     /// An iterator of which so many items were taken, and what goes through the others and takes none.
@@ -76,6 +139,7 @@ impl<'a> Lowering<'a, '_> {
         both: [Closure<'a>; 2],
         (taken, name): (&str, String),
         so_far: Expr,
+        kept: Vec<String>,
     ) -> (usize, usize) {
         let local = self.let_local(name, so_far).root;
         let counted = self.closures.len();
@@ -84,7 +148,7 @@ impl<'a> Lowering<'a, '_> {
             self.closure(closure);
         }
         let again = counted + 1;
-        self.hands.insert(counted, Hand { again, taken: (taken.to_owned(), local) });
+        self.hands.insert(counted, Hand { again, taken: (taken.to_owned(), local), kept });
         (counted, again)
     }
 
@@ -169,10 +233,40 @@ impl<'a> Lowering<'a, '_> {
         let ([pattern], value) = some_of(condition)? else { return None };
         let (function, [array]) = self.called(value)? else { return None };
         let Tree::Local(name) = &array.kind else { return None };
-        if !is_next(function) || !takes_all(pattern) || Mentions::of(name, body) > 0 {
+        let is_iterator = self.iterator_named(array).is_some();
+        if !is_next(function) || !is_iterator || !takes_all(pattern) || Mentions::of(name, body) > 0
+        {
             return None;
         }
         Some((pattern, Source::Elements(array.clone(), false)))
+    }
+
+    /// `while let Some(x) = bytes.next()`, where the body takes more of them: as many passes as there are items left, of which
+    /// each takes one first.
+    pub(super) fn as_many_as_left(
+        &mut self,
+        condition: &tree::Expr,
+        body: &tree::Block,
+    ) -> Option<(Source, tree::Block)> {
+        let Tree::Let(pattern, value) = &condition.kind else { return None };
+        let ([_], _) = some_of(condition)? else { return None };
+        let (function, [iterator]) = self.called(value)? else { return None };
+        let through = self.iterator_named(iterator).filter(|_| is_next(function))?;
+        let again = &self.closures[self.hands.get(&through)?.again];
+        let site = condition.site;
+        let (source, hand_on) = (items_of(&again.text.body)?, Tree::Apply(EACH.into(), Vec::new()));
+        let each = Tree::each(Pattern::Any, source, tree::Expr::plain(hand_on, site));
+        let mut passes = (**again).clone();
+        *passes.text.body = tree::Expr::plain(each, site);
+        let passes = Value::Closure(self.closure(passes));
+        self.bind(PASSES, passes);
+        let leave = Stmt::Expr(tree::Expr::plain(Tree::Break(None, None), site));
+        let otherwise = Some(tree::Block { stmts: vec![leave], tail: None });
+        let taken =
+            Stmt::Apart { pattern: pattern.clone(), value: (**value).clone(), otherwise, site };
+        let mut body = body.clone();
+        body.stmts.insert(0, taken);
+        Some((Source::Elements(tree::Expr::local(PASSES, site), false), body))
     }
 }
 
@@ -190,6 +284,54 @@ fn is_for_each(function: &tree::Function) -> bool {
     let loops = |it: &tree::Expr| matches!(it.kind, Break(..) | Each { .. } | While { .. });
     let is_all = matches!(**source, Source::Elements(..));
     is_all && body.tail.is_none() && !pass.any_expr(loops)
+}
+
+/// What an iterator gives each item of, if it does nothing else.
+fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
+    let Tree::Each { pattern, source, body, .. } = &through.kind else { return None };
+    let Source::Elements(of, _) = &**source else { return None };
+    let ([Stmt::Expr(last)], None) = (&body.stmts[..], &body.tail) else { return None };
+    let handed = matches!(&last.kind, Tree::Apply(name, items)
+        if name == EACH && matches!((&**pattern, &items[..]), (Pattern::Name { name, .. }, [item])
+            if matches!(&item.kind, Tree::Local(it) if it == name)));
+    handed.then_some(of)
+}
+
+/// Whether a function that gives an iterator names a few values, and then counts in one loop to its end.
+fn counts_on(function: &tree::Function) -> bool {
+    let Some((Stmt::Expr(each), before)) = function.tree.body.stmts.split_last() else {
+        return false;
+    };
+    let Tree::Each { source, body: pass, .. } = &each.kind else { return false };
+    use Tree::{Break, Each, While};
+    let loops = |it: &tree::Expr| matches!(it.kind, Break(..) | Each { .. } | While { .. });
+    let named = |it: &Stmt| matches!(it, Stmt::Let { value: Some(_), .. });
+    generates(function)
+        && function.tree.body.tail.is_none()
+        && matches!(**source, Source::Numbers(_))
+        && before.iter().all(named)
+        && !pass.any_expr(loops)
+}
+
+/// What an iterator that is gone through by hand has its items of, where nothing is left out yet.
+fn items_of(through: &tree::Expr) -> Option<Source> {
+    let source = match &through.kind {
+        Tree::Block(block) => match block.stmts.last()? {
+            Stmt::Expr(through) => return items_of(through),
+            _ => return None,
+        },
+        Tree::Each { source, .. } => source,
+        _ => return None,
+    };
+    match &**source {
+        Source::Elements(tree::Expr { kind: Tree::Call(_, arguments), .. }, _) => {
+            arguments.iter().find_map(|it| match &it.kind {
+                Tree::Closure(inner) => items_of(&inner.body),
+                _ => None,
+            })
+        }
+        source => Some(source.clone()),
+    }
 }
 
 /// How often a name stands where a function runs: in a loop, more than once.

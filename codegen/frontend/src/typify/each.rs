@@ -35,6 +35,9 @@ impl Lowering<'_, '_> {
         if let Some(bound) = bound {
             return refused(bound.site, refusals::SHOWN_BOUND);
         }
+        if let Some(source) = &self.without_held_ranges(source) {
+            return self.each_stmt(Each { source, ..each });
+        }
         if let Source::Numbers(range) = source {
             return self.for_stmt((range, false), each);
         }

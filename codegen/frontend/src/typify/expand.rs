@@ -22,7 +22,7 @@ use super::{Problem, Result, diagnostic, problem, refusals, refused};
 const DSL: &str = "bessemer";
 
 /// Whether a function is one of the DSL's.
-fn is_ours(function: &tree::Function) -> bool {
+pub(super) fn is_ours(function: &tree::Function) -> bool {
     function.module.split("::").next() == Some(DSL)
 }
 
@@ -92,7 +92,7 @@ impl<'a> Lowering<'a, '_> {
                 let given = self.gone_through(argument)?;
                 self.by_hand(&param.name, given, &function.tree.body, argument.site)?
             }
-            (true, false) if begins_at_once(function) => self.gone_through_at_once(argument),
+            (true, false) if begins_at_once(function) => self.gone_through_at_once(argument)?,
             (true, false) => self.gone_through(argument)?,
             // In the scope that it was written in.
             _ if param.closure => Value::Closure(self.closure_given(argument)?),

@@ -1,10 +1,11 @@
 //! Expressions: each gets its type from its operands, and rustc's slot has to agree.
 
-use bessemer_ir::tree::{self, BinaryOp as Op, Site};
+use bessemer_ir::tree::{self, BinaryOp as Op, Role, Site};
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Float, Int, LogicOp, Routine, Scalar, Type, UnaryOp,
 };
 
+use super::expand::is_ours;
 use super::function::takes_closures;
 use super::lengths::plus;
 use super::lowering::Lowering;
@@ -230,7 +231,9 @@ impl Lowering<'_, '_> {
             }
             _ => self.beside_literal(both(None, None), expr.site)?,
         };
-        match literal::folded(op, &left, &right).filter(|_| of_instance) {
+        // The lengths that a function of the DSL's computes with are its caller's.
+        let of_caller = self.source.tree.role == Role::Expanded && is_ours(self.source);
+        match literal::folded(op, &left, &right).filter(|_| of_instance || of_caller) {
             Some(word) => self.node(ExprKind::Literal(word), left.ty, expr.site),
             None if of_instance && op == Op::Add && left.ty == Type::USIZE => Ok(plus(left, right)),
             None => self.binary_node(op, left, right, expr.site),

@@ -49,17 +49,19 @@ impl<'a> Lowering<'a, '_> {
         if let Some(known) = self.iterator_named(argument) {
             return Ok(Value::Closure(self.copy_of_hand(known)));
         }
+        self.check_taken(argument)?;
         let mut closure = handing(argument);
         self.settle_items(&mut closure.body)?;
         Ok(self.closure_here(closure))
     }
 
     /// The same of the only argument but closures of a function that goes through it before anything else.
-    pub(super) fn gone_through_at_once(&mut self, argument: &tree::Expr) -> Value {
-        match self.iterator_named(argument) {
+    pub(super) fn gone_through_at_once(&mut self, argument: &tree::Expr) -> Result<Value> {
+        self.check_taken(argument)?;
+        Ok(match self.iterator_named(argument) {
             Some(known) => Value::Closure(known),
             None => self.closure_here(handing(argument)),
-        }
+        })
     }
 
     /// What goes through a value, if that is an iterator.
@@ -113,7 +115,13 @@ impl<'a> Lowering<'a, '_> {
 
     pub(super) fn settle_source(&mut self, source: &mut Source) -> Result<()> {
         match source {
-            Source::Elements(array, owned) => self.settle_elements(array, *owned),
+            Source::Elements(array, owned) => {
+                self.settle_elements(array, *owned)?;
+                if let Some(range) = self.numbers_of(array) {
+                    *source = Source::Numbers(range);
+                }
+                Ok(())
+            }
             Source::Numbers(range) => {
                 let ty = self.source.slots.get(range.slot as usize).cloned().unwrap_or(SIZE);
                 self.settle_number(&mut range.from, "start%", &ty)?;

@@ -31,7 +31,7 @@ impl Lowering<'_, '_> {
         (range, reversed): (&tree::Range, bool),
         Each { site, label, pattern, body, .. }: Each,
     ) -> Result<()> {
-        let (ty, span) = (self.slot(range.slot, site)?, self.span(site));
+        let (ty, span) = (self.type_of_numbers(range, site)?, self.span(site));
         let ends = self.ends(range, &ty, site)?;
         let name = match pattern {
             Pattern::Name { name, .. } if !name.starts_with('_') => name,
@@ -67,6 +67,12 @@ impl Lowering<'_, '_> {
             && let Some((pattern, rest)) = self.rest_of(condition, body)
         {
             let (source, bound) = (&rest, None);
+            return self.each_stmt(Each { site, label, pattern, source, bound, body });
+        }
+        if let (Some(condition), None) = (condition, bound)
+            && let Some((source, body)) = self.as_many_as_left(condition, body)
+        {
+            let (source, pattern, body) = (&source, &Pattern::Any, &body);
             return self.each_stmt(Each { site, label, pattern, source, bound, body });
         }
         let span = self.span(site);

@@ -170,6 +170,8 @@ pub(super) struct Hand {
     pub again: usize,
     /// How many were taken: the name in the text, and the local.
     pub taken: (String, LocalId),
+    /// What it keeps from item to item, by the names in the text.
+    pub kept: Vec<String>,
 }
 
 /// A closure that a name means in the function that is being lowered.

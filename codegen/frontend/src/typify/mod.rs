@@ -30,6 +30,7 @@ mod function;
 mod gather;
 mod generator;
 mod generic;
+mod held_ranges;
 mod held_slices;
 mod implied;
 mod items;
@@ -266,6 +267,8 @@ struct Known<'a> {
     reversed: bool,
     /// It is a `BoundedMatrix`.
     bounded: bool,
+    /// It is a range; whether its end is in it.
+    range: Option<bool>,
     /// Of what stands for a quaternion: whether that is a unit one.
     unit: Option<bool>,
 }

@@ -36,7 +36,7 @@ impl Lowering<'_, '_> {
         step: Option<&tree::Expr>,
     ) -> Result<Seq> {
         let site = range.from.site;
-        let (ty, span) = (self.slot(range.slot, site)?, self.span(site));
+        let (ty, span) = (self.type_of_numbers(range, site)?, self.span(site));
         let int = counting(&ty, site)?;
         if range.to.is_some() {
             let steps = self.steps((range, down), step, (int, &ty))?;

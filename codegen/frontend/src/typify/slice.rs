@@ -137,6 +137,11 @@ impl Lowering<'_, '_> {
                 let ends = (from.as_deref(), to.as_deref());
                 return self.narrowed(base, ends, *inclusive, span).map(Some);
             }
+            tree::ExprKind::Index(base, index) if let Some(range) = self.numbers_of(index) => {
+                let base = self.sliced(base)?;
+                let ends = (Some(&range.from), range.to.as_ref());
+                return self.narrowed(base, ends, range.inclusive, span).map(Some);
+            }
             tree::ExprKind::Call(callee, arguments)
                 if self.builtin_of(*callee) == Some(Builtin::Slice(SliceMethod::Whole)) =>
             {

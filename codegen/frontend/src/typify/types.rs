@@ -114,6 +114,11 @@ impl<'a> Context<'a> {
         known.ordered = definition.ordered;
         known.reversed = path.starts_with("bessemer::comparison::Reverse<");
         known.bounded = path.starts_with("bessemer::bounded::BoundedMatrix<");
+        known.range = match path.split_once('<') {
+            Some(("bessemer::range::HalfOpen", _)) => Some(false),
+            Some(("bessemer::range::Closed", _)) => Some(true),
+            _ => None,
+        };
         known.unit = super::spatial::quaternion(path);
         self.types.insert(definition.path.clone(), ty);
         Ok(())

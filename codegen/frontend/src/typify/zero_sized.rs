@@ -112,6 +112,7 @@ impl Lowering<'_, '_> {
                 matches!(self.lookup(name, expr.site), Ok(Value::Nothing))
             }
             Tree::Ref(_, inner) | Tree::Deref(inner) => self.holds_nothing(inner),
+            Tree::Tuple(parts) if parts.is_empty() => true,
             Tree::Field(base, name) => {
                 if !self.cx.leaves_out {
                     return false;

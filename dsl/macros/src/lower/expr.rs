@@ -8,6 +8,7 @@ use quote::ToTokens;
 use super::link::is_source;
 use super::names::{UNIT, place, site, text};
 use super::operator::Side;
+use super::rewrite::held;
 use super::syntax::{is_of_type, is_variant, last_segment};
 use super::walk::{Lowering, see_in};
 use super::{call, loops, macros, operator, pattern, refuse, signature};
@@ -92,7 +93,7 @@ impl Lowering {
             syn::Expr::Tuple(it) => (self.tuple(it), !it.elems.is_empty()),
             syn::Expr::Struct(it) => (self.struct_literal(it), true),
             syn::Expr::Array(it) => (
-                ExprKind::Array(it.elems.iter_mut().map(|element| self.value(element)).collect()),
+                ExprKind::Array(it.elems.iter_mut().map(|element| self.part(element)).collect()),
                 true,
             ),
             syn::Expr::Repeat(it) => (ExprKind::Repeat(Box::new(self.value(&mut it.expr))), true),
@@ -187,8 +188,16 @@ impl Lowering {
         ExprKind::Slice(base, from, to, inclusive)
     }
 
+    /// A part of a struct, a tuple or an array: a range there is a value, which nothing goes through.
+    fn part(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        if let Some(range) = held(expr) {
+            *expr = range;
+        }
+        self.value(expr)
+    }
+
     fn tuple(&mut self, it: &mut syn::ExprTuple) -> ExprKind {
-        ExprKind::Tuple(it.elems.iter_mut().map(|element| self.value(element)).collect())
+        ExprKind::Tuple(it.elems.iter_mut().map(|element| self.part(element)).collect())
     }
 
     fn literal(&mut self, literal: &syn::Lit) -> ExprKind {
@@ -271,7 +280,7 @@ impl Lowering {
         for field in &mut it.fields {
             let name = pattern::member(&field.member);
             field.colon_token.get_or_insert_default();
-            fields.push((name, self.value(&mut field.expr)));
+            fields.push((name, self.part(&mut field.expr)));
         }
         let rest = it.rest.as_mut().map(|rest| Box::new(self.value(rest)));
         ExprKind::Struct(last_segment(&it.path), fields, rest)

@@ -31,7 +31,7 @@ impl Lowering {
                 }
                 return Some(method);
             }
-            syn::Expr::Range(it) => return held(it),
+            syn::Expr::Range(it) => return held(expr).filter(|_| is_held(it)),
             syn::Expr::Assign(it) => return by_let(it),
             // rustc has computed it in the original.
             syn::Expr::Const(syn::ExprConst { block, .. }) => return Some(parse_quote! { #block }),
@@ -168,16 +168,24 @@ fn by_ends(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
     Some(syn::Expr::MethodCall(call))
 }
 
-/// `first..=last` as a value: what Rust makes of it; and `start..end` of floats, which nothing goes through.
-fn held(it: &syn::ExprRange) -> Option<syn::Expr> {
+/// `start..end` or `first..=last` as a value: what Rust makes of it.
+pub(super) fn held(expr: &syn::Expr) -> Option<syn::Expr> {
+    let syn::Expr::Range(it) = bare(expr) else { return None };
     let (start, end) = (it.start.as_ref()?, it.end.as_ref()?);
-    match it.limits {
+    Some(match it.limits {
         syn::RangeLimits::Closed(_) => {
-            Some(parse_quote! { ::bessemer::generate::RangeInclusive::new(#start, #end) })
+            parse_quote! { ::bessemer::generate::RangeInclusive::new(#start, #end) }
         }
-        syn::RangeLimits::HalfOpen(_) => (is_float(start) || is_float(end))
-            .then(|| parse_quote! { ::core::ops::Range { start: #start, end: #end } }),
-    }
+        syn::RangeLimits::HalfOpen(_) => {
+            parse_quote! { ::core::ops::Range { start: #start, end: #end } }
+        }
+    })
+}
+
+/// Whether a range is a value wherever it stands: a closed one, and one of floats, which nothing goes through.
+fn is_held(it: &syn::ExprRange) -> bool {
+    let ends = [&it.start, &it.end].into_iter().flatten();
+    matches!(it.limits, syn::RangeLimits::Closed(_)) || ends.map(|end| &**end).any(is_float)
 }
 
 /// Whether an expression is the literal of a float.

@@ -1,0 +1,45 @@
+//! Something done to each item until it fails: `try_for_each`.
+
+use bessemer::prelude::*;
+
+/// What an item may be.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fault {
+    /// It is more than there may be.
+    Large(u8),
+    /// There are too many.
+    Many,
+}
+
+/// Copies those that are in order, up to one that is not.
+#[function]
+pub fn copied(values: &[u8; 5], most: u8, out: &mut [u8; 4]) -> Result<(), Fault> {
+    let mut count = 0_usize;
+    values.iter().try_for_each(|value| {
+        if *value > most {
+            return Err(Fault::Large(*value));
+        }
+        *out.get_mut(count).ok_or(Fault::Many)? = value.wrapping_add(1);
+        count += 1;
+        Ok(())
+    })
+}
+
+/// Whether none of the last ones is this one.
+#[function]
+pub fn without(values: &[u8], one: u8) -> Option<()> {
+    values.iter().rev().take(4).try_for_each(|value| (*value != one).then_some(()))
+}
+
+/// Goes on by `?`.
+#[function]
+pub fn both(values: &[u8; 5], most: u8) -> Result<u32, Fault> {
+    let mut sum = 0_u32;
+    values.iter().enumerate().try_for_each(|(i, value)| {
+        sum = sum.wrapping_mul(31).wrapping_add(u32::from(*value) ^ i as u32);
+        if *value > most { Err(Fault::Large(i as u8)) } else { Ok(()) }
+    })?;
+    without(values, most).ok_or(Fault::Many)?;
+    Ok(sum)
+}
