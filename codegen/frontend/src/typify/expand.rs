@@ -12,7 +12,7 @@ use bessemer_ir::tree::{self, Role, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Type};
 
 use super::call::Called;
-use super::items::begins_at_once;
+use super::items::{begins_at_once, lent};
 use super::lowering::{Lowering, Scope, local_since};
 use super::syntax::generates;
 use super::value::Value;
@@ -84,6 +84,7 @@ impl<'a> Lowering<'a, '_> {
         param: &tree::Param,
         argument: &tree::Expr,
     ) -> Result<(String, Value)> {
+        let argument = if param.items { lent(argument) } else { argument };
         let given = match (param.items, param.mutable) {
             (true, _) if self.own_next(argument).is_some() => {
                 Value::Place(self.own_iterator(argument)?)

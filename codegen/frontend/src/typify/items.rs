@@ -29,6 +29,16 @@ pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     tree::Closure { name: None, parameters: Vec::new(), body: Box::new(plain(each)) }
 }
 
+/// The iterator that is lent: `bytes` of `&mut *bytes`, and a chain of a reference to one. An array is not one.
+pub(super) fn lent(argument: &tree::Expr) -> &tree::Expr {
+    let Tree::Ref(true, of) = &argument.kind else { return argument };
+    match &of.kind {
+        Tree::Deref(inner) => inner,
+        Tree::Closure(_) | Tree::Call(..) => of,
+        _ => argument,
+    }
+}
+
 /// Whether a function goes through the one iterator that it takes before anything else that it takes is looked at.
 pub(super) fn begins_at_once(function: &tree::Function) -> bool {
     let params = &function.tree.params;

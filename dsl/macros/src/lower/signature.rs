@@ -74,7 +74,10 @@ fn parameter(
             let (name, slot, site) = (text(&ident), NO_SLOT, site(&ident));
             let (closure, items) =
                 (stands_for.is_some(), stands_for.as_ref().is_some_and(|it| it.items));
+            // What is lent is taken from, whatever its name is.
+            let lent = items && matches!(&*it.ty, syn::Type::Reference(_));
             let mutable = matches!(&*it.pat, syn::Pat::Ident(it) if it.mutability.is_some());
+            let mutable = mutable || lent;
             Some(Parameter {
                 param: Param { name, slot, site, closure, items, mutable },
                 pattern: it.pat.to_token_stream(),
