@@ -3,23 +3,6 @@ use bessemer::prelude::*;
 
 #[data]
 #[derive(Clone)]
-pub struct Pairs<T> {
-    pub first: T,
-    pub left: u32,
-}
-
-#[data]
-impl<T: Copy> Iterator for Pairs<T> {
-    type Item = T;
-
-    fn next(&mut self) -> Option<T> {
-        self.left = self.left.checked_sub(1)?;
-        Some(self.first)
-    }
-}
-
-#[data]
-#[derive(Clone)]
 pub struct Countdown {
     pub left: u32,
 }

@@ -11,6 +11,7 @@ use crate::attributes::{self, Asked};
 use crate::closures;
 use crate::docs;
 use crate::generics::Scope;
+use crate::implied;
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 use crate::owned;
 use crate::place::{named, registered};
@@ -128,6 +129,12 @@ pub fn method(
     let bound = owner_bound(scope, &quote! { #owner });
     let callee = callee(&quote! { <#owner> }, &marker, scope, bound, name);
     let register = register(name, &marker, scope);
+    let asked = scope.outer().is_generic() && !scope.own().is_generic();
+    let noted = implied::sign_of(&lower::text(name)).filter(|_| asked).map(|of| {
+        let build = build_name(name);
+        let bound = (scope.outer(), owner_bound(scope, &quote! { #owner }));
+        implied::noted(&of, (owner, owner), bound, &quote! { Self::#build })
+    });
     let (of_block, bounds) = (scope.outer().declared(), scope.outer().bounds([]));
     let builder = &parts.builder;
     quote! {
@@ -139,6 +146,7 @@ pub fn method(
             }
             #callee
             #register
+            #noted
         };
     }
 }
@@ -374,6 +382,10 @@ fn builder(
     } else {
         quote! { ::core::option::Option::None }
     };
+    // Where the methods of a generic type are built, what its implementations ask for is known.
+    let of_instance = subject.is_method() && !matches!(subject.home, Home::Interface(_));
+    let implied =
+        (of_instance && scope.outer().is_generic()).then(|| implied::ask(&quote! { Self }));
     let (told, own) = (scope.told(), scope.own().told());
     let interface = interface(subject.home, scope);
     let depth = match subject.home {
@@ -398,6 +410,7 @@ fn builder(
             #(#items)*
             #(#macros)*
             let __owner = #owner;
+            #implied
             let __generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface, depth: #depth };
             __cx.function(
                 #named, __owner, __generics, #text,

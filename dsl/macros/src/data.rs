@@ -15,6 +15,7 @@ use crate::closures;
 use crate::docs;
 use crate::generics::Scope;
 use crate::given::{self, On};
+use crate::implied;
 use crate::instance;
 use crate::interface;
 use crate::kind::Kind;
@@ -298,8 +299,8 @@ fn definition(
     kind: TokenStream,
 ) -> TokenStream {
     let docs = docs::lines(attributes);
-    let [equal, ordered, cloned, ranked] =
-        ["PartialEq", "PartialOrd", "Clone", "Ord"].map(|name| derives(name, attributes));
+    let [equal, ordered, copied, cloned, ranked] =
+        ["PartialEq", "PartialOrd", "Copy", "Clone", "Ord"].map(|name| derives(name, attributes));
     let ranked = ranked || !ordered;
     let given = said(attributes, On::Type);
     let (named, site) = (place::named(name), place::site(name));
@@ -307,6 +308,7 @@ fn definition(
     let lasting = scope.lasting();
     let held = scope.types().filter(|_| scope.lifetimes().next().is_some());
     let outer = scope.bounds(held.map(|name| quote! { #name: 'static }));
+    let implied = scope.is_generic().then(|| implied::ask(&quote! { Self }));
     let registered = (!scope.is_generic()).then(|| {
         place::registered(
             name,
@@ -324,6 +326,7 @@ fn definition(
                     #[allow(unused_imports)]
                     use ::bessemer::generate::NotImplemented as _;
                     let arguments = #told;
+                    #implied
                     let asked = ::bessemer::generate::Asked::<Self>::of();
                     let own = ::bessemer::generate::Own {
                         clone: !#cloned && asked.clones(),
@@ -332,7 +335,7 @@ fn definition(
                         lends: asked.lends(),
                     };
                     __cx.definition(
-                        #named, &[#(#docs),*], #site, arguments, (#equal, #ordered, own, #given),
+                        #named, &[#(#docs),*], #site, arguments, ([#equal, #ordered, #copied], own, #given),
                         &|__cx: &mut ::bessemer::generate::Builder| #kind,
                     )
                 }
@@ -523,9 +526,11 @@ fn methods(
         beside.extend(builder::method(&it.self_ty, &it.generics, &subject, &mut refusals));
         let own = closures::without(&method.sig.generics);
         let generic = Scope::of_function(&own).is_generic();
-        // What is refused is not built, and nothing more is told of it.
+        // What is refused is not built, and nothing more is told of it. What asks more of the type's parameters than the block
+        // not every instance has.
         if refusals.is_empty()
             && !generic
+            && own.where_clause.is_none()
             && (matches!(role, Role::Entry { .. })
                 || attributes::is_public(&method.vis) && kind == Kind::Data)
         {

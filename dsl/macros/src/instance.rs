@@ -7,6 +7,7 @@ use crate::builder;
 use crate::docs;
 use crate::generics::Scope;
 use crate::given::{self, On};
+use crate::implied;
 use crate::lower::{self, Refusals, refuse};
 use crate::place;
 
@@ -51,6 +52,7 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     }
     let (name, docs) = (&it.ident, docs::lines(&it.attrs));
     let (named, site) = (place::named(name), place::site(name));
+    let implied = implied::ask(&quote! { #name });
     let registered = place::registered(
         name,
         &quote! {
@@ -58,6 +60,7 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
                 #[allow(unused_imports)]
                 use ::bessemer::generate::WithoutEntries as _;
                 __cx.alias::<#name>(#named, &[#(#docs),*], #site, #given);
+                #implied
                 let instance = ::bessemer::generate::Instance::<#name>::new();
                 instance.build_entries(__cx);
                 instance.build_further_entries(__cx);

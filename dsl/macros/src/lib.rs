@@ -15,6 +15,7 @@ mod expression;
 mod function;
 mod generics;
 mod given;
+mod implied;
 mod instance;
 mod interface;
 mod kind;

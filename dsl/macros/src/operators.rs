@@ -12,6 +12,7 @@ use syn::visit_mut::{self, VisitMut};
 use crate::attributes;
 use crate::builder::{self, Home, Subject};
 use crate::generics::Scope;
+use crate::implied;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::place;
@@ -56,16 +57,11 @@ pub fn implementation(
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
     let Some((path, _)) = it.trait_.clone() else { return Default::default() };
-    let by_type = ["PartialEq", "Index", "IndexMut", "Iterator"].contains(&last(&path).as_str());
-    if by_type && Scope::of_type(&it.generics).is_generic() {
-        let reason = match known {
-            Known::Iteration => refuse::GENERIC_ITERATOR,
-            _ => refuse::GENERIC_OPERATOR,
-        };
-        refusals.add(&it.generics, reason);
-    }
     let other = argument(&path).unwrap_or_else(|| (*it.self_ty).clone());
     if last(&path) == "PartialEq" {
+        if Scope::of_type(&it.generics).types().next().is_some() {
+            refusals.add(&it.generics, refuse::GENERIC_EQUALITY);
+        }
         check_equality(&it, &other, refusals);
     }
     let operand = Some(&other).filter(|_| known != Known::Gathering);
@@ -88,7 +84,8 @@ pub fn implementation(
         named.push((format_ident!("Output"), output));
     }
     let mut beside = TokenStream::new();
-    if known == Known::Iteration && lower::generating() && refusals.is_empty() {
+    let generic = Scope::of_type(&it.generics).is_generic();
+    if known == Known::Iteration && !generic && lower::generating() && refusals.is_empty() {
         beside.extend(gone_through(&it.self_ty));
     }
     for item in &mut it.items {
@@ -213,7 +210,15 @@ impl Beside<'_> {
         let implements = quote! { ::bessemer::generate::Implements<#sign, #other> };
         let scope = Scope::of_type(generics);
         let (declared, bounds) = (scope.declared(), scope.value_bounds([]));
-        let registered = (!scope.is_generic()).then(|| self.registered(&name, &sign));
+        let by_type = ["PartialEq", "Index", "IndexMut", "Iterator"].contains(&name.as_str());
+        let registered = match scope.is_generic() {
+            false => Some(self.registered(&name, &sign)),
+            true => by_type.then(|| {
+                let build =
+                    quote! { <Self as ::bessemer::generate::Implements<#sign, #other>>::build };
+                implied::noted(&of, (owner, other), (scope, None), &build)
+            }),
+        };
         // Of what is converted, the copy also asks for the type of the error.
         let error = named.0.iter().find(|(it, _)| name == "TryFrom" && it == "Error");
         let error = error.map(|(_, ty)| quote! { type Error = #ty; });

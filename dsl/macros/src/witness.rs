@@ -151,6 +151,8 @@ fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> To
                 Constant::Made => quote! { ::bessemer::generate::made(__cx, &#slot, #path) },
             }
         });
+    let literals = walk.literals.iter().filter(|slot| (begin.slots..end.slots).contains(slot));
+    let literals = literals.map(|slot| lower::slot_name(*slot));
     quote! {
         #(let #slots = [];)*
         #(let #callees = [];)*
@@ -158,6 +160,7 @@ fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> To
         #copy
         __told.learn(__cx, &[#(&#slots),*], &[#(&#callees),*], &[#(&#owned),*]);
         #(__told.constants.push(#constants);)*
+        #(__asked(&#literals).note_iterator(__cx);)*
     }
 }
 

@@ -3,7 +3,7 @@
 //! Must not know: slots, companions and operators, which build on it.
 
 use alloc::borrow::ToOwned;
-use alloc::collections::BTreeSet;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -23,6 +23,21 @@ pub struct Builder {
     pub(super) known: BTreeSet<String>,
     /// The functions being built, outermost first.
     pub(super) stack: Vec<Underway>,
+    /// What instances of generic types have that is called by no name, by the names of trait, type and operand.
+    pub(super) untold: BTreeMap<[&'static str; 3], OwnOperator>,
+}
+
+/// An implementation of an operator that its author marked, or of what is called by no name.
+#[derive(Clone, Copy)]
+pub struct OwnOperator {
+    /// The trait.
+    pub name: &'static str,
+    /// The type of the first operand.
+    pub left: fn(&mut Builder) -> Ty,
+    /// That of the second; of the sign, the same.
+    pub right: fn(&mut Builder) -> Ty,
+    /// Builds the function.
+    pub build: fn(&mut Builder) -> tree::Callee,
 }
 
 /// A function that is being built, and what those in its body have of it.
@@ -188,14 +203,14 @@ impl Builder {
         }
     }
 
-    /// A struct or an enum, and whether it derives `==` and `<`; `kind` is asked once.
+    /// A struct or an enum, and whether it derives `==`, `<` and `Copy`; `kind` is asked once.
     pub fn definition(
         &mut self,
         named: Named,
         docs: &[&str],
         site: (u32, u32),
         arguments: &[(String, Argument)],
-        (equal, ordered, own, given): (bool, bool, Own, Option<Said>),
+        ([equal, ordered, copied], own, given): ([bool; 3], Own, Option<Said>),
         kind: &dyn Fn(&mut Builder) -> DefinitionKind,
     ) -> Ty {
         let path = path(named.module, named.name, arguments);
@@ -214,6 +229,7 @@ impl Builder {
                 site: Site(site.0, site.1),
                 equal,
                 ordered,
+                copied,
                 given: said(given),
                 kind,
             });
@@ -233,11 +249,25 @@ impl Builder {
 
     /// An author's own iterator that is `Copy`.
     pub fn copied_iterator(&mut self, named: Named, site: (u32, u32)) {
+        self.refuse_copied(named.name, named.file, Site(site.0, site.1));
+    }
+
+    /// The same of an instance, if its type derives that.
+    pub(super) fn check_iterator(&mut self, owner: &Ty) {
+        let is_it = |it: &&tree::Definition| matches!(owner, Ty::Named(path) if *path == it.path);
+        let copied = self.package.types.iter().find(is_it).filter(|it| it.copied);
+        if let Some((name, file, site)) =
+            copied.map(|it| (it.name.clone(), it.file.clone(), it.site))
+        {
+            self.refuse_copied(&name, &file, site);
+        }
+    }
+
+    fn refuse_copied(&mut self, name: &str, file: &str, site: Site) {
         let message = format!(
-            "`{}` is `Copy`, so a loop goes through a copy of it, and leaves it as it was",
-            named.name
+            "`{name}` is `Copy`, so a loop goes through a copy of it, and leaves it as it was"
         );
-        self.refuse(named.file, Site(site.0, site.1), message, "derive `Clone` without `Copy`");
+        self.refuse(file, site, message, "derive `Clone` without `Copy`");
     }
 
     /// How a function comes back to itself.

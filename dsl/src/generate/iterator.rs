@@ -12,7 +12,7 @@ use bessemer_tree::{Desugared, Together, Ty};
 use super::builder::{Builder, Callee};
 use super::companions::companions;
 use super::containers;
-use super::slot::{Called, DslType, Exclusive, Seen, Shared, dsl_types, never_held};
+use super::slot::{Called, DslType, Exclusive, Seen, Shared, Slot, dsl_types, never_held};
 use crate::{List, adapt, iterate};
 
 /// What the companion of a function gives that gives an iterator of `T`, and what the builder of one that takes it has.
@@ -126,6 +126,14 @@ impl<T, E: Seen> TriesEach<T> for Result<(), E> {
 /// What an expression is gone through for.
 pub fn __items<I: IntoIterator>(_: I) -> Items<I::Item> {
     unreachable!("a witness copy is never run")
+}
+
+/// Passes through what stands beside other items, and the function that takes its next item into the slot.
+pub fn __beside<I: IntoIterator<Item: Seen>>(
+    _: &Slot<iterate::__function_next<<I::Item as Seen>::Slot>>,
+    items: I,
+) -> I {
+    items
 }
 
 companions! {

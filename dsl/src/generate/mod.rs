@@ -10,6 +10,7 @@ pub mod containers;
 pub mod factored;
 pub mod generic;
 mod handed;
+mod implied;
 mod items;
 pub mod iterator;
 pub mod matrices;
@@ -24,16 +25,17 @@ mod wrapping;
 pub use alloc::string::String;
 pub use alloc::vec::Vec;
 pub use bessemer_tree as tree;
-pub use builder::{Builder, Callee, Defaults, Named, NoDefault, Said, Witness, words};
+pub use builder::{Builder, Callee, Defaults, Named, NoDefault, OwnOperator, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
 pub use containers::{array, mem};
 pub use core::ops::RangeInclusive;
 pub use handed::made;
+pub use implied::{NotImplied, OwnImplied, note_implied};
 pub use inventory;
 pub use items::{Build, Generics, Registered, argument, field, folders, number, package, variant};
 pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
-pub use operators::{Implements, Operates, Operation, OwnOperator, sign};
+pub use operators::{Implements, Operates, Operation, sign};
 pub use own::{Asked, NotImplemented, Own};
 pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
@@ -49,8 +51,9 @@ pub mod prelude {
     };
     pub use super::generic::ElementaryBuiltins as _;
     pub use super::handed::{__function, __made};
-    pub use super::iterator::__items;
+    pub use super::implied::{__asked, NotImplied as _};
     pub use super::iterator::traits::*;
+    pub use super::iterator::{__beside, __items};
     pub use super::matrices::traits::*;
     pub use super::matrices::{
         New1 as _, New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New8 as _, New9 as _,

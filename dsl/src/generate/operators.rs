@@ -15,7 +15,7 @@ use bessemer_tree as tree;
 use bessemer_tree::{Callee, Implied, Ty};
 use nalgebra::SMatrix;
 
-use super::builder::{self, Builder};
+use super::builder::{self, Builder, OwnOperator};
 use super::slot::{Of, ScalarType, Seen, Slot, Tells};
 use super::spatial;
 
@@ -52,7 +52,7 @@ pub(super) fn is_operator(interface: &str) -> bool {
 signs! {
     of one type: Add Sub Mul Div Rem BitAnd BitOr BitXor Neg Not
         AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign;
-    others: Shl Shr ShlAssign ShrAssign PartialEq From TryFrom Index IndexMut FromIterator Extend Iterator
+    others: Shl Shr ShlAssign ShrAssign PartialEq From TryFrom Index IndexMut FromIterator Extend Iterator Iter IterMut
 }
 
 /// A type of an author's with an operator or a conversion `O`, for an operand of type `B`.
@@ -207,18 +207,6 @@ pub fn __operated<M, R>(_: &Slot<M>, value: R, _: Slot<M>) -> R {
     value
 }
 
-/// An implementation of an operator that its author marked, or of one of [`IMPLIED`].
-pub struct OwnOperator {
-    /// The trait.
-    pub name: &'static str,
-    /// The type of the first operand.
-    pub left: fn(&mut Builder) -> Ty,
-    /// That of the second; of the sign, the same.
-    pub right: fn(&mut Builder) -> Ty,
-    /// Builds the function.
-    pub build: fn(&mut Builder) -> tree::Callee,
-}
-
 inventory::collect!(OwnOperator);
 
 /// What the operators of a function call.
@@ -260,10 +248,15 @@ pub(super) fn implied(cx: &mut Builder) -> Vec<Implied> {
             let scratch = &mut Builder::default();
             cx.knows(&(own.left)(scratch)) && cx.knows(&(own.right)(scratch))
         });
-        if found.is_empty() {
+        let untold = core::mem::take(&mut cx.untold);
+        if found.is_empty() && untold.is_empty() {
             break;
         }
-        for own in found {
+        for own in untold.values().filter(|own| own.name == tree::ITERATOR) {
+            let owner = (own.left)(cx);
+            cx.check_iterator(&owner);
+        }
+        for own in found.into_iter().chain(untold.values()) {
             let (owner, other) = ((own.left)(cx), (own.right)(cx));
             if let Callee::Function(function) = (own.build)(cx) {
                 let of = String::from(own.name);

@@ -71,6 +71,9 @@ pub struct Definition {
     /// Whether it derives `PartialOrd`, so that `<` compares the variants of an enum, the parts of a struct.
     #[serde(default)]
     pub ordered: bool,
+    /// Whether it derives `Copy`.
+    #[serde(default)]
+    pub copied: bool,
     /// The author's wishes for its C.
     #[serde(default)]
     pub given: Given,

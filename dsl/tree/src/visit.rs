@@ -233,7 +233,7 @@ macro_rules! visitor {
                     visitor.expr(array);
                     visitor.expr(size);
                 }
-                Source::Zip(one, other) | Source::Chain(one, other) => {
+                Source::Zip(one, other, _) | Source::Chain(one, other) => {
                     visitor.source(one);
                     visitor.source(other);
                 }

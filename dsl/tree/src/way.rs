@@ -16,8 +16,9 @@ pub enum Source {
     Numbers(Range),
     /// `array.windows(n)` and the like.
     Groups(Grouping, Expr, Expr),
-    /// `a.zip(b)`: as far as the shorter of the two.
-    Zip(Box<Source>, Box<Source>),
+    /// `a.zip(b)`: as far as the shorter of the two. Where the syntax does not show elements in `b`, the function that takes
+    /// the next item of it.
+    Zip(Box<Source>, Box<Source>, Option<u32>),
     /// `a.chain(b)`.
     Chain(Box<Source>, Box<Source>),
     /// `a.enumerate()`.
@@ -38,7 +39,7 @@ impl Source {
     /// What its items are made of, pair by pair.
     pub fn leaves(&self) -> Vec<&Source> {
         match self {
-            Source::Zip(one, other) => {
+            Source::Zip(one, other, _) => {
                 let mut leaves = one.leaves();
                 leaves.extend(other.leaves());
                 leaves

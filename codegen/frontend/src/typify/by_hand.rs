@@ -20,13 +20,16 @@ use super::items::handing;
 use super::lowering::{Closure, Hand, Lowering, meaning_in};
 use super::syntax::{generates, some_of};
 use super::value::Value;
-use super::{Result, refusals, refused};
+use super::{Needed, Result, refusals};
 
 /// The function that takes the next item of an iterator.
 const NEXT: &str = "bessemer::iterate::next";
 
 /// The index of an item that is taken, beside the item.
 const TAKEN: &str = "index%";
+
+/// What a link changes or leaves out items of.
+const WITHIN: &str = "within%";
 
 /// What has as many items as an iterator has left.
 const PASSES: &str = "passes%";
@@ -53,16 +56,26 @@ impl<'a> Lowering<'a, '_> {
         if self.hands.contains_key(&through) || Mentions::of(name, body) < 2 {
             return Ok(iterator);
         }
+        self.counted(name, through, site).map(Value::Closure)
+    }
+
+    /// The same iterator, of which items are taken one by one.
+    pub(super) fn counted(&mut self, name: &str, through: usize, site: Site) -> Result<usize> {
         let taken = format!("taken%{through}");
         let through = (*self.closures[through]).clone();
         let (through, kept) = match self.begun(&through, site)? {
             Some((own, kept)) => (own, kept),
             None => (through, Vec::new()),
         };
-        let mut both = [through.clone(), through];
+        let mut both = [through.clone(), through.clone()];
         let [counted, again] = both.each_mut().map(|it| &mut *it.text.body);
-        if !self.count(counted, &taken, true) || !self.count(again, &taken, false) {
-            return refused(site, refusals::BY_HAND);
+        // Where it was written, its calls have their numbers.
+        let counts = self.in_scope_of(&through, None, site, |inner| {
+            Ok(inner.count(counted, &taken, true) && inner.count(again, &taken, false))
+        })?;
+        if !counts {
+            let within = self.counted_within(name, &through, site)?;
+            return within.or_refused(site, refusals::BY_HAND);
         }
         // What takes no item changes a copy of what is kept.
         let copies = kept.iter().map(|name| Stmt::Let {
@@ -79,7 +92,45 @@ impl<'a> Lowering<'a, '_> {
             again.kind = Tree::Block(tree::Block { stmts, tail: None });
         }
         let none = Expr::usize(0, self.span(site));
-        Ok(Value::Closure(self.hand(both, (&taken, format!("{name}_taken")), none, kept).0))
+        Ok(self.hand(both, (&taken, format!("{name}_taken")), none, kept).0)
+    }
+
+    /// The same of what a link makes of another iterator, which is counted in its place.
+    fn counted_within(
+        &mut self,
+        name: &str,
+        through: &Closure<'a>,
+        site: Site,
+    ) -> Result<Option<usize>> {
+        let Some(of) = all_of(&through.text.body) else { return Ok(None) };
+        let within = self.in_scope_of(through, None, site, |inner| {
+            let Some((function, arguments)) = inner.expansion(of) else { return Ok(None) };
+            let mut params = function.tree.params.iter();
+            let at = params.position(|it| it.items).filter(|_| is_for_each(function));
+            let Some(at) = at else { return Ok(None) };
+            match inner.gone_through(&arguments[at])? {
+                Value::Closure(of) => Ok(Some((at, inner.counted(name, of, site)?))),
+                _ => Ok(None),
+            }
+        })?;
+        let Some((at, within)) = within else { return Ok(None) };
+        let hand = &self.hands[&within];
+        let (again, taken, kept) = (hand.again, hand.taken.clone(), hand.kept.clone());
+        let counted = self.closures.len();
+        for of in [within, again] {
+            let mut closure = through.clone();
+            if let Tree::Each { source, .. } = &mut closure.text.body.kind
+                && let Source::Elements(tree::Expr { kind: Tree::Call(_, arguments), .. }, _) =
+                    &mut **source
+            {
+                arguments[at] = tree::Expr::local(WITHIN, site);
+            }
+            closure.scope.names.push(vec![(WITHIN.to_owned(), Value::Closure(of))]);
+            self.closure(closure);
+        }
+        let hand = Hand { again: counted + 1, taken, kept, within: Some(within) };
+        self.hands.insert(counted, hand);
+        Ok(Some(counted))
     }
 
     /// Of an iterator that a function gives by counting in a loop of its own: the loop, behind what stands before it, which is
@@ -119,6 +170,9 @@ impl<'a> Lowering<'a, '_> {
             return known;
         };
         let mut both = [*counted, known].map(|it| (*self.closures[it]).clone());
+        if let Some(within) = hand.within {
+            return self.copy_within(both, within);
+        }
         let ((name, local), kept) = (hand.taken.clone(), hand.kept.clone());
         for name in &kept {
             if let Some(&Value::Local(of)) = meaning_in(&both[0].scope.names, name) {
@@ -131,6 +185,24 @@ impl<'a> Lowering<'a, '_> {
         }
         let so_far = Expr::local(local, &Type::USIZE, self.locals[local.index()].span);
         self.hand(both, (&name, self.locals[local.index()].name.clone()), so_far, kept).1
+    }
+
+    /// The same, where it is another iterator that is gone through by hand.
+    fn copy_within(&mut self, mut both: [Closure<'a>; 2], within: usize) -> usize {
+        let again = self.copy_of_hand(self.hands[&within].again);
+        let copied = self.hands.iter().find(|(_, hand)| hand.again == again);
+        let (within, taken, kept) = match copied {
+            Some((within, hand)) => (*within, hand.taken.clone(), hand.kept.clone()),
+            None => return again,
+        };
+        let counted = self.closures.len();
+        for (closure, of) in both.iter_mut().zip([within, again]) {
+            closure.scope.names.push(vec![(WITHIN.to_owned(), Value::Closure(of))]);
+            self.closure(closure.clone());
+        }
+        let hand = Hand { again: counted + 1, taken, kept, within: Some(within) };
+        self.hands.insert(counted, hand);
+        counted + 1
     }
 
     /// An iterator of which so many items were taken, and what goes through the others and takes none.
@@ -148,7 +220,8 @@ impl<'a> Lowering<'a, '_> {
             self.closure(closure);
         }
         let again = counted + 1;
-        self.hands.insert(counted, Hand { again, taken: (taken.to_owned(), local), kept });
+        self.hands
+            .insert(counted, Hand { again, taken: (taken.to_owned(), local), kept, within: None });
         (counted, again)
     }
 
@@ -248,11 +321,14 @@ impl<'a> Lowering<'a, '_> {
         condition: &tree::Expr,
         body: &tree::Block,
     ) -> Option<(Source, tree::Block)> {
-        let Tree::Let(pattern, value) = &condition.kind else { return None };
-        let ([_], _) = some_of(condition)? else { return None };
+        let ([item], value) = some_of(condition)? else { return None };
         let (function, [iterator]) = self.called(value)? else { return None };
         let through = self.iterator_named(iterator).filter(|_| is_next(function))?;
-        let again = &self.closures[self.hands.get(&through)?.again];
+        let mut hand = self.hands.get(&through)?;
+        while let Some(within) = hand.within {
+            hand = self.hands.get(&within)?;
+        }
+        let again = &self.closures[hand.again];
         let site = condition.site;
         let (source, hand_on) = (items_of(&again.text.body)?, Tree::Apply(EACH.into(), Vec::new()));
         let each = Tree::each(Pattern::Any, source, tree::Expr::plain(hand_on, site));
@@ -260,14 +336,24 @@ impl<'a> Lowering<'a, '_> {
         *passes.text.body = tree::Expr::plain(each, site);
         let passes = Value::Closure(self.closure(passes));
         self.bind(PASSES, passes);
-        let leave = Stmt::Expr(tree::Expr::plain(Tree::Break(None, None), site));
-        let otherwise = Some(tree::Block { stmts: vec![leave], tail: None });
-        let taken =
-            Stmt::Apart { pattern: pattern.clone(), value: (**value).clone(), otherwise, site };
-        let mut body = body.clone();
-        body.stmts.insert(0, taken);
+        let body = begun(item, value.clone(), body, site);
         Some((Source::Elements(tree::Expr::local(PASSES, site), false), body))
     }
+}
+
+/// A body that an item begins or, without one, the loop ends.
+pub(super) fn begun(
+    item: &Pattern,
+    next: tree::Expr,
+    body: &tree::Block,
+    site: Site,
+) -> tree::Block {
+    let leave = Stmt::Expr(tree::Expr::plain(Tree::Break(None, None), site));
+    let otherwise = Some(tree::Block { stmts: vec![leave], tail: None });
+    let pattern = Box::new(Pattern::Constructor("Some".into(), vec![item.clone()]));
+    let mut body = body.clone();
+    body.stmts.insert(0, Stmt::Apart { pattern, value: next, otherwise, site });
+    body
 }
 
 /// True for `bessemer::iterate::next`, the DSL's `Iterator::next`.
@@ -297,18 +383,18 @@ fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
     handed.then_some(of)
 }
 
-/// Whether a function that gives an iterator names a few values, and then counts in one loop to its end.
+/// Whether a function that gives an iterator, and takes none, names a few values, and then goes through one loop to its end.
 fn counts_on(function: &tree::Function) -> bool {
     let Some((Stmt::Expr(each), before)) = function.tree.body.stmts.split_last() else {
         return false;
     };
-    let Tree::Each { source, body: pass, .. } = &each.kind else { return false };
+    let Tree::Each { body: pass, .. } = &each.kind else { return false };
     use Tree::{Break, Each, While};
     let loops = |it: &tree::Expr| matches!(it.kind, Break(..) | Each { .. } | While { .. });
     let named = |it: &Stmt| matches!(it, Stmt::Let { value: Some(_), .. });
     generates(function)
         && function.tree.body.tail.is_none()
-        && matches!(**source, Source::Numbers(_))
+        && !function.tree.params.iter().any(|it| it.items)
         && before.iter().all(named)
         && !pass.any_expr(loops)
 }

@@ -35,7 +35,7 @@ impl Lowering<'_, '_> {
         if let Some(bound) = bound {
             return refused(bound.site, refusals::SHOWN_BOUND);
         }
-        if let Some(source) = &self.without_held_ranges(source) {
+        if let Some(source) = &self.meant(source) {
             return self.each_stmt(Each { source, ..each });
         }
         if let Source::Numbers(range) = source {
@@ -43,6 +43,9 @@ impl Lowering<'_, '_> {
         }
         if let Some(range) = ended_range(source) {
             return self.for_stmt(range, each);
+        }
+        if self.each_beside(each)? {
+            return Ok(());
         }
         if let Some(generated) = self.generated(source)? {
             return self.generated_stmt(generated, each);

@@ -13,16 +13,18 @@ use bessemer_ir::tree::visit::{Visit, Walk, walk_expr};
 use bessemer_ir::tree::{
     self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Pattern, Site, Source, Stmt,
 };
-use bessemer_ir::{Expr, Int, Scalar, StmtKind, Type};
+use bessemer_ir::{Expr, Int, Scalar, StmtKind};
 
-use super::by_hand::takes;
+use super::by_hand::{begun, takes};
 use super::call::Called;
+use super::closure_args::is_hidden;
 use super::each::Each;
 use super::items::handing;
 use super::lowering::{Closure, Lowering, local_since};
 use super::seq::{elements_through, pair};
 use super::syntax::generates;
 use super::value::Value;
+use super::words;
 use super::{Result, refusals, refused};
 
 /// What gives the items.
@@ -35,10 +37,17 @@ pub(super) enum By<'a, 'e> {
     Closure(&'e str, &'e [tree::Expr]),
 }
 
+impl By<'_, '_> {
+    /// Whether it gives elements or numbers as they are.
+    pub(super) fn has_elements(&self) -> bool {
+        matches!(self, By::Argument(through) if elements_through(through).is_some())
+    }
+}
+
 /// The authors' own `iter`s, but those beside which an `iter_mut` stands.
 pub(super) fn own_iterators(package: &tree::Package) -> Vec<&tree::Function> {
     let named = |name| {
-        let all = package.functions.iter().filter(|it| it.owner.is_some() && generates(it));
+        let all = package.functions.iter().filter(|it| it.owner.is_some());
         all.filter(move |it| it.tree.name == name)
     };
     let changed: Vec<_> = named(ITER_MUT).map(|it| &it.owner).collect();
@@ -50,7 +59,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn generated<'e>(&mut self, source: &'e Source) -> Result<Option<By<'a, 'e>>> {
         let leaves = source.leaves();
         for leaf in &leaves {
-            let Source::Elements(of, owned) = leaf else { continue };
+            let Source::Elements(of, _) = leaf else { continue };
             let by = if let Some(called) = self.expansion(of).filter(|it| generates(it.0)) {
                 By::Call(called)
             } else if let Tree::Apply(name, arguments) = &of.kind {
@@ -62,11 +71,6 @@ impl<'a> Lowering<'a, '_> {
                     continue;
                 }
                 By::Argument(through)
-            } else if !owned
-                // What is gone through by value is what `into_iter` gives, which may be something else.
-                && let Some(own) = self.own_items(of)?
-            {
-                By::Call(own)
             } else {
                 continue;
             };
@@ -78,18 +82,37 @@ impl<'a> Lowering<'a, '_> {
         Ok(None)
     }
 
-    /// An author's own `iter` of what is gone through: the adaptor is the iterator's own, as its name is. Not of a type that has
-    /// an `iter_mut` as well, since either may be meant.
-    fn own_items<'e>(&mut self, of: &'e tree::Expr) -> Result<Option<Called<'a, 'e>>> {
-        let is_place = matches!(of.kind, Tree::Local(_) | Tree::Field(..) | Tree::Index(..));
-        if !is_place || self.cx.own_iterators.is_empty() || self.holds_nothing(of) {
-            return Ok(None);
+    /// A loop through items beside what gives its own by itself: each pass takes the next of these, by `next`, and without one
+    /// the loop ends. False if the second has elements.
+    pub(super) fn each_beside(&mut self, each: Each) -> Result<bool> {
+        let (Source::Zip(one, other, Some(next)), site) = (each.source, each.site) else {
+            return Ok(false);
+        };
+        let Source::Elements(of, _) = &**other else { return Ok(false) };
+        if self.generated(other)?.is_none_or(|by| by.has_elements()) {
+            return Ok(false);
         }
-        let Type::Struct(id) = self.type_alone(of)? else { return Ok(None) };
-        let path = self.cx.types.iter().find(|(_, ty)| **ty == Type::Struct(id));
-        let Some((path, _)) = path else { return Ok(None) };
-        let own = self.cx.own_iterators.iter().find(|it| it.owner.as_ref() == Some(path));
-        Ok(own.map(|function| (*function, std::slice::from_ref(of))))
+        let [pattern, item] = pair(each.pattern, site)?;
+        // Rust evaluates the operands of `zip` from left to right.
+        let mut source = (**one).clone();
+        self.settle_source(&mut source)?;
+        let Value::Closure(through) = self.gone_through(of)? else { return Ok(false) };
+        let name = match &of.kind {
+            Tree::Local(name) if !is_hidden(name) => name,
+            _ => words::OTHERS,
+        };
+        let through = match self.hands.contains_key(&through) {
+            true => through,
+            false => self.counted(name, through, site)?,
+        };
+        self.naming_scope(|inner| {
+            inner.bind(OTHERS, Value::Closure(through));
+            let others = tree::Expr::local(OTHERS, site);
+            let next = tree::Expr::plain(Tree::Call(*next, vec![others]), site);
+            let body = begun(item, next, each.body, site);
+            inner.each_stmt(Each { pattern, source: &source, body: &body, ..each })
+        })?;
+        Ok(true)
     }
 
     /// `for pattern in function(arguments)`.
@@ -303,6 +326,9 @@ impl Visit for Hands {
 
 /// The index of an element that is handed on.
 const COUNTER: &str = "i%";
+
+/// What stands beside other items, and gives its own by itself.
+const OTHERS: &str = "others%";
 
 /// The number of the next item.
 const NEXT: &str = "next%";

@@ -127,9 +127,7 @@ impl<'a> Lowering<'a, '_> {
         match source {
             Source::Elements(array, owned) => {
                 self.settle_elements(array, *owned)?;
-                if let Some(range) = self.numbers_of(array) {
-                    *source = Source::Numbers(range);
-                }
+                self.mean(source);
                 Ok(())
             }
             Source::Numbers(range) => {
@@ -141,7 +139,7 @@ impl<'a> Lowering<'a, '_> {
                 self.settle_elements(array, false)?;
                 self.settle_number(size, "size%", &SIZE)
             }
-            Source::Zip(one, other) | Source::Chain(one, other) => {
+            Source::Zip(one, other, _) | Source::Chain(one, other) => {
                 self.settle_source(one)?;
                 self.settle_source(other)
             }

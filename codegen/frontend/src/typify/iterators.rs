@@ -5,12 +5,10 @@
 //!
 //! Must not know: how a loop ends, or shows that it does ([`loops`](super::loops)).
 
-use bessemer_ir::tree::{
-    self, Builtin, Desugared, ExprKind as Tree, Pattern, Site, Source, Stmt, Ty,
-};
+use bessemer_ir::tree::{self, Builtin, Desugared, ExprKind as Tree, Pattern, Site, Source, Ty};
 use bessemer_ir::{Expr, ExprKind, Mode, Place, Type};
 
-use super::by_hand::is_next;
+use super::by_hand::{begun, is_next};
 use super::closure_args::is_hidden;
 use super::each::Each;
 use super::function::result_of;
@@ -20,7 +18,7 @@ use super::syntax::bare;
 use super::value::Value;
 use super::{Context, Problem, Result, loops, names, refusals, words};
 
-/// The first number of the callees that no author names: the `next` of own iterators.
+/// The first number of the callees that no author names: `next` and `iter` of their own.
 const CALLEES: u32 = 1 << 31;
 
 /// Told where nothing shows how often a loop through one runs.
@@ -55,8 +53,9 @@ impl<'a> Context<'a> {
                 self.tell(&next.file, Problem { site: next.tree.site, message, help });
                 return;
             }
-            let next = tree::Callee::Function(it.function.clone());
-            self.iterators.push((ty.clone(), next));
+            let ty = ty.clone();
+            let next = self.unnamed(&it.function);
+            self.iterators.push((ty, next));
         }
     }
 
@@ -74,9 +73,20 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The callee with a number that no author names.
+    /// The number of a function that is called by no name.
+    pub(super) fn unnamed(&mut self, path: &str) -> u32 {
+        let is_it =
+            |it: &tree::Callee| matches!(it, tree::Callee::Function(known) if known == path);
+        let known = self.unnamed.iter().position(is_it).unwrap_or_else(|| {
+            self.unnamed.push(tree::Callee::Function(path.to_owned()));
+            self.unnamed.len() - 1
+        });
+        CALLEES + known as u32
+    }
+
+    /// The callee with such a number.
     pub(super) fn unnamed_callee(&self, number: u32) -> Option<&tree::Callee> {
-        self.iterators.get(number.checked_sub(CALLEES)? as usize).map(|(_, next)| next)
+        self.unnamed.get(number.checked_sub(CALLEES)? as usize)
     }
 }
 
@@ -119,8 +129,7 @@ impl Lowering<'_, '_> {
                 }
             }
         };
-        let known = self.cx.iterators.iter().position(|(own, _)| *own == ty)?;
-        Some(CALLEES + known as u32)
+        self.cx.iterators.iter().find(|(own, _)| *own == ty).map(|(_, next)| *next)
     }
 
     /// The operand of `&`, `*` and `by_ref()`, which all denote the same iterator.
@@ -188,7 +197,7 @@ impl Lowering<'_, '_> {
     fn own_source<'e>(&mut self, source: &'e Source) -> Option<Own<'e>> {
         match source {
             Source::Elements(of, _) => Some(Own::Alone(self.own_next(of)?, of)),
-            Source::Zip(one, other) => match &**other {
+            Source::Zip(one, other, _) => match &**other {
                 Source::Elements(of, _) => Some(Own::Beside(one, self.own_next(of)?, of)),
                 _ => None,
             },
@@ -203,15 +212,6 @@ impl Lowering<'_, '_> {
         let some = |pattern: &Pattern| {
             Box::new(Pattern::Constructor("Some".into(), vec![pattern.clone()]))
         };
-        let stop =
-            tree::Block { stmts: vec![Stmt::Expr(plain(Tree::Break(None, None)))], tail: None };
-        // The body, which an item begins or, without one, the loop ends.
-        let begun = |pattern: &Pattern, next: tree::Expr| {
-            let (pattern, otherwise) = (some(pattern), Some(stop.clone()));
-            let mut body = body.clone();
-            body.stmts.insert(0, Stmt::Apart { pattern, value: next, otherwise, site });
-            body
-        };
         match own {
             Own::Alone(callee, of) => {
                 let next = self.next_item(callee, of, site)?;
@@ -219,8 +219,13 @@ impl Lowering<'_, '_> {
                     // The loop of a chain is no `for` of the author's.
                     let hidden = matches!(pattern, Pattern::Name { name, .. } if is_hidden(name));
                     let written = self.expanding.is_empty() && !hidden;
-                    let looped =
-                        self.while_stmt(site, label, (None, None), &begun(pattern, next), None);
+                    let looped = self.while_stmt(
+                        site,
+                        label,
+                        (None, None),
+                        &begun(pattern, next, body, site),
+                        None,
+                    );
                     return looped.map_err(|mut problem| {
                         if problem.help == loops::DECLARE {
                             problem.message = UNBOUNDED.into();
@@ -238,7 +243,7 @@ impl Lowering<'_, '_> {
                 let mut source = source.clone();
                 self.settle_source(&mut source)?;
                 let next = self.next_item(callee, of, site)?;
-                let (source, body) = (&source, &begun(item, next));
+                let (source, body) = (&source, &begun(item, next, body, site));
                 self.each_stmt(Each { pattern, source, body, ..each })
             }
             Own::Numbered(own) => {

@@ -172,6 +172,8 @@ pub(super) struct Hand {
     pub taken: (String, LocalId),
     /// What it keeps from item to item, by the names in the text.
     pub kept: Vec<String>,
+    /// The iterator whose items a link changes or leaves out, which is gone through by hand in its place.
+    pub within: Option<usize>,
 }
 
 /// A closure that a name means in the function that is being lowered.

@@ -30,7 +30,7 @@ mod function;
 mod gather;
 mod generator;
 mod generic;
-mod held_ranges;
+mod gone_through;
 mod held_slices;
 mod implied;
 mod items;
@@ -316,8 +316,10 @@ struct Context<'a> {
     lending: HashSet<&'a str>,
     /// The authors' own `[…]`.
     indexing: Vec<(Type, &'a tree::Implied)>,
-    /// The authors' own iterators, each with its `next`.
-    iterators: Vec<(Type, tree::Callee)>,
+    /// The authors' own iterators, each with its `next`, by the number of the callee.
+    iterators: Vec<(Type, u32)>,
+    /// The functions that no author names.
+    unnamed: Vec<tree::Callee>,
     /// Functions that are still to be made.
     waiting: HashMap<&'a str, &'a tree::Function>,
     /// Functions that are being made, each for the one before.
@@ -358,6 +360,7 @@ impl<'a> Context<'a> {
             lending: HashSet::new(),
             indexing: Vec::new(),
             iterators: Vec::new(),
+            unnamed: Vec::new(),
             waiting: HashMap::new(),
             underway: Vec::new(),
             told: package.errors.iter().map(refusal).collect(),

@@ -86,7 +86,7 @@ impl Lowering<'_, '_> {
                 let count = groups(way, &slice.length, &size, span);
                 Ok(Seq::new(Kind::Groups(slice, way, size), Some(count), span))
             }
-            Source::Zip(one, other) => {
+            Source::Zip(one, other, _) => {
                 let (mut one, mut other) =
                     (self.inner_seq(one, site)?, self.inner_seq(other, site)?);
                 let most = one.most().into_iter().chain(other.most()).min();

@@ -33,6 +33,7 @@ pub(super) const VECTOR: &str = "vector";
 pub(super) const ELEMENTS: &str = "elements";
 pub(super) const SELECTOR: &str = "selector";
 pub(super) const PART: &str = "part";
+pub(super) const OTHERS: &str = "others";
 pub(super) const ELEMENT: &str = "element";
 
 /// What holds the result of an operation on matrices of integers.

@@ -4,10 +4,11 @@
 
 use bessemer_tree as tree;
 use bessemer_tree::{ExprKind, Source};
+use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::link::{Link, gives_references, is_source};
-use super::names::{UNIT, plain, text};
+use super::link::{Link, gives_references, is_iter, is_source};
+use super::names::{UNIT, callee_name, generating, plain, text};
 use super::walk::{Lowering, see_in};
 use super::{loops, refuse};
 
@@ -17,7 +18,7 @@ impl Lowering {
         let at = loops::bound_at(&it.attrs);
         let bound = self.bound(&mut it.attrs)?;
         // Of an iterator of one's own only types tell.
-        let shows = is_source(&it.expr)
+        let shows = is_source(&it.expr) && !is_iter(&it.expr)
             || matches!(&*it.expr, syn::Expr::Reference(it) if it.mutability.is_none());
         if let Some(at) = at.filter(|_| shows) {
             self.refusals.add(at, refuse::SHOWN_BOUND);
@@ -70,7 +71,7 @@ impl Lowering {
             Some(Link::Skip) => Source::Skip(of, self.value(&mut it.args[0])),
             Some(Link::Take) => Source::Take(of, self.value(&mut it.args[0])),
             Some(Link::StepBy) => Source::StepBy(of, self.value(&mut it.args[0])),
-            Some(Link::Zip) => Source::Zip(of, Box::new(self.source(&mut it.args[0]))),
+            Some(Link::Zip) => self.zipped(of, &mut it.args[0]),
             Some(Link::Chain) => Source::Chain(
                 of,
                 match self.source(&mut it.args[0]) {
@@ -88,6 +89,22 @@ impl Lowering {
                 other => other,
             },
         }
+    }
+
+    /// The items of two sources beside each other. What the second gives may be an iterator of which its syntax does not tell.
+    fn zipped(&mut self, of: Box<Source>, with: &mut syn::Expr) -> Source {
+        let shows = is_source(with) || matches!(with, syn::Expr::Reference(_));
+        let other = Box::new(self.source(with));
+        let next = (!shows).then(|| {
+            let callee = self.callee();
+            if generating() {
+                let name = callee_name(callee);
+                *with =
+                    syn::Expr::Verbatim(quote_spanned! { with.span() => __beside(&#name, #with) });
+            }
+            callee
+        });
+        Source::Zip(of, other, next)
     }
 
     fn numbers(&mut self, it: &mut syn::ExprRange) -> tree::Range {

@@ -42,6 +42,11 @@ impl Lowering {
             (_, true) => Some(self.see(expr)),
             _ => None,
         };
+        if let (ExprKind::Struct(name, ..), Some(slot)) = (&kind, slot)
+            && name != "Self"
+        {
+            self.literals.push(slot);
+        }
         self.operator(&mut kind, slot, expr, chained);
         tree::Expr { kind, site: place, slot }
     }

@@ -108,6 +108,11 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
     }
 }
 
+/// Whether an expression is `values.iter()`, which may be an iterator of the author's own.
+pub(super) fn is_iter(expr: &syn::Expr) -> bool {
+    matches!(expr, syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::Iter))
+}
+
 /// Whether an expression is `self`.
 fn is_self(expr: &syn::Expr) -> bool {
     matches!(expr, syn::Expr::Path(it) if it.path.get_ident().is_some_and(|it| text(it) == "self"))

@@ -168,10 +168,9 @@ reasons! {
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
     RANGE_VALUE: "a range that is written down is not a value in the DSL", "write it in a `for`; one that is held, `RangeInclusive::new(a, b)`, or as a constant: `const LIMITS: Range<u8> = 2..5;`";
     OPERATOR_TRAIT: "what lends by itself hides in the Rust what the C has to name", "write a method that gives the reference, `fn inner(&self) -> &Inner`";
-    GENERIC_OPERATOR: "a `==` or an index of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name: `fn at(&self, i: usize) -> &T`";
-    GENERIC_ITERATOR: "an iterator of one's own of a generic type is not in the DSL", "implement it for each instance, `impl Iterator for Countdown<8>`; or write a method that gives an iterator: `fn items(&self) -> impl Iterator<Item = T>`";
     OWN_ADAPTER: "an iterator of one's own is its `next` in the DSL", "leave this method out: Rust makes it of `next`";
     EXCLUSIVE_OPERAND: "an operand is not written in the DSL", "take it by `&`, or by value; or write a method with a name";
+    GENERIC_EQUALITY: "a `==` of one's own of a type with type parameters is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name: `fn is_same(&self, other: &Self) -> bool`";
     TWO_TYPES_EQUAL: "`==` compares values of one type in the DSL", "convert one of the two, or write a method with a name";
     OWN_UNEQUAL: "`!=` is the opposite of `==` in the DSL", "leave `ne` out: Rust makes it of `eq`";
     OWN_ORDER: "an order of one's own is not in the DSL", "write a method with a name, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd` (enums without payload), or compare parts";

@@ -26,6 +26,8 @@ pub struct Lowering {
     pub(super) callees: u32,
     /// The operators, which may be functions of a type that the library knows.
     pub operators: Vec<tree::Operator>,
+    /// The slots of structs that are written out by their names: what they are an instance of may be an iterator.
+    pub literals: Vec<u32>,
     /// Whether what is lowered next is the left operand of an operator.
     pub(super) chained: bool,
     /// The names that the operands of the operator have that is being lowered, where they are names.
