@@ -1,7 +1,7 @@
 //! Slices cut into parts, each handed to `__each`: core's `split`, `split_inclusive` and `chunk_by`.
 //!
-//! Invariants: the closure is asked of each element, or of each pair, once and in order, as core does; nothing stands behind
-//! `__each` in its pass.
+//! Invariants: the closure is asked of each element, or of each pair, once and in order; nothing stands behind `__each` in its
+//! pass.
 
 use crate::function;
 

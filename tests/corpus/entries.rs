@@ -130,6 +130,8 @@ impl Entries {
                     ty if has_no_words(ty) => return None,
                     // Which place it is shows where it is written.
                     Type::Reference(it) if it.mutability.is_some() => return None,
+                    // What lends a place may be no function in the C.
+                    Type::Reference(_) if self.methods => return None,
                     Type::Reference(_) => quote!(*result),
                     _ => quote!(result),
                 };

@@ -264,10 +264,12 @@ impl Builder {
         let home = owner.as_ref().map(type_text).unwrap_or_else(|| named.module.to_owned());
         let mut name = name.to_owned();
         let operand = generics.interface.and_then(|(of, arguments, _)| {
-            arguments.iter().find(|_| operators::is_operator(of)).map(|(_, operand)| operand)
+            arguments.iter().find(|_| operators::has_operand(of)).map(|(_, operand)| operand)
         });
-        // Beside `impl Add for Phasor` there may be those for references.
-        if let Some(Argument::Type(Ty::Ref(..))) = operand {
+        // Beside `impl Add for Phasor` there may be those for references; a slice is one anyway.
+        if let Some(Argument::Type(Ty::Ref(of, _))) = operand
+            && !matches!(**of, Ty::Slice(_))
+        {
             name.push_str("_ref");
         }
         let owner = owner.map(|owner| match owner {

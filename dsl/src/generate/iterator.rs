@@ -249,7 +249,7 @@ companions! {
     }
     /// What lends an iterator that is gone through by hand.
     pub trait ByHand: Iterator<Item: Seen>, Sized {
-        fn __b_by_ref(&mut self) -> Items<Self::Item> = ByRef: Desugared(Desugared::ByRef);
+        fn __b_by_ref(&mut self) -> &mut Items<Self::Item> = ByRef: Desugared(Desugared::ByRef);
     }
 }
 

@@ -43,9 +43,9 @@ macro_rules! signs {
     };
 }
 
-/// Whether an interface is an operator, and no conversion.
-pub(super) fn is_operator(interface: &str) -> bool {
-    let other = ["From", "TryFrom", "FromIterator", "Extend", tree::ITERATOR];
+/// Whether an interface is an operator or a conversion, of an operand.
+pub(super) fn has_operand(interface: &str) -> bool {
+    let other = ["FromIterator", "Extend", tree::ITERATOR];
     is_sign(interface) && !other.contains(&interface)
 }
 

@@ -20,10 +20,16 @@ use super::items::handing;
 use super::lowering::{Closure, Hand, Lowering, meaning_in};
 use super::syntax::{generates, some_of};
 use super::value::Value;
-use super::{Needed, Result, refusals};
+use super::{Needed, Result, refusals, refused};
 
 /// The function that takes the next item of an iterator.
 const NEXT: &str = "bessemer::iterate::next";
+
+/// Functions that Rust answers by the lengths of what they compare, where it knows these.
+const COMPARED: [&str; 2] = ["bessemer::iterate::eq", "bessemer::iterate::ne"];
+
+/// What stands beside other items; to the end of a chain Rust goes by the lengths, where it knows them.
+const ZIP: &str = "bessemer::adapt::zip";
 
 /// The index of an item that is taken, beside the item.
 const TAKEN: &str = "index%";
@@ -106,7 +112,7 @@ impl<'a> Lowering<'a, '_> {
         let within = self.in_scope_of(through, None, site, |inner| {
             let Some((function, arguments)) = inner.expansion(of) else { return Ok(None) };
             let mut params = function.tree.params.iter();
-            let at = params.position(|it| it.items).filter(|_| is_for_each(function));
+            let at = params.position(|it| it.items).filter(|_| inner.is_for_each(function));
             let Some(at) = at else { return Ok(None) };
             match inner.gone_through(&arguments[at])? {
                 Value::Closure(of) => Ok(Some((at, inner.counted(name, of, site)?))),
@@ -225,6 +231,23 @@ impl<'a> Lowering<'a, '_> {
         (counted, again)
     }
 
+    /// Refuses what takes a number of items of an iterator that goes on which Rust leaves to its version: of two lengths that it
+    /// knows it may take one item less, or none. `handed`: no `for` of the author's asks for the items.
+    pub(super) fn check_settled(
+        &self,
+        (function, handed): (&tree::Function, bool),
+        argument: &tree::Expr,
+    ) -> Result<()> {
+        let path = format!("{}::{}", function.module, function.tree.name);
+        let open = COMPARED.contains(&&*path) || path == ZIP && handed;
+        match self.iterator_named(argument) {
+            Some(named) if open && self.hands.contains_key(&named) => {
+                refused(argument.site, refusals::TAKEN_BY_LENGTH)
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Whether a value is how many items were taken of an iterator.
     pub(super) fn is_taken(&self, value: &Expr) -> bool {
         let mut hands = self.hands.values();
@@ -258,7 +281,7 @@ impl<'a> Lowering<'a, '_> {
             && let Some((function, _)) = self.expansion(of).filter(|(it, _)| generates(it))
         {
             let mut params = function.tree.params.iter();
-            let Some(at) = params.position(|it| it.items && is_for_each(function)) else {
+            let Some(at) = params.position(|it| it.items && self.is_for_each(function)) else {
                 return false;
             };
             let Tree::Call(_, arguments) = &mut of.kind else { return false };
@@ -294,6 +317,43 @@ impl<'a> Lowering<'a, '_> {
         }
         wrapped(source, &|inner| Source::Skip(inner, local(taken)));
         true
+    }
+
+    /// Whether a function that gives an iterator is one loop, which goes through all items that it takes, and remembers
+    /// nothing.
+    fn is_for_each(&self, function: &tree::Function) -> bool {
+        let [Stmt::Expr(through)] = function.tree.body.stmts.as_slice() else { return false };
+        function.tree.body.tail.is_none() && self.goes_through_all(function, through)
+    }
+
+    /// The same of a loop in it.
+    fn goes_through_all(&self, function: &tree::Function, through: &tree::Expr) -> bool {
+        let Tree::Each { source, body: pass, .. } = &through.kind else { return false };
+        use Tree::{Break, Each, While};
+        let loops = |it: &tree::Expr| matches!(it.kind, Break(..) | Each { .. } | While { .. });
+        let Source::Elements(of, _) = &**source else { return false };
+        !pass.any_expr(loops) && self.are_all(function, of)
+    }
+
+    /// Whether an expression in it is what it takes, or a link of a chain that gives an item for each of these.
+    fn are_all(&self, function: &tree::Function, of: &tree::Expr) -> bool {
+        match &of.kind {
+            Tree::Local(name) => function.tree.params.iter().any(|it| it.items && it.name == *name),
+            Tree::Closure(closure) => self.goes_through_all(function, &closure.body),
+            Tree::Call(callee, arguments) => {
+                let Some(tree::Callee::Function(path)) = function.callees.get(*callee as usize)
+                else {
+                    return false;
+                };
+                let Some(link) = self.cx.all.get(path.as_str()) else { return false };
+                let at = link.tree.params.iter().position(|it| it.items);
+                let taken = at.and_then(|at| arguments.get(at));
+                generates(link)
+                    && self.is_for_each(link)
+                    && taken.is_some_and(|taken| self.are_all(function, taken))
+            }
+            _ => false,
+        }
     }
 
     /// `while let Some(x) = bytes.next()`, as a loop through the rest of them: what goes through it in the body is another
@@ -361,17 +421,6 @@ pub(super) fn is_next(function: &tree::Function) -> bool {
     format!("{}::{}", function.module, function.tree.name) == NEXT
 }
 
-/// Whether a function that gives an iterator is one loop, which goes through all, and remembers nothing.
-fn is_for_each(function: &tree::Function) -> bool {
-    let body = &function.tree.body;
-    let [Stmt::Expr(through)] = body.stmts.as_slice() else { return false };
-    let Tree::Each { source, body: pass, .. } = &through.kind else { return false };
-    use Tree::{Break, Each, While};
-    let loops = |it: &tree::Expr| matches!(it.kind, Break(..) | Each { .. } | While { .. });
-    let is_all = matches!(**source, Source::Elements(..));
-    is_all && body.tail.is_none() && !pass.any_expr(loops)
-}
-
 /// What an iterator gives each item of, if it does nothing else.
 fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
     let Tree::Each { pattern, source, body, .. } = &through.kind else { return None };
@@ -420,28 +469,45 @@ fn items_of(through: &tree::Expr) -> Option<Source> {
     }
 }
 
-/// How often a name stands where a function runs: in a loop, more than once.
+/// How often a name stands where a function runs: in a loop, more than once; and where it is given another name, too.
 struct Mentions<'n> {
     name: &'n str,
     depth: usize,
     /// That of the name's `let`.
     declared: usize,
+    /// How many `let`s give the name: which one is meant does not show.
+    lets: usize,
     count: usize,
 }
 
 impl Mentions<'_> {
     fn of(name: &str, body: &tree::Block) -> usize {
-        let mut mentions = Mentions { name, depth: 0, declared: 0, count: 0 };
+        let mut mentions = Mentions { name, depth: 0, declared: 0, lets: 0, count: 0 };
         mentions.block(body);
-        mentions.count
+        if mentions.lets > 1 { mentions.count.max(2) } else { mentions.count }
+    }
+
+    /// Whether an expression is the name, or lends what it means: `&mut bytes`, `bytes.by_ref()`.
+    fn is_it(&self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            Tree::Local(name) => name == self.name,
+            Tree::Ref(true, of) | Tree::Deref(of) => self.is_it(of),
+            // Of a call only `by_ref` gives its receiver on; of any other it does no harm.
+            Tree::Call(_, arguments) => matches!(&arguments[..], [of] if self.is_it(of)),
+            _ => false,
+        }
     }
 }
 
 impl Visit for Mentions<'_> {
     fn stmt(&mut self, stmt: &Stmt) {
         walk_stmt(self, stmt);
-        if matches!(stmt, Stmt::Let { name, .. } if name == self.name) {
-            self.declared = self.depth;
+        if let Stmt::Let { name, value, .. } = stmt {
+            self.count += usize::from(value.as_ref().is_some_and(|value| self.is_it(value)));
+            if name == self.name {
+                self.lets += 1;
+                self.declared = self.depth;
+            }
         }
     }
 

@@ -131,6 +131,12 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
+    /// Whether a closure is an iterator with a name, which hands its items on.
+    fn is_iterator(&self, closure: usize) -> bool {
+        let hands = |it: &tree::Expr| matches!(&it.kind, tree::ExprKind::Apply(name, _) if name == tree::EACH);
+        self.closures[closure].text.body.any_expr(hands)
+    }
+
     /// A closure with what it uses, each a place that can be passed.
     fn captured(&mut self, text: tree::Closure, site: Site) -> Result<Closure<'a>> {
         let mut captures = Vec::new();
@@ -142,6 +148,9 @@ impl<'a> Lowering<'a, '_> {
                 !matches!(place.ty, Type::Slice(_)) && self.cx.slices_in(&place.ty).is_empty()
             };
             match (&meaning, self.place_of(&meaning, span)) {
+                (Value::Closure(of), _) if self.is_iterator(*of) => {
+                    return refused(site, refusals::ITERATOR_IN_CLOSURE);
+                }
                 (Value::Closure(_), _) => {}
                 (Value::Nothing, _) => captures.push((name, meaning)),
                 (_, Some(place)) if plain(&place) => captures.push((name, meaning)),

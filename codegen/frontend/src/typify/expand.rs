@@ -85,6 +85,9 @@ impl<'a> Lowering<'a, '_> {
         argument: &tree::Expr,
     ) -> Result<(String, Value)> {
         let argument = if param.items { lent(argument) } else { argument };
+        if param.items {
+            self.check_settled((function, false), argument)?;
+        }
         let given = match (param.items, param.mutable) {
             (true, _) if self.own_next(argument).is_some() => {
                 Value::Place(self.own_iterator(argument)?)

@@ -21,6 +21,7 @@ use super::closure_args::is_hidden;
 use super::each::Each;
 use super::items::handing;
 use super::lowering::{Closure, Lowering, local_since};
+use super::numbered::hands_on;
 use super::seq::{elements_through, pair};
 use super::syntax::generates;
 use super::value::Value;
@@ -121,6 +122,7 @@ impl<'a> Lowering<'a, '_> {
         by: By<'a, '_>,
         Each { site, label, pattern, source, body, .. }: Each,
     ) -> Result<()> {
+        let handed = body;
         let text = match &by {
             By::Argument(through) => Some(&*through.text.body),
             // What is counted before a loop is counted from the first item on.
@@ -154,6 +156,9 @@ impl<'a> Lowering<'a, '_> {
             let each = Value::Closure(inner.closure(each));
             match by {
                 By::Call((function, arguments)) => {
+                    if let Some(first) = arguments.first() {
+                        inner.check_settled((function, hands_on(handed)), first)?;
+                    }
                     let mut bound = inner.given_to(function, arguments)?;
                     bound.push((EACH.to_owned(), each));
                     let mut text = function.tree.body.clone();
@@ -236,7 +241,7 @@ impl<'a> Lowering<'a, '_> {
         let plain = |kind| tree::Expr::plain(kind, site);
         let size = Some(Scalar::Int(Int::Usize));
         let digits = |digits: &str| plain(Tree::Int(digits.into(), size));
-        let next = || tree::Expr::local(NEXT, site);
+        let next = || tree::Expr::local(NUMBER, site);
         let named = |name: &str, value| {
             let (name, value) = (name.into(), Some(value));
             Stmt::Let { name, slot: NO_SLOT, value, site, mutable: true }
@@ -244,7 +249,7 @@ impl<'a> Lowering<'a, '_> {
         let Pattern::Name { name, .. } = number else { return Ok(()) };
         let more = Tree::Assign(Some(tree::BinaryOp::Add), Box::new(next()), Box::new(digits("1")));
         body.stmts.splice(0..0, [named(name, next()), Stmt::Expr(plain(more))]);
-        let begin = tree::Block { stmts: vec![named(NEXT, digits("0"))], tail: None };
+        let begin = tree::Block { stmts: vec![named(NUMBER, digits("0"))], tail: None };
         self.stmts(&begin)
     }
 }
@@ -331,7 +336,7 @@ const COUNTER: &str = "i%";
 const OTHERS: &str = "others%";
 
 /// The number of the next item.
-const NEXT: &str = "next%";
+const NUMBER: &str = "next%";
 
 /// A loop through what a closure's body gives.
 fn through(body: &tree::Expr) -> tree::Expr {

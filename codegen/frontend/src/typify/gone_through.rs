@@ -13,7 +13,7 @@ use bessemer_ir::tree::{
 use super::closure_args::is_hidden;
 use super::function::result_of;
 use super::lowering::Lowering;
-use super::syntax::{generates, is_named};
+use super::syntax::generates;
 use super::{Result, refusals, refused};
 
 impl Lowering<'_, '_> {
@@ -101,7 +101,7 @@ impl Lowering<'_, '_> {
 
     fn numbers_in(&mut self, of: &tree::Expr) -> Option<Range> {
         // Whatever else is wrong with it is told where it is lowered.
-        let ty = is_named(of, false).then(|| self.place_type(of).ok())??;
+        let ty = is_place(of).then(|| self.place_type(of).ok())??;
         let (Type::Struct(id), inclusive) = (&ty, self.cx.known(&ty).range?) else { return None };
         let mut ends = self.cx.fields(*id).iter().map(|end| {
             tree::Expr::plain(Tree::Field(Box::new(of.clone()), end.name.clone()), of.site)
@@ -115,5 +115,17 @@ impl Lowering<'_, '_> {
             NO_SLOT => self.place_type(&range.from),
             slot => self.slot(slot, site),
         }
+    }
+}
+
+/// Whether an expression is a place that can be named twice: its indices are names and numbers.
+fn is_place(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        Tree::Local(_) => true,
+        Tree::Field(base, _) | Tree::Deref(base) => is_place(base),
+        Tree::Index(base, index) => {
+            is_place(base) && matches!(index.kind, Tree::Local(_) | Tree::Int(..))
+        }
+        _ => false,
     }
 }

@@ -198,7 +198,7 @@ fn counting(ty: &Type, site: Site) -> Result<Int> {
 }
 
 /// Whether a pass hands on what it goes through: then who asks for it is another.
-fn hands_on(body: &tree::Block) -> bool {
+pub(super) fn hands_on(body: &tree::Block) -> bool {
     let last = body.stmts.last();
     matches!(last, Some(tree::Stmt::Expr(tree::Expr { kind: Tree::Apply(name, _), .. })) if name == EACH)
 }

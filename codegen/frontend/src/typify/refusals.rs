@@ -77,6 +77,8 @@ reasons! {
     LENT_PLACE: "this is no place that could be lent", "end in a field or an element: `&self.axes[i]`";
     BOUNDED_MATRIX: "all elements of a `BoundedMatrix` are gone through by themselves, and from the first on", "give the matrix a name; or write `for column in 0..m.ncols()`, and index";
     RANGE_TAKEN: "a range that is held is gone through as it is in the DSL: nothing is taken from it", "go through a copy, `range.clone()`; or keep the number that comes next, and count on";
+    ITERATOR_IN_CLOSURE: "an iterator that a closure uses is not handed to a function in the DSL", "make the iterator in the closure, or give it to the function, `items: impl Iterator<Item = T>`";
+    TAKEN_BY_LENGTH: "how many items this takes of an iterator that goes on differs between versions of Rust", "take them first, `it.by_ref().take(n)`; or go through both in a `for`";
     OWN_ITER: "a loop goes through arrays and vectors in the DSL, also by the names `iter` and `iter_mut`", "write `for i in 0..n`, and index; or give this type a method of another name, `fn items(&self) -> impl Iterator<Item = &T>`; if it is an iterator itself, mark its `impl Iterator` block `#[data]`";
     GONE_THROUGH: "a loop goes through arrays and vectors in the DSL", "write `for i in 0..n`, and index";
     EMPTY_GROUPS: "no elements at a time never come to an end", "write a number above 0";

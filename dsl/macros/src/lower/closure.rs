@@ -9,7 +9,7 @@ use quote::quote;
 use syn::visit::{self, Visit};
 
 use super::handed::is_function;
-use super::names::{plain, site, text};
+use super::names::{generating, plain, site, text};
 use super::refuse::Refusals;
 use super::signature::Names;
 use super::syntax::names;
@@ -124,7 +124,9 @@ impl Lowering {
             body.slot = Some(self.see(&mut closure.body));
         }
         let copy = &closure.body;
-        *closure.body = syn::Expr::Verbatim(quote! { { #(#looks)* #copy } });
+        // Behind it rustc checks no borrows: an operand that the body moves is looked at first.
+        let unreached = generating().then(|| quote! { __unreached(); });
+        *closure.body = syn::Expr::Verbatim(quote! { { #unreached #(#looks)* #copy } });
         let Some(label) = label else { return body };
         let (site, slot) = (body.site, body.slot);
         let block = tree::Block { stmts: Vec::new(), tail: Some(Box::new(body)) };

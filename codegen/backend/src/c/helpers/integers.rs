@@ -213,7 +213,10 @@ static inline {ty} {name}({ty} a, {ty} b)
 /// `a - b` of two values that may be negative, in the unsigned type, modulo its range.
 fn unsigned_difference(int: Int, a: &str, b: &str) -> String {
     let unsigned = unsigned_type(int);
-    if int.bits() < 32 {
+    if int.bits() < 32 && int.signed() {
+        // What is narrowed is unsigned already (MISRA C:2012, rule 10.8).
+        format!("({unsigned})(({unsigned}){a} - ({unsigned}){b})")
+    } else if int.bits() < 32 {
         format!("({unsigned})({a} - {b})")
     } else if int.signed() {
         format!("({unsigned}){a} - ({unsigned}){b}")
