@@ -129,8 +129,9 @@ pub fn method(
     let bound = owner_bound(scope, &quote! { #owner });
     let callee = callee(&quote! { <#owner> }, &marker, scope, bound, name);
     let register = register(name, &marker, scope);
-    let asked = scope.outer().is_generic() && !scope.own().is_generic();
-    let noted = implied::sign_of(&lower::text(name)).filter(|_| asked).map(|of| {
+    let of_each =
+        scope.outer().is_generic() && !scope.own().is_generic() && own.where_clause.is_none();
+    let noted = implied::sign_of(&lower::text(name)).filter(|_| of_each).map(|of| {
         let build = build_name(name);
         let bound = (scope.outer(), owner_bound(scope, &quote! { #owner }));
         implied::noted(&of, (owner, owner), bound, &quote! { Self::#build })

@@ -526,8 +526,7 @@ fn methods(
         beside.extend(builder::method(&it.self_ty, &it.generics, &subject, &mut refusals));
         let own = closures::without(&method.sig.generics);
         let generic = Scope::of_function(&own).is_generic();
-        // What is refused is not built, and nothing more is told of it. What asks more of the type's parameters than the block
-        // not every instance has.
+        // A refused method is not built. A method with a `where` of its own does not exist for every instance.
         if refusals.is_empty()
             && !generic
             && own.where_clause.is_none()

@@ -2,12 +2,13 @@
 //!
 //! How many items were taken is a local of its own. Each loop through the iterator begins there, and counts on in each pass.
 //!
-//! Invariants: only what gives an item for each element, and remembers nothing, is gone through by hand, and what a function
-//! gives by counting in one loop, whose values live on; of anything else it is an error, unless it is named once.
+//! Invariants: an iterator is gone through by hand if it gives at most one item for each item of its source and has no state of
+//! its own, or if a generator function gives it by one loop, whose locals then live on. Any other iterator that is used more
+//! than once is an error.
 //!
 //! Must not know: which methods end an iterator.
 
-use bessemer_ir::tree::visit::{Visit, Walk, walk_expr, walk_stmt};
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{
     self, BinaryOp, EACH, ExprKind as Tree, NO_SLOT, Pattern, Site, Source, Stmt,
 };
@@ -18,6 +19,7 @@ use bessemer_ir::{
 use super::choice::takes_all;
 use super::items::handing;
 use super::lowering::{Closure, Hand, Lowering, meaning_in};
+use super::mentions::mentions;
 use super::syntax::{generates, some_of};
 use super::value::Value;
 use super::{Needed, Result, refusals, refused};
@@ -25,19 +27,19 @@ use super::{Needed, Result, refusals, refused};
 /// The function that takes the next item of an iterator.
 const NEXT: &str = "bessemer::iterate::next";
 
-/// Functions that Rust answers by the lengths of what they compare, where it knows these.
+/// The ends that compare two iterators. Where std knows both lengths, it compares these first and may take no item at all.
 const COMPARED: [&str; 2] = ["bessemer::iterate::eq", "bessemer::iterate::ne"];
 
-/// What stands beside other items; to the end of a chain Rust goes by the lengths, where it knows them.
+/// The adapter `zip`. Where std knows both lengths, a fold over it takes exactly as many items as the shorter one has.
 const ZIP: &str = "bessemer::adapt::zip";
 
 /// The index of an item that is taken, beside the item.
 const TAKEN: &str = "index%";
 
-/// What a link changes or leaves out items of.
+/// The name of the counted iterator below an adapter, in the adapter's call.
 const WITHIN: &str = "within%";
 
-/// What has as many items as an iterator has left.
+/// The name of an iterator with as many items as another has left, through which a `while let` loops.
 const PASSES: &str = "passes%";
 
 /// Such a loop over an iterator counts the items that it takes: its pattern has the index beside each. It is neither reversed nor
@@ -56,20 +58,29 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
     ) -> Result<Value> {
         let Value::Closure(through) = iterator else { return Ok(iterator) };
-        if let Some((counted, _)) = self.hands.iter().find(|(_, hand)| hand.again == through) {
-            return Ok(Value::Closure(*counted));
+        if let Some(counted) = self.counted_already(through) {
+            return Ok(Value::Closure(counted));
         }
-        if self.hands.contains_key(&through) || Mentions::of(name, body) < 2 {
+        if mentions(name, body) < 2 {
             return Ok(iterator);
         }
         self.counted(name, through, site).map(Value::Closure)
     }
 
+    /// The counted iterator that an iterator is, or that goes through the same items.
+    fn counted_already(&self, through: usize) -> Option<usize> {
+        let mut all = self.hands.iter();
+        all.find(|(counted, hand)| **counted == through || hand.again == through).map(|it| *it.0)
+    }
+
     /// The same iterator, of which items are taken one by one.
     pub(super) fn counted(&mut self, name: &str, through: usize, site: Site) -> Result<usize> {
+        if let Some(counted) = self.counted_already(through) {
+            return Ok(counted);
+        }
         let taken = format!("taken%{through}");
         let through = (*self.closures[through]).clone();
-        let (through, kept) = match self.begun(&through, site)? {
+        let (through, kept) = match self.started(&through, site)? {
             Some((own, kept)) => (own, kept),
             None => (through, Vec::new()),
         };
@@ -83,7 +94,7 @@ impl<'a> Lowering<'a, '_> {
             let within = self.counted_within(name, &through, site)?;
             return within.or_refused(site, refusals::BY_HAND);
         }
-        // What takes no item changes a copy of what is kept.
+        // A loop through a copy of the iterator must not change the iterator's state, so it works on copies of the locals.
         let copies = kept.iter().map(|name| Stmt::Let {
             name: name.clone(),
             slot: NO_SLOT,
@@ -101,7 +112,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(self.hand(both, (&taken, format!("{name}_taken")), none, kept).0)
     }
 
-    /// The same of what a link makes of another iterator, which is counted in its place.
+    /// Counts the iterator below an adapter, `values.iter().map(f)`, where the adapter itself cannot be counted.
     fn counted_within(
         &mut self,
         name: &str,
@@ -139,9 +150,9 @@ impl<'a> Lowering<'a, '_> {
         Ok(Some(counted))
     }
 
-    /// Of an iterator that a function gives by counting in a loop of its own: the loop, behind what stands before it, which is
-    /// done here and now; and the names of what is kept from pass to pass.
-    fn begun(
+    /// Starts the generator function that an iterator calls: lowers the statements before its loop here, as Rust runs them when
+    /// the iterator is made. Gives the loop, and the names of the locals that live on from item to item.
+    fn started(
         &mut self,
         through: &Closure<'a>,
         site: Site,
@@ -158,11 +169,14 @@ impl<'a> Lowering<'a, '_> {
                     return Ok(None);
                 };
                 inner.stmts(&tree::Block { stmts: before.to_vec(), tail: None })?;
+                let mut each = each.clone();
+                // Rust evaluates what the loop goes through once, when the iterator is made.
+                inner.settle_items(&mut each)?;
                 let kept = before.iter().filter_map(|stmt| match stmt {
                     Stmt::Let { name, .. } => Some(name.clone()),
                     _ => None,
                 });
-                let (name, parameters, body) = (None, Vec::new(), Box::new(each.clone()));
+                let (name, parameters, body) = (None, Vec::new(), Box::new(each));
                 let own = inner.written_here(tree::Closure { name, parameters, body });
                 Ok(Some((own, kept.collect())))
             })
@@ -193,7 +207,7 @@ impl<'a> Lowering<'a, '_> {
         self.hand(both, (&name, self.locals[local.index()].name.clone()), so_far, kept).1
     }
 
-    /// The same, where it is another iterator that is gone through by hand.
+    /// The copy of an iterator whose counted iterator is below an adapter: the counted one is copied.
     fn copy_within(&mut self, mut both: [Closure<'a>; 2], within: usize) -> usize {
         let again = self.copy_of_hand(self.hands[&within].again);
         let copied = self.hands.iter().find(|(_, hand)| hand.again == again);
@@ -231,8 +245,8 @@ impl<'a> Lowering<'a, '_> {
         (counted, again)
     }
 
-    /// Refuses what takes a number of items of an iterator that goes on which Rust leaves to its version: of two lengths that it
-    /// knows it may take one item less, or none. `handed`: no `for` of the author's asks for the items.
+    /// Refuses ends that take a number of items which depends on std's specialisations, of an iterator that is used afterwards.
+    /// `handed` is true unless a `for` of the author's asks for the items.
     pub(super) fn check_settled(
         &self,
         (function, handed): (&tree::Function, bool),
@@ -367,15 +381,14 @@ impl<'a> Lowering<'a, '_> {
         let (function, [array]) = self.called(value)? else { return None };
         let Tree::Local(name) = &array.kind else { return None };
         let is_iterator = self.iterator_named(array).is_some();
-        if !is_next(function) || !is_iterator || !takes_all(pattern) || Mentions::of(name, body) > 0
-        {
+        if !is_next(function) || !is_iterator || !takes_all(pattern) || mentions(name, body) > 0 {
             return None;
         }
         Some((pattern, Source::Elements(array.clone(), false)))
     }
 
-    /// `while let Some(x) = bytes.next()`, where the body takes more of them: as many passes as there are items left, of which
-    /// each takes one first.
+    /// `while let Some(x) = bytes.next()` with a body that takes more of `bytes`: a loop with as many passes as there are items
+    /// left, since each pass takes at least one.
     pub(super) fn as_many_as_left(
         &mut self,
         condition: &tree::Expr,
@@ -396,13 +409,13 @@ impl<'a> Lowering<'a, '_> {
         *passes.text.body = tree::Expr::plain(each, site);
         let passes = Value::Closure(self.closure(passes));
         self.bind(PASSES, passes);
-        let body = begun(item, value.clone(), body, site);
+        let body = taking_next(item, value.clone(), body, site);
         Some((Source::Elements(tree::Expr::local(PASSES, site), false), body))
     }
 }
 
-/// A body that an item begins or, without one, the loop ends.
-pub(super) fn begun(
+/// The body of a loop that takes its item by a call: `let Some(item) = next else { break };` comes first.
+pub(super) fn taking_next(
     item: &Pattern,
     next: tree::Expr,
     body: &tree::Block,
@@ -421,7 +434,7 @@ pub(super) fn is_next(function: &tree::Function) -> bool {
     format!("{}::{}", function.module, function.tree.name) == NEXT
 }
 
-/// What an iterator gives each item of, if it does nothing else.
+/// The expression whose items an iterator gives unchanged; none if it does anything else.
 fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
     let Tree::Each { pattern, source, body, .. } = &through.kind else { return None };
     let Source::Elements(of, _) = &**source else { return None };
@@ -432,7 +445,7 @@ fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
     handed.then_some(of)
 }
 
-/// Whether a function that gives an iterator, and takes none, names a few values, and then goes through one loop to its end.
+/// True for a generator function without an iterator among its parameters whose body is `let`s and then one loop without `break`.
 fn counts_on(function: &tree::Function) -> bool {
     let Some((Stmt::Expr(each), before)) = function.tree.body.stmts.split_last() else {
         return false;
@@ -448,7 +461,7 @@ fn counts_on(function: &tree::Function) -> bool {
         && !pass.any_expr(loops)
 }
 
-/// What an iterator that is gone through by hand has its items of, where nothing is left out yet.
+/// The innermost source of an iterator that is gone through by hand: it has an item for each item of the iterator, or more.
 fn items_of(through: &tree::Expr) -> Option<Source> {
     let source = match &through.kind {
         Tree::Block(block) => match block.stmts.last()? {
@@ -466,63 +479,5 @@ fn items_of(through: &tree::Expr) -> Option<Source> {
             })
         }
         source => Some(source.clone()),
-    }
-}
-
-/// How often a name stands where a function runs: in a loop, more than once; and where it is given another name, too.
-struct Mentions<'n> {
-    name: &'n str,
-    depth: usize,
-    /// That of the name's `let`.
-    declared: usize,
-    /// How many `let`s give the name: which one is meant does not show.
-    lets: usize,
-    count: usize,
-}
-
-impl Mentions<'_> {
-    fn of(name: &str, body: &tree::Block) -> usize {
-        let mut mentions = Mentions { name, depth: 0, declared: 0, lets: 0, count: 0 };
-        mentions.block(body);
-        if mentions.lets > 1 { mentions.count.max(2) } else { mentions.count }
-    }
-
-    /// Whether an expression is the name, or lends what it means: `&mut bytes`, `bytes.by_ref()`.
-    fn is_it(&self, expr: &tree::Expr) -> bool {
-        match &expr.kind {
-            Tree::Local(name) => name == self.name,
-            Tree::Ref(true, of) | Tree::Deref(of) => self.is_it(of),
-            // Of a call only `by_ref` gives its receiver on; of any other it does no harm.
-            Tree::Call(_, arguments) => matches!(&arguments[..], [of] if self.is_it(of)),
-            _ => false,
-        }
-    }
-}
-
-impl Visit for Mentions<'_> {
-    fn stmt(&mut self, stmt: &Stmt) {
-        walk_stmt(self, stmt);
-        if let Stmt::Let { name, value, .. } = stmt {
-            self.count += usize::from(value.as_ref().is_some_and(|value| self.is_it(value)));
-            if name == self.name {
-                self.lets += 1;
-                self.declared = self.depth;
-            }
-        }
-    }
-
-    fn expr(&mut self, expr: &tree::Expr) {
-        use Tree::{Closure, Each, While};
-        match &expr.kind {
-            Tree::Local(name) if name == self.name => {
-                self.count += if self.depth > self.declared { 2 } else { 1 };
-            }
-            Each { .. } | While { .. } | Closure(_) => {
-                self.depth += 1;
-                walk_expr(self, expr);
-                self.depth -= 1;
-            }
-            _ => walk_expr(self, expr),
-        }
     }
 }

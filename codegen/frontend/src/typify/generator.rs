@@ -15,7 +15,7 @@ use bessemer_ir::tree::{
 };
 use bessemer_ir::{Expr, Int, Scalar, StmtKind};
 
-use super::by_hand::{begun, takes};
+use super::by_hand::{takes, taking_next};
 use super::call::Called;
 use super::closure_args::is_hidden;
 use super::each::Each;
@@ -83,8 +83,8 @@ impl<'a> Lowering<'a, '_> {
         Ok(None)
     }
 
-    /// A loop through items beside what gives its own by itself: each pass takes the next of these, by `next`, and without one
-    /// the loop ends. False if the second has elements.
+    /// `for (a, b) in one.zip(other)` where `other` is an iterator without elements to index: the loop goes through `one`, and each
+    /// pass takes the next item of `other`. False if `other` has elements.
     pub(super) fn each_beside(&mut self, each: Each) -> Result<bool> {
         let (Source::Zip(one, other, Some(next)), site) = (each.source, each.site) else {
             return Ok(false);
@@ -102,15 +102,12 @@ impl<'a> Lowering<'a, '_> {
             Tree::Local(name) if !is_hidden(name) => name,
             _ => words::OTHERS,
         };
-        let through = match self.hands.contains_key(&through) {
-            true => through,
-            false => self.counted(name, through, site)?,
-        };
+        let through = self.counted(name, through, site)?;
         self.naming_scope(|inner| {
             inner.bind(OTHERS, Value::Closure(through));
             let others = tree::Expr::local(OTHERS, site);
             let next = tree::Expr::plain(Tree::Call(*next, vec![others]), site);
-            let body = begun(item, next, each.body, site);
+            let body = taking_next(item, next, each.body, site);
             inner.each_stmt(Each { pattern, source: &source, body: &body, ..each })
         })?;
         Ok(true)
@@ -332,7 +329,7 @@ impl Visit for Hands {
 /// The index of an element that is handed on.
 const COUNTER: &str = "i%";
 
-/// What stands beside other items, and gives its own by itself.
+/// The name of the second iterator of a `zip`, of which each pass takes an item.
 const OTHERS: &str = "others%";
 
 /// The number of the next item.

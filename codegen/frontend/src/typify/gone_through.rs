@@ -1,7 +1,7 @@
-//! Values that a loop goes through for something else: a range that is held, for its numbers, `for hour in
-//! window.hours.clone()`; a type with an `iter` of the author's own, for what that gives.
+//! Values that a loop does not go through as they are: a held range stands for its numbers, `for hour in window.hours.clone()`,
+//! and a value of a type with an own `iter` for the items of that.
 //!
-//! Invariant: nothing is taken from a range in a place, which would have to be shorter then.
+//! Invariant: no loop takes numbers from a range in a variable, since the variable would have to change.
 //!
 //! Must not know: how a loop counts, or what a slice is.
 
@@ -17,38 +17,32 @@ use super::syntax::generates;
 use super::{Result, refusals, refused};
 
 impl Lowering<'_, '_> {
-    /// A source with what is meant in the place of its values; none if all of them are meant themselves.
+    /// A source with its held ranges as numbers and its types with an own `iter` as calls of that; none if it has neither.
     pub(super) fn meant(&mut self, source: &Source) -> Option<Source> {
-        let mut source = source.clone();
-        self.mean(&mut source).then_some(source)
-    }
-
-    /// Puts what is meant in the place of values; says whether there were any.
-    pub(super) fn mean(&mut self, source: &mut Source) -> bool {
-        match source {
-            Source::Elements(of, owned) => {
-                if let Some(range) = self.numbers_of(of) {
-                    *source = Source::Numbers(range);
-                    return true;
-                }
-                // What is gone through by value is what `into_iter` gives, which may be something else.
-                let own = if *owned { None } else { self.own_iter(of) };
-                own.is_some_and(|own| {
-                    *of = own;
-                    true
-                })
+        let mut inner = |of: &Source| self.meant(of).map(Box::new);
+        Some(match source {
+            Source::Elements(of, owned) => match self.numbers_of(of) {
+                Some(range) => Source::Numbers(range),
+                // A loop by value calls `into_iter`, which may give something else.
+                None if *owned => return None,
+                None => Source::Elements(self.own_iter(of)?, false),
+            },
+            Source::Zip(one, other, next) => {
+                let (one, other) = both(one, other, [inner(one), inner(other)])?;
+                Source::Zip(one, other, *next)
             }
-            Source::Zip(one, other, _) | Source::Chain(one, other) => {
-                self.mean(one) | self.mean(other)
+            Source::Chain(one, other) => {
+                let (one, other) = both(one, other, [inner(one), inner(other)])?;
+                Source::Chain(one, other)
             }
-            Source::Enumerate(of)
-            | Source::Rev(of)
-            | Source::Cycle(of)
-            | Source::Skip(of, _)
-            | Source::Take(of, _)
-            | Source::StepBy(of, _) => self.mean(of),
-            Source::Numbers(_) | Source::Groups(..) => false,
-        }
+            Source::Enumerate(of) => Source::Enumerate(inner(of)?),
+            Source::Rev(of) => Source::Rev(inner(of)?),
+            Source::Cycle(of) => Source::Cycle(inner(of)?),
+            Source::Skip(of, count) => Source::Skip(inner(of)?, count.clone()),
+            Source::Take(of, count) => Source::Take(inner(of)?, count.clone()),
+            Source::StepBy(of, step) => Source::StepBy(inner(of)?, step.clone()),
+            Source::Numbers(_) | Source::Groups(..) => return None,
+        })
     }
 
     /// The call of an author's own `iter`: the adaptor is the iterator's own, as its name is. Not of a type that has an
@@ -81,7 +75,7 @@ impl Lowering<'_, '_> {
         self.numbers_in(self.copied(of).unwrap_or(of))
     }
 
-    /// Refuses to take from a range in a place: what is left of it would be there.
+    /// Refuses `range.next()` and its like: the range in the variable would have to become shorter.
     pub(super) fn check_taken(&mut self, of: &tree::Expr) -> Result<()> {
         match &of.kind {
             // A copy that has no name.
@@ -128,4 +122,19 @@ fn is_place(expr: &tree::Expr) -> bool {
         }
         _ => false,
     }
+}
+
+/// Two sources, each replaced where there is something for it; none if there is nothing for either.
+fn both(
+    one: &Source,
+    other: &Source,
+    meant: [Option<Box<Source>>; 2],
+) -> Option<(Box<Source>, Box<Source>)> {
+    let [first, second] = meant;
+    if first.is_none() && second.is_none() {
+        return None;
+    }
+    let or =
+        |meant: Option<Box<Source>>, of: &Source| meant.unwrap_or_else(|| Box::new(of.clone()));
+    Some((or(first, one), or(second, other)))
 }

@@ -103,7 +103,7 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// Computes what a loop copies that begins later.
-    fn settle_items(&mut self, through: &mut tree::Expr) -> Result<()> {
+    pub(super) fn settle_items(&mut self, through: &mut tree::Expr) -> Result<()> {
         match &mut through.kind {
             Tree::Block(block) | Tree::Labelled(_, block) => {
                 let stmts = std::mem::take(&mut block.stmts);
@@ -127,7 +127,9 @@ impl<'a> Lowering<'a, '_> {
         match source {
             Source::Elements(array, owned) => {
                 self.settle_elements(array, *owned)?;
-                self.mean(source);
+                if let Some(meant) = self.meant(source) {
+                    *source = meant;
+                }
                 Ok(())
             }
             Source::Numbers(range) => {

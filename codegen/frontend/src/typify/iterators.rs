@@ -8,7 +8,7 @@
 use bessemer_ir::tree::{self, Builtin, Desugared, ExprKind as Tree, Pattern, Site, Source, Ty};
 use bessemer_ir::{Expr, ExprKind, Mode, Place, Type};
 
-use super::by_hand::{begun, is_next};
+use super::by_hand::{is_next, taking_next};
 use super::closure_args::is_hidden;
 use super::each::Each;
 use super::function::result_of;
@@ -223,7 +223,7 @@ impl Lowering<'_, '_> {
                         site,
                         label,
                         (None, None),
-                        &begun(pattern, next, body, site),
+                        &taking_next(pattern, next, body, site),
                         None,
                     );
                     return looped.map_err(|mut problem| {
@@ -243,7 +243,7 @@ impl Lowering<'_, '_> {
                 let mut source = source.clone();
                 self.settle_source(&mut source)?;
                 let next = self.next_item(callee, of, site)?;
-                let (source, body) = (&source, &begun(item, next, body, site));
+                let (source, body) = (&source, &taking_next(item, next, body, site));
                 self.each_stmt(Each { pattern, source, body, ..each })
             }
             Own::Numbered(own) => {

@@ -43,6 +43,7 @@ mod literal;
 mod loans;
 mod loops;
 mod lowering;
+mod mentions;
 mod names;
 mod numbered;
 mod numbers;

@@ -139,6 +139,12 @@ fn unnamed(message: &Message<'_>) -> Option<Words> {
     if label.contains("found `Items<") {
         return words("this range is not gone through, and not a value in the DSL", hints::ENDS);
     }
+    if message.code == "E0119" && message.title.contains("OwnImplied") {
+        return words(
+            "a generic type has one index of its own in the DSL",
+            "write the other one as a method with a name: `fn cell(&self, at: (usize, usize)) -> &T`",
+        );
+    }
     if message.code == "E0034" {
         return words(
             "this name is that of a function of floats, and of one of a type parameter that may be a float",

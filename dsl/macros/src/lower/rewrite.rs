@@ -31,7 +31,7 @@ impl Lowering {
                 }
                 return Some(method);
             }
-            syn::Expr::Range(it) => return held(expr).filter(|_| is_held(it)),
+            syn::Expr::Range(it) if is_held(it) => return held(expr),
             syn::Expr::Assign(it) => return by_let(it),
             // rustc has computed it in the original.
             syn::Expr::Const(syn::ExprConst { block, .. }) => return Some(parse_quote! { #block }),

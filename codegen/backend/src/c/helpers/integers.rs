@@ -214,7 +214,7 @@ static inline {ty} {name}({ty} a, {ty} b)
 fn unsigned_difference(int: Int, a: &str, b: &str) -> String {
     let unsigned = unsigned_type(int);
     if int.bits() < 32 && int.signed() {
-        // What is narrowed is unsigned already (MISRA C:2012, rule 10.8).
+        // A signed difference must not be cast to an unsigned type (MISRA C:2012, rule 10.8), so both operands are cast first.
         format!("({unsigned})(({unsigned}){a} - ({unsigned}){b})")
     } else if int.bits() < 32 {
         format!("({unsigned})({a} - {b})")

@@ -38,6 +38,51 @@ pub fn again(values: &[u8; 8]) -> (u32, u32, u32, usize) {
     (first, two(lent), two(lent), items.count())
 }
 
+/// A chain of an iterator that is counted already: each item is counted once.
+#[function]
+pub fn mapped(values: &[u8; 8], k: u8) -> ([Option<u8>; 4], usize) {
+    let mut items = values.iter().copied();
+    let mut turned = items.by_ref().map(|value| value ^ k);
+    let (first, second) = (turned.next(), turned.next());
+    let third = items.next();
+    let mut rest = items.by_ref().filter(|value| *value > k);
+    ([first, second, third, rest.next()], items.count())
+}
+
+/// One more.
+#[function]
+fn counted_up(count: &mut u32) -> u32 {
+    *count = count.wrapping_add(1) & 7;
+    *count
+}
+
+/// What ends it is computed when it is made.
+#[function]
+fn below(count: &mut u32) -> impl Iterator<Item = u32> + use<> {
+    let start = *count & 1;
+    (start..counted_up(count)).map(move |value| value ^ start)
+}
+
+/// By hand, so that the function's loop goes on again and again.
+#[function]
+pub fn made_once(count: u32) -> ([Option<u32>; 4], u32) {
+    let mut count = count;
+    let mut items = below(&mut count);
+    let taken = [items.next(), items.next(), items.next(), items.next()];
+    (taken, count)
+}
+
+/// An end in an array, of which the index changes in the loop.
+#[function]
+pub fn wandering(ranges: &[core::ops::Range<u8>; 3]) -> u32 {
+    let (mut at, mut digest) = (0_usize, 0_u32);
+    for value in ranges[at].clone() {
+        digest = digest.wrapping_mul(3).wrapping_add(u32::from(value));
+        at = (at + 1) % 3;
+    }
+    digest
+}
+
 /// Beside a name of another.
 #[function]
 pub fn shadowed(values: &[u8; 8], k: u8) -> u32 {

@@ -1,0 +1,66 @@
+//! How often a function uses an iterator: one that is used once needs no count of the items that were taken.
+//!
+//! Invariant: the number may be too large, never too small. An iterator without a count begins anew at each use.
+
+use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
+use bessemer_ir::tree::{self, ExprKind as Tree, Stmt};
+
+/// A walk that counts the uses of a name. A use in a loop counts twice, and so does a `let` that gives the iterator a second
+/// name.
+struct Mentions<'n> {
+    name: &'n str,
+    depth: usize,
+    /// That of the name's `let`.
+    declared: usize,
+    /// How many `let`s give the name: which one is meant does not show.
+    lets: usize,
+    count: usize,
+}
+
+/// How often a function uses the iterator called `name`, at least: 2 stands for every number above 1.
+pub(super) fn mentions(name: &str, body: &tree::Block) -> usize {
+    let mut mentions = Mentions { name, depth: 0, declared: 0, lets: 0, count: 0 };
+    mentions.block(body);
+    if mentions.lets > 1 { mentions.count.max(2) } else { mentions.count }
+}
+
+impl Mentions<'_> {
+    /// Whether an expression is the name, or lends what it means: `&mut bytes`, `bytes.by_ref()`.
+    fn is_it(&self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            Tree::Local(name) => name == self.name,
+            Tree::Ref(true, of) | Tree::Deref(of) => self.is_it(of),
+            // Only `by_ref` returns its receiver. Any other call of one argument is counted twice, which does no harm.
+            Tree::Call(_, arguments) => matches!(&arguments[..], [of] if self.is_it(of)),
+            _ => false,
+        }
+    }
+}
+
+impl Visit for Mentions<'_> {
+    fn stmt(&mut self, stmt: &Stmt) {
+        walk_stmt(self, stmt);
+        if let Stmt::Let { name, value, .. } = stmt {
+            self.count += usize::from(value.as_ref().is_some_and(|value| self.is_it(value)));
+            if name == self.name {
+                self.lets += 1;
+                self.declared = self.depth;
+            }
+        }
+    }
+
+    fn expr(&mut self, expr: &tree::Expr) {
+        use Tree::{Closure, Each, While};
+        match &expr.kind {
+            Tree::Local(name) if name == self.name => {
+                self.count += if self.depth > self.declared { 2 } else { 1 };
+            }
+            Each { .. } | While { .. } | Closure(_) => {
+                self.depth += 1;
+                walk_expr(self, expr);
+                self.depth -= 1;
+            }
+            _ => walk_expr(self, expr),
+        }
+    }
+}
