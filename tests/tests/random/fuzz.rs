@@ -33,7 +33,9 @@ fn as_many_as_asked() {
         }
         let mut batch = match seed % OF {
             0 => Batch::new(seed, PROGRAMS),
+            x if x != 99 => Batch::iterating(seed, 60),
             1 => Batch::beside(seed, BESIDE),
+            2 => Batch::iterating(seed, BESIDE),
             _ => Batch::aimed(seed, AIMED, INSTANCES),
         };
         batch.is_of_many = true;

@@ -108,6 +108,15 @@ impl Batch {
         Batch::of((0..bodies).map(program).collect())
     }
 
+    /// The same whose value comes of iterators that are gone through by hand.
+    fn iterating(seed: u64, bodies: usize) -> Batch {
+        let program = |index| {
+            let mut random = Random(!seed.rotate_left(32) ^ (3 << 62) ^ index as u64);
+            beside::iterating(&mut random, &format!("beside{index}"))
+        };
+        Batch::of((0..bodies).map(program).collect())
+    }
+
     fn of(programs: Vec<Program>) -> Batch {
         Batch {
             programs,
@@ -202,6 +211,7 @@ impl Batch {
         }
         if told.is_empty() {
             let all = self.left();
+            assert!(!all.is_empty(), "what the programs call is refused: {said}");
             told.extend(all.into_iter().map(|it| (it.name.clone(), said.to_owned())));
         }
         told

@@ -8,13 +8,13 @@
 //!
 //! Must not know: which methods end an iterator.
 
+use std::rc::Rc;
+
 use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{
     self, BinaryOp, EACH, ExprKind as Tree, NO_SLOT, Pattern, Site, Source, Stmt,
 };
-use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Int, Local, Scalar, Span, Stmt as Made, StmtKind, Type,
-};
+use bessemer_ir::{Expr, ExprKind, Int, Local, LocalId, Scalar, Type};
 
 use super::choice::takes_all;
 use super::items::handing;
@@ -80,20 +80,22 @@ impl<'a> Lowering<'a, '_> {
         }
         let taken = format!("taken%{through}");
         let through = (*self.closures[through]).clone();
-        let (through, kept) = match self.started(&through, site)? {
+        let (through, mut kept) = match self.started(&through, site)? {
             Some((own, kept)) => (own, kept),
             None => (through, Vec::new()),
         };
         let mut both = [through.clone(), through.clone()];
         let [counted, again] = both.each_mut().map(|it| &mut *it.text.body);
         // Where it was written, its calls have their numbers.
-        let counts = self.in_scope_of(&through, None, site, |inner| {
-            Ok(inner.count(counted, &taken, true) && inner.count(again, &taken, false))
+        let (counts, own) = self.in_scope_of(&through, None, site, |inner| {
+            let counts = inner.count(counted, &taken, true) && inner.count(again, &taken, false);
+            Ok((counts, inner.own_below(again)))
         })?;
         if !counts {
             let within = self.counted_within(name, &through, site)?;
             return within.or_refused(site, refusals::BY_HAND);
         }
+        kept.extend(own.iter().map(|(name, _)| name.clone()));
         // A loop through a copy of the iterator must not change the iterator's state, so it works on copies of the locals.
         let copies = kept.iter().map(|name| Stmt::Let {
             name: name.clone(),
@@ -108,8 +110,12 @@ impl<'a> Lowering<'a, '_> {
             stmts.push(Stmt::Expr(each));
             again.kind = Tree::Block(tree::Block { stmts, tail: None });
         }
+        if let Some((_, own)) = own {
+            return Ok(self.hand(both, None, own, kept).0);
+        }
         let none = Expr::usize(0, self.span(site));
-        Ok(self.hand(both, (&taken, format!("{name}_taken")), none, kept).0)
+        let local = self.let_local(format!("{name}_taken"), none).root;
+        Ok(self.hand(both, Some(taken), local, kept).0)
     }
 
     /// Counts the iterator below an adapter, `values.iter().map(f)`, where the adapter itself cannot be counted.
@@ -132,7 +138,8 @@ impl<'a> Lowering<'a, '_> {
         })?;
         let Some((at, within)) = within else { return Ok(None) };
         let hand = &self.hands[&within];
-        let (again, taken, kept) = (hand.again, hand.taken.clone(), hand.kept.clone());
+        let (again, taken, local, kept) =
+            (hand.again, hand.taken.clone(), hand.local, hand.kept.clone());
         let counted = self.closures.len();
         for of in [within, again] {
             let mut closure = through.clone();
@@ -145,13 +152,13 @@ impl<'a> Lowering<'a, '_> {
             closure.scope.names.push(vec![(WITHIN.to_owned(), Value::Closure(of))]);
             self.closure(closure);
         }
-        let hand = Hand { again: counted + 1, taken, kept, within: Some(within) };
+        let hand = Hand { again: counted + 1, taken, local, kept, within: Some(within) };
         self.hands.insert(counted, hand);
         Ok(Some(counted))
     }
 
-    /// Starts the generator function that an iterator calls: lowers the statements before its loop here, as Rust runs them when
-    /// the iterator is made. Gives the loop, and the names of the locals that live on from item to item.
+    /// Starts the generator function that an iterator calls. Gives the loop, and the names of the locals that live on from item
+    /// to item.
     fn started(
         &mut self,
         through: &Closure<'a>,
@@ -159,27 +166,19 @@ impl<'a> Lowering<'a, '_> {
     ) -> Result<Option<(Closure<'a>, Vec<String>)>> {
         let Some(of) = all_of(&through.text.body) else { return Ok(None) };
         self.in_scope_of(through, None, site, |inner| {
+            if let Some(named) = inner.iterator_named(of) {
+                return Ok(Some(((*inner.closures[named]).clone(), Vec::new())));
+            }
             let Some((function, arguments)) = inner.expansion(of).filter(|it| counts_on(it.0))
             else {
                 return Ok(None);
             };
-            let given = inner.given_to(function, arguments)?;
-            inner.inside(function, given, site, |inner| {
-                let Some((Stmt::Expr(each), before)) = function.tree.body.stmts.split_last() else {
-                    return Ok(None);
-                };
-                inner.stmts(&tree::Block { stmts: before.to_vec(), tail: None })?;
-                let mut each = each.clone();
-                // Rust evaluates what the loop goes through once, when the iterator is made.
-                inner.settle_items(&mut each)?;
-                let kept = before.iter().filter_map(|stmt| match stmt {
-                    Stmt::Let { name, .. } => Some(name.clone()),
-                    _ => None,
-                });
-                let (name, parameters, body) = (None, Vec::new(), Box::new(each));
-                let own = inner.written_here(tree::Closure { name, parameters, body });
-                Ok(Some((own, kept.collect())))
-            })
+            let Some(own) = inner.start(function, arguments, site)? else { return Ok(None) };
+            let kept = function.tree.body.stmts.iter().filter_map(|stmt| match stmt {
+                Stmt::Let { name, .. } => Some(name.clone()),
+                _ => None,
+            });
+            Ok(Some((own, kept.collect())))
         })
     }
 
@@ -193,26 +192,38 @@ impl<'a> Lowering<'a, '_> {
         if let Some(within) = hand.within {
             return self.copy_within(both, within);
         }
-        let ((name, local), kept) = (hand.taken.clone(), hand.kept.clone());
+        let (taken, mut local, kept) = (hand.taken.clone(), hand.local, hand.kept.clone());
         for name in &kept {
-            if let Some(&Value::Local(of)) = meaning_in(&both[0].scope.names, name) {
-                let Local { name: own, ty, span, .. } = self.locals[of.index()].clone();
-                let copy = self.let_local(own, Expr::local(of, &ty, span)).root;
-                for closure in &mut both {
-                    closure.scope.names.push(vec![(name.clone(), Value::Local(copy))]);
+            let copy = match meaning_in(&both[0].scope.names, name) {
+                Some(&Value::Local(of)) => {
+                    let Local { name: own, ty, span, .. } = self.locals[of.index()].clone();
+                    Value::Local(self.let_local(own, Expr::local(of, &ty, span)).root)
                 }
+                Some(Value::Place(own)) => {
+                    let own = own.load();
+                    let copy = self.own_copy(own);
+                    local = copy.root;
+                    Value::Place(copy)
+                }
+                _ => continue,
+            };
+            for closure in &mut both {
+                closure.scope.names.push(vec![(name.clone(), copy.clone())]);
             }
         }
-        let so_far = Expr::local(local, &Type::USIZE, self.locals[local.index()].span);
-        self.hand(both, (&name, self.locals[local.index()].name.clone()), so_far, kept).1
+        if taken.is_some() {
+            let Local { name, span, .. } = self.locals[local.index()].clone();
+            local = self.let_local(name, Expr::local(local, &Type::USIZE, span)).root;
+        }
+        self.hand(both, taken, local, kept).1
     }
 
     /// The copy of an iterator whose counted iterator is below an adapter: the counted one is copied.
     fn copy_within(&mut self, mut both: [Closure<'a>; 2], within: usize) -> usize {
         let again = self.copy_of_hand(self.hands[&within].again);
         let copied = self.hands.iter().find(|(_, hand)| hand.again == again);
-        let (within, taken, kept) = match copied {
-            Some((within, hand)) => (*within, hand.taken.clone(), hand.kept.clone()),
+        let (within, taken, local, kept) = match copied {
+            Some((within, it)) => (*within, it.taken.clone(), it.local, it.kept.clone()),
             None => return again,
         };
         let counted = self.closures.len();
@@ -220,7 +231,7 @@ impl<'a> Lowering<'a, '_> {
             closure.scope.names.push(vec![(WITHIN.to_owned(), Value::Closure(of))]);
             self.closure(closure.clone());
         }
-        let hand = Hand { again: counted + 1, taken, kept, within: Some(within) };
+        let hand = Hand { again: counted + 1, taken, local, kept, within: Some(within) };
         self.hands.insert(counted, hand);
         counted + 1
     }
@@ -229,19 +240,18 @@ impl<'a> Lowering<'a, '_> {
     fn hand(
         &mut self,
         both: [Closure<'a>; 2],
-        (taken, name): (&str, String),
-        so_far: Expr,
+        taken: Option<String>,
+        local: LocalId,
         kept: Vec<String>,
     ) -> (usize, usize) {
-        let local = self.let_local(name, so_far).root;
         let counted = self.closures.len();
         for mut closure in both {
-            closure.scope.names.push(vec![(taken.to_owned(), Value::Local(local))]);
+            let name = taken.iter().map(|name| (name.clone(), Value::Local(local)));
+            closure.scope.names.push(name.collect());
             self.closure(closure);
         }
         let again = counted + 1;
-        self.hands
-            .insert(counted, Hand { again, taken: (taken.to_owned(), local), kept, within: None });
+        self.hands.insert(counted, Hand { again, taken, local, kept, within: None });
         (counted, again)
     }
 
@@ -264,31 +274,13 @@ impl<'a> Lowering<'a, '_> {
 
     /// Whether a value is how many items were taken of an iterator.
     pub(super) fn is_taken(&self, value: &Expr) -> bool {
-        let mut hands = self.hands.values();
-        matches!(&value.kind, ExprKind::Load(place) if hands.any(|hand| hand.taken.1 == place.root))
-    }
-
-    /// The only pass of a loop that takes the next item of an iterator, and whether there is one.
-    pub(super) fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<(Expr, Block)> {
-        let StmtKind::For { variable, from, to, inclusive: false, reversed: false, body, .. } =
-            kind
-        else {
-            return None;
-        };
-        let (Made { kind: StmtKind::Break, .. }, pass) = body.0.split_last()? else { return None };
-        let leaves = |kind: &StmtKind| matches!(kind, StmtKind::Break | StmtKind::Continue);
-        if !self.is_taken(from) || pass.iter().any(|stmt| stmt.any_branch(&leaves)) {
-            return None;
-        }
-        let mut then =
-            Block::of(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
-        then.0.extend_from_slice(pass);
-        Some((Expr::compare(CompareOp::Lt, from.clone(), to.clone()), then))
+        let mut counts = self.hands.values().filter(|hand| hand.taken.is_some());
+        matches!(&value.kind, ExprKind::Load(place) if counts.any(|it| it.local == place.root))
     }
 
     /// Lets a loop begin behind the items that were taken, and, where it is not a copy, count each that it hands on. Says
     /// whether it can.
-    fn count(&self, through: &mut tree::Expr, taken: &str, counts: bool) -> bool {
+    fn count(&mut self, through: &mut tree::Expr, taken: &str, counts: bool) -> bool {
         let site = through.site;
         let Tree::Each { pattern, source, body, .. } = &mut through.kind else { return false };
         if let Source::Elements(of, _) = &mut **source
@@ -303,6 +295,12 @@ impl<'a> Lowering<'a, '_> {
             let counted = self.count(&mut inner.body, taken, counts);
             arguments[at].kind = Tree::Closure(inner);
             return counted;
+        }
+        // An own iterator goes on by itself.
+        if let Source::Elements(of, _) = &**source
+            && self.own_next(of).is_some()
+        {
+            return true;
         }
         let is_made = |leaf: &&Source| match leaf {
             Source::Elements(of, _) => {
@@ -331,6 +329,15 @@ impl<'a> Lowering<'a, '_> {
         }
         wrapped(source, &|inner| Source::Skip(inner, local(taken)));
         true
+    }
+
+    /// The own iterator whose items an iterator gives, once it is settled: its name, and the local that it is in.
+    fn own_below(&mut self, through: &tree::Expr) -> Option<(String, LocalId)> {
+        let Source::Elements(of, _) = items_of(through)? else { return None };
+        let Tree::Local(name) = &of.kind else { return None };
+        self.own_next(&of)?;
+        let (meaning, span) = (self.meaning(&of)?, self.span(of.site));
+        Some((name.clone(), self.place_of(&meaning, span)?.root))
     }
 
     /// Whether a function that gives an iterator is one loop, which goes through all items that it takes, and remembers
@@ -401,11 +408,14 @@ impl<'a> Lowering<'a, '_> {
         while let Some(within) = hand.within {
             hand = self.hands.get(&within)?;
         }
-        let again = &self.closures[hand.again];
-        let site = condition.site;
+        let (again, site) = (Rc::clone(&self.closures[hand.again]), condition.site);
+        let own = |inner: &mut Self| Ok(inner.own_below(&again.text.body).is_some());
+        if self.in_scope_of(&again, None, site, own).ok()? {
+            return None;
+        }
         let (source, hand_on) = (items_of(&again.text.body)?, Tree::Apply(EACH.into(), Vec::new()));
         let each = Tree::each(Pattern::Any, source, tree::Expr::plain(hand_on, site));
-        let mut passes = (**again).clone();
+        let mut passes = (*again).clone();
         *passes.text.body = tree::Expr::plain(each, site);
         let passes = Value::Closure(self.closure(passes));
         self.bind(PASSES, passes);

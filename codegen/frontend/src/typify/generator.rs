@@ -65,7 +65,7 @@ impl<'a> Lowering<'a, '_> {
                 By::Call(called)
             } else if let Tree::Apply(name, arguments) = &of.kind {
                 By::Closure(name, arguments)
-            } else if let Some(closure) = self.iterator_named(of) {
+            } else if let Some(closure) = self.iterator_copied(of) {
                 let through = Rc::clone(&self.closures[closure]);
                 // Elements stand beside others.
                 if leaves.len() > 1 && elements_through(&through).is_some() {

@@ -5,12 +5,14 @@
 //!
 //! Must not know: how an iterator is gone through ([`generator`](super::generator)).
 
+use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, Builtin, Desugared, EACH, ExprKind as Tree, Site, Source, Stmt, Ty};
 use bessemer_ir::{Int, Mode, Scalar};
 
 use super::Result;
-use super::lowering::Lowering;
-use super::syntax::{bare, generates, is_named};
+use super::closure_args::is_hidden;
+use super::lowering::{Closure, Lowering, meaning_in};
+use super::syntax::{bare, generates, is_named, is_of_library};
 use super::value::Value;
 
 /// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
@@ -56,7 +58,7 @@ const SIZE: Ty = Ty::Scalar(Scalar::Int(Int::Usize));
 impl<'a> Lowering<'a, '_> {
     /// What goes through an argument.
     pub(super) fn gone_through(&mut self, argument: &tree::Expr) -> Result<Value> {
-        if let Some(known) = self.iterator_named(argument) {
+        if let Some(known) = self.iterator_copied(argument) {
             return Ok(Value::Closure(self.copy_of_hand(known)));
         }
         self.check_taken(argument)?;
@@ -68,7 +70,7 @@ impl<'a> Lowering<'a, '_> {
     /// The same of the only argument but closures of a function that goes through it before anything else.
     pub(super) fn gone_through_at_once(&mut self, argument: &tree::Expr) -> Result<Value> {
         self.check_taken(argument)?;
-        Ok(match self.iterator_named(argument) {
+        Ok(match self.iterator_copied(argument) {
             Some(known) => Value::Closure(known),
             None => self.closure_here(handing(argument)),
         })
@@ -100,6 +102,44 @@ impl<'a> Lowering<'a, '_> {
             Ok(Value::Closure(through)) => Some(through),
             _ => None,
         }
+    }
+
+    /// The same; an own iterator in a copy of one is copied.
+    pub(super) fn iterator_copied(&mut self, expr: &tree::Expr) -> Option<usize> {
+        let known = self.iterator_named(expr)?;
+        let of = self.builtin_call(expr).map(|it| it.0);
+        let copies = matches!(of, Some(Builtin::Desugared(Desugared::AsRef)));
+        // The copy of one that is gone through by hand copies its state itself.
+        let by_hand = self.hands.values().any(|hand| hand.again == known);
+        if !copies || by_hand || self.cx.iterators.is_empty() {
+            return Some(known);
+        }
+        Some(self.own_copied(known))
+    }
+
+    /// An iterator with copies of the own iterators that are part of it.
+    fn own_copied(&mut self, known: usize) -> usize {
+        let mut closure = (*self.closures[known]).clone();
+        let mut copies = Vec::new();
+        for name in closure.text.body.locals() {
+            let copy = match meaning_in(&closure.scope.names, &name) {
+                Some(Value::Place(own)) if is_hidden(&name) && self.cx.holds_iterator(&own.ty) => {
+                    let own = own.load();
+                    Value::Place(self.own_copy(own))
+                }
+                Some(&Value::Closure(inner)) => match self.own_copied(inner) {
+                    copy if copy == inner => continue,
+                    copy => Value::Closure(copy),
+                },
+                _ => continue,
+            };
+            copies.push((name, copy));
+        }
+        if copies.is_empty() {
+            return known;
+        }
+        closure.scope.names.push(copies);
+        self.closure(closure)
     }
 
     /// Computes what a loop copies that begins later.
@@ -190,6 +230,14 @@ impl<'a> Lowering<'a, '_> {
                     self.stand_in(argument, &format!("{}%", param.name), given);
                 }
             }
+            // What the DSL's own compute before their first item changes with each item, so each loop begins with it.
+            if !is_of_library(function)
+                && let Tree::Call(_, arguments) = &elements.kind
+                && let Some(own) = self.start(function, arguments, elements.site)?
+            {
+                let own = Value::Closure(self.closure(own));
+                self.stand_in(elements, "items%", own);
+            }
             return Ok(());
         }
         if self.iterator_named(elements).is_some() {
@@ -233,6 +281,27 @@ impl<'a> Lowering<'a, '_> {
         };
         self.stand_in(elements, "items%", given);
         Ok(())
+    }
+
+    /// Starts a generator function: lowers the statements before its loop here, as Rust runs them when the iterator is made, and
+    /// computes what the loop goes through. Gives the loop; none if the function ends in something else.
+    pub(super) fn start(
+        &mut self,
+        function: &'a tree::Function,
+        arguments: &[tree::Expr],
+        site: Site,
+    ) -> Result<Option<Closure<'a>>> {
+        let Some((Stmt::Expr(each), before)) = function.tree.body.stmts.split_last() else {
+            return Ok(None);
+        };
+        let given = self.given_to(function, arguments)?;
+        self.inside(function, given, site, |inner| {
+            inner.stmts(&tree::Block { stmts: before.to_vec(), tail: None })?;
+            let mut each = each.clone();
+            inner.settle_items(&mut each)?;
+            let (name, parameters, body) = (None, Vec::new(), Box::new(each));
+            Ok(Some(inner.written_here(tree::Closure { name, parameters, body })))
+        })
     }
 
     /// Whether an expression names a slice that a variable holds, which may come to hold another.

@@ -179,7 +179,7 @@ impl Lowering<'_, '_> {
     }
 
     /// An own iterator in a local that is called as its type is.
-    fn own_copy(&mut self, value: Expr) -> Place {
+    pub(super) fn own_copy(&mut self, value: Expr) -> Place {
         let name = match &value.ty {
             Type::Struct(id) => names::role(&self.cx.module.structs[id.index()].name),
             _ => words::ELEMENTS.into(),

@@ -16,6 +16,7 @@ use super::each::Each;
 use super::lengths::size;
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
 use super::order::is_light;
+use super::single_pass::single_pass;
 use super::syntax::{is_named, some_of};
 use super::value::Named;
 use super::words;
@@ -193,6 +194,12 @@ impl Lowering<'_, '_> {
 
     /// A `loop` without a declared bound: one of its `if … { break; }` has to show that it ends.
     fn ended_loop(&mut self, site: Site, body: Block) -> Result<StmtKind> {
+        let at_once = self.frames.last().is_some_and(|frame| frame.behind.is_empty());
+        if at_once && single_pass(&body.0).is_some() {
+            let zero = Expr::usize(0, self.span(site));
+            let proof = Proof { low: zero.clone(), high: zero, inclusive: false };
+            return self.ended(site, Ok(proof), body);
+        }
         let mut shown = Err(no_end());
         for head in 0..body.0.len() {
             let Some(of) = left_at(&body.0, head, &self.out) else { continue };
@@ -295,7 +302,7 @@ impl Lowering<'_, '_> {
             }
         }
         match self.at_most_once(&kind, span).filter(|_| behind.is_empty()) {
-            Some((condition, pass)) => self.emit_if(condition, pass, span),
+            Some(pass) => self.out.extend(pass.0),
             None => self.emit(kind, span),
         }
         for Behind { flag, left, leaving } in behind {

@@ -122,7 +122,7 @@ impl<'a> Lowering<'a, '_> {
         let stays = |local: &LocalId| local.index() < first;
         self.locals.truncate(first);
         self.unasked.retain(stays);
-        self.hands.retain(|_, hand| stays(&hand.taken.1));
+        self.hands.retain(|_, hand| stays(&hand.local));
         for known in [&mut self.held, &mut self.steady, &mut self.valued] {
             known.retain(stays);
         }
@@ -168,8 +168,10 @@ pub(super) enum Leaving {
 pub(super) struct Hand {
     /// What goes through the same items and takes none.
     pub again: usize,
-    /// How many were taken: the name in the text, and the local.
-    pub taken: (String, LocalId),
+    /// The name in the text of how many were taken; none for an own iterator, which goes on by itself.
+    pub taken: Option<String>,
+    /// The local that each item changes: how many were taken, or the own iterator.
+    pub local: LocalId,
     /// What it keeps from item to item, by the names in the text.
     pub kept: Vec<String>,
     /// The iterator whose items a link changes or leaves out, which is gone through by hand in its place.

@@ -138,6 +138,11 @@ pub(super) fn generates(function: &tree::Function) -> bool {
     function.tree.params.last().is_some_and(|param| param.name == tree::EACH)
 }
 
+/// Whether a function is one of the DSL's own.
+pub(super) fn is_of_library(function: &tree::Function) -> bool {
+    function.module.starts_with("bessemer::")
+}
+
 /// Parts with the names that the fields of a tuple have.
 pub(super) fn numbered(parts: &[tree::Expr]) -> Vec<(String, tree::Expr)> {
     let named = |(index, part): (usize, &tree::Expr)| (index.to_string(), part.clone());

@@ -123,7 +123,17 @@ impl Lowering {
             syn::Pat::Reference(it) => self.pattern(&it.pat, looks),
             syn::Pat::Ident(it) if it.by_ref.is_none() || self.lent => self.name_pattern(it, looks),
             syn::Pat::Or(it) => {
-                tree::Pattern::Or(it.cases.iter().map(|case| self.pattern(case, looks)).collect())
+                let before = self.scopes.last().map_or(0, Vec::len);
+                let outer = self.alternative.clone();
+                let mut cases = Vec::new();
+                for case in &it.cases {
+                    cases.push(self.pattern(case, looks));
+                    let bound = self.scopes.last().and_then(|scope| scope.get(before..));
+                    self.alternative = bound.unwrap_or_default().to_vec();
+                    self.alternative.extend_from_slice(&outer);
+                }
+                self.alternative = outer;
+                tree::Pattern::Or(cases)
             }
             syn::Pat::Lit(syn::PatLit { lit: syn::Lit::ByteStr(it), .. }) => {
                 let byte = |byte| {

@@ -22,6 +22,8 @@ pub struct Lowering {
     pub called: Vec<String>,
     /// Whether the names of patterns are kept apart from those around them.
     pub(super) apart: bool,
+    /// The names of the alternative before, which those behind it in a pattern share.
+    pub(super) alternative: Vec<(String, String)>,
     pub(super) slots: u32,
     pub(super) callees: u32,
     /// The operators, which may be functions of a type that the library knows.
@@ -130,7 +132,11 @@ impl Lowering {
     /// Makes `name` a local, kept apart where those of patterns are; gives its name in the tree.
     pub(super) fn bind_here(&mut self, name: &str) -> String {
         if self.apart {
-            return self.bind_apart(name);
+            let known = self.alternative.iter().find(|(known, _)| known == name);
+            return match known {
+                Some((_, in_tree)) => in_tree.clone(),
+                None => self.bind_apart(name),
+            };
         }
         self.bind(name);
         name.to_owned()

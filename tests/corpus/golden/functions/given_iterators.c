@@ -27,8 +27,6 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
         area += self->values[i] * self->values[(i + 1U) % 6U];
     }
     const double result_part = steps + area;
-    result->third.is_some = false;
-    result->third.value = 0.0;
     uint32_t most;
     if (self->valid > UINT64_C(6)) {
         most = 0U;
@@ -36,6 +34,8 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
         most = (uint32_t)self->valid;
     }
     const uint32_t result_end = most;
+    result->third.is_some = false;
+    result->third.value = 0.0;
     for (uint32_t i = 0U; i < result_end; i++) {
         if (self->values[i] < self->most) {
             const double item = self->values[i] * 2.0;
@@ -43,8 +43,6 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
             result->third.value = item;
         }
     }
-    result->fourth.is_some = false;
-    result->fourth.value = 0.0;
     uint32_t most_2;
     if (self->valid > UINT64_C(6)) {
         most_2 = 0U;
@@ -52,6 +50,8 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
         most_2 = (uint32_t)self->valid;
     }
     const uint32_t result_end_2 = most_2;
+    result->fourth.is_some = false;
+    result->fourth.value = 0.0;
     for (uint32_t i = 0U; i < result_end_2; i++) {
         if (self->values[i] < self->most) {
             const double item = self->values[i] * 0.5;
@@ -66,8 +66,6 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
 
 void readings_largest(const readings_t *self, option_f64_t *result)
 {
-    result->is_some = false;
-    result->value = 0.0;
     uint32_t most;
     if (self->valid > UINT64_C(6)) {
         most = 0U;
@@ -75,6 +73,8 @@ void readings_largest(const readings_t *self, option_f64_t *result)
         most = (uint32_t)self->valid;
     }
     const uint32_t result_end = most;
+    result->is_some = false;
+    result->value = 0.0;
     for (uint32_t i = 0U; i < result_end; i++) {
         if (self->values[i] < self->most) {
             if (result->is_some) {

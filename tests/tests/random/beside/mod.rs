@@ -1,6 +1,7 @@
 //! Random bodies whose operands, indices and closures write what stands beside them: small, and many of them.
 //!
-//! The grammar is data (`grammar.txt`; of references and patterns, `referring.txt`), and so is what the bodies call
+//! The grammar is data (`grammar.txt`; of references and patterns, `referring.txt`; of iterators with a
+//! name, `iterating.txt`), and so is what the bodies call
 //! (`given.txt`). A loan is kept as long as the production lasts that makes it, so that rustc takes what comes out; what it
 //! refuses all the same is counted.
 
@@ -10,7 +11,11 @@ use super::writer::{Entry, Program};
 
 /// What every body may call.
 pub const GIVEN: &str = include_str!("given.txt");
-const GRAMMAR: &str = concat!(include_str!("grammar.txt"), include_str!("referring.txt"));
+const GRAMMAR: &str = concat!(
+    include_str!("grammar.txt"),
+    include_str!("referring.txt"),
+    include_str!("iterating.txt")
+);
 
 /// How many parts lie inside each other at most.
 const DEPTH: usize = 4;
@@ -121,7 +126,7 @@ impl Body<'_> {
         let fit: Vec<usize> = (0..self.grammar.len())
             .filter(|at| self.grammar[*at].kind == kind && self.fits(&self.grammar[*at]))
             .collect();
-        let ends = |at: &usize| !has_holes(self.grammar[*at].text) || kind == 'X';
+        let ends = |at: &usize| !has_holes(self.grammar[*at].text) || is_iterator(kind);
         let short: Vec<usize> = fit.iter().copied().filter(ends).collect();
         let few = depth == 0 || self.random.one_in(4);
         let among = match (few, short.is_empty()) {
@@ -129,12 +134,10 @@ impl Body<'_> {
             _ => &fit,
         };
         // Beyond its depth an iterator begins, and does not go on.
-        let among: Vec<usize> = match kind == 'X' && depth == 0 {
-            true => among
-                .iter()
-                .copied()
-                .filter(|at| !self.grammar[*at].text.contains("<+X>"))
-                .collect(),
+        let among: Vec<usize> = match is_iterator(kind) && depth == 0 {
+            true => {
+                among.iter().copied().filter(|at| !self.grammar[*at].text.contains("<+")).collect()
+            }
             false => among.clone(),
         };
         if among.is_empty() {
@@ -157,11 +160,11 @@ impl Body<'_> {
         }
         out += rest;
         // What an iterator holds it holds as long as it is gone through.
-        match kind {
-            'X' => {
+        match is_iterator(kind) {
+            true => {
                 self.loans.extend(mentions(&text.replace(['<', '>'], "")).filter(|it| it.0 == 't'))
             }
-            _ => self.loans.truncate(before),
+            false => self.loans.truncate(before),
         }
         out
     }
@@ -183,6 +186,11 @@ impl Body<'_> {
     }
 }
 
+/// Iterators, and those that are gone through by hand.
+fn is_iterator(kind: char) -> bool {
+    matches!(kind, 'X' | 'G' | 'H')
+}
+
 fn has_holes(text: &str) -> bool {
     text.split('<').skip(1).any(|hole| hole_of(hole).is_some())
 }
@@ -199,17 +207,23 @@ fn hole_of(text: &str) -> Option<(char, char, &str)> {
 
 /// A body of a statement or two and a value.
 pub fn program(random: &mut Random, name: &str) -> Program {
+    let values = [('K', "beside_tells_k"), ('K', "beside_tells_k"), ('F', "beside_tells_f")];
+    of_value(random, name, &values)
+}
+
+/// The same whose value comes of an iterator that is gone through by hand.
+pub fn iterating(random: &mut Random, name: &str) -> Program {
+    of_value(random, name, &[('L', "beside_tells_k")])
+}
+
+fn of_value(random: &mut Random, name: &str, values: &[(char, &str)]) -> Program {
     let mut body = Body { random, grammar: grammar(), loans: Vec::new(), closures: 0 };
     let mut text = String::new();
     for _ in 0..body.random.below(3) {
         text += &body.part('S', DEPTH);
         text.push('\n');
     }
-    let (kind, tells) = body.random.of(&[
-        ('K', "beside_tells_k"),
-        ('K', "beside_tells_k"),
-        ('F', "beside_tells_f"),
-    ]);
+    let (kind, tells) = body.random.of(values);
     let value = body.part(kind, DEPTH);
     text += &format!("let z = {value};\n{tells}(z, t);\n");
     let used = |name: char| {

@@ -1,0 +1,64 @@
+//! Loops that go round once: their statements without the loop.
+//!
+//! Invariant: what follows a `break` in the loop runs in the same cases without it.
+//!
+//! Must not know: what a loop goes through, but for the next item of an iterator that is gone through by hand.
+
+use bessemer_ir::{Block, CompareOp, Expr, Span, Stmt, StmtKind};
+
+use super::lowering::Lowering;
+
+impl Lowering<'_, '_> {
+    /// A loop that takes the next item of an iterator, without the loop: there is one pass, or none.
+    pub(super) fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<Block> {
+        let StmtKind::For { variable, from, to, inclusive, reversed: false, ended, body, .. } =
+            kind
+        else {
+            return None;
+        };
+        if *ended && *inclusive && from.is_literal() && from == to {
+            return single_pass(&body.0);
+        }
+        if *inclusive || !self.is_taken(from) {
+            return None;
+        }
+        let mut then =
+            Block::of(StmtKind::Let { local: *variable, value: Some(from.clone()) }, span);
+        then.0.extend(single_pass(&body.0)?.0);
+        let condition = Expr::compare(CompareOp::Lt, from.clone(), to.clone());
+        Some(Block::of(StmtKind::If { condition, then, otherwise: Block::default() }, span))
+    }
+}
+
+/// The statements of a pass that leaves its loop at its end, without the loop; none if anything but an `if … { …; break; }`
+/// leaves it before.
+pub(super) fn single_pass(pass: &[Stmt]) -> Option<Block> {
+    let (last, rest) = pass.split_last()?;
+    matches!(last.kind, StmtKind::Break).then(|| without_breaks(rest)).flatten()
+}
+
+/// Statements behind an `if … { …; break; }` stand in its `else`.
+fn without_breaks(stmts: &[Stmt]) -> Option<Block> {
+    let leaves = |kind: &StmtKind| matches!(kind, StmtKind::Break | StmtKind::Continue);
+    let remains = |stmts: &[Stmt]| !stmts.iter().any(|stmt| stmt.any_branch(&leaves));
+    let Some(at) = stmts.iter().position(|stmt| stmt.any_branch(&leaves)) else {
+        return Some(Block(stmts.to_vec()));
+    };
+    let StmtKind::If { condition, then, otherwise } = &stmts[at].kind else { return None };
+    let (Stmt { kind: StmtKind::Break, .. }, then) = then.0.split_last()? else { return None };
+    if !remains(then) || !remains(&otherwise.0) {
+        return None;
+    }
+    let (condition, then) = (condition.clone(), Block(then.to_vec()));
+    let mut otherwise = otherwise.clone();
+    otherwise.0.extend(without_breaks(&stmts[at + 1..])?.0);
+    let (condition, then, otherwise) = match then.0.is_empty() {
+        true => (condition.negated(), otherwise, then),
+        false => (condition, then, otherwise),
+    };
+    let mut all = stmts[..at].to_vec();
+    if !then.0.is_empty() {
+        all.push(Stmt::new(StmtKind::If { condition, then, otherwise }, stmts[at].span));
+    }
+    Some(Block(all))
+}

@@ -1,0 +1,185 @@
+//! Iterators are made where they stand: what a function computes before its first item, and what is copied, happens there.
+
+use bessemer::prelude::*;
+
+/// One more, from one to eight.
+#[function]
+fn bump(count: &mut u32) -> u32 {
+    *count = (*count & 7) + 1;
+    *count
+}
+
+/// From one count to the next, and two more.
+#[function]
+fn counts(count: &mut u32) -> impl Iterator<Item = u32> + Clone + use<> {
+    let start = bump(count);
+    (start..bump(count) + 2).map(move |value| value ^ start)
+}
+
+/// Changed by a key that is computed once.
+#[function]
+fn keyed<I: Iterator<Item = u32>>(items: I, count: &mut u32) -> impl Iterator<Item = u32> + use<I> {
+    let key = bump(count);
+    items.map(move |value| value ^ key)
+}
+
+/// Before what it begins with.
+#[function]
+pub fn folded(count: u32) -> (u32, u32) {
+    let mut count = count;
+    let sum = counts(&mut count).fold(bump(&mut count), |sum, value| sum ^ value);
+    (sum, count)
+}
+
+/// Under a name, before what comes between.
+#[function]
+pub fn named(count: u32) -> (u32, u32) {
+    let mut count = count;
+    let odd = counts(&mut count).filter(|value| *value & 1 == 1);
+    let between = bump(&mut count);
+    let sum = odd.clone().fold(between, |sum, value| sum.wrapping_mul(3) ^ value);
+    (odd.fold(sum, |sum, value| sum.wrapping_mul(5) ^ value), count)
+}
+
+/// By hand.
+#[function]
+pub fn by_hand(count: u32) -> (u32, Option<u32>, u32) {
+    let mut count = count;
+    let mut items = counts(&mut count);
+    let between = bump(&mut count);
+    let first = items.next().unwrap_or(bump(&mut count));
+    let second = items.next();
+    (items.fold(first ^ between, |sum, value| sum ^ value), second, count)
+}
+
+/// In a function that takes one.
+#[function]
+pub fn through(count: u32, other: u32, values: &[u32; 3]) -> (u32, u32, u32) {
+    let (mut count, mut other) = (count, other);
+    let all = keyed(counts(&mut count), &mut other).chain(values.iter().copied());
+    let between = bump(&mut count) ^ bump(&mut other);
+    (all.fold(between, |sum, value| sum.wrapping_mul(3) ^ value), count, other)
+}
+
+/// Two of them, from left to right.
+#[function]
+pub fn same(count: u32) -> (bool, u32) {
+    let mut count = count;
+    let same = counts(&mut count).eq(counts(&mut count));
+    (same, count)
+}
+
+/// What it computes may fail, whether its items are wanted or not.
+#[function]
+fn parts(of: u32) -> impl Iterator<Item = u32> {
+    let step = 1000 / of;
+    (0..3).map(move |part| part * step)
+}
+
+/// Its fault comes before that of the index.
+#[function]
+pub fn unwanted(of: u32, values: &[u32; 4], at: usize) -> u32 {
+    let all = parts(of);
+    let value = values[at];
+    if value > 100 {
+        return value;
+    }
+    all.fold(value, |sum, part| sum ^ part)
+}
+
+/// Halves of a number, to zero.
+#[data]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Halves {
+    left: u32,
+}
+
+#[data]
+impl Iterator for Halves {
+    type Item = u32;
+
+    fn next(&mut self) -> Option<u32> {
+        if self.left == 0 {
+            return None;
+        }
+        self.left /= 2;
+        Some(self.left)
+    }
+}
+
+/// A copy of a chain goes on by itself.
+#[function]
+pub fn copied(left: u32) -> (u32, u32, u32) {
+    let all = Halves { left }.take(5).map(|value| value ^ 3);
+    let twice = all.clone().map(|value| value ^ 5);
+    let sum = all.clone().fold(0, |sum: u32, value| sum.wrapping_mul(3) ^ value);
+    let next = twice.clone().fold(sum, |sum, value| sum.wrapping_mul(3) ^ value);
+    (next, twice.count() as u32, all.fold(7, |sum: u32, value| sum.wrapping_mul(5) ^ value))
+}
+
+/// A chain above it, of which so many are wanted.
+#[function]
+pub fn changed(left: u32, key: u32) -> u32 {
+    let mut sum = 0_u32;
+    for value in (Halves { left }).map(|value| value ^ key).take(4) {
+        sum = sum.wrapping_mul(3) ^ value;
+    }
+    let named = Halves { left: left ^ key }.inspect(|_| {}).map(|value| value ^ 1);
+    named.take(6).fold(sum, |sum, value| sum.wrapping_mul(3) ^ value)
+}
+
+/// By hand, and as a copy.
+#[function]
+pub fn changed_by_hand(left: u32) -> ([Option<u32>; 4], u32) {
+    let mut items = Halves { left }.map(|value| value ^ 6);
+    let (first, mut copy) = (items.next(), items.clone());
+    let (second, third) = (items.next(), copy.next());
+    let rest = items.by_ref().take(2).fold(0, |sum: u32, value| sum.wrapping_mul(3) ^ value);
+    ([first, second, third, items.next()], rest ^ copy.take(3).sum::<u32>())
+}
+
+/// A loop that goes round once.
+#[function]
+pub fn once(value: i16, key: i16) -> (i16, i16) {
+    let mut digest = value;
+    loop {
+        if digest > key {
+            break;
+        }
+        digest ^= 5;
+        if digest == 3 {
+            digest = 8;
+            break;
+        }
+        digest ^= key;
+        break;
+    }
+    let chosen = loop {
+        if value > 3 {
+            break 7;
+        }
+        if key == digest {
+            break 5;
+        }
+        break value ^ key;
+    };
+    (digest, chosen)
+}
+
+/// Alternatives of a pattern share their names, also where they are kept apart from others.
+#[function]
+pub fn alternatives(of: Option<i16>, key: i16) -> (i16, i16) {
+    let mut key = key;
+    let step = |key: &mut i16| {
+        *key = (*key & 15) ^ 9;
+        *key
+    };
+    let ends = (0..match of {
+        Some(value @ 1 | value @ (3..=60 | -9)) if value > step(&mut key) => value & 7,
+        value @ Some(_) => value.unwrap_or(1) & 3,
+        None => 2,
+    })
+        .map(|value| value ^ 3)
+        .fold(1, |sum: i16, value| sum.wrapping_mul(3) ^ value);
+    (ends, key)
+}
