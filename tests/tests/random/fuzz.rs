@@ -14,7 +14,8 @@ use super::{Batch, PROGRAMS, Reached, attack, found, shrink, wrong};
 const AIMED: usize = 16;
 const INSTANCES: usize = 40;
 
-/// One batch of so many is of programs of every kind, and one of bodies whose operands write, as many of these.
+/// One batch of so many is of programs of every kind, one of bodies whose operands write, and one of bodies with iterators that
+/// are gone through by hand, as many of these.
 const OF: u64 = 12;
 const BESIDE: usize = 200;
 /// In one batch of so many rustc gets the instances of each text, and in the others one function of each.
@@ -33,7 +34,6 @@ fn as_many_as_asked() {
         }
         let mut batch = match seed % OF {
             0 => Batch::new(seed, PROGRAMS),
-            x if x != 99 => Batch::iterating(seed, 60),
             1 => Batch::beside(seed, BESIDE),
             2 => Batch::iterating(seed, BESIDE),
             _ => Batch::aimed(seed, AIMED, INSTANCES),

@@ -1,7 +1,7 @@
 //! Random bodies whose operands, indices and closures write what stands beside them: small, and many of them.
 //!
 //! The grammar is data (`grammar.txt`; of references and patterns, `referring.txt`; of iterators with a
-//! name, `iterating.txt`), and so is what the bodies call
+//! name, `iterating.txt`; of types with operators of their own, and lists, `owning.txt`), and so is what the bodies call
 //! (`given.txt`). A loan is kept as long as the production lasts that makes it, so that rustc takes what comes out; what it
 //! refuses all the same is counted.
 
@@ -14,14 +14,15 @@ pub const GIVEN: &str = include_str!("given.txt");
 const GRAMMAR: &str = concat!(
     include_str!("grammar.txt"),
     include_str!("referring.txt"),
-    include_str!("iterating.txt")
+    include_str!("iterating.txt"),
+    include_str!("owning.txt")
 );
 
 /// How many parts lie inside each other at most.
 const DEPTH: usize = 4;
 
 /// The variables: the name, what it begins as, and how `t` is told of it.
-const VARIABLES: [(char, &str, &str); 15] = [
+const VARIABLES: [(char, &str, &str); 18] = [
     ('n', "n0 as usize % 3", "beside_tells_k(n as i16, t);"),
     ('k', "k0", "beside_tells_k(k, t);"),
     ('f', "f0", "beside_tells_f(f, t);"),
@@ -48,6 +49,17 @@ const VARIABLES: [(char, &str, &str); 15] = [
         'm',
         "Matrix3::new(1.0, f0, 0.5, -3.0, 0.75, 2.0, a0[0] as f64, -1.5, 4.0)",
         "for x in m.iter() { beside_tells_f(*x, t); }",
+    ),
+    ('e', "BesideNum(k0 ^ 3)", "beside_tells_k(e.0, t);"),
+    (
+        'j',
+        "BesideRow { of: [BesideNum(k0), BesideNum(a0[1]), BesideNum(8)], n: a0[0] }",
+        "for x in j.of { beside_tells_k(x.0, t); } beside_tells_k(j.n, t);",
+    ),
+    (
+        'l',
+        "{ let mut l = List::<i16, 6>::new(); l.push(a0[0]); if n0 & 1 == 0 { l.push(k0); } l }",
+        "for x in l.iter() { beside_tells_k(*x, t); }",
     ),
     // What the references refer to, which nothing writes.
     ('u', "[a0, [k0, 4, -3], [a0[2], 7, k0]]", ""),
