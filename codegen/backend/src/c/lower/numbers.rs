@@ -72,6 +72,13 @@ impl Lower<'_> {
             value if raised => Expr::cast("uint32_t", value),
             value => value,
         };
+        // The count is unsigned, too (MISRA C:2012, rule 10.1).
+        let count = match right.ty.as_int() {
+            Some(held) if held.signed() && !narrow && !right.is_literal() => {
+                self.as_int(held, Int::U32, count)
+            }
+            _ => count,
+        };
         narrowed(&left.ty, Expr::binary(if left_shift { "<<" } else { ">>" }, value, count))
     }
 
