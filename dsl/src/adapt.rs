@@ -139,7 +139,7 @@ pub fn zip<T, U>(
 /// The first, and each that comes `step` behind one of them.
 #[function(expand)]
 pub fn step_by<T>(items: impl Iterator<Item = T>, step: usize, mut __each: impl FnMut(T)) {
-    assert!(step > 0);
+    assert!(step != 0);
     let between = step - 1;
     let mut left = 0_usize;
     for item in items {

@@ -80,6 +80,13 @@ impl<'a> Lowering<'a, '_> {
         }
         let taken = format!("taken%{through}");
         let through = (*self.closures[through]).clone();
+        // One that gives the items of another unchanged is that other.
+        if let Some(of) = all_of(&through.text.body)
+            && let Some(named) =
+                self.in_scope_of(&through, None, site, |inner| Ok(inner.iterator_named(of)))?
+        {
+            return self.counted(name, named, site);
+        }
         let (through, mut kept) = match self.started(&through, site)? {
             Some((own, kept)) => (own, kept),
             None => (through, Vec::new()),
@@ -166,9 +173,6 @@ impl<'a> Lowering<'a, '_> {
     ) -> Result<Option<(Closure<'a>, Vec<String>)>> {
         let Some(of) = all_of(&through.text.body) else { return Ok(None) };
         self.in_scope_of(through, None, site, |inner| {
-            if let Some(named) = inner.iterator_named(of) {
-                return Ok(Some(((*inner.closures[named]).clone(), Vec::new())));
-            }
             let Some((function, arguments)) = inner.expansion(of).filter(|it| counts_on(it.0))
             else {
                 return Ok(None);

@@ -57,6 +57,7 @@ mod ranges;
 mod refusals;
 mod rewrite;
 mod seq;
+mod settled;
 mod single_pass;
 mod slice;
 mod spatial;

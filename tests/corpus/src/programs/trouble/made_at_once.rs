@@ -183,3 +183,61 @@ pub fn alternatives(of: Option<i16>, key: i16) -> (i16, i16) {
         .fold(1, |sum: i16, value| sum.wrapping_mul(3) ^ value);
     (ends, key)
 }
+
+/// A size of zero fails where the iterator is made, whether its items are wanted or not.
+#[function]
+pub fn sizes(values: &[u32; 4], size: usize, at: usize, kind: u8) -> u32 {
+    let size = size & 3;
+    let parts = match kind & 3 {
+        0 => {
+            let parts = values.chunks(size);
+            if values[at] & 1 == 1 {
+                return 1;
+            }
+            parts.count()
+        }
+        1 => {
+            let parts = values.iter().step_by(size);
+            if values[at] & 1 == 1 {
+                return 2;
+            }
+            parts.count()
+        }
+        2 => {
+            let parts = values.iter().filter(|value| **value & 2 == 0).step_by(size);
+            if values[at] & 1 == 1 {
+                return 3;
+            }
+            parts.count()
+        }
+        _ => (0..values.len()).step_by(size).filter(|place| *place != at).count(),
+    };
+    parts as u32
+}
+
+/// The rest of an iterator, and a copy of what is made of it.
+#[function]
+pub fn rest(values: &[u32; 6], key: u32) -> [u32; 3] {
+    let mut items = values.iter().copied();
+    let first = items.next().unwrap_or(1);
+    let rest = items.map(move |value| value ^ key);
+    let sum = rest.clone().fold(0, |sum: u32, value| sum.wrapping_mul(3) ^ value);
+    [first, sum, rest.fold(1, |sum: u32, value| sum.wrapping_mul(5) ^ value)]
+}
+
+/// What a function is given, as it is.
+#[function]
+fn passed<I: Iterator<Item = u32>>(items: I) -> impl Iterator<Item = u32> {
+    items
+}
+
+/// By hand through that, and on.
+#[function]
+pub fn handed(values: &[u32; 6]) -> ([Option<u32>; 3], u32) {
+    let mut items = values.iter().copied();
+    let (first, second) = {
+        let mut some = passed(items.by_ref());
+        (some.next(), some.next())
+    };
+    ([first, second, items.next()], items.fold(0, |sum: u32, value| sum.wrapping_mul(3) ^ value))
+}
