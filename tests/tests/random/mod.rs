@@ -53,6 +53,7 @@ const FEWER: usize = 12;
 const AIMED: usize = 4;
 /// Small bodies of a seed whose operands write, or that have iterators with a name.
 const BESIDE: usize = 24;
+const ITERATING: usize = 12;
 const INSTANCES: usize = 4;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
@@ -504,7 +505,7 @@ fn random_programs_agree() {
         let mut found = attack(&workspace, seed, &mut batch).differences;
         let mut small = match seed % 2 {
             0 => Batch::beside(seed, BESIDE),
-            _ => Batch::iterating(seed, BESIDE),
+            _ => Batch::iterating(seed, ITERATING),
         };
         found.extend(attack(&workspace, seed, &mut small).differences);
         let refused = batch.refused.iter().chain(&batch.mistaken);

@@ -276,7 +276,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// Whether a value is how many items were taken of an iterator.
+    /// True for the count of an iterator that is gone through by hand.
     pub(super) fn is_taken(&self, value: &Expr) -> bool {
         let mut counts = self.hands.values().filter(|hand| hand.taken.is_some());
         matches!(&value.kind, ExprKind::Load(place) if counts.any(|it| it.local == place.root))
@@ -344,14 +344,13 @@ impl<'a> Lowering<'a, '_> {
         Some((name.clone(), self.place_of(&meaning, span)?.root))
     }
 
-    /// Whether a function that gives an iterator is one loop, which goes through all items that it takes, and remembers
-    /// nothing.
+    /// True for an adapter like `map`: a generator function of one loop, without state, over all items of its iterator.
     fn is_for_each(&self, function: &tree::Function) -> bool {
         let [Stmt::Expr(through)] = function.tree.body.stmts.as_slice() else { return false };
         function.tree.body.tail.is_none() && self.goes_through_all(function, through)
     }
 
-    /// The same of a loop in it.
+    /// True for a loop of such an adapter over all items of the adapter's iterator, without a `break` or an inner loop.
     fn goes_through_all(&self, function: &tree::Function, through: &tree::Expr) -> bool {
         let Tree::Each { source, body: pass, .. } = &through.kind else { return false };
         use Tree::{Break, Each, While};
@@ -360,7 +359,7 @@ impl<'a> Lowering<'a, '_> {
         !pass.any_expr(loops) && self.are_all(function, of)
     }
 
-    /// Whether an expression in it is what it takes, or a link of a chain that gives an item for each of these.
+    /// True for the adapter's iterator itself, and for a chain above it whose links are such adapters.
     fn are_all(&self, function: &tree::Function, of: &tree::Expr) -> bool {
         match &of.kind {
             Tree::Local(name) => function.tree.params.iter().any(|it| it.items && it.name == *name),

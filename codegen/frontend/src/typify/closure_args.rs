@@ -131,7 +131,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// Whether a closure is an iterator with a name, which hands its items on.
+    /// True for the closure of a named iterator: it hands items on.
     fn is_iterator(&self, closure: usize) -> bool {
         let hands = |it: &tree::Expr| matches!(&it.kind, tree::ExprKind::Apply(name, _) if name == tree::EACH);
         self.closures[closure].text.body.any_expr(hands)

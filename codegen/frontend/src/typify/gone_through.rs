@@ -112,7 +112,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether an expression is a place that can be named twice: its indices are names and numbers.
+/// True for a place that may be evaluated twice: its indices are names and numbers.
 fn is_place(expr: &tree::Expr) -> bool {
     match &expr.kind {
         Tree::Local(_) => true,

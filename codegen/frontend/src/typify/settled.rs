@@ -198,8 +198,8 @@ impl<'a> Lowering<'a, '_> {
         arguments: &[tree::Expr],
         site: Site,
     ) -> Result<()> {
-        let stmts: Vec<_> = function.tree.body.stmts.iter().rev().skip(1).rev().collect();
-        let asserts = stmts.into_iter().take_while(|stmt| matches!(stmt, Stmt::Expr(_)));
+        let Some((_, before)) = function.tree.body.stmts.split_last() else { return Ok(()) };
+        let asserts = before.iter().take_while(|stmt| matches!(stmt, Stmt::Expr(_)));
         let asserts: Vec<_> = asserts.cloned().collect();
         if asserts.is_empty() {
             return Ok(());
