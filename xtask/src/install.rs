@@ -3,6 +3,8 @@
 //! Invariants:
 //! - the line printed and the steps run are made of the same words;
 //! - apt-get is asked for nothing but what is missing, asks nothing, and waits for a lock held by another;
+//! - the environment of Python is made whole: if one of its packages is missing, it is made anew with all of them, so that no
+//!   part depends on what was there;
 //! - what asks for a password, and what a build needs, is installed before anything else begins; the rest, which waits for the
 //!   network and the disk, goes on beside the build;
 //! - a [`Plan`] is only made where apt-get works, or where nothing has to come from it.
@@ -54,7 +56,7 @@ impl Plan {
             match tool.source {
                 Source::Component(name) => components.push(name),
                 Source::Package(name) => packages.push(name),
-                Source::Python(name) => python.push(name),
+                Source::Python(_) => python = tools::requirements().collect(),
                 Source::Rust => {}
             }
         }
@@ -156,7 +158,7 @@ impl Plan {
         if !self.python.is_empty() {
             let folder = tools::python();
             let pip = folder.join("bin/pip").display().to_string();
-            let create = words("python3 -m venv", &[&folder.display().to_string()]);
+            let create = words("python3 -m venv --clear", &[&folder.display().to_string()]);
             let install = [vec![pip], words("install --quiet --no-compile", &self.python)].concat();
             steps.push(Step { name: "python3 -m venv", words: create, as_root: false });
             steps.push(Step { name: "pip install", words: install, as_root: false });

@@ -54,8 +54,15 @@ pub enum Probe {
     Sanitizers(&'static str),
     /// The file exists.
     File(&'static str),
-    /// The Python of this project, or any without it, finds the module.
+    /// The system's Python finds the module.
     Module(&'static str),
+    /// The environment below `target` has the module, of the version that is pinned.
+    Environment {
+        /// As it is imported.
+        module: &'static str,
+        /// As pip installs it: `name==version`.
+        requirement: &'static str,
+    },
 }
 
 /// Where the tool comes from.
@@ -97,6 +104,18 @@ const fn headers(name: &'static str, compiler: Program, need: Need) -> Tool {
     let source = Source::Package(compiler.packages[1]);
     let purpose = "headers and libraries for the above";
     Tool { name, purpose, need, probe: Probe::Headers(compiler.name), source }
+}
+
+/// A package of Python's, of a pinned version.
+const fn package(
+    name: &'static str,
+    purpose: &'static str,
+    need: Need,
+    module: &'static str,
+    requirement: &'static str,
+) -> Tool {
+    let probe = Probe::Environment { module, requirement };
+    Tool { name, purpose, need, probe, source: Source::Python(requirement) }
 }
 
 /// Every tool that some command needs, in the order in which they are listed.
@@ -179,27 +198,27 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Module("ensurepip"),
         source: Source::Package("python3-venv"),
     },
-    Tool {
-        name: "numpy",
-        purpose: "the arrays of what `cargo bessemer py` makes",
-        need: Need::Analysis,
-        probe: Probe::Module("numpy"),
-        source: Source::Python("numpy==2.3.5"),
-    },
-    Tool {
-        name: "FMPy",
-        purpose: "steps what `cargo bessemer fmu` makes",
-        need: Need::Analysis,
-        probe: Probe::Module("fmpy"),
-        source: Source::Python("fmpy==0.3.32"),
-    },
-    Tool {
-        name: "pya2l",
-        purpose: "reads what `cargo bessemer a2l` makes",
-        need: Need::Analysis,
-        probe: Probe::Module("pya2l"),
-        source: Source::Python("pya2ldb==1.0.355"),
-    },
+    package(
+        "numpy",
+        "the arrays of what `cargo bessemer py` makes",
+        Need::Analysis,
+        "numpy",
+        "numpy==2.3.5",
+    ),
+    package(
+        "FMPy",
+        "steps what `cargo bessemer fmu` makes",
+        Need::Analysis,
+        "fmpy",
+        "fmpy==0.3.32",
+    ),
+    package(
+        "pya2l",
+        "reads what `cargo bessemer a2l` makes",
+        Need::Analysis,
+        "pya2l",
+        "pya2ldb==1.0.355",
+    ),
     program(programs::AARCH64_GCC, "compiles the emitted C for ARM of 64 bits", Need::Full),
     headers("aarch64 C library", programs::AARCH64_GCC, Need::Full),
     program(programs::QEMU_AARCH64, "runs it", Need::Full),
@@ -220,13 +239,7 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Version("chromium"),
         source: Source::Package("chromium"),
     },
-    Tool {
-        name: "pymavlink",
-        purpose: "the other end of MAVLink",
-        need: Need::Full,
-        probe: Probe::Module("pymavlink"),
-        source: Source::Python("pymavlink==2.4.50"),
-    },
+    package("pymavlink", "the other end of MAVLink", Need::Full, "pymavlink", "pymavlink==2.4.50"),
     Tool {
         name: "valgrind",
         purpose: "counts instructions on the host",
@@ -264,6 +277,14 @@ pub const TOOLS: &[Tool] = &[
     },
 ];
 
+/// Every package of Python's, as pip installs it.
+pub fn requirements() -> impl Iterator<Item = &'static str> {
+    TOOLS.iter().filter_map(|tool| match tool.source {
+        Source::Python(requirement) => Some(requirement),
+        _ => None,
+    })
+}
+
 /// Where the packages of Python's are.
 #[must_use]
 pub fn python() -> PathBuf {
@@ -284,11 +305,18 @@ pub trait Machine {
     fn has_file(&self, path: &str) -> bool {
         std::path::Path::new(path).exists()
     }
-    /// Whether Python finds the module.
+    /// Whether the system's Python finds the module.
     fn has_module(&self, module: &str) -> bool {
-        let own = python().join("bin/python");
-        let python = if own.exists() { own } else { "python3".into() };
-        answer(Command::new(python).args(["-c", &format!("import {module}")])).is_some()
+        answer(Command::new("python3").args(["-c", &format!("import {module}")])).is_some()
+    }
+    /// Whether the environment below `target` has the module, of the version in `requirement`: `name==version`. What the
+    /// system's Python has does not count, since the tests run the environment's.
+    fn has_package(&self, module: &str, requirement: &str) -> bool {
+        let (name, version) = requirement.split_once("==").unwrap_or((requirement, ""));
+        let script = format!(
+            "import {module}, importlib.metadata as it; assert it.version('{name}') == '{version}'"
+        );
+        answer(Command::new(python().join("bin/python")).args(["-c", &script])).is_some()
     }
 }
 
@@ -347,14 +375,24 @@ impl Finding {
 /// Looks every tool up.
 #[must_use]
 pub fn survey(machine: &dyn Machine) -> Vec<Finding> {
-    let look = |tool: &'static Tool| match tool.probe {
+    TOOLS.iter().map(|tool| find(tool, machine)).collect()
+}
+
+/// Looks a tool up.
+#[must_use]
+pub fn find(tool: &'static Tool, machine: &dyn Machine) -> Finding {
+    let there = |found: bool| found.then(|| "found".to_owned());
+    let found = match tool.probe {
         Probe::Version(program) => machine.version(program).map(|answer| number(&answer)),
-        Probe::Headers(compiler) => machine.finds_headers(compiler).then(|| "found".to_owned()),
-        Probe::Sanitizers(compiler) => machine.has_sanitizers(compiler).then(|| "found".to_owned()),
-        Probe::File(path) => machine.has_file(path).then(|| "found".to_owned()),
-        Probe::Module(module) => machine.has_module(module).then(|| "found".to_owned()),
+        Probe::Headers(compiler) => there(machine.finds_headers(compiler)),
+        Probe::Sanitizers(compiler) => there(machine.has_sanitizers(compiler)),
+        Probe::File(path) => there(machine.has_file(path)),
+        Probe::Module(module) => there(machine.has_module(module)),
+        Probe::Environment { module, requirement } => {
+            there(machine.has_package(module, requirement))
+        }
     };
-    TOOLS.iter().map(|tool| Finding { tool, found: look(tool) }).collect()
+    Finding { tool, found }
 }
 
 /// The tools that are missing for the needs given.

@@ -43,6 +43,10 @@ impl Machine for Fake {
     fn has_module(&self, _: &str) -> bool {
         true
     }
+
+    fn has_package(&self, _: &str, _: &str) -> bool {
+        true
+    }
 }
 
 impl Fake {
@@ -160,7 +164,8 @@ fn packages_of_pythons_come_last_and_below_target() {
     assert_eq!(
         last,
         format!(
-            "python3 -m venv {own} && {own}/bin/pip install --quiet --no-compile pya2ldb==1.0.355 pymavlink==2.4.50"
+            "python3 -m venv --clear {own} && {own}/bin/pip install --quiet --no-compile \
+             numpy==2.3.5 fmpy==0.3.32 pya2ldb==1.0.355 pymavlink==2.4.50"
         )
     );
 }
