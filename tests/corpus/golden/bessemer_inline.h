@@ -64,9 +64,9 @@
 #include "pair_u8_i32.h"
 #include "pair_u8_pair_f32_bool.h"
 #include "plain_idioms.h"
-#include "programs_trouble_defaults.h"
-#include "programs_trouble_lists.h"
-#include "programs_trouble_tuples.h"
+#include "programs_data_corner_cases_defaults.h"
+#include "programs_data_corner_cases_lists.h"
+#include "programs_data_corner_cases_tuples.h"
 #include "quaternion.h"
 #include "ranked_extremes.h"
 #include "result_usize_usize.h"
@@ -161,6 +161,20 @@ static inline bool sort_below_f64(double one, double other)
     return one < other || (isnan(one) == 0 && isnan(other) != 0);
 }
 
+/** Whether the two are equal, part by part. */
+static inline bool duty_hold_equal(const duty_hold_t *one, const duty_hold_t *other)
+{
+    return one->from == other->from && one->share == other->share;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool compared_variants_duty_equal(const compared_variants_duty_t *one,
+    const compared_variants_duty_t *other)
+{
+    return one->tag == other->tag && (one->tag != DUTY_TAG_OPEN || one->as.open == other->as.open)
+        && (one->tag != DUTY_TAG_HOLD || duty_hold_equal(&one->as.hold, &other->as.hold));
+}
+
 /** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
 static inline bool sort_below_f32(float one, float other)
 {
@@ -183,6 +197,536 @@ static inline bool target_equal(const target_t *one, const target_t *other)
 {
     return one->position[0] == other->position[0] && one->position[1] == other->position[1]
         && one->position[2] == other->position[2] && one->land == other->land;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool programs_data_corner_cases_defaults_gain_equal(
+    const programs_data_corner_cases_defaults_gain_t *one,
+    const programs_data_corner_cases_defaults_gain_t *other)
+{
+    return one->p == other->p && one->limit == other->limit && one->on == other->on;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool set_equal(const set_t *one, const set_t *other)
+{
+    bool all_equal = true;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        bool all_equal_2 = true;
+        for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
+            if (!programs_data_corner_cases_defaults_gain_equal(&one->gains[i][i_2],
+                    &other->gains[i][i_2])) {
+                all_equal_2 = false;
+                break;
+            }
+        }
+        if (!all_equal_2) {
+            all_equal = false;
+            break;
+        }
+    }
+    bool all_equal_2 = false;
+    bool all_holds = all_equal;
+    if (all_holds) {
+        all_equal_2 = true;
+        for (uint32_t i = 0U; i < 3U; i++) {
+            bool all_equal_3 = true;
+            for (uint32_t i_2 = 0U; i_2 < 3U; i_2++) {
+                if (one->offsets[i_2 + 3U * i] != other->offsets[i_2 + 3U * i]) {
+                    all_equal_3 = false;
+                    break;
+                }
+            }
+            if (!all_equal_3) {
+                all_equal_2 = false;
+                break;
+            }
+        }
+        all_holds = all_equal_2;
+    }
+    bool all_equal_3 = false;
+    bool all_holds_2 = all_holds && (one->scale[0] == other->scale[0]
+        && one->scale[1] == other->scale[1]);
+    if (all_holds_2) {
+        all_equal_3 = true;
+        for (uint32_t i = 0U; i < 6U; i++) {
+            if (one->name[i] != other->name[i]) {
+                all_equal_3 = false;
+                break;
+            }
+        }
+        all_holds_2 = all_equal_3;
+    }
+    bool all_equal_4 = false;
+    bool all_holds_3 = all_holds_2;
+    if (all_holds_3) {
+        all_equal_4 = true;
+        for (uint32_t i = 0U; i < 2U; i++) {
+            bool all_equal_5 = true;
+            for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
+                if (!(one->cells[i][i_2][0] == other->cells[i][i_2][0]
+                        && one->cells[i][i_2][1] == other->cells[i][i_2][1])) {
+                    all_equal_5 = false;
+                    break;
+                }
+            }
+            if (!all_equal_5) {
+                all_equal_4 = false;
+                break;
+            }
+        }
+        all_holds_3 = all_equal_4;
+    }
+    return all_holds_3;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool state_holding_equal(const state_holding_t *one, const state_holding_t *other)
+{
+    return one->target == other->target && one->since == other->since;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool state_failed_equal(const state_failed_t *one, const state_failed_t *other)
+{
+    return one->first == other->first && one->second == other->second;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool enums_state_equal(const enums_state_t *one, const enums_state_t *other)
+{
+    return one->tag == other->tag && (one->tag != STATE_TAG_HEATING
+        || one->as.heating == other->as.heating)
+        && (one->tag != STATE_TAG_HOLDING
+        || state_holding_equal(&one->as.holding, &other->as.holding))
+        && (one->tag != STATE_TAG_FAILED
+        || state_failed_equal(&one->as.failed, &other->as.failed));
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool enums_reading_equal(const enums_reading_t *one, const enums_reading_t *other)
+{
+    return one->tag == other->tag && (one->tag != READING_TAG_VOLTS
+        || (one->volts[0] == other->volts[0] && one->volts[1] == other->volts[1]
+        && one->volts[2] == other->volts[2]));
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool list3_u8_equal(const list3_u8_t *one, const list3_u8_t *other)
+{
+    bool all_equal = false;
+    bool all_holds = one->length == other->length;
+    if (all_holds) {
+        all_equal = true;
+        {
+            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
+            for (uint32_t i = 0U; i < end; i++) {
+                if (one->items[i] != other->items[i]) {
+                    all_equal = false;
+                    break;
+                }
+            }
+        }
+        all_holds = all_equal;
+    }
+    return all_holds;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool mark_equal(const mark_t *one, const mark_t *other)
+{
+    return one->at == other->at && list3_u8_equal(&one->notes, &other->notes);
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool list2_u8_equal(const list2_u8_t *one, const list2_u8_t *other)
+{
+    bool all_equal = false;
+    bool all_holds = one->length == other->length;
+    if (all_holds) {
+        all_equal = true;
+        {
+            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(2));
+            for (uint32_t i = 0U; i < end; i++) {
+                if (one->items[i] != other->items[i]) {
+                    all_equal = false;
+                    break;
+                }
+            }
+        }
+        all_holds = all_equal;
+    }
+    return all_holds;
+}
+
+/** The greater of two; of equal ones the second. */
+static inline severity_t comparison_greater_severity(severity_t one, severity_t other)
+{
+    if (other < one) {
+        return one;
+    } else {
+        return other;
+    }
+}
+
+/** The lesser of two; of equal ones the first. */
+static inline severity_t comparison_lesser_severity(severity_t one, severity_t other)
+{
+    if (other < one) {
+        return other;
+    } else {
+        return one;
+    }
+}
+
+/**
+ * The nearest value from `low` to `high`.
+ *
+ * # Panics
+ * Unless `low <= high`.
+ */
+static inline bessemer_status_t comparison_limited_severity(severity_t value, severity_t low,
+    severity_t high, severity_t *severity)
+{
+    if (low > high) {
+        return BESSEMER_STATUS_CLAMP;
+    }
+    if (value < low) {
+        *severity = low;
+        return BESSEMER_STATUS_OK;
+    }
+    if (value > high) {
+        *severity = high;
+        return BESSEMER_STATUS_OK;
+    } else {
+        *severity = value;
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+/** The lesser of two; of equal ones the first. */
+static inline void comparison_lesser_pair_u8_i32(const pair_u8_i32_t *one,
+    const pair_u8_i32_t *other, pair_u8_i32_t *result)
+{
+    if (other->first < one->first || (other->first == one->first && other->second < one->second)) {
+        *result = *other;
+    } else {
+        *result = *one;
+    }
+}
+
+/** The greater of two; of equal ones the second. */
+static inline void comparison_greater_u16_3(const uint16_t one[3], const uint16_t other[3],
+    uint16_t result[3])
+{
+    if (other[0] < one[0] || (other[0] == one[0]
+            && (other[1] < one[1] || (other[1] == one[1] && other[2] < one[2])))) {
+        result[0] = one[0];
+        result[1] = one[1];
+        result[2] = one[2];
+    } else {
+        result[0] = other[0];
+        result[1] = other[1];
+        result[2] = other[2];
+    }
+}
+
+/**
+ * The nearest value from `low` to `high`.
+ *
+ * # Panics
+ * Unless `low <= high`.
+ */
+static inline bessemer_status_t comparison_limited_pair_u8_i32(const pair_u8_i32_t *value,
+    const pair_u8_i32_t *low, const pair_u8_i32_t *high, pair_u8_i32_t *result)
+{
+    if (low->first >= high->first && (low->first != high->first || low->second > high->second)) {
+        return BESSEMER_STATUS_CLAMP;
+    }
+    if (value->first < low->first || (value->first == low->first && value->second < low->second)) {
+        *result = *low;
+        return BESSEMER_STATUS_OK;
+    }
+    if (value->first > high->first || (value->first == high->first
+            && value->second > high->second)) {
+        *result = *high;
+        return BESSEMER_STATUS_OK;
+    } else {
+        *result = *value;
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_u8(uint8_t one, uint8_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_i64(int64_t one, int64_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_usize(uint64_t one, uint64_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_bool(bool one, bool other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+static inline void comparison_partial_f64(double one, double other, option_ordering_t *result)
+{
+    if (one < other) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one == other) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (one > other) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
+    }
+}
+
+/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+static inline void comparison_partial_f32(float one, float other, option_ordering_t *result)
+{
+    if (one < other) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one == other) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (one > other) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
+    }
+}
+
+/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+static inline void comparison_partial_i8(int8_t one, int8_t other, option_ordering_t *result)
+{
+    if (one < other) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one == other) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (one > other) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_u16(uint16_t one, uint16_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_i32(int32_t one, int32_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/** Whether the first comes before the second. */
+static inline bool comparison_is_less(ordering_t order)
+{
+    return order == ORDERING_LESS;
+}
+
+/** Whether the first does not come behind the second. */
+static inline bool comparison_is_at_most(ordering_t order)
+{
+    return order != ORDERING_GREATER;
+}
+
+/** Whether the first comes behind the second. */
+static inline bool comparison_is_greater(ordering_t order)
+{
+    return order == ORDERING_GREATER;
+}
+
+/** Whether the first does not come before the second. */
+static inline bool comparison_is_at_least(ordering_t order)
+{
+    return order != ORDERING_LESS;
+}
+
+/** Whether neither comes first. */
+static inline bool comparison_is_equal(ordering_t order)
+{
+    return order == ORDERING_EQUAL;
+}
+
+/** Whether one of the two comes first. */
+static inline bool comparison_is_unequal(ordering_t order)
+{
+    return order != ORDERING_EQUAL;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool text_6_equal(const text_6_t *one, const text_6_t *other)
+{
+    bool all_equal = false;
+    bool all_holds = one->length == other->length;
+    if (all_holds) {
+        all_equal = true;
+        for (uint32_t i = 0U; i < 6U; i++) {
+            if (one->bytes[i] != other->bytes[i]) {
+                all_equal = false;
+                break;
+            }
+        }
+        all_holds = all_equal;
+    }
+    return all_holds;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool text_lines_line_equal(const text_lines_line_t *one,
+    const text_lines_line_t *other)
+{
+    return text_6_equal(&one->text, &other->text) && one->level == other->level;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool pair_f64_bool_equal(const pair_f64_bool_t *one, const pair_f64_bool_t *other)
+{
+    return one->first == other->first && one->second == other->second;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool pair_u8_i16_equal(const pair_u8_i16_t *one, const pair_u8_i16_t *other)
+{
+    return one->first == other->first && one->second == other->second;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool pair_u8_bool_equal(const pair_u8_bool_t *one, const pair_u8_bool_t *other)
+{
+    return one->first == other->first && one->second == other->second;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool programs_data_corner_cases_tuples_metres_equal(
+    const programs_data_corner_cases_tuples_metres_t *one,
+    const programs_data_corner_cases_tuples_metres_t *other)
+{
+    return one->value == other->value;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool pair_pair_u8_bool_tuples_metres_equal(
+    const pair_pair_u8_bool_tuples_metres_t *one, const pair_pair_u8_bool_tuples_metres_t *other)
+{
+    return pair_u8_bool_equal(&one->first, &other->first)
+        && programs_data_corner_cases_tuples_metres_equal(&one->second, &other->second);
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool programs_data_corner_cases_tuples_holder_equal(
+    const programs_data_corner_cases_tuples_holder_t *one,
+    const programs_data_corner_cases_tuples_holder_t *other)
+{
+    bool all_equal = false;
+    bool all_holds = pair_f64_bool_equal(&one->pair, &other->pair);
+    if (all_holds) {
+        all_equal = true;
+        for (uint32_t i = 0U; i < 3U; i++) {
+            if (!pair_u8_i16_equal(&one->pairs[i], &other->pairs[i])) {
+                all_equal = false;
+                break;
+            }
+        }
+        all_holds = all_equal;
+    }
+    return all_holds && pair_pair_u8_bool_tuples_metres_equal(&one->nested, &other->nested);
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool fix_equal(const fix_t *one, const fix_t *other)
+{
+    return one->first[0] == other->first[0] && one->first[1] == other->first[1]
+        && one->first[2] == other->first[2] && one->second == other->second;
 }
 
 /**
@@ -308,30 +852,10 @@ static inline ordering_t comparison_compare_u8_3(const uint8_t one[3], const uin
     }
 }
 
-/** Whether the first comes before the second. */
-static inline bool comparison_is_less(ordering_t order)
-{
-    return order == ORDERING_LESS;
-}
-
 /**
  * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_urgency(urgency_t one, urgency_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_u16(uint16_t one, uint16_t other)
 {
     if (one < other) {
         return ORDERING_LESS;
@@ -440,20 +964,6 @@ static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
 /**
  * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
  */
-static inline ordering_t comparison_compare_u8(uint8_t one, uint8_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
 static inline ordering_t comparison_compare_u32(uint32_t one, uint32_t other)
 {
     if (one < other) {
@@ -463,40 +973,6 @@ static inline ordering_t comparison_compare_u32(uint32_t one, uint32_t other)
     } else {
         return ORDERING_GREATER;
     }
-}
-
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
-static inline void comparison_partial_f64(double one, double other, option_ordering_t *result)
-{
-    if (one < other) {
-        result->is_some = true;
-        result->value = ORDERING_LESS;
-        return;
-    }
-    if (one == other) {
-        result->is_some = true;
-        result->value = ORDERING_EQUAL;
-        return;
-    }
-    if (one > other) {
-        result->is_some = true;
-        result->value = ORDERING_GREATER;
-    } else {
-        result->is_some = false;
-        result->value = ORDERING_LESS;
-    }
-}
-
-/** Whether the first comes behind the second. */
-static inline bool comparison_is_greater(ordering_t order)
-{
-    return order == ORDERING_GREATER;
-}
-
-/** Whether the first does not come behind the second. */
-static inline bool comparison_is_at_most(ordering_t order)
-{
-    return order != ORDERING_GREATER;
 }
 
 /** Whether the two are equal, part by part. */
@@ -616,6 +1092,15 @@ static inline void comparison_lesser_reverse_u8(const reverse_u8_t *one, const r
     } else {
         *reverse_u8 = *one;
     }
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool plain_idioms_packet_equal(const plain_idioms_packet_t *one,
+    const plain_idioms_packet_t *other)
+{
+    return one->id == other->id && (one->values[0] == other->values[0]
+        && one->values[1] == other->values[1] && one->values[2] == other->values[2])
+        && one->stamp == other->stamp;
 }
 
 /** Whether the two are equal, part by part. */
@@ -879,27 +1364,6 @@ static inline bool list3_of_lists_of_enums_event_equal(const list3_of_lists_of_e
             const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
             for (uint32_t i = 0U; i < end; i++) {
                 if (!of_lists_of_enums_event_equal(&one->items[i], &other->items[i])) {
-                    all_equal = false;
-                    break;
-                }
-            }
-        }
-        all_holds = all_equal;
-    }
-    return all_holds;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool list2_u8_equal(const list2_u8_t *one, const list2_u8_t *other)
-{
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(2));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (one->items[i] != other->items[i]) {
                     all_equal = false;
                     break;
                 }
@@ -1186,18 +1650,75 @@ static inline bool named_unit_equal(const named_unit_t *one, const named_unit_t 
         && text_3_equal(&one->unit, &other->unit);
 }
 
-/** The larger of two; the second where they do not compare. */
-static inline double matrix_extremes_upper_f64(double a, double b)
+/** Whether the two are equal, part by part. */
+static inline bool bounded_matrix_bool_3_2_equal(const bounded_matrix_bool_3_2_t *one,
+    const bounded_matrix_bool_3_2_t *other)
 {
-    if (a >= b) {
-        return a;
-    } else {
-        return b;
+    bool all_equal = false;
+    bool all_holds = one->rows == other->rows && one->columns == other->columns;
+    if (all_holds) {
+        all_equal = true;
+        for (uint32_t i = 0U; i < 2U; i++) {
+            if (!(one->elements[i][0] == other->elements[i][0]
+                    && one->elements[i][1] == other->elements[i][1]
+                    && one->elements[i][2] == other->elements[i][2])) {
+                all_equal = false;
+                break;
+            }
+        }
+        all_holds = all_equal;
     }
+    return all_holds;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool costs_equal(const costs_t *one, const costs_t *other)
+{
+    bool all_equal = false;
+    bool all_holds = one->rows == other->rows && one->columns == other->columns;
+    if (all_holds) {
+        all_equal = true;
+        for (uint32_t i = 0U; i < 3U; i++) {
+            if (!(one->elements[i][0] == other->elements[i][0]
+                    && one->elements[i][1] == other->elements[i][1])) {
+                all_equal = false;
+                break;
+            }
+        }
+        all_holds = all_equal;
+    }
+    return all_holds;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool map_equal(const map_t *one, const map_t *other)
+{
+    return bounded_matrix_bool_3_2_equal(&one->free, &other->free)
+        && costs_equal(&one->cost, &other->cost);
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool bounded_matrix_f32_2_3_equal(const bounded_matrix_f32_2_3_t *one,
+    const bounded_matrix_f32_2_3_t *other)
+{
+    bool all_equal = false;
+    bool all_holds = one->rows == other->rows && one->columns == other->columns;
+    if (all_holds) {
+        all_equal = true;
+        for (uint32_t i = 0U; i < 3U; i++) {
+            if (!(one->elements[i][0] == other->elements[i][0]
+                    && one->elements[i][1] == other->elements[i][1])) {
+                all_equal = false;
+                break;
+            }
+        }
+        all_holds = all_equal;
+    }
+    return all_holds;
 }
 
 /** The larger of two; the second where they do not compare. */
-static inline float matrix_extremes_upper_f32(float a, float b)
+static inline double matrix_extremes_upper_f64(double a, double b)
 {
     if (a >= b) {
         return a;
@@ -1210,6 +1731,16 @@ static inline float matrix_extremes_upper_f32(float a, float b)
 static inline double matrix_extremes_lower_f64(double a, double b)
 {
     if (a <= b) {
+        return a;
+    } else {
+        return b;
+    }
+}
+
+/** The larger of two; the second where they do not compare. */
+static inline float matrix_extremes_upper_f32(float a, float b)
+{
+    if (a >= b) {
         return a;
     } else {
         return b;
@@ -1323,533 +1854,6 @@ static inline void logarithm_parts(uint64_t bits, logarithm_parts_t *parts)
     parts->exponent = exponent;
     parts->row = u64_from_u32((above >> 13) & 0x7FU);
     parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool bounded_matrix_bool_3_2_equal(const bounded_matrix_bool_3_2_t *one,
-    const bounded_matrix_bool_3_2_t *other)
-{
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1]
-                    && one->elements[i][2] == other->elements[i][2])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
-    }
-    return all_holds;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool costs_equal(const costs_t *one, const costs_t *other)
-{
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
-    }
-    return all_holds;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool map_equal(const map_t *one, const map_t *other)
-{
-    return bounded_matrix_bool_3_2_equal(&one->free, &other->free)
-        && costs_equal(&one->cost, &other->cost);
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool bounded_matrix_f32_2_3_equal(const bounded_matrix_f32_2_3_t *one,
-    const bounded_matrix_f32_2_3_t *other)
-{
-    bool all_equal = false;
-    bool all_holds = one->rows == other->rows && one->columns == other->columns;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            if (!(one->elements[i][0] == other->elements[i][0]
-                    && one->elements[i][1] == other->elements[i][1])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
-    }
-    return all_holds;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool duty_hold_equal(const duty_hold_t *one, const duty_hold_t *other)
-{
-    return one->from == other->from && one->share == other->share;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool compared_variants_duty_equal(const compared_variants_duty_t *one,
-    const compared_variants_duty_t *other)
-{
-    return one->tag == other->tag && (one->tag != DUTY_TAG_OPEN || one->as.open == other->as.open)
-        && (one->tag != DUTY_TAG_HOLD || duty_hold_equal(&one->as.hold, &other->as.hold));
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool programs_trouble_defaults_gain_equal(const programs_trouble_defaults_gain_t *one,
-    const programs_trouble_defaults_gain_t *other)
-{
-    return one->p == other->p && one->limit == other->limit && one->on == other->on;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool set_equal(const set_t *one, const set_t *other)
-{
-    bool all_equal = true;
-    for (uint32_t i = 0U; i < 3U; i++) {
-        bool all_equal_2 = true;
-        for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
-            if (!programs_trouble_defaults_gain_equal(&one->gains[i][i_2], &other->gains[i][i_2])) {
-                all_equal_2 = false;
-                break;
-            }
-        }
-        if (!all_equal_2) {
-            all_equal = false;
-            break;
-        }
-    }
-    bool all_equal_2 = false;
-    bool all_holds = all_equal;
-    if (all_holds) {
-        all_equal_2 = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            bool all_equal_3 = true;
-            for (uint32_t i_2 = 0U; i_2 < 3U; i_2++) {
-                if (one->offsets[i_2 + 3U * i] != other->offsets[i_2 + 3U * i]) {
-                    all_equal_3 = false;
-                    break;
-                }
-            }
-            if (!all_equal_3) {
-                all_equal_2 = false;
-                break;
-            }
-        }
-        all_holds = all_equal_2;
-    }
-    bool all_equal_3 = false;
-    bool all_holds_2 = all_holds && (one->scale[0] == other->scale[0]
-        && one->scale[1] == other->scale[1]);
-    if (all_holds_2) {
-        all_equal_3 = true;
-        for (uint32_t i = 0U; i < 6U; i++) {
-            if (one->name[i] != other->name[i]) {
-                all_equal_3 = false;
-                break;
-            }
-        }
-        all_holds_2 = all_equal_3;
-    }
-    bool all_equal_4 = false;
-    bool all_holds_3 = all_holds_2;
-    if (all_holds_3) {
-        all_equal_4 = true;
-        for (uint32_t i = 0U; i < 2U; i++) {
-            bool all_equal_5 = true;
-            for (uint32_t i_2 = 0U; i_2 < 2U; i_2++) {
-                if (!(one->cells[i][i_2][0] == other->cells[i][i_2][0]
-                        && one->cells[i][i_2][1] == other->cells[i][i_2][1])) {
-                    all_equal_5 = false;
-                    break;
-                }
-            }
-            if (!all_equal_5) {
-                all_equal_4 = false;
-                break;
-            }
-        }
-        all_holds_3 = all_equal_4;
-    }
-    return all_holds_3;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool state_holding_equal(const state_holding_t *one, const state_holding_t *other)
-{
-    return one->target == other->target && one->since == other->since;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool state_failed_equal(const state_failed_t *one, const state_failed_t *other)
-{
-    return one->first == other->first && one->second == other->second;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool enums_state_equal(const enums_state_t *one, const enums_state_t *other)
-{
-    return one->tag == other->tag && (one->tag != STATE_TAG_HEATING
-        || one->as.heating == other->as.heating)
-        && (one->tag != STATE_TAG_HOLDING
-        || state_holding_equal(&one->as.holding, &other->as.holding))
-        && (one->tag != STATE_TAG_FAILED
-        || state_failed_equal(&one->as.failed, &other->as.failed));
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool enums_reading_equal(const enums_reading_t *one, const enums_reading_t *other)
-{
-    return one->tag == other->tag && (one->tag != READING_TAG_VOLTS
-        || (one->volts[0] == other->volts[0] && one->volts[1] == other->volts[1]
-        && one->volts[2] == other->volts[2]));
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool list3_u8_equal(const list3_u8_t *one, const list3_u8_t *other)
-{
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        {
-            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
-            for (uint32_t i = 0U; i < end; i++) {
-                if (one->items[i] != other->items[i]) {
-                    all_equal = false;
-                    break;
-                }
-            }
-        }
-        all_holds = all_equal;
-    }
-    return all_holds;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool mark_equal(const mark_t *one, const mark_t *other)
-{
-    return one->at == other->at && list3_u8_equal(&one->notes, &other->notes);
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool plain_idioms_packet_equal(const plain_idioms_packet_t *one,
-    const plain_idioms_packet_t *other)
-{
-    return one->id == other->id && (one->values[0] == other->values[0]
-        && one->values[1] == other->values[1] && one->values[2] == other->values[2])
-        && one->stamp == other->stamp;
-}
-
-/** The greater of two; of equal ones the second. */
-static inline severity_t comparison_greater_severity(severity_t one, severity_t other)
-{
-    if (other < one) {
-        return one;
-    } else {
-        return other;
-    }
-}
-
-/** The lesser of two; of equal ones the first. */
-static inline severity_t comparison_lesser_severity(severity_t one, severity_t other)
-{
-    if (other < one) {
-        return other;
-    } else {
-        return one;
-    }
-}
-
-/**
- * The nearest value from `low` to `high`.
- *
- * # Panics
- * Unless `low <= high`.
- */
-static inline bessemer_status_t comparison_limited_severity(severity_t value, severity_t low,
-    severity_t high, severity_t *severity)
-{
-    if (low > high) {
-        return BESSEMER_STATUS_CLAMP;
-    }
-    if (value < low) {
-        *severity = low;
-        return BESSEMER_STATUS_OK;
-    }
-    if (value > high) {
-        *severity = high;
-        return BESSEMER_STATUS_OK;
-    } else {
-        *severity = value;
-        return BESSEMER_STATUS_OK;
-    }
-}
-
-/** The lesser of two; of equal ones the first. */
-static inline void comparison_lesser_pair_u8_i32(const pair_u8_i32_t *one,
-    const pair_u8_i32_t *other, pair_u8_i32_t *result)
-{
-    if (other->first < one->first || (other->first == one->first && other->second < one->second)) {
-        *result = *other;
-    } else {
-        *result = *one;
-    }
-}
-
-/** The greater of two; of equal ones the second. */
-static inline void comparison_greater_u16_3(const uint16_t one[3], const uint16_t other[3],
-    uint16_t result[3])
-{
-    if (other[0] < one[0] || (other[0] == one[0]
-            && (other[1] < one[1] || (other[1] == one[1] && other[2] < one[2])))) {
-        result[0] = one[0];
-        result[1] = one[1];
-        result[2] = one[2];
-    } else {
-        result[0] = other[0];
-        result[1] = other[1];
-        result[2] = other[2];
-    }
-}
-
-/**
- * The nearest value from `low` to `high`.
- *
- * # Panics
- * Unless `low <= high`.
- */
-static inline bessemer_status_t comparison_limited_pair_u8_i32(const pair_u8_i32_t *value,
-    const pair_u8_i32_t *low, const pair_u8_i32_t *high, pair_u8_i32_t *result)
-{
-    if (low->first >= high->first && (low->first != high->first || low->second > high->second)) {
-        return BESSEMER_STATUS_CLAMP;
-    }
-    if (value->first < low->first || (value->first == low->first && value->second < low->second)) {
-        *result = *low;
-        return BESSEMER_STATUS_OK;
-    }
-    if (value->first > high->first || (value->first == high->first
-            && value->second > high->second)) {
-        *result = *high;
-        return BESSEMER_STATUS_OK;
-    } else {
-        *result = *value;
-        return BESSEMER_STATUS_OK;
-    }
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_i64(int64_t one, int64_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_usize(uint64_t one, uint64_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_bool(bool one, bool other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
-static inline void comparison_partial_f32(float one, float other, option_ordering_t *result)
-{
-    if (one < other) {
-        result->is_some = true;
-        result->value = ORDERING_LESS;
-        return;
-    }
-    if (one == other) {
-        result->is_some = true;
-        result->value = ORDERING_EQUAL;
-        return;
-    }
-    if (one > other) {
-        result->is_some = true;
-        result->value = ORDERING_GREATER;
-    } else {
-        result->is_some = false;
-        result->value = ORDERING_LESS;
-    }
-}
-
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
-static inline void comparison_partial_i8(int8_t one, int8_t other, option_ordering_t *result)
-{
-    if (one < other) {
-        result->is_some = true;
-        result->value = ORDERING_LESS;
-        return;
-    }
-    if (one == other) {
-        result->is_some = true;
-        result->value = ORDERING_EQUAL;
-        return;
-    }
-    if (one > other) {
-        result->is_some = true;
-        result->value = ORDERING_GREATER;
-    } else {
-        result->is_some = false;
-        result->value = ORDERING_LESS;
-    }
-}
-
-/**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
- */
-static inline ordering_t comparison_compare_i32(int32_t one, int32_t other)
-{
-    if (one < other) {
-        return ORDERING_LESS;
-    } else if (one == other) {
-        return ORDERING_EQUAL;
-    } else {
-        return ORDERING_GREATER;
-    }
-}
-
-/** Whether the first does not come before the second. */
-static inline bool comparison_is_at_least(ordering_t order)
-{
-    return order != ORDERING_LESS;
-}
-
-/** Whether neither comes first. */
-static inline bool comparison_is_equal(ordering_t order)
-{
-    return order == ORDERING_EQUAL;
-}
-
-/** Whether one of the two comes first. */
-static inline bool comparison_is_unequal(ordering_t order)
-{
-    return order != ORDERING_EQUAL;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool text_6_equal(const text_6_t *one, const text_6_t *other)
-{
-    bool all_equal = false;
-    bool all_holds = one->length == other->length;
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 6U; i++) {
-            if (one->bytes[i] != other->bytes[i]) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
-    }
-    return all_holds;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool text_lines_line_equal(const text_lines_line_t *one,
-    const text_lines_line_t *other)
-{
-    return text_6_equal(&one->text, &other->text) && one->level == other->level;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool pair_f64_bool_equal(const pair_f64_bool_t *one, const pair_f64_bool_t *other)
-{
-    return one->first == other->first && one->second == other->second;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool pair_u8_i16_equal(const pair_u8_i16_t *one, const pair_u8_i16_t *other)
-{
-    return one->first == other->first && one->second == other->second;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool pair_u8_bool_equal(const pair_u8_bool_t *one, const pair_u8_bool_t *other)
-{
-    return one->first == other->first && one->second == other->second;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool programs_trouble_tuples_metres_equal(const programs_trouble_tuples_metres_t *one,
-    const programs_trouble_tuples_metres_t *other)
-{
-    return one->value == other->value;
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool pair_pair_u8_bool_tuples_metres_equal(
-    const pair_pair_u8_bool_tuples_metres_t *one, const pair_pair_u8_bool_tuples_metres_t *other)
-{
-    return pair_u8_bool_equal(&one->first, &other->first)
-        && programs_trouble_tuples_metres_equal(&one->second, &other->second);
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool programs_trouble_tuples_holder_equal(const programs_trouble_tuples_holder_t *one,
-    const programs_trouble_tuples_holder_t *other)
-{
-    bool all_equal = false;
-    bool all_holds = pair_f64_bool_equal(&one->pair, &other->pair);
-    if (all_holds) {
-        all_equal = true;
-        for (uint32_t i = 0U; i < 3U; i++) {
-            if (!pair_u8_i16_equal(&one->pairs[i], &other->pairs[i])) {
-                all_equal = false;
-                break;
-            }
-        }
-        all_holds = all_equal;
-    }
-    return all_holds && pair_pair_u8_bool_tuples_metres_equal(&one->nested, &other->nested);
-}
-
-/** Whether the two are equal, part by part. */
-static inline bool fix_equal(const fix_t *one, const fix_t *other)
-{
-    return one->first[0] == other->first[0] && one->first[1] == other->first[1]
-        && one->first[2] == other->first[2] && one->second == other->second;
 }
 
 #endif

@@ -1,9 +1,10 @@
 //! Small programs, one for each construct and each edge of the language, and ported algorithms.
 //!
-//! Every file below `programs/` is a program; its folder says what of. Dropping in a file adds a test:
+//! Every file below `programs/` is a program, and its folder is its topic. Dropping in a file adds a test:
 //! `tests/tests/corpus/mod.rs` runs each `#[function]` and each `#[entry]` in it natively, in the interpreter
-//! and as C. `programs/trouble/` is hard on a compiler and no example to follow; in `programs/kinds/` a file is a kind of
-//! data, and brings the functions that show what each kind can do (`six.in`, `floats.in`).
+//! and as C. The programs of a topic's `corner_cases/` are hard on a compiler and no examples to follow: the book leaves
+//! them out. In `programs/kinds/` a file is a kind of data, and brings the functions that show what each kind can do
+//! (`six.in`, `floats.in`).
 
 #![no_std]
 #![allow(

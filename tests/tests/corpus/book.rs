@@ -24,8 +24,8 @@ const GOLDEN: &str = "tests/corpus/golden";
 const INLINE: &str = "bessemer_inline.h";
 /// Before the name of an example.
 const EXAMPLE: &str = "<!-- example: ";
-/// Folders whose programs are no part of the book.
-const APART: [&str; 3] = ["trouble", "algorithms", "kinds"];
+/// Folders whose programs are not part of the book.
+const APART: [&str; 3] = ["corner_cases", "algorithms", "kinds"];
 /// The folder of the golden files that are those of the package which the tutorial begins (`tests/tests/command.rs`).
 const TUTORIAL: &str = "tutorial";
 /// The most lines of C that a page shows of a program.
@@ -54,7 +54,7 @@ fn below(folder: &Path, ending: &str) -> BTreeSet<PathBuf> {
 fn programs() -> Vec<String> {
     let files = below(&root().join(PROGRAMS), "rs").into_iter();
     let names = files.map(|path| path.with_extension("").to_string_lossy().replace('\\', "/"));
-    names.filter(|name| !APART.iter().any(|it| name.starts_with(&format!("{it}/")))).collect()
+    names.filter(|name| !name.split('/').any(|folder| APART.contains(&folder))).collect()
 }
 
 /// The example that a line begins: the program, and what of its C is shown.
