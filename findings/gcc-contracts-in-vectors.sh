@@ -11,9 +11,9 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 for package in cpp-12 gcc-12; do
     apt-get download --quiet=2 "$package=12.2.0-14+deb12u1" 2>/dev/null || apt-get download --quiet=2 "$package=12.2.0-14"
-    dpkg-deb --extract "$package"_*.deb root
+    dpkg-deb --extract "$package"_*.deb tools
 done
-gcc=root/usr/bin/gcc-12
+gcc=tools/usr/bin/gcc-12
 cat >complex.c <<'C'
 typedef struct { double re, im; } complex_t;
 void product(complex_t *out, const complex_t *a, const complex_t *b)

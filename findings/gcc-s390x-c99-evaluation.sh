@@ -9,8 +9,8 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 apt-get download --quiet=2 cpp-12-s390x-linux-gnu=12.2.0-14cross1 2>&1 | grep -v unsandboxed || true
-dpkg-deb --extract cpp-12-s390x-linux-gnu_*.deb root
-cpp=root/usr/bin/s390x-linux-gnu-cpp-12
+dpkg-deb --extract cpp-12-s390x-linux-gnu_*.deb tools
+cpp=tools/usr/bin/s390x-linux-gnu-cpp-12
 method() { echo "$*: $("$cpp" "$@" -dM /dev/null | sed -n 's/#define __FLT_EVAL_METHOD__ //p')"; }
 {
     "$cpp" --version | head -n 1

@@ -12,7 +12,7 @@ cd "$folder"
 for package in gcc-arm-none-eabi=15:12.2.rel1-1 binutils-arm-none-eabi qemu-user-static; do
     apt-get download --quiet=2 "$package" 2>&1 | grep -v unsandboxed || true
 done
-for package in *.deb; do dpkg-deb --extract "$package" root; done
+for package in *.deb; do dpkg-deb --extract "$package" tools; done
 cat >sum.c <<'C'
 #include <stdint.h>
 static volatile union { uint64_t word; double value; } a = { UINT64_C(0xC1367383709435B6) },
@@ -38,12 +38,12 @@ void begin(void)
     system_call(1, 0, 0, 0);
 }
 C
-gcc=root/usr/bin/arm-none-eabi-gcc
-emulator=root/usr/bin/qemu-arm-static
+gcc=tools/usr/bin/arm-none-eabi-gcc
+emulator=tools/usr/bin/qemu-arm-static
 {
-    PATH=$folder/root/usr/bin:$PATH "$gcc" --version | head -n 1
+    PATH=$folder/tools/usr/bin:$PATH "$gcc" --version | head -n 1
     for processor in cortex-m4 cortex-m3 cortex-m0; do
-        PATH=$folder/root/usr/bin:$PATH "$gcc" -mcpu=$processor -mthumb -mfloat-abi=soft -O2 -ffreestanding -nostdlib \
+        PATH=$folder/tools/usr/bin:$PATH "$gcc" -mcpu=$processor -mthumb -mfloat-abi=soft -O2 -ffreestanding -nostdlib \
             -Wl,-e,begin -Wl,-Ttext=0x10000 sum.c -lgcc -o sum-$processor
         echo "$processor: $("$emulator" -cpu cortex-a9 sum-$processor)"
     done
