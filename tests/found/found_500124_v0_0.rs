@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_500124_v0_0","params":[["&","[[u32; 4]; 4]"],["&","SMatrix<f32, 4, 1>"],["","[[u8; 3]; 4]"],["","isize"],["&mut ","u64"]],"stops":false}],"instances":null,"unit":null}
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FOUND_500124_V0_0Alpha(pub u8, pub i32, pub i16, pub i16);

@@ -1,9 +1,8 @@
-// {"entries":[{"atomic":false,"name":"found_arguments_of_closures_0","params":[["","i32"],["","[i32; 3]"]],"stops":false},{"atomic":false,"name":"found_arguments_of_closures_1","params":[["","i32"],["","[i32; 3]"]],"stops":false},{"atomic":false,"name":"found_arguments_of_closures_2","params":[["","[i32; 4]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Arguments of closures that what is given behind them writes.
 #[function(expand)]
-pub fn found_arguments_of_closures_0_ex(mut f: impl FnMut(i32, i32) -> i32, x: i32, v0: [i32; 3]) -> i32 { let mut s = x; let mut v = v0; let mut i = 0; let a = f(s, { s = s.wrapping_add(1); s }); let b = f(v[i], { i += 1; v[0] = 9; v[i] }); let e = f(s, 2); let c = f(s, e); a.wrapping_mul(3).wrapping_add(b).wrapping_mul(3).wrapping_add(c).wrapping_add(v[0]) }
+fn found_arguments_of_closures_0_ex(mut f: impl FnMut(i32, i32) -> i32, x: i32, v0: [i32; 3]) -> i32 { let mut s = x; let mut v = v0; let mut i = 0; let a = f(s, { s = s.wrapping_add(1); s }); let b = f(v[i], { i += 1; v[0] = 9; v[i] }); let e = f(s, 2); let c = f(s, e); a.wrapping_mul(3).wrapping_add(b).wrapping_mul(3).wrapping_add(c).wrapping_add(v[0]) }
 #[function(expand)]
-pub fn found_arguments_of_closures_0_st(mut f: impl FnMut([i32; 3], i32) -> i32, x: [i32; 3]) -> i32 { let mut v = x; let a = f(v, { v[0] = 5; v[1] = 4; 3 }); let b = f({ v[2] = 3; v }, v[1]); a.wrapping_mul(7).wrapping_add(b) }
+fn found_arguments_of_closures_0_st(mut f: impl FnMut([i32; 3], i32) -> i32, x: [i32; 3]) -> i32 { let mut v = x; let a = f(v, { v[0] = 5; v[1] = 4; 3 }); let b = f({ v[2] = 3; v }, v[1]); a.wrapping_mul(7).wrapping_add(b) }
 #[function]
 pub fn found_arguments_of_closures_0(x: i32, v: [i32; 3]) -> i32 {
     let mut k = 1_i32; let mut w = v;

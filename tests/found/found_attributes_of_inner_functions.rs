@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_attributes_of_inner_functions","params":[["","u8"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Functions inside a function that are `const`, named for the C, lend, give an iterator and write.
 #[function]
 pub fn found_attributes_of_inner_functions(x: u8) -> u8 {

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_bounds_in_large_arrays_0","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_bounds_in_large_arrays_1","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_bounds_in_large_arrays_2","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_bounds_in_large_arrays_3","params":[["","[i32; 3]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Bounds of loops that stand in large arrays, beside large arrays of the body.
 #[function]
 pub fn found_bounds_in_large_arrays_0(a0: [i32; 3], n: i32) -> i32 {

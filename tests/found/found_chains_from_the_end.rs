@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_chains_from_the_end_0","params":[["","[i32; 3]"],["","[i32; 2]"],["","[i32; 6]"]],"stops":false},{"atomic":false,"name":"found_chains_from_the_end_1","params":[["","[i32; 3]"],["","[i32; 2]"],["","[i32; 6]"]],"stops":false},{"atomic":false,"name":"found_chains_from_the_end_2","params":[["","[i32; 3]"],["","[i32; 2]"],["","[i32; 6]"]],"stops":false}],"instances":null,"unit":null}
 // Arrays one behind the other that stand beside another from their end.
 #[function]
 pub fn found_chains_from_the_end_0(x: [i32; 3], y: [i32; 2], z: [i32; 6]) -> i32 {

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_chains_that_refer_0","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_refer_1","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_refer_2","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_refer_3","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_refer_4","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_refer_5","params":[["","[i32; 6]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Conditions in which what stands behind a pattern lets a value refer to something else.
 #[function]
 pub fn found_chains_that_refer_0(x: [[i32; 2]; 4], n: i32) -> i32 {
@@ -17,7 +16,7 @@ pub fn found_chains_that_refer_0(x: [[i32; 2]; 4], n: i32) -> i32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoundChainsThatRefer1 { pub a: i32, pub b: [i32; 2] }
 #[function]
-pub fn found_chains_that_refer_1_pick(s: &[FoundChainsThatRefer1; 3], n: i32) -> Option<&FoundChainsThatRefer1> { s.iter().find(|q| q.a > n) }
+fn found_chains_that_refer_1_pick(s: &[FoundChainsThatRefer1; 3], n: i32) -> Option<&FoundChainsThatRefer1> { s.iter().find(|q| q.a > n) }
 #[function]
 pub fn found_chains_that_refer_1(x: [i32; 6], n: i32) -> i32 {
     let mut s = [FoundChainsThatRefer1 { a: x[0], b: [x[1], 2] }, FoundChainsThatRefer1 { a: x[2], b: [x[3], 4] }, FoundChainsThatRefer1 { a: x[4], b: [x[5], 6] }];

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_chains_that_write_0","params":[["","[i32; 2]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_1","params":[["","[i32; 2]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_2","params":[["","[i32; 2]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_3","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_4","params":[["","[i32; 3]"],["","i32"],["","usize"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_5","params":[["","[i32; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_6","params":[["","[i32; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_7","params":[["","[i32; 4]"],["","i32"],["","usize"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_8","params":[["","[i32; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_9","params":[["","[i32; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_10","params":[["","[i32; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chains_that_write_11","params":[["","[i32; 4]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Conditions in which what stands behind a pattern writes the place that its names are taken from.
 #[function]
 pub fn found_chains_that_write_0(a0: [i32; 2], n: i32) -> i32 {
@@ -8,7 +7,7 @@ pub fn found_chains_that_write_0(a0: [i32; 2], n: i32) -> i32 {
     r ^ a.unwrap_or(7)
 }
 #[function]
-pub fn found_chains_that_write_1_set(a: &mut Option<i32>, n: i32) -> bool { *a = Some(n); n != 4 }
+fn found_chains_that_write_1_set(a: &mut Option<i32>, n: i32) -> bool { *a = Some(n); n != 4 }
 #[function]
 pub fn found_chains_that_write_1(a0: [i32; 2], n: i32) -> i32 {
     let mut a = if a0[0] & 1 == 0 { Some(a0[0]) } else { None };
@@ -70,9 +69,9 @@ pub fn found_chains_that_write_8(x: [i32; 4], n: i32) -> i32 {
     s.wrapping_mul(3).wrapping_add(o.unwrap_or(5))
 }
 #[function]
-pub fn found_chains_that_write_9_ap(f: impl Fn(i32) -> i32, x: i32) -> i32 { f(x).wrapping_mul(3) }
+fn found_chains_that_write_9_ap(f: impl Fn(i32) -> i32, x: i32) -> i32 { f(x).wrapping_mul(3) }
 #[function]
-pub fn found_chains_that_write_9_f(x: [i32; 4], n: i32, k: &mut i32) -> Option<i32> {
+fn found_chains_that_write_9_f(x: [i32; 4], n: i32, k: &mut i32) -> Option<i32> {
     let mut o = Some(x[0]); let mut s = 0_i32;
     for y in x {
         if let Some(v) = o && { o = Some(found_chains_that_write_9_ap(|q| q ^ v ^ y, n)); *k += 1; if v == 3 { break; } if v == 5 { continue; } if v == 6 { return None; } Some(v).filter(|q| *q != 7)? > 2 } && v != n { s = s.wrapping_mul(3).wrapping_add(v); }
@@ -82,7 +81,7 @@ pub fn found_chains_that_write_9_f(x: [i32; 4], n: i32, k: &mut i32) -> Option<i
 #[function]
 pub fn found_chains_that_write_9(x: [i32; 4], n: i32) -> i32 { let mut k = 0; found_chains_that_write_9_f(x, n & 7, &mut k).unwrap_or(9).wrapping_mul(8).wrapping_add(k) }
 #[function]
-pub fn found_chains_that_write_10_ap(f: impl Fn(i32) -> i32, x: i32) -> i32 { f(x).wrapping_mul(3) }
+fn found_chains_that_write_10_ap(f: impl Fn(i32) -> i32, x: i32) -> i32 { f(x).wrapping_mul(3) }
 #[function]
 pub fn found_chains_that_write_10(x: [i32; 4], n: i32) -> i32 {
     let mut a = x[0]; let mut s = 0_i32;

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_chunks_from_the_end_0","params":[["","[i32; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_chunks_from_the_end_1","params":[["","[i8; 7]"],["","i8"]],"stops":false},{"atomic":false,"name":"found_chunks_from_the_end_2","params":[["","[i8; 7]"],["","i8"]],"stops":false},{"atomic":false,"name":"found_chunks_from_the_end_3","params":[["","[i32; 4]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Chunks and windows from the last one on, beside others; names in each of several alternatives.
 #[data]
 #[derive(Clone, Copy)]
@@ -10,6 +9,6 @@ pub fn found_chunks_from_the_end_1(x: [i8; 7], n: i8) -> i32 { let mut s = 0i32;
 #[function]
 pub fn found_chunks_from_the_end_2(x: [i8; 7], n: i8) -> i32 { let mut s = 0i32; let mut v = x; for (c, y) in v.chunks_exact_mut(2).rev().zip(&x) { c[0] ^= y; c[1] = c[1].wrapping_add(*y); } for (c, y) in v.chunks_mut(3).rev().zip(x) { c[0] ^= y; } let it = v.chunks(2).rev(); for c in it { s = s.wrapping_mul(7).wrapping_add(c[0] as i32); } let it = v.windows(2).rev().enumerate(); for (i, c) in it { s = s.wrapping_mul(7).wrapping_add(c[0] as i32 * i as i32); } for (c, y) in v.chunks_exact(2).rev().rev().zip(&x) { s = s.wrapping_mul(7).wrapping_add((c[0] ^ y) as i32); } for c in v.chunks(2).rev().skip(1).take(2) { s = s.wrapping_mul(7).wrapping_add(c[0] as i32); } s }
 #[function]
-pub fn found_chunks_from_the_end_3_g(n: i32, mut f: impl FnMut(i32) -> i32) -> i32 { f(n).wrapping_mul(3) }
+fn found_chunks_from_the_end_3_g(n: i32, mut f: impl FnMut(i32) -> i32) -> i32 { f(n).wrapping_mul(3) }
 #[function]
 pub fn found_chunks_from_the_end_3(x: [i32; 4], n: i32) -> i32 { let mut o = Some(n); let mut k = 1; if let Some(y) = o && found_chunks_from_the_end_3_g(n, |v| { o = Some(3); v ^ y }) > 3 { k = y; } match (n, o) { (a, Some(b)) if found_chunks_from_the_end_3_g(n, |v| { o = None; v }) > 3 => { k ^= a ^ b; } (a, b) => { k ^= a ^ b.unwrap_or(3); } } k ^ o.unwrap_or(9) }

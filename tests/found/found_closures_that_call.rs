@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_closures_that_call_0","params":[["","i32"],["","[i32; 3]"]],"stops":false},{"atomic":false,"name":"found_closures_that_call_1","params":[["","i32"],["","[i32; 3]"]],"stops":false}],"instances":null,"unit":null}
 // Closures that call one another, whose parameters have one name.
 #[function]
 pub fn found_closures_that_call_0(n: i32, x: [i32; 3]) -> i32 {

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_complements_0","params":[["","u8"],["","u16"],["","i8"],["","i16"],["","u32"],["","u64"]],"stops":false},{"atomic":false,"name":"found_complements_1","params":[["","u8"],["","i16"],["","i8"],["","f64"]],"stops":false},{"atomic":false,"name":"found_complements_2","params":[["","usize"],["","u8"],["","bool"]],"stops":false},{"atomic":false,"name":"found_complements_3","params":[["","u32"],["","u32"],["","i32"],["","u64"]],"stops":false}],"instances":null,"unit":null}
 // Complements, and what the types alone decide, beside numbers.
 #[function]
 pub fn found_complements_0(a: u8, b: u16, c: i8, d: i16, e: u32, f: u64) -> u64 {

@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_constants_of_generic_types","params":[["","i32"],["","i32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Constants of a generic type, where only their use says what stands for its parameters: handed on, given, compared.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +19,7 @@ fn found_constants_of_generic_types_sum<const F: u32>(xs: &[FoundConstantsOfGene
 fn found_constants_of_generic_types_or<const F: u32>(x: Option<FoundConstantsOfGenericTypes<F>>) -> FoundConstantsOfGenericTypes<F> { x.unwrap_or(FoundConstantsOfGenericTypes::ONE) }
 // helper
 #[function]
-pub fn found_constants_of_generic_types_pick(x: FoundConstantsOfGenericTypes<5>, first: bool) -> FoundConstantsOfGenericTypes<5> { if first { FoundConstantsOfGenericTypes::ONE } else { let y: FoundConstantsOfGenericTypes<5> = FoundConstantsOfGenericTypes::ZERO; x + y } }
+fn found_constants_of_generic_types_pick(x: FoundConstantsOfGenericTypes<5>, first: bool) -> FoundConstantsOfGenericTypes<5> { if first { FoundConstantsOfGenericTypes::ONE } else { let y: FoundConstantsOfGenericTypes<5> = FoundConstantsOfGenericTypes::ZERO; x + y } }
 #[function]
 pub fn found_constants_of_generic_types(a: i32, b: i32) -> [i32; 6] {
     let s = found_constants_of_generic_types_sum::<4>(&[FoundConstantsOfGenericTypes(a), FoundConstantsOfGenericTypes(b), FoundConstantsOfGenericTypes::ONE]);

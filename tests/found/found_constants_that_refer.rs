@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_constants_that_refer","params":[["","u8"],["","usize"],["","bool"]],"atomic":false,"stops":false},{"name":"found_constants_that_refer_b","params":[["","u8"],["","usize"]],"atomic":false,"stops":false},{"name":"found_constants_that_refer_c","params":[["","u8"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Constants and statics that are slices, or references to arrays: of a module, a type, a function; gone through, matched, passed on.
 pub mod found_constants_that_refer_m {
     use bessemer::prelude::*;

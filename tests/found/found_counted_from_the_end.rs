@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_counted_from_the_end_0","params":[["","[i32; 5]"],["","usize"]],"stops":false},{"atomic":false,"name":"found_counted_from_the_end_1","params":[["","[i32; 5]"],["","[i32; 3]"],["","usize"]],"stops":false},{"atomic":false,"name":"found_counted_from_the_end_2","params":[["&","[i32; 6]"],["","usize"]],"stops":false},{"atomic":false,"name":"found_counted_from_the_end_3","params":[["","[i32; 5]"],["","usize"]],"stops":false},{"atomic":false,"name":"found_counted_from_the_end_4","params":[["","[i32; 5]"],["","usize"],["","usize"]],"stops":false}],"instances":null,"unit":null}
 // Elements from the last on with numbers that go up, of which some are left out.
 #[function]
 pub fn found_counted_from_the_end_0(x: [i32; 5], n: usize) -> i32 {

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_counts_written_by_ref_0","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_counts_written_by_ref_1","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_counts_written_by_ref_2","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // What an iterator counts with is written through `ref mut` while it waits.
 #[function]
 pub fn found_counts_written_by_ref_0(x: [i32; 6], n: i32) -> i32 { let mut k = (n & 1) as usize; let it = x.iter().skip(k); { let ref mut r = k; *r += 1; } let mut s = 0i32; for y in it { s = s.wrapping_mul(3).wrapping_add(*y); } s.wrapping_add(k as i32) }

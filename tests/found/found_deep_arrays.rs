@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_deep_arrays_exchange","params":[["","u8"],["","u8"],["","u8"]],"atomic":false,"stops":true}],"instances":null,"unit":"FoundDeepArraysUnit"}
 // Arrays in arrays, more deeply than counters have letters: each loop that sets the first state has a counter of its own.
 /// Cells in eight dimensions.
 #[component]

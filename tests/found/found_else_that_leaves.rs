@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_else_that_leaves_2","params":[["","[i32; 6]"]],"atomic":false,"stops":false},{"name":"found_else_that_leaves","params":[["","i32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // A `let … else` that ends in what leaves, without a `;`.
 #[function]
 fn half(x: i32) -> Option<i32> { if x % 2 == 0 { Some(x / 2) } else { None } }

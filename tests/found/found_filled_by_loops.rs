@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_filled_by_loops_0","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_filled_by_loops_1","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_filled_by_loops_2","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_filled_by_loops_3","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_filled_by_loops_4","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_filled_by_loops_5","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_filled_by_loops_6","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_filled_by_loops_7","params":[["","[i32; 3]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Arrays of equal values that loops fill: a pass may end the loop, or read what a later one fills.
 #[function]
 pub fn found_filled_by_loops_0(a0: [i32; 3], n: i32) -> i32 {
@@ -37,7 +36,7 @@ pub fn found_filled_by_loops_4(a0: [i32; 3], n: i32) -> i32 {
     a[5].wrapping_mul(3).wrapping_add(a[4]).wrapping_add(b[2]).wrapping_mul(5).wrapping_add(a[1])
 }
 #[function]
-pub fn found_filled_by_loops_5_f(a0: [i32; 3], n: i32) -> [i32; 6] {
+fn found_filled_by_loops_5_f(a0: [i32; 3], n: i32) -> [i32; 6] {
     let mut a = [7; 6];
     for i in 0..6 { a[i] = a0[i % 3] % 5; if (n >> i) & 3 == 1 { return a; } }
     a
@@ -57,7 +56,7 @@ pub fn found_filled_by_loops_6(a0: [i32; 3], n: i32) -> i32 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoundFilledByLoops7S { pub v: [i32; 6], pub n: i32, pub m: i32 }
 #[function]
-pub fn found_filled_by_loops_7_z() -> FoundFilledByLoops7S { FoundFilledByLoops7S { v: [3; 6], n: 4, m: 8 } }
+fn found_filled_by_loops_7_z() -> FoundFilledByLoops7S { FoundFilledByLoops7S { v: [3; 6], n: 4, m: 8 } }
 #[function]
 pub fn found_filled_by_loops_7(a0: [i32; 3], n: i32) -> i32 {
     let mut s = found_filled_by_loops_7_z();

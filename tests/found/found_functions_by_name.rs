@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_functions_by_name","params":[["","i32"]],"atomic":false,"stops":false},{"name":"found_functions_by_name_2","params":[["","[i32; 3]"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Functions handed on by their names to functions that call them.
 #[function]
 fn twice(f: impl Fn(i32) -> i32, x: i32) -> i32 { f(f(x)) }

@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_functions_in_functions","params":[["","f64"],["","u8"]],"atomic":false,"stops":false},{"name":"found_functions_in_functions_b","params":[["","f32"]],"atomic":false,"stops":false},{"name":"found_functions_in_functions_clash","params":[["","i32"]],"atomic":false,"stops":false},{"name":"found_functions_in_functions_words","params":[["","i32"]],"atomic":false,"stops":false},{"name":"found_functions_in_functions_faults","params":[["","i32"],["","[i32; 3]"],["","usize"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Functions inside functions, several of one name: of modules, methods, interfaces, operators and instances; named as an author's own, as words of C; that fault.
 pub mod found_functions_in_functions_m {
 use bessemer::prelude::*;

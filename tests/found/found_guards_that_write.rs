@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_guards_that_write_0","params":[["","i32"],["","i32"],["","i32"]],"stops":false},{"atomic":false,"name":"found_guards_that_write_1","params":[["","[i32; 2]"],["","i32"],["","i32"]],"stops":false},{"atomic":false,"name":"found_guards_that_write_2","params":[["","[i32; 2]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_guards_that_write_3","params":[["","[i32; 2]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_guards_that_write_4","params":[["","[i32; 4]"],["","i32"],["","usize"]],"stops":false},{"atomic":false,"name":"found_guards_that_write_5","params":[["","[i32; 3]"],["","[i32; 3]"],["","usize"]],"stops":false},{"atomic":false,"name":"found_guards_that_write_6","params":[["","i32"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Tuples that are matched by part: guards and later parts that write what a part was taken from, or where it is.
 #[function]
 pub fn found_guards_that_write_0(a0: i32, b: i32, n: i32) -> i32 {
@@ -10,7 +9,7 @@ pub fn found_guards_that_write_0(a0: i32, b: i32, n: i32) -> i32 {
     }
 }
 #[function]
-pub fn found_guards_that_write_1_b(a: &mut Option<i32>, n: i32) -> bool { *a = Some(n); n & 1 == 0 }
+fn found_guards_that_write_1_b(a: &mut Option<i32>, n: i32) -> bool { *a = Some(n); n & 1 == 0 }
 #[function]
 pub fn found_guards_that_write_1(a0: [i32; 2], b: i32, n: i32) -> i32 {
     let mut a = if a0[0] & 1 == 0 { Some(a0[1]) } else { None };

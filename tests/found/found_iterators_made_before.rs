@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_iterators_made_before","params":[["","[i16; 3]"],["","u8"],["","i16"],["","f64"],["&mut ","u64"]],"stops":false}],"instances":null,"unit":null}
 #[function]
 pub fn found_iterators_made_before(a0: [i16; 3], n0: u8, k0: i16, f0: f64, t: &mut u64) -> Option<i64> {
 let mut n = n0 as usize % 3;

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_iterators_of_held_slices_0","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_iterators_of_held_slices_1","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_iterators_of_held_slices_2","params":[["","[i32; 6]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_iterators_of_held_slices_3","params":[["","[i32; 6]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Iterators with a name through slices in variables that get others before the iterator is gone through.
 #[function]
 pub fn found_iterators_of_held_slices_0(a: [i32; 6], n: i32) -> i32 {

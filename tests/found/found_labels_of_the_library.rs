@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_labels_of_the_library","params":[["","[i32; 4]"],["","[i32; 3]"],["","i32"]],"atomic":false,"stops":false},{"name":"found_labels_of_the_library_rev","params":[["","[i32; 4]"],["","[i32; 3]"],["","i32"]],"atomic":false,"stops":false},{"name":"found_labels_of_the_library_closure","params":[["","[i32; 4]"],["","[i32; 3]"],["","i32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Labels of loops through what functions of the library give, which have labels of their own.
 #[function]
 pub fn found_labels_of_the_library(a: [i32; 4], b: [i32; 3], k: i32) -> i32 {
@@ -30,7 +29,7 @@ pub fn found_labels_of_the_library_rev(a: [i32; 4], b: [i32; 3], k: i32) -> i32 
 }
 // helper
 #[function]
-pub fn found_labels_of_the_library_callee(a: [i32; 4], k: i32, mut f: impl FnMut(i32) -> bool) -> i32 {
+fn found_labels_of_the_library_callee(a: [i32; 4], k: i32, mut f: impl FnMut(i32) -> bool) -> i32 {
     let mut n = 0;
     'outer: for x in a {
         for y in 0..3 {

@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_left_from_the_first_if","params":[["","[u8; 4]"],["","i32"]],"atomic":false,"stops":false},{"name":"found_left_from_the_first_if_cont","params":[["","[u8; 4]"],["","i32"]],"atomic":false,"stops":false},{"name":"found_left_from_the_first_if_blk","params":[["","[u8; 4]"],["","i32"]],"atomic":false,"stops":false},{"name":"found_left_from_the_first_if_val","params":[["","[u8; 4]"],["","i32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Outer loops and blocks that the first `if` of a `loop` leaves, behind other statements.
 #[function]
 pub fn found_left_from_the_first_if(a: [u8; 4], k: i32) -> i32 {

@@ -1,7 +1,6 @@
-// {"entries":[{"atomic":false,"name":"found_left_in_conditions_0","params":[["","i32"],["","i32"]],"stops":false},{"atomic":false,"name":"found_left_in_conditions_1","params":[["","i32"],["","i32"]],"stops":false},{"atomic":false,"name":"found_left_in_conditions_2","params":[["","[i32; 4]"]],"stops":false}],"instances":null,"unit":null}
 // Blocks and loops that are left within a condition.
 #[function]
-pub fn found_left_in_conditions_0_g<const N: usize>(o: Option<i32>, n: i32) -> i32 {
+fn found_left_in_conditions_0_g<const N: usize>(o: Option<i32>, n: i32) -> i32 {
     'a: { if let Some(x) = o && { if N == 3 { break 'a x; } n > 3 } { return x.wrapping_mul(3); } if n == 2 { break 'a 9; } n }
 }
 #[function]
@@ -16,7 +15,7 @@ pub fn found_left_in_conditions_1(x: i32, n: i32) -> i32 {
     r.wrapping_add(s * 1000).wrapping_add(t * 100000)
 }
 #[function]
-pub fn found_left_in_conditions_2_f(x: &[i32; 4], k: &mut i32) -> i32 {
+fn found_left_in_conditions_2_f(x: &[i32; 4], k: &mut i32) -> i32 {
     let mut n = 0_i32;
     'a: for i in 0..4 {
         'b: for j in (0..4).rev() {

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_literals_of_casts_0","params":[["","bool"],["","i32"]],"stops":false},{"atomic":false,"name":"found_literals_of_casts_1","params":[["","bool"]],"stops":false},{"atomic":false,"name":"found_literals_of_casts_2","params":[["","u8"],["","f32"],["","f64"]],"stops":false}],"instances":null,"unit":null}
 // Literals that are cast, and what gives no type to a literal.
 #[function]
 pub fn found_literals_of_casts_0(b: bool, n: i32) -> i64 {

@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_loops_without_passes_0","params":[["","u8"]],"atomic":false,"stops":false},{"name":"found_loops_without_passes_1","params":[["","u8"]],"atomic":false,"stops":false},{"name":"found_loops_without_passes_2","params":[["","u8"]],"atomic":false,"stops":false},{"name":"found_loops_without_passes_3","params":[["","u8"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // An array that loops fill which make no pass: its first values are still there.
 #[function]
 pub fn found_loops_without_passes_0(x: u8) -> u8 {
@@ -12,7 +11,7 @@ pub fn found_loops_without_passes_0(x: u8) -> u8 {
 }
 // helper
 #[function]
-pub fn found_loops_without_passes_some<const N: usize>(x: u8) -> u8 {
+fn found_loops_without_passes_some<const N: usize>(x: u8) -> u8 {
     let mut a = [7_u8; 3];
     for i in 0..N {
         a[0] = x ^ i as u8;

@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_modulus_of_real","params":[["","f64"],["","f32"]],"atomic":false,"stops":false},{"name":"found_modulus_of_real_generic","params":[["","f64"],["","f32"]],"atomic":false,"stops":false},{"name":"found_modulus_of_real_complex","params":[["","f64"],["","f64"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 use bessemer::nalgebra::{ComplexField, RealField, Complex};
 #[function]
 pub fn found_modulus_of_real(x: f64, y: f32) -> f64 {
@@ -6,7 +5,7 @@ pub fn found_modulus_of_real(x: f64, y: f32) -> f64 {
 }
 // helper
 #[function]
-pub fn found_modulus_of_real_size<T: RealField + Copy>(x: T, y: T) -> T {
+fn found_modulus_of_real_size<T: RealField + Copy>(x: T, y: T) -> T {
     x.modulus() + y
 }
 #[function]

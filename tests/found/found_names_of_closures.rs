@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_names_of_closures","params":[["","[i32; 4]"],["","i32"]],"atomic":false,"stops":false},{"name":"found_names_of_closures_2","params":[["","i32"],["","i32"]],"atomic":false,"stops":false},{"name":"found_names_of_closures_3","params":[["","i32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // A closure whose parameters have the names of another's, and of what stands around both.
 #[function]
 fn with(f: impl Fn(i32, i32) -> i32, a: i32, b: i32) -> i32 { f(a, b).wrapping_mul(3) ^ f(b, a) }

@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_names_of_functions_0","params":[["","f64"],["","f32"],["","i32"]],"atomic":false,"stops":false},{"name":"found_names_of_functions_1","params":[["","f64"],["","f64"],["","f32"],["&mut ","[f64; 40]"],["","f32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Locals and parameters that are called as functions of C's library, beside calls of these.
 #[function]
 pub fn found_names_of_functions_0(x: f64, y: f32, z: i32) -> f64 {

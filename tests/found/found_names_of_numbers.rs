@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_names_of_numbers_0","params":[["","u8"],["","i32"]],"stops":false},{"atomic":false,"name":"found_names_of_numbers_1","params":[["","u8"],["","i32"]],"stops":false},{"atomic":false,"name":"found_names_of_numbers_2","params":[["","u8"],["","i32"],["","u8"]],"stops":false}],"instances":null,"unit":null}
 // Names that a pattern gives to a number in each of several alternatives, or twice.
 #[function]
 pub fn found_names_of_numbers_0(y: u8, x: i32) -> i32 {

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_numbered_in_arrays_0","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_numbered_in_arrays_1","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_numbered_in_arrays_2","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_numbered_in_arrays_3","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_numbered_in_arrays_4","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_numbered_in_arrays_5","params":[["","[i32; 3]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Arrays of an enum whose first variant has another number than 0.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +22,7 @@ pub enum FoundNumberedInArrays1E { A = 5, B = 7, C = 0 }
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoundNumberedInArrays1S { pub e: [FoundNumberedInArrays1E; 12], pub o: Option<FoundNumberedInArrays1E>, pub n: i32, pub q: Option<[FoundNumberedInArrays1E; 10]> }
 #[function]
-pub fn found_numbered_in_arrays_1_z(n: i32) -> FoundNumberedInArrays1S { if n & 1 == 0 { FoundNumberedInArrays1S { e: [FoundNumberedInArrays1E::A; 12], o: None, n, q: None } } else { FoundNumberedInArrays1S { e: [FoundNumberedInArrays1E::C; 12], o: Some(FoundNumberedInArrays1E::A), n, q: Some([FoundNumberedInArrays1E::A; 10]) } } }
+fn found_numbered_in_arrays_1_z(n: i32) -> FoundNumberedInArrays1S { if n & 1 == 0 { FoundNumberedInArrays1S { e: [FoundNumberedInArrays1E::A; 12], o: None, n, q: None } } else { FoundNumberedInArrays1S { e: [FoundNumberedInArrays1E::C; 12], o: Some(FoundNumberedInArrays1E::A), n, q: Some([FoundNumberedInArrays1E::A; 10]) } } }
 #[function]
 pub fn found_numbered_in_arrays_1(a0: [i32; 3], n: i32) -> i32 {
     let x = FoundNumberedInArrays1S { e: [FoundNumberedInArrays1E::A; 12], o: Some(FoundNumberedInArrays1E::A), n: 4, q: Some([FoundNumberedInArrays1E::A; 10]) };
@@ -81,9 +80,9 @@ pub struct FoundNumberedInArrays4I { pub e: FoundNumberedInArrays4E, pub v: [Fou
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoundNumberedInArrays4S { pub i: [FoundNumberedInArrays4I; 2], pub o: [Option<FoundNumberedInArrays4E>; 10], pub n: i32 }
 #[function]
-pub fn found_numbered_in_arrays_4_f(n: i32) -> Option<FoundNumberedInArrays4I> { if n & 1 == 0 { None } else { Some(FoundNumberedInArrays4I { e: FoundNumberedInArrays4E::A, v: [FoundNumberedInArrays4E::A; 9], k: n }) } }
+fn found_numbered_in_arrays_4_f(n: i32) -> Option<FoundNumberedInArrays4I> { if n & 1 == 0 { None } else { Some(FoundNumberedInArrays4I { e: FoundNumberedInArrays4E::A, v: [FoundNumberedInArrays4E::A; 9], k: n }) } }
 #[function]
-pub fn found_numbered_in_arrays_4_g(n: i32) -> FoundNumberedInArrays4S { let i = FoundNumberedInArrays4I { e: FoundNumberedInArrays4E::A, v: [FoundNumberedInArrays4E::A; 9], k: 0 }; let mut s = FoundNumberedInArrays4S { i: [i; 2], o: [Some(FoundNumberedInArrays4E::A); 10], n: 0 }; if n & 1 == 0 { s.o = [None; 10]; } s.i[1].e = FoundNumberedInArrays4E::C; s }
+fn found_numbered_in_arrays_4_g(n: i32) -> FoundNumberedInArrays4S { let i = FoundNumberedInArrays4I { e: FoundNumberedInArrays4E::A, v: [FoundNumberedInArrays4E::A; 9], k: 0 }; let mut s = FoundNumberedInArrays4S { i: [i; 2], o: [Some(FoundNumberedInArrays4E::A); 10], n: 0 }; if n & 1 == 0 { s.o = [None; 10]; } s.i[1].e = FoundNumberedInArrays4E::C; s }
 #[function]
 pub fn found_numbered_in_arrays_4(a0: [i32; 3], n: i32) -> i32 {
     let mut s = a0[0];

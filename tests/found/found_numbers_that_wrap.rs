@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_numbers_that_wrap_u16","params":[["","[u16; 4]"],["","u16"]],"atomic":false,"stops":false},{"name":"found_numbers_that_wrap_i8","params":[["","[i8; 3]"],["","i8"]],"atomic":false,"stops":false},{"name":"found_numbers_that_wrap_i64","params":[["","[i64; 2]"],["","u64"]],"atomic":false,"stops":false},{"name":"found_numbers_that_wrap_own","params":[["","[i32; 4]"],["","usize"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // `Wrapping`, its operators and what is derived; and the numbers of a loop that its author changes.
 #[data]
 #[derive(Clone, Copy, Default)]

@@ -1,10 +1,9 @@
-// {"entries":[{"atomic":false,"name":"found_order_of_iterators","params":[["","[i16; 3]"],["","u8"],["","i16"],["&mut ","u64"]],"stops":false}],"instances":null,"unit":null}
 // What an iterator goes through is looked for before its links are counted, and before what a fold begins with is computed.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoundRow { pub a: i16, pub b: [i16; 3] }
 #[function]
-pub fn found_iterators_next(n: &mut usize) -> usize { *n = (*n + 1) % 3; *n }
+fn found_iterators_next(n: &mut usize) -> usize { *n = (*n + 1) % 3; *n }
 #[function]
 pub fn found_order_of_iterators(a0: [i16; 3], n0: u8, k0: i16, t: &mut u64) -> i64 {
 let mut n = n0 as usize % 3;

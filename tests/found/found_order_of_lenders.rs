@@ -1,24 +1,23 @@
-// {"entries":[{"atomic":false,"name":"found_order_of_lenders","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false}],"instances":null,"unit":null}
 // What is lent stays the place that it was, whatever becomes of the index that led to it; and what is exchanged is the place.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoundLender { pub x: i16, pub y: i16 }
 #[function]
-pub fn found_lenders_over(r: &mut [i16; 3], k: i16) -> Option<&mut i16> { r.iter_mut().find(|x| **x > k) }
+fn found_lenders_over(r: &mut [i16; 3], k: i16) -> Option<&mut i16> { r.iter_mut().find(|x| **x > k) }
 #[function]
-pub fn found_lenders_rest(r: &[i16; 3], k: usize) -> &[i16] { &r[k..] }
+fn found_lenders_rest(r: &[i16; 3], k: usize) -> &[i16] { &r[k..] }
 #[function]
-pub fn found_lenders_pair(r: &mut [i16; 3], k: usize) -> (usize, &mut i16) { (k, &mut r[k % 3]) }
+fn found_lenders_pair(r: &mut [i16; 3], k: usize) -> (usize, &mut i16) { (k, &mut r[k % 3]) }
 #[function]
-pub fn found_lenders_next(i: &mut usize) -> usize { *i = (*i + 1) % 3; *i }
+fn found_lenders_next(i: &mut usize) -> usize { *i = (*i + 1) % 3; *i }
 #[function]
-pub fn found_lenders_of(k: usize, r: &mut [i16; 3], j: usize) -> Result<&mut i16, u8> { r.get_mut((k + j) % 4).ok_or(3) }
+fn found_lenders_of(k: usize, r: &mut [i16; 3], j: usize) -> Result<&mut i16, u8> { r.get_mut((k + j) % 4).ok_or(3) }
 #[function]
-pub fn found_lenders_turned(t: &mut (i16, i16)) -> i16 { core::mem::replace(t, (t.1, t.0)).0 }
+fn found_lenders_turned(t: &mut (i16, i16)) -> i16 { core::mem::replace(t, (t.1, t.0)).0 }
 #[function]
-pub fn found_lenders_first(t: &mut [i16; 3]) -> i16 { let w = core::mem::replace(t, [t[1], 2, 3]); w[0] }
+fn found_lenders_first(t: &mut [i16; 3]) -> i16 { let w = core::mem::replace(t, [t[1], 2, 3]); w[0] }
 #[function]
-pub fn found_lenders_kept(s: &mut FoundLender) -> i16 { core::mem::replace(s, FoundLender { x: 9, ..*s }).x }
+fn found_lenders_kept(s: &mut FoundLender) -> i16 { core::mem::replace(s, FoundLender { x: 9, ..*s }).x }
 #[function]
 pub fn found_order_of_lenders(a0: [i16; 3], n0: usize, k0: i16, t: &mut u64) -> i64 {
 let mut m = [a0, [k0, 2, a0[1]], [5, a0[2], k0 ^ 3]];

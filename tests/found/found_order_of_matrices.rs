@@ -1,19 +1,18 @@
-// {"entries":[{"atomic":false,"name":"found_order_of_matrices_0","params":[["","usize"],["","i16"],["","f64"],["","Matrix3<f64>"],["","Vector3<f64>"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_matrices_1","params":[["","f64"],["","Matrix3<f64>"],["","Vector3<f64>"],["&mut ","u64"]],"stops":false}],"instances":null,"unit":null}
 // Operands that write what stands beside them: of compound assignments, products and matrices written out; copies of what is written.
 #[function]
-pub fn found_order_of_matrices_wf(f: &mut f64) -> f64 { *f = *f * 0.5 + 1.0; *f }
+fn found_order_of_matrices_wf(f: &mut f64) -> f64 { *f = *f * 0.5 + 1.0; *f }
 #[function]
-pub fn found_order_of_matrices_hf(h: &mut i64, x: f64) { *h = h.wrapping_mul(31).wrapping_add(if x.is_nan() { 77 } else { x.to_bits() as i64 }); }
+fn found_order_of_matrices_hf(h: &mut i64, x: f64) { *h = h.wrapping_mul(31).wrapping_add(if x.is_nan() { 77 } else { x.to_bits() as i64 }); }
 #[function]
-pub fn found_order_of_matrices_wk(k: &mut i16) -> i16 { *k = k.wrapping_mul(3).wrapping_add(1); *k }
+fn found_order_of_matrices_wk(k: &mut i16) -> i16 { *k = k.wrapping_mul(3).wrapping_add(1); *k }
 #[function]
-pub fn found_order_of_matrices_hk(h: &mut i64, x: i64) { *h = h.wrapping_mul(31).wrapping_add(x); }
+fn found_order_of_matrices_hk(h: &mut i64, x: i64) { *h = h.wrapping_mul(31).wrapping_add(x); }
 #[function]
-pub fn found_order_of_matrices_wv(v: &mut Vector3<f64>) -> f64 { v[1] = v[0] + 0.5; v[0] = -v[2]; v[1] }
+fn found_order_of_matrices_wv(v: &mut Vector3<f64>) -> f64 { v[1] = v[0] + 0.5; v[0] = -v[2]; v[1] }
 #[function]
-pub fn found_order_of_matrices_wm(m: &mut Matrix3<f64>) -> f64 { m[(0, 0)] = 4.0; m[(1, 2)] = m[(2, 2)]; m[(2, 1)] += 0.5; m[(0, 1)] - 1.5 }
+fn found_order_of_matrices_wm(m: &mut Matrix3<f64>) -> f64 { m[(0, 0)] = 4.0; m[(1, 2)] = m[(2, 2)]; m[(2, 1)] += 0.5; m[(0, 1)] - 1.5 }
 #[function]
-pub fn found_order_of_matrices_wmm(m: &mut Matrix3<f64>) -> Matrix3<f64> { m[(0, 2)] = 2.0; m[(1, 1)] += 0.25; m.transpose() }
+fn found_order_of_matrices_wmm(m: &mut Matrix3<f64>) -> Matrix3<f64> { m[(0, 2)] = 2.0; m[(1, 1)] += 0.25; m.transpose() }
 #[function]
 pub fn found_order_of_matrices_0(n0: usize, k0: i16, f0: f64, m0: Matrix3<f64>, v0: Vector3<f64>, t: &mut u64) -> i64 {
 let mut g = 1_i64;

@@ -1,12 +1,11 @@
-// {"entries":[{"atomic":false,"name":"found_order_of_operands","params":[["","[f64; 3]"],["","usize"],["","f64"],["&mut ","u64"]],"stops":false}],"instances":null,"unit":null}
 // A value is read before the call behind it writes there, also where statements behind both need that call to be computed early.
 #[data]
 #[derive(Clone, Copy)]
 pub struct FoundOperands { a: f64, b: f64, c: f64, d: f64 }
 #[function]
-pub fn found_operands_write(f: &mut f64) -> f64 { *f = *f * 0.5 + 1.0; *f }
+fn found_operands_write(f: &mut f64) -> f64 { *f = *f * 0.5 + 1.0; *f }
 #[function]
-pub fn found_operands_three(a: f64, b: f64, c: f64) -> f64 { a * 3.0 + b + c }
+fn found_operands_three(a: f64, b: f64, c: f64) -> f64 { a * 3.0 + b + c }
 #[function]
 pub fn found_order_of_operands(a0: [f64; 3], n0: usize, k0: f64, t: &mut u64) -> f64 {
 let mut f = k0; let n = n0 % 3;

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_order_of_places_0","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_1","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_2","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_3","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_4","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_5","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_6","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_7","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_8","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_9","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false},{"atomic":false,"name":"found_order_of_places_10","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false}],"instances":null,"unit":null}
 // Assignments, literals and methods that write: how often, and in which order, operands that write are computed.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
@@ -7,39 +6,39 @@ pub struct FoundOrderOfPlacesTwo { pub a: i16, pub b: [i16; 3] }
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum FoundOrderOfPlacesWay { #[default] Off, On(i16), Both { low: i16, high: i16 } }
 #[function]
-pub fn found_order_of_places_ti(x: usize, t: &mut u64) -> usize { *t = t.wrapping_mul(31).wrapping_add(x as u64).wrapping_add(1); (*t % 3) as usize }
+fn found_order_of_places_ti(x: usize, t: &mut u64) -> usize { *t = t.wrapping_mul(31).wrapping_add(x as u64).wrapping_add(1); (*t % 3) as usize }
 #[function]
-pub fn found_order_of_places_tv(x: i16, t: &mut u64) -> i16 { *t = t.wrapping_mul(31).wrapping_add(x as u64).wrapping_add(7); x ^ (*t as i16 & 3) }
+fn found_order_of_places_tv(x: i16, t: &mut u64) -> i16 { *t = t.wrapping_mul(31).wrapping_add(x as u64).wrapping_add(7); x ^ (*t as i16 & 3) }
 #[function]
-pub fn found_order_of_places_to(x: i16, t: &mut u64) -> Option<i16> { *t = t.wrapping_mul(31).wrapping_add(x as u64).wrapping_add(7); if *t % 3 == 0 { None } else { Some(x) } }
+fn found_order_of_places_to(x: i16, t: &mut u64) -> Option<i16> { *t = t.wrapping_mul(31).wrapping_add(x as u64).wrapping_add(7); if *t % 3 == 0 { None } else { Some(x) } }
 #[function]
-pub fn found_order_of_places_bn(n: &mut usize) -> i16 { *n = n.wrapping_add(1) % 3; *n as i16 }
+fn found_order_of_places_bn(n: &mut usize) -> i16 { *n = n.wrapping_add(1) % 3; *n as i16 }
 #[function]
-pub fn found_order_of_places_bi(n: &mut usize) -> usize { *n = n.wrapping_add(1) % 3; *n }
+fn found_order_of_places_bi(n: &mut usize) -> usize { *n = n.wrapping_add(1) % 3; *n }
 #[function]
-pub fn found_order_of_places_bon(n: &mut usize) -> Option<i16> { *n = n.wrapping_add(1) % 3; if *n == 1 { None } else { Some(*n as i16) } }
+fn found_order_of_places_bon(n: &mut usize) -> Option<i16> { *n = n.wrapping_add(1) % 3; if *n == 1 { None } else { Some(*n as i16) } }
 #[function]
-pub fn found_order_of_places_bk(k: &mut i16) -> i16 { *k = k.wrapping_mul(3).wrapping_add(1); *k }
+fn found_order_of_places_bk(k: &mut i16) -> i16 { *k = k.wrapping_mul(3).wrapping_add(1); *k }
 #[function]
-pub fn found_order_of_places_bo(o: &mut [Option<i16>; 3]) -> i16 { o[0] = Some(5); o[1] = None; o[2] = Some(7); 8 }
+fn found_order_of_places_bo(o: &mut [Option<i16>; 3]) -> i16 { o[0] = Some(5); o[1] = None; o[2] = Some(7); 8 }
 #[function]
-pub fn found_order_of_places_boo(o: &mut [Option<i16>; 3]) -> Option<i16> { o[0] = Some(5); o[1] = None; o[2] = Some(7); Some(8) }
+fn found_order_of_places_boo(o: &mut [Option<i16>; 3]) -> Option<i16> { o[0] = Some(5); o[1] = None; o[2] = Some(7); Some(8) }
 #[function]
-pub fn found_order_of_places_ba(a: &mut [i16; 3]) -> i16 { a[0] = a[0].wrapping_add(5); a[1] = 4; a[2] ^= 7; a[1] }
+fn found_order_of_places_ba(a: &mut [i16; 3]) -> i16 { a[0] = a[0].wrapping_add(5); a[1] = 4; a[2] ^= 7; a[1] }
 #[function]
-pub fn found_order_of_places_bq(q: &mut [[i16; 3]; 3]) -> i16 { q[0] = [3, 4, 5]; q[1] = q[2]; q[2][1] = 3; q[1][1] }
+fn found_order_of_places_bq(q: &mut [[i16; 3]; 3]) -> i16 { q[0] = [3, 4, 5]; q[1] = q[2]; q[2][1] = 3; q[1][1] }
 #[function]
-pub fn found_order_of_places_bw(w: &mut [FoundOrderOfPlacesWay; 3]) -> i16 { w[0] = FoundOrderOfPlacesWay::On(4); w[1] = FoundOrderOfPlacesWay::Off; w[2] = FoundOrderOfPlacesWay::Both { low: 3, high: 2 }; 3 }
+fn found_order_of_places_bw(w: &mut [FoundOrderOfPlacesWay; 3]) -> i16 { w[0] = FoundOrderOfPlacesWay::On(4); w[1] = FoundOrderOfPlacesWay::Off; w[2] = FoundOrderOfPlacesWay::Both { low: 3, high: 2 }; 3 }
 #[function]
-pub fn found_order_of_places_bs(s: &mut [FoundOrderOfPlacesTwo; 3]) -> i16 { s[0].a = 4; s[1].b[1] = 4; s[2] = s[0]; 3 }
+fn found_order_of_places_bs(s: &mut [FoundOrderOfPlacesTwo; 3]) -> i16 { s[0].a = 4; s[1].b[1] = 4; s[2] = s[0]; 3 }
 #[function]
-pub fn found_order_of_places_bx(o: &mut Option<i16>) -> i16 { let was = match o { Some(x) => *x, None => 3 }; *o = if was > 0 { None } else { Some(4) }; was }
+fn found_order_of_places_bx(o: &mut Option<i16>) -> i16 { let was = match o { Some(x) => *x, None => 3 }; *o = if was > 0 { None } else { Some(4) }; was }
 #[function]
-pub fn found_order_of_places_bv(v: &mut [Vector3<f64>; 3]) -> f64 { v[0] = v[1]; v[1] *= 2.0; v[2][1] = 3.0; 1.5 }
+fn found_order_of_places_bv(v: &mut [Vector3<f64>; 3]) -> f64 { v[0] = v[1]; v[1] *= 2.0; v[2][1] = 3.0; 1.5 }
 #[function]
-pub fn found_order_of_places_bvv(v: &mut [Vector3<f64>; 3]) -> Vector3<f64> { v[0] = v[1]; v[1] *= 2.0; v[2][1] = 3.0; v[0] }
+fn found_order_of_places_bvv(v: &mut [Vector3<f64>; 3]) -> Vector3<f64> { v[0] = v[1]; v[1] *= 2.0; v[2][1] = 3.0; v[0] }
 #[function]
-pub fn found_order_of_places_bm(m: &mut SMatrix<f64, 3, 3>) -> f64 { m[(0, 0)] = 4.0; m[(1, 2)] = m[(2, 2)]; 1.5 }
+fn found_order_of_places_bm(m: &mut SMatrix<f64, 3, 3>) -> f64 { m[(0, 0)] = 4.0; m[(1, 2)] = m[(2, 2)]; 1.5 }
 #[function]
 pub fn found_order_of_places_0(a0: [i16; 3], n0: usize, k0: i16, t: &mut u64) -> i64 {
 let mut sum = 0_i64;

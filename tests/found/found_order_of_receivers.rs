@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_order_of_receivers","params":[["","[i16; 3]"],["","usize"],["","i16"],["&mut ","u64"]],"stops":false}],"instances":null,"unit":null}
 // What a method of Option or Result is asked of is read before its argument is computed, which may write there.
 #[function]
 pub fn found_order_of_receivers(a0: [i16; 3], n0: usize, k0: i16, t: &mut u64) -> i64 {

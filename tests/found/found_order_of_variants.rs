@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_order_of_variants_0","params":[["","u8"],["","u8"],["","i32"],["","i32"],["","f64"],["","f64"]],"atomic":false,"stops":false},{"name":"found_order_of_variants_1","params":[["","u8"],["","u8"],["","i32"],["","i32"],["","f32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // `<` and what rests on it, of options, results and enums with payload.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -11,12 +10,12 @@ pub enum FoundOrderOfVariantsF { Idle, At(i32), Between { low: i16, high: u8 } }
 pub struct FoundOrderOfVariantsS { pub first: Option<f32>, pub second: Result<u8, i8> }
 // helper
 #[function]
-pub fn found_order_of_variants_e(k: u8, a: i32, x: f64) -> FoundOrderOfVariantsE {
+fn found_order_of_variants_e(k: u8, a: i32, x: f64) -> FoundOrderOfVariantsE {
     match k % 4 { 0 => FoundOrderOfVariantsE::A(a), 1 => FoundOrderOfVariantsE::B, 2 => FoundOrderOfVariantsE::C { x, y: k / 8 }, _ => FoundOrderOfVariantsE::D([a as i16, 1, 2, 3, 4, (k / 16) as i16], a > 0) }
 }
 // helper
 #[function]
-pub fn found_order_of_variants_f(k: u8, a: i32) -> FoundOrderOfVariantsF {
+fn found_order_of_variants_f(k: u8, a: i32) -> FoundOrderOfVariantsF {
     match k % 3 { 0 => FoundOrderOfVariantsF::Idle, 1 => FoundOrderOfVariantsF::At(a), _ => FoundOrderOfVariantsF::Between { low: a as i16, high: k / 4 } }
 }
 #[function]

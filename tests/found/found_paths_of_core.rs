@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_paths_of_core","params":[["","u32"]],"atomic":false,"stops":false},{"name":"found_paths_of_core_2","params":[["","u32"]],"atomic":false,"stops":false},{"name":"found_paths_of_core_3","params":[["","u32"]],"atomic":false,"stops":false},{"name":"found_paths_of_core_4","params":[["","u8"],["","u8"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Functions of types by their whole paths.
 use core::num::NonZeroU32;
 #[function]

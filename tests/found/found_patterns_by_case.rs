@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_patterns_by_case","params":[["","u8"],["","i32"]],"atomic":false,"stops":false},{"name":"found_patterns_by_case_2","params":[["","u8"],["","i32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Names inside `|` that stand for other places in each case, in `if let` and `matches!`.
 #[data]
 #[derive(Clone, Copy, PartialEq)]

@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_places_computed_once","params":[["","i32"],["","usize"]],"atomic":false,"stops":false},{"name":"found_places_computed_once_2","params":[["","i32"],["","usize"]],"atomic":false,"stops":false},{"name":"found_places_computed_once_3","params":[["","[i32; 4]"],["","usize"],["","usize"]],"atomic":false,"stops":false},{"name":"found_places_computed_once_4","params":[["","[[f64; 2]; 3]"],["","usize"],["","f64"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // What `+=` of an own operator writes: the place is computed once, before the operand.
 use core::ops::{Add, AddAssign, MulAssign};
 #[data]

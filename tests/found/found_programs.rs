@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_programs_crccobs","params":[["","[u8; 10]"],["","u8"]],"stops":false},{"atomic":false,"name":"found_programs_particle","params":[["","u32"],["","[f32; 3]"],["","[f32; 3]"]],"stops":false},{"atomic":false,"name":"found_programs_errors","params":[["","[u8; 8]"],["","u8"],["","f32"]],"stops":false}],"instances":null,"unit":null}
 // Whole programs as a newcomer writes them: frames over a wire, a particle filter, a bus with errors.
 /// CRC32 with a table built at compile time, and COBS.
 const fn found_programs_crccobs_crc_table() -> [u32; 256] {
@@ -20,7 +19,7 @@ const fn found_programs_crccobs_crc_table() -> [u32; 256] {
 static FOUND_PROGRAMS_CRCCOBS_CRC_TABLE: [u32; 256] = found_programs_crccobs_crc_table();
 
 #[function]
-pub fn found_programs_crccobs_crc32(data: &[u8]) -> u32 {
+fn found_programs_crccobs_crc32(data: &[u8]) -> u32 {
     !data.iter().fold(!0u32, |crc, &byte| FOUND_PROGRAMS_CRCCOBS_CRC_TABLE[((crc ^ byte as u32) & 0xFF) as usize] ^ (crc >> 8))
 }
 
@@ -33,7 +32,7 @@ pub enum FoundProgramsCrccobsCobsError {
 }
 
 #[function]
-pub fn found_programs_crccobs_encode(input: &[u8], out: &mut [u8]) -> Result<usize, FoundProgramsCrccobsCobsError> {
+fn found_programs_crccobs_encode(input: &[u8], out: &mut [u8]) -> Result<usize, FoundProgramsCrccobsCobsError> {
     let needed = input.len() + input.len() / 254 + 1;
     if out.len() < needed {
         return Err(FoundProgramsCrccobsCobsError::BufferTooSmall { needed });
@@ -59,7 +58,7 @@ pub fn found_programs_crccobs_encode(input: &[u8], out: &mut [u8]) -> Result<usi
 }
 
 #[function]
-pub fn found_programs_crccobs_decode(input: &[u8], out: &mut [u8]) -> Result<usize, FoundProgramsCrccobsCobsError> {
+fn found_programs_crccobs_decode(input: &[u8], out: &mut [u8]) -> Result<usize, FoundProgramsCrccobsCobsError> {
     let mut rest = input;
     let mut len = 0;
     while let [code, tail @ ..] = rest {

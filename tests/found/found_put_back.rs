@@ -1,7 +1,6 @@
-// {"entries":[{"atomic":false,"name":"found_put_back_0","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_put_back_1","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_put_back_2","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_put_back_3","params":[["","[i32; 3]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Values that are put back where a condition wrote them.
 #[function]
-pub fn found_put_back_0_bump(x: &mut i32) -> bool { *x = x.wrapping_add(1); *x % 2 == 0 }
+fn found_put_back_0_bump(x: &mut i32) -> bool { *x = x.wrapping_add(1); *x % 2 == 0 }
 #[function]
 pub fn found_put_back_0(a0: [i32; 3], n: i32) -> i32 {
     let mut a = a0[0];
@@ -13,7 +12,7 @@ pub fn found_put_back_0(a0: [i32; 3], n: i32) -> i32 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoundPutBack1S { pub n: i32, pub m: i32 }
 #[function]
-pub fn found_put_back_1_bump(x: &mut FoundPutBack1S) -> bool { x.n = x.n.wrapping_add(1); x.n % 2 == 0 }
+fn found_put_back_1_bump(x: &mut FoundPutBack1S) -> bool { x.n = x.n.wrapping_add(1); x.n % 2 == 0 }
 #[function]
 pub fn found_put_back_1(a0: [i32; 3], n: i32) -> i32 {
     let mut a = FoundPutBack1S { n: a0[0], m: n };
@@ -22,7 +21,7 @@ pub fn found_put_back_1(a0: [i32; 3], n: i32) -> i32 {
     a.n.wrapping_mul(3).wrapping_add(a.m)
 }
 #[function]
-pub fn found_put_back_2_bump(x: &mut i32) -> bool { *x = x.wrapping_add(1); *x % 2 == 0 }
+fn found_put_back_2_bump(x: &mut i32) -> bool { *x = x.wrapping_add(1); *x % 2 == 0 }
 #[function]
 pub fn found_put_back_2(a0: [i32; 3], n: i32) -> i32 {
     let mut a = a0[0];
@@ -37,7 +36,7 @@ pub fn found_put_back_2(a0: [i32; 3], n: i32) -> i32 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoundPutBack3S { pub n: i32, pub m: i32 }
 #[function]
-pub fn found_put_back_3_bump(x: &mut FoundPutBack3S) -> bool { x.n = x.n.wrapping_add(1); x.m = x.m.wrapping_sub(1); x.n % 2 == 0 }
+fn found_put_back_3_bump(x: &mut FoundPutBack3S) -> bool { x.n = x.n.wrapping_add(1); x.m = x.m.wrapping_sub(1); x.n % 2 == 0 }
 #[function]
 pub fn found_put_back_3(a0: [i32; 3], n: i32) -> i32 {
     let mut a = FoundPutBack3S { n: a0[0], m: n };

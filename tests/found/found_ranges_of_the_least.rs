@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_ranges_of_the_least_0","params":[["","[i32; 3]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_ranges_of_the_least_1","params":[["","[i64; 3]"],["","i64"]],"stops":false},{"atomic":false,"name":"found_ranges_of_the_least_2","params":[["","[i32; 3]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Ranges that go from the end on, and end at the least number of their type.
 #[function]
 pub fn found_ranges_of_the_least_0(a0: [i32; 3], n: i32) -> i32 {

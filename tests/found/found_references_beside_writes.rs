@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_references_beside_writes","params":[["","[[i32; 2]; 4]"],["","i32"]],"atomic":false,"stops":false},{"name":"found_references_beside_writes_a","params":[["","[[i32; 2]; 4]"],["","i32"]],"atomic":false,"stops":false},{"name":"found_references_beside_writes_a_b","params":[["","[[i32; 2]; 4]"],["","i32"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // References in variables that get another beside where they are matched, or given to closures.
 #[function]
 pub fn found_references_beside_writes(x: [[i32; 2]; 4], n: i32) -> i32 {

@@ -1,23 +1,22 @@
-// {"entries":[{"atomic":false,"name":"found_references_in_parts_0","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_1","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_2","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_3","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_4","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_5","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_6","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_7","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_8","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_9","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_10","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_11","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_12","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_13","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_14","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_15","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_16","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_17","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_18","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_in_parts_19","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // References in arrays, structs, enums and iterators, and in what is lent to a function that is inlined, which come to refer to something else.
 #[function(expand)]
-pub fn found_references_in_parts_0_e<'a>(p: &mut (&'a [i32; 2], i32), q: &'a [i32; 2]) -> i32 { let r = &p.0[1]; p.0 = q; let v = &p.0[..1]; p.0 = q; r.wrapping_mul(3).wrapping_add(v[0]) }
+fn found_references_in_parts_0_e<'a>(p: &mut (&'a [i32; 2], i32), q: &'a [i32; 2]) -> i32 { let r = &p.0[1]; p.0 = q; let v = &p.0[..1]; p.0 = q; r.wrapping_mul(3).wrapping_add(v[0]) }
 #[function]
 pub fn found_references_in_parts_0(x: [[i32; 2]; 4], n: i32) -> i32 { let mut t = (&x[0], n); let a = found_references_in_parts_0_e(&mut t, &x[1]); a.wrapping_mul(7).wrapping_add(t.0[0]).wrapping_add(t.1) }
 #[function(expand)]
-pub fn found_references_in_parts_1_e<'a>(p: &mut Option<&'a [i32; 2]>, q: &'a [i32; 2]) -> i32 { let r = p.unwrap(); *p = None; let v = p.unwrap_or(q); *p = Some(q); r[0].wrapping_mul(3).wrapping_add(v[1]) }
+fn found_references_in_parts_1_e<'a>(p: &mut Option<&'a [i32; 2]>, q: &'a [i32; 2]) -> i32 { let r = p.unwrap(); *p = None; let v = p.unwrap_or(q); *p = Some(q); r[0].wrapping_mul(3).wrapping_add(v[1]) }
 #[function]
 pub fn found_references_in_parts_1(x: [[i32; 2]; 4], n: i32) -> i32 { let mut t = Some(&x[0]); let a = found_references_in_parts_1_e(&mut t, &x[1]); a.wrapping_mul(7).wrapping_add(t.unwrap()[0]) }
 #[function(expand)]
-pub fn found_references_in_parts_2_e<'a>(p: &mut (&'a [i32; 2], i32), q: &'a [i32; 2], g: impl Fn(&[i32; 2]) -> i32) -> i32 { let (r, k) = *p; p.0 = q; let mut s = 0i32; for y in p.0 { p.0 = r; s = s.wrapping_mul(3).wrapping_add(*y); } g(r).wrapping_add(k).wrapping_add(s) }
+fn found_references_in_parts_2_e<'a>(p: &mut (&'a [i32; 2], i32), q: &'a [i32; 2], g: impl Fn(&[i32; 2]) -> i32) -> i32 { let (r, k) = *p; p.0 = q; let mut s = 0i32; for y in p.0 { p.0 = r; s = s.wrapping_mul(3).wrapping_add(*y); } g(r).wrapping_add(k).wrapping_add(s) }
 #[function]
 pub fn found_references_in_parts_2(x: [[i32; 2]; 4], n: i32) -> i32 { let mut t = (&x[0], n); let a = found_references_in_parts_2_e(&mut t, &x[1], |v| v[0] ^ n); a.wrapping_mul(7).wrapping_add(t.0[0]).wrapping_add(t.1) }
 #[function(expand)]
-pub fn found_references_in_parts_3_e<'a>(p: &mut (&'a [i32; 2], i32), mut g: impl FnMut(&mut (&'a [i32; 2], i32)) -> i32) -> i32 { let r = &p.0[0]; let k = g(p); let s = &p.0[1]; let l = g(p); r.wrapping_mul(3).wrapping_add(k).wrapping_mul(3).wrapping_add(*s).wrapping_add(l) }
+fn found_references_in_parts_3_e<'a>(p: &mut (&'a [i32; 2], i32), mut g: impl FnMut(&mut (&'a [i32; 2], i32)) -> i32) -> i32 { let r = &p.0[0]; let k = g(p); let s = &p.0[1]; let l = g(p); r.wrapping_mul(3).wrapping_add(k).wrapping_mul(3).wrapping_add(*s).wrapping_add(l) }
 #[function]
 pub fn found_references_in_parts_3(x: [[i32; 2]; 4], n: i32) -> i32 { let mut t = (&x[0], n); let mut i = 0; let a = found_references_in_parts_3_e(&mut t, |p| { let r = &p.0[1]; i += 1; p.0 = &x[i]; r ^ n }); let b = found_references_in_parts_3_e(&mut (&x[0], 3), |p| { let r = &p.0[1]; i -= 1; p.0 = &x[i]; r ^ n }); a.wrapping_mul(7).wrapping_add(t.0[0]).wrapping_add(t.1).wrapping_add(b) }
 #[function]
-pub fn found_references_in_parts_4_p<'a, 'b>(w: &'a mut [(&'b [i32; 2], i32); 2], i: usize) -> &'a mut (&'b [i32; 2], i32) { &mut w[i % 2] }
+fn found_references_in_parts_4_p<'a, 'b>(w: &'a mut [(&'b [i32; 2], i32); 2], i: usize) -> &'a mut (&'b [i32; 2], i32) { &mut w[i % 2] }
 #[function]
 pub fn found_references_in_parts_4(x: [[i32; 2]; 4], n: i32) -> i32 { let mut w = [(&x[0], n), (&x[1], 3)]; let p = found_references_in_parts_4_p(&mut w, 1); let r = p.0; p.0 = &x[2]; let s = &p.0[1]; p.0 = &x[3]; let q = found_references_in_parts_4_p(&mut w, 0).0; found_references_in_parts_4_p(&mut w, 0).0 = &x[2]; r[0].wrapping_mul(3).wrapping_add(*s).wrapping_mul(3).wrapping_add(q[1]).wrapping_add(w[1].0[0]) }
 #[function]
@@ -40,15 +39,15 @@ impl<'a> FoundReferencesInParts8a<'a> {
 #[function]
 pub fn found_references_in_parts_8(x: [[i32; 2]; 4], n: i32) -> i32 { let mut s = FoundReferencesInParts8a { o: Some(&x[0]), p: (&x[1], n) }; let a = s.go(&x[2]); a.wrapping_mul(5).wrapping_add(s.p.0[0]) }
 #[function]
-pub fn found_references_in_parts_9_f<'a>(v: &mut [(&'a [i32; 2], i32)], q: &'a [i32; 2]) -> i32 { let r = &v[0].0[1]; v[0].0 = q; let s = v[1].0; v[1] = (q, 3); let mut z = 0i32; for y in v.iter_mut() { let a = &y.0[0]; y.0 = found_references_in_parts_9_r0(s); z = z.wrapping_mul(3).wrapping_add(*a); } for y in v[0].0 { v[0].0 = q; z = z.wrapping_mul(3).wrapping_add(*y); } r.wrapping_mul(3).wrapping_add(s[0]).wrapping_add(z) }
+fn found_references_in_parts_9_f<'a>(v: &mut [(&'a [i32; 2], i32)], q: &'a [i32; 2]) -> i32 { let r = &v[0].0[1]; v[0].0 = q; let s = v[1].0; v[1] = (q, 3); let mut z = 0i32; for y in v.iter_mut() { let a = &y.0[0]; y.0 = found_references_in_parts_9_r0(s); z = z.wrapping_mul(3).wrapping_add(*a); } for y in v[0].0 { v[0].0 = q; z = z.wrapping_mul(3).wrapping_add(*y); } r.wrapping_mul(3).wrapping_add(s[0]).wrapping_add(z) }
 #[function]
-pub fn found_references_in_parts_9_r0<'a>(a: &'a [i32; 2]) -> &'a [i32; 2] { a }
+fn found_references_in_parts_9_r0<'a>(a: &'a [i32; 2]) -> &'a [i32; 2] { a }
 #[function]
 pub fn found_references_in_parts_9(x: [[i32; 2]; 4], n: i32) -> i32 { let mut a = [(&x[0], 1), (&x[1], 2), (&x[2], n)]; let z = found_references_in_parts_9_f(&mut a[1..], &x[3]); z.wrapping_mul(3).wrapping_add(a[1].0[0]).wrapping_add(a[2].0[1]) }
 #[function]
 pub fn found_references_in_parts_10(x: [[i32; 2]; 4], n: i32) -> i32 { let mut a = [Some(&x[0]), Some(&x[1]), None]; let mut s = 0i32; for o in &mut a { if let Some(r) = o { let q = r[0]; *r = &x[3]; s = s.wrapping_mul(3).wrapping_add(q ^ r[1]); } } for i in 0..3 { let q = a[i].unwrap_or(&x[2]); a[i] = Some(&x[1]); s = s.wrapping_mul(3).wrapping_add(q[0]); } if let Some(q) = a[1] { a[1] = Some(&x[2]); s = s.wrapping_mul(3).wrapping_add(q[0]); } match a { [Some(p), .., z] => { a = [None; 3]; s = s.wrapping_mul(3).wrapping_add(p[0]).wrapping_add(z.unwrap()[1]); } _ => {} } let c = a.map(|o| o.map_or(1, |v| v[0])); s.wrapping_add(c[0]).wrapping_add(a[0].is_none() as i32) }
 #[function(expand)]
-pub fn found_references_in_parts_11_e<'a>(a: impl Iterator<Item = &'a i32> + Clone, k: i32) -> i32 { let mut s = k; for y in a.clone() { s = s.wrapping_mul(3).wrapping_add(*y); } for y in a { s = s.wrapping_mul(3).wrapping_add(*y); } s }
+fn found_references_in_parts_11_e<'a>(a: impl Iterator<Item = &'a i32> + Clone, k: i32) -> i32 { let mut s = k; for y in a.clone() { s = s.wrapping_mul(3).wrapping_add(*y); } for y in a { s = s.wrapping_mul(3).wrapping_add(*y); } s }
 #[function]
 pub fn found_references_in_parts_11(x: [[i32; 2]; 4], n: i32) -> i32 { let mut t = (&x[0], 3); let b = found_references_in_parts_11_e(t.0.iter(), { t.0 = &x[2]; t.1 }); let c = found_references_in_parts_11_e(t.0.iter().chain(&x[0]), { t.0 = &x[3]; t.1 }); let d = found_references_in_parts_11_e(t.0.iter().filter(|v| **v > 0), { t.0 = &x[1]; t.1 }); let e = found_references_in_parts_11_e(t.0.iter().skip(1), { t.0 = &x[0]; t.1 }); b.wrapping_mul(3).wrapping_add(c).wrapping_mul(3).wrapping_add(d).wrapping_add(e) }
 #[function]
@@ -72,6 +71,6 @@ pub fn found_references_in_parts_17(x: [[i32; 2]; 4], n: i32) -> i32 { let mut v
 #[function]
 pub fn found_references_in_parts_18(x: [[i32; 2]; 4], n: i32) -> i32 { let mut t = [(1, (&x[0], Some(&x[1]))), (2, (&x[2], None))]; let i = (n & 1) as usize; let (a, (b, c)) = t[i]; t[i].1 = (&x[3], Some(&x[0])); let d = t[i].1.0; t[i] = t[1 - i]; let e = c.map_or(3, |v| v[0]); let f = &t[1 - i].1.1; let g = f.map_or(1, |v| v[1]); let [(_, (h, _)), (_, (_, j))] = t; t = [t[0]; 2]; a.wrapping_mul(3).wrapping_add(b[0]).wrapping_mul(3).wrapping_add(d[0]).wrapping_mul(3).wrapping_add(e).wrapping_add(g).wrapping_mul(3).wrapping_add(h[0]).wrapping_add(j.is_some() as i32) }
 #[function]
-pub fn found_references_in_parts_19_go<'a>(v: &mut [(&'a [i32; 2], i32); 2], q: &'a [i32; 2], f: impl Fn(&[i32; 2]) -> i32) -> i32 { let r = v[0].0; v[0].0 = q; let a = f(r); let b = &v[0].0[1]; v.swap(0, 1); a.wrapping_mul(3).wrapping_add(*b).wrapping_add(f(v[0].0)) }
+fn found_references_in_parts_19_go<'a>(v: &mut [(&'a [i32; 2], i32); 2], q: &'a [i32; 2], f: impl Fn(&[i32; 2]) -> i32) -> i32 { let r = v[0].0; v[0].0 = q; let a = f(r); let b = &v[0].0[1]; v.swap(0, 1); a.wrapping_mul(3).wrapping_add(*b).wrapping_add(f(v[0].0)) }
 #[function]
 pub fn found_references_in_parts_19(x: [[i32; 2]; 4], n: i32) -> i32 { let mut v = [(&x[0], n), (&x[1], 2)]; let a = found_references_in_parts_19_go(&mut v, &x[2], |r| r[0] ^ n); let mut t = (&x[3], n); let b = found_references_in_parts_19_go(&mut v, &x[0], |r| r[1] ^ t.0[0]); t.0 = &x[1]; a.wrapping_mul(5).wrapping_add(b).wrapping_add(t.0[0]).wrapping_add(v[1].0[0]) }

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_references_that_move_0","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_that_move_1","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_that_move_2","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_that_move_3","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_that_move_4","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_that_move_5","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_that_move_6","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_that_move_7","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false},{"atomic":false,"name":"found_references_that_move_8","params":[["","[[i32; 2]; 4]"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // References to what a tuple or an option refers to, which comes to refer to something else.
 #[function]
 pub fn found_references_that_move_0(x: [[i32; 2]; 4], n: i32) -> i32 {
@@ -7,7 +6,7 @@ pub fn found_references_that_move_0(x: [[i32; 2]; 4], n: i32) -> i32 {
     r[0].wrapping_add(s[1]).wrapping_mul(3).wrapping_add(t[0]).wrapping_mul(3).wrapping_add(u[1]).wrapping_add(v[0]).wrapping_add(o.is_none() as i32)
 }
 #[function]
-pub fn found_references_that_move_1_f(x: &[[i32; 2]; 4], n: i32) -> Option<i32> {
+fn found_references_that_move_1_f(x: &[[i32; 2]; 4], n: i32) -> Option<i32> {
     let mut t = (Some(&x[0]), &x[1]); let r = t.0.unwrap(); t.0 = if n > 3 { Some(&x[2]) } else { None }; let q = t.1; t.1 = &x[3];
     let w = match t.0 { Some(v) => v, None => return Some(r[0]) }; t.0 = Some(&x[0]);
     let z = if let Some(v) = t.0 { v } else { return None }; t = (None, &x[2]);
@@ -26,9 +25,9 @@ pub fn found_references_that_move_2(x: [[i32; 2]; 4], n: i32) -> i32 {
     a.wrapping_add(b).wrapping_mul(3).wrapping_add(c).wrapping_mul(3).wrapping_add(d).wrapping_add(e[0]).wrapping_mul(3).wrapping_add(g[0]).wrapping_add(h).wrapping_add(i).wrapping_mul(3).wrapping_add(j[0]).wrapping_add(k[1])
 }
 #[function]
-pub fn found_references_that_move_3_g(a: &[i32; 2], b: &[i32; 2], k: i32) -> i32 { a[0].wrapping_mul(3).wrapping_add(b[1]).wrapping_add(k) }
+fn found_references_that_move_3_g(a: &[i32; 2], b: &[i32; 2], k: i32) -> i32 { a[0].wrapping_mul(3).wrapping_add(b[1]).wrapping_add(k) }
 #[function(expand)]
-pub fn found_references_that_move_3_e(a: &[i32; 2], b: &[i32; 2], k: i32) -> i32 { a[0].wrapping_mul(3).wrapping_add(b[1]).wrapping_add(k) }
+fn found_references_that_move_3_e(a: &[i32; 2], b: &[i32; 2], k: i32) -> i32 { a[0].wrapping_mul(3).wrapping_add(b[1]).wrapping_add(k) }
 #[function]
 pub fn found_references_that_move_3(x: [[i32; 2]; 4], n: i32) -> i32 {
     let mut t = (&x[1], &x[0]); let mut s = 0_i32;
@@ -55,20 +54,20 @@ pub fn found_references_that_move_5(x: [[i32; 2]; 4], n: i32) -> i32 {
     a.wrapping_mul(3).wrapping_add(b[0]).wrapping_mul(3).wrapping_add(c).wrapping_add(v).wrapping_mul(3).wrapping_add(t.1).wrapping_add(s).wrapping_mul(3).wrapping_add(k[0]).wrapping_add(l[0]).wrapping_add(w).wrapping_add(m)
 }
 #[function(expand)]
-pub fn found_references_that_move_6_e(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; for y in v.iter_mut() { *y ^= 3; } let s = &mut v[1..]; s[0] = 4; }
+fn found_references_that_move_6_e(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; for y in v.iter_mut() { *y ^= 3; } let s = &mut v[1..]; s[0] = 4; }
 #[function]
-pub fn found_references_that_move_6_g(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; v[1] ^= 6; }
+fn found_references_that_move_6_g(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; v[1] ^= 6; }
 #[function]
 pub fn found_references_that_move_6(x: [[i32; 2]; 4], n: i32) -> i32 { let mut k = 0_i32; let mut t = (&x[0], [1, 2, n]); t.0 = &x[1]; let (r, v) = &mut t; v[1] = r[0]; *r = &x[0]; v[2] ^= r[1]; t.1[0].wrapping_mul(3).wrapping_add(t.1[1]).wrapping_mul(3).wrapping_add(t.1[2]).wrapping_add(t.0[0]).wrapping_add(k) }
 #[function(expand)]
-pub fn found_references_that_move_7_e(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; for y in v.iter_mut() { *y ^= 3; } let s = &mut v[1..]; s[0] = 4; }
+fn found_references_that_move_7_e(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; for y in v.iter_mut() { *y ^= 3; } let s = &mut v[1..]; s[0] = 4; }
 #[function]
-pub fn found_references_that_move_7_g(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; v[1] ^= 6; }
+fn found_references_that_move_7_g(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; v[1] ^= 6; }
 #[function]
 pub fn found_references_that_move_7(x: [[i32; 2]; 4], n: i32) -> i32 { let mut k = 0_i32; let mut t = (&x[0], [1, 2, n]); t.0 = &x[1]; let mut o = Some((&x[0], [1, 2])); if let Some((r, v)) = &mut o { v[0] = r[1]; *r = &x[2]; for y in v.iter_mut() { *y ^= 3; } } let w = o.as_mut().unwrap(); w.1[1] = 9; for y in w.1.iter_mut() { *y += 1; } t.1[0] = o.map_or(1, |(r, v)| r[0] ^ v[0] ^ (v[1] << 4)); t.1[0].wrapping_mul(3).wrapping_add(t.1[1]).wrapping_mul(3).wrapping_add(t.1[2]).wrapping_add(t.0[0]).wrapping_add(k) }
 #[function(expand)]
-pub fn found_references_that_move_8_e(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; for y in v.iter_mut() { *y ^= 3; } let s = &mut v[1..]; s[0] = 4; }
+fn found_references_that_move_8_e(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; for y in v.iter_mut() { *y ^= 3; } let s = &mut v[1..]; s[0] = 4; }
 #[function]
-pub fn found_references_that_move_8_g(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; v[1] ^= 6; }
+fn found_references_that_move_8_g(v: &mut [i32; 3], r: &[i32; 2]) { v[0] = r[1]; v[1] ^= 6; }
 #[function]
 pub fn found_references_that_move_8(x: [[i32; 2]; 4], n: i32) -> i32 { let mut k = 0_i32; let mut t = (&x[0], [1, 2, n]); t.0 = &x[1]; for y in t.1.iter() { t.0 = &x[2]; k = k.wrapping_mul(3).wrapping_add(*y); } for y in t.0.iter().rev() { t.0 = &x[3]; k ^= y; } t.1[0].wrapping_mul(3).wrapping_add(t.1[1]).wrapping_mul(3).wrapping_add(t.1[2]).wrapping_add(t.0[0]).wrapping_add(k) }

@@ -1,7 +1,6 @@
-// {"entries":[{"atomic":false,"name":"found_sizes_of_matrices_0","params":[["","usize"],["","f64"]],"stops":false},{"atomic":false,"name":"found_sizes_of_matrices_1","params":[["","usize"],["","[Matrix2<f64>; 3]"]],"stops":false},{"atomic":false,"name":"found_sizes_of_matrices_2","params":[["","usize"],["","Matrix3<f64>"]],"stops":false},{"atomic":false,"name":"found_sizes_of_matrices_3","params":[["","usize"],["","SMatrix<f64, 6, 6>"]],"stops":false},{"atomic":false,"name":"found_sizes_of_matrices_4","params":[["","usize"],["","[i8; 3]"]],"stops":false}],"instances":null,"unit":null}
 // Sizes of matrices whose computation does something, or faults.
 #[function]
-pub fn found_sizes_of_matrices_0_m(k: &mut usize, x: f64) -> Matrix2x3<f64> { *k += 1; Matrix2x3::from_element(x) }
+fn found_sizes_of_matrices_0_m(k: &mut usize, x: f64) -> Matrix2x3<f64> { *k += 1; Matrix2x3::from_element(x) }
 #[function]
 pub fn found_sizes_of_matrices_0(n: usize, x: f64) -> usize {
     let mut k = n % 1000;

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_steps_of_all_0","params":[["","u8"]],"stops":false},{"atomic":false,"name":"found_steps_of_all_1","params":[["","u8"],["","i8"]],"stops":false},{"atomic":false,"name":"found_steps_of_all_2","params":[["","u8"]],"stops":false}],"instances":null,"unit":null}
 // Stepped ranges of all the numbers of a type, which are one more than it counts to.
 #[function]
 pub fn found_steps_of_all_0(a: u8) -> i64 {

@@ -1,4 +1,3 @@
-// {"entries":[{"name":"found_sums_of_complex_numbers","params":[["","[f64; 6]"],["","usize"]],"atomic":false,"stops":false},{"name":"found_sums_of_complex_numbers_g","params":[["","f32"],["","f32"]],"atomic":false,"stops":false},{"name":"found_sums_of_complex_numbers_parts","params":[["","f64"],["","f64"]],"atomic":false,"stops":false},{"name":"found_sums_of_complex_numbers_parts_f","params":[["","f32"],["","f32"]],"atomic":false,"stops":false},{"name":"found_sums_of_complex_numbers_once","params":[["","i32"],["","[f64; 3]"]],"atomic":false,"stops":false}],"instances":null,"unit":null}
 // Sums of complex numbers, their parts by the names of `ComplexField`, and iterators through one value.
 use bessemer::nalgebra::Complex;
 #[function]

@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_types_of_one_value_0","params":[["","i32"],["","i32"]],"stops":false},{"atomic":false,"name":"found_types_of_one_value_1","params":[["","i32"],["","i32"]],"stops":false},{"atomic":false,"name":"found_types_of_one_value_2","params":[["","i32"],["","i32"]],"stops":false},{"atomic":false,"name":"found_types_of_one_value_3","params":[["","i32"],["","i32"]],"stops":false}],"instances":null,"unit":null}
 // Types, interfaces and methods that the C does not tell apart, and Rust does.
 #[interface]
 pub trait FoundTypesOfOneValueWide { const W: i32; fn w(self) -> i32; }
@@ -7,7 +6,7 @@ impl FoundTypesOfOneValueWide for char { const W: i32 = 1; fn w(self) -> i32 { 5
 #[data]
 impl FoundTypesOfOneValueWide for u32 { const W: i32 = 2; fn w(self) -> i32 { 6 } }
 #[function]
-pub fn found_types_of_one_value_w<T: FoundTypesOfOneValueWide + Copy>(t: T) -> i32 { T::W.wrapping_mul(t.w()) }
+fn found_types_of_one_value_w<T: FoundTypesOfOneValueWide + Copy>(t: T) -> i32 { T::W.wrapping_mul(t.w()) }
 #[data]
 #[derive(Clone, Copy)]
 pub struct FoundTypesOfOneValueCode { pub a: i32 }
@@ -21,7 +20,7 @@ pub fn found_types_of_one_value_0(a0: i32, n: i32) -> i32 {
     found_types_of_one_value_w('a').wrapping_mul(100) ^ found_types_of_one_value_w(3_u32) ^ FoundTypesOfOneValueCode::from('a').a ^ FoundTypesOfOneValueCode::from(n as u32).a.wrapping_mul(7) ^ of_options ^ a0
 }
 #[function]
-pub fn found_types_of_one_value_of<T: FoundTypesOfOneValueWide + Copy>(t: Option<T>) -> i32 { match t { Some(t) => t.w() ^ T::W, None => 3 } }
+fn found_types_of_one_value_of<T: FoundTypesOfOneValueWide + Copy>(t: Option<T>) -> i32 { match t { Some(t) => t.w() ^ T::W, None => 3 } }
 pub mod found_types_of_one_value_near {
     use bessemer::prelude::*;
     #[interface]
@@ -60,7 +59,7 @@ impl FoundTypesOfOneValueSquare { pub fn area(&self) -> i32 { self.a ^ 3 } }
 #[data]
 impl FoundTypesOfOneValueShape for FoundTypesOfOneValueSquare { fn area(&self) -> i32 { self.area().wrapping_mul(3) } }
 #[function]
-pub fn found_types_of_one_value_area<T: FoundTypesOfOneValueShape>(t: &T) -> i32 { t.area() }
+fn found_types_of_one_value_area<T: FoundTypesOfOneValueShape>(t: &T) -> i32 { t.area() }
 #[function]
 pub fn found_types_of_one_value_2(a0: i32, n: i32) -> i32 {
     let t = FoundTypesOfOneValueSquare { a: n };

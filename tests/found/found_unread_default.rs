@@ -1,4 +1,3 @@
-// {"entries":[{"atomic":false,"name":"found_unread_default","params":[["","f64"]],"stops":false}],"instances":null,"unit":null}
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoundUnreadDefaultOwn { pub low: u8 }
