@@ -4,11 +4,16 @@
 //!
 //! A bound is met exactly: who improves a figure lowers its bound, so that nothing grows back into the gap.
 
+#[path = "shared/modules.rs"]
+mod modules;
+
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
+
+use modules::{Module, circles, files, is_test, joined, read, root, shown};
 
 /// Files that stand in circles of imports: the root of a crate's modules, the folder within it (all of it where this
 /// is empty), and how many of its files do.
@@ -26,9 +31,6 @@ const BACKEND: &str = "codegen/backend/src";
 /// Words in quotation marks that a method could be called, and by which something could be decided, by folder.
 const METHOD_NAMES: [(&str, usize); 2] =
     [("dsl/macros/src/lower", 78), ("codegen/frontend/src/typify", 43)];
-
-/// A module's path from the root of its crate.
-type Module = Vec<String>;
 
 #[test]
 fn circles_of_imports_only_go() {
@@ -99,43 +101,12 @@ impl Visit<'_> for Named {
 #[track_caller]
 fn hold(what: &str, figures: &[(String, usize, usize)]) {
     let differ = figures.iter().filter(|(_, count, bound)| count != bound);
-    let told = differ.map(|(place, count, bound)| match count < bound {
+    let lines = differ.map(|(place, count, bound)| match count < bound {
         true => format!("{count}, fewer than {bound}: lower the bound in this file. {place}"),
         false => format!("{count}, more than {bound}. {place}"),
     });
-    let told: Vec<String> = told.collect();
-    assert!(told.is_empty(), "{what}:\n  {}\n", told.join("\n  "));
-}
-
-fn root() -> PathBuf {
-    xtask::project::root()
-}
-
-fn read(path: &Path) -> String {
-    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
-/// The modules under a folder, by their paths from it; tests in files of their own aside.
-fn files(folder: &Path) -> BTreeMap<Module, PathBuf> {
-    let (mut found, mut open) = (BTreeMap::new(), vec![(Module::new(), folder.to_owned())]);
-    while let Some((module, folder)) = open.pop() {
-        for entry in std::fs::read_dir(&folder).expect("a folder of sources").flatten() {
-            let path = entry.path();
-            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let inner = || module.iter().cloned().chain([name.clone()]).collect();
-            if name == "tests" {
-                continue;
-            }
-            if path.is_dir() {
-                open.push((inner(), path));
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                let own = matches!(name.as_str(), "mod" | "lib" | "main");
-                found.insert(if own { module.clone() } else { inner() }, path);
-            }
-        }
-    }
-    assert!(found.len() > 10, "no sources in {}", folder.display());
-    found
+    let lines: Vec<String> = lines.collect();
+    assert!(lines.is_empty(), "{what}:\n  {}\n", lines.join("\n  "));
 }
 
 /// For each file of a folder, the files of that folder that it imports.
@@ -226,49 +197,6 @@ impl<'ast> Visit<'ast> for Uses<'_> {
             self.module.pop();
         }
     }
-}
-
-fn joined(path: &[String], word: &str) -> Module {
-    path.iter().cloned().chain([word.to_owned()]).collect()
-}
-
-fn is_test(attributes: &[syn::Attribute]) -> bool {
-    attributes.iter().any(|it| match &it.meta {
-        syn::Meta::List(list) => list.path.is_ident("cfg") && list.tokens.to_string() == "test",
-        _ => false,
-    })
-}
-
-/// The sets of files each of which can be reached from each other.
-fn circles(imports: &BTreeMap<Module, BTreeSet<Module>>) -> Vec<BTreeSet<&Module>> {
-    let reached: BTreeMap<&Module, BTreeSet<&Module>> =
-        imports.keys().map(|module| (module, reached(imports, module))).collect();
-    let mut circles = Vec::new();
-    for (module, all) in &reached {
-        let circle: BTreeSet<&Module> =
-            all.iter().copied().filter(|it| reached[it].contains(module)).collect();
-        if circle.first() == Some(module) {
-            circles.push(circle);
-        }
-    }
-    circles
-}
-
-/// All that a file imports, that those import, and so on.
-fn reached<'m>(
-    imports: &'m BTreeMap<Module, BTreeSet<Module>>,
-    from: &'m Module,
-) -> BTreeSet<&'m Module> {
-    let (mut all, mut open) = (BTreeSet::new(), vec![from]);
-    while let Some(next) = open.pop() {
-        open.extend(imports.get(next).into_iter().flatten().filter(|it| all.insert(*it)));
-    }
-    all
-}
-
-fn shown(circle: &BTreeSet<&Module>) -> String {
-    let names: Vec<String> = circle.iter().map(|module| module.join("::")).collect();
-    names.join(", ")
 }
 
 /// What takes the name of a temporary, or of a hidden local: the word decides nothing but how the C reads.
@@ -487,7 +415,7 @@ fn imports_are_read_as_rustc_reads_them() {
 }
 
 #[test]
-fn words_are_told_from_texts() {
+fn words_count_and_texts_do_not() {
     let found = |body: &str| deciding(&format!("fn f() {{ {body} }}"), &[]);
     assert_eq!(found("match m { \"map_or\" => say(\"two words\"), b\"x\" => f('c') }"), ["map_or"]);
     assert_eq!(found("/// A comment.\nmatches!(name, \"zip\" | \"Sum\" | \"_\");"), ["zip"]);
