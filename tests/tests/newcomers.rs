@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use bessemer_codegen::generate::Error;
 use bessemer_frontend::diagnostic::{self, Diagnostic, Level};
@@ -30,7 +31,7 @@ const BESIDE: &str = "#[bessemer::function]\npub fn same(x: f64) -> f64 {\n    x
 #[test]
 fn each_is_told_at_its_line() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("newcomers");
-    let mut untold = turn::some_of(modules_of(&folder), AT_ONCE);
+    let mut untold = turn::some_of(names_in(&folder, "rs"), AT_ONCE);
     let workspace = Workspace::with_source("").expect("a workspace");
     copy(&untold, &folder, &workspace);
     let sources = Sources::new(workspace.path(""));
@@ -68,24 +69,40 @@ fn alike_in_each_turn(said: &str) -> String {
     lines.join("\n")
 }
 
-/// Who does what a `help:` says has a model: nothing is told any more.
+/// Each `newcomers/followed/*.patch` does what the `help:` of its mistake says. Then nothing is told any more.
 #[test]
 fn remedies_work_when_they_are_followed() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("newcomers/followed");
-    let names = turn::some_of(modules_of(&folder), FOLLOWED_AT_ONCE);
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("newcomers");
+    let patches = folder.join("followed");
+    let names = turn::some_of(names_in(&patches, "patch"), FOLLOWED_AT_ONCE);
     let workspace = Workspace::with_source("").expect("a workspace");
     copy(&names, &folder, &workspace);
+    for name in &names {
+        follow(&patches.join(format!("{name}.patch")), &workspace);
+    }
     let (told, is_last) = step(&workspace, &names);
     let said: Vec<Diagnostic> = told.into_values().flatten().collect();
     let said = diagnostic::render(&said, &Sources::new(workspace.path("")), false);
     assert!(is_last && said.is_empty(), "{said}");
 }
 
-/// The modules of a folder, by their names.
-fn modules_of(folder: &Path) -> Vec<String> {
+/// Applies a patch to the copied mistake.
+fn follow(patch: &Path, workspace: &Workspace) {
+    let folder = workspace.folder().join("src");
+    let mut git = Command::new("git");
+    // A repository above would make git skip files that are not below this folder.
+    let above = folder.parent().unwrap_or(&folder);
+    git.args(["apply", "--whitespace=nowarn"]).arg(patch);
+    git.current_dir(&folder).env("GIT_CEILING_DIRECTORIES", above);
+    let output = git.output().expect("git");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// Returns the names of the files of a folder with this extension, sorted.
+fn names_in(folder: &Path, extension: &str) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("the mistakes").flatten().map(|entry| entry.path());
     let mut names: Vec<String> = entries
-        .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
+        .filter(|path| path.extension().is_some_and(|it| it == extension))
         .map(|path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned())
         .collect();
     names.sort();
