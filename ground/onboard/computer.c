@@ -112,10 +112,11 @@ size_t computer_take(computer_t *computer, const uint8_t *bytes, size_t length)
     }
     onboard_step(&image->onboard, &image->settings, inputs, &computer->work, outputs);
     (void)settings_grant(&image->settings, &outputs->wish, outputs->reference.motors);
-    const size_t size = wire_write(computer->answer, number, image->count, inputs, outputs);
-    ++image->count;
-    if (computer->ground.known) {
+    wire_head_t head = {number, image->count, 0U};
+    if (computer->ground.known && outputs->downlink.length > 0U) {
         computer->downlink = outputs->downlink;
+        head.station = computer->ground.station;
     }
-    return size;
+    ++image->count;
+    return wire_write(computer->answer, &head, inputs, outputs);
 }

@@ -143,12 +143,13 @@ void wire_read_again(const uint8_t bytes[WIRE_AGAIN], uint64_t *number, inputs_t
     inputs->refused.replayed = (uint32_t)(get(&cursor) & 0xFFFFFFFFU);
 }
 
-size_t wire_write(uint8_t bytes[WIRE_OUT], uint64_t number, uint64_t count, const inputs_t *inputs,
+size_t wire_write(uint8_t bytes[WIRE_OUT], const wire_head_t *head, const inputs_t *inputs,
     const outputs_t *outputs)
 {
     cursor_t cursor = {NULL, bytes};
-    put(&cursor, number);
-    put(&cursor, count);
+    put(&cursor, head->number);
+    put(&cursor, head->count);
+    put(&cursor, head->station);
     put_packet(&cursor, &inputs->uplink);
     put(&cursor, inputs->refused.unsealed);
     put(&cursor, inputs->refused.forged);

@@ -18,7 +18,7 @@
 /** Bytes of a recorded period: the same, a packet, and what the gate had kept out. */
 #define WIRE_AGAIN ((21 + 65 + 3) * 8)
 
-/** The most bytes of what goes: the period's number, how many there were, what was heard, the outputs. */
+/** The most bytes of what goes: the head, what was heard, the outputs. */
 #define WIRE_OUT 4096
 
 /** Reads the period's number and what is sensed in it. */
@@ -27,8 +27,18 @@ void wire_read(const uint8_t bytes[WIRE_IN], uint64_t *number, inputs_t *inputs)
 /** Reads a recorded period. */
 void wire_read_again(const uint8_t bytes[WIRE_AGAIN], uint64_t *number, inputs_t *inputs);
 
+/** What an answer says beside inputs and outputs. */
+typedef struct {
+    /** The period's number. */
+    uint64_t number;
+    /** How many periods there were. */
+    uint64_t count;
+    /** The station to which something goes down in this period; 0 if nothing does. */
+    uint64_t station;
+} wire_head_t;
+
 /** Writes the answer; how many bytes it has. */
-size_t wire_write(uint8_t bytes[WIRE_OUT], uint64_t number, uint64_t count, const inputs_t *inputs,
+size_t wire_write(uint8_t bytes[WIRE_OUT], const wire_head_t *head, const inputs_t *inputs,
     const outputs_t *outputs);
 
 #endif

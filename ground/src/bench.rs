@@ -5,6 +5,7 @@
 //! answer, in real time no longer than the period: then the last command holds, and the period counts as missed.
 //! Knows nothing of the ground.
 
+use crate::wait;
 use bessemer::Plain;
 use bessemer_legs::{value, words};
 use models::gate::Refused;
@@ -27,11 +28,11 @@ use std::time::{Duration, Instant};
 /// After so many periods without a command the motors stop, as those of real aircraft do.
 const FAILSAFE: u64 = 20;
 
-/// How long virtual time waits for an answer.
-const PATIENCE: Duration = Duration::from_secs(5);
+/// How long a period that is no real time waits for a software that runs: it only ends a wait that would never end.
+const PATIENCE: Duration = Duration::from_secs(60);
 
-/// How long the software's memory may take: over an emulated serial line, on a busy machine.
-const IMAGE: Duration = Duration::from_secs(2);
+/// How often it is looked whether the software still runs.
+const LOOK: Duration = Duration::from_millis(500);
 
 /// What can be done to the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -72,6 +73,8 @@ pub struct Period {
     pub count: Option<u64>,
     /// The period, with the last outputs if no answer came.
     pub moment: Moment,
+    /// The station to which something went down in it, as a number: see [`station`].
+    pub told: Option<u64>,
     /// What the software took and said in earlier periods, whose answers came only now.
     pub late: Vec<Worked>,
 }
@@ -219,11 +222,15 @@ impl Bench {
         }
     }
 
-    /// One period, whose answer is waited for until `deadline`; without one, as long as it takes.
+    /// One period, whose answer is waited for until `deadline`; without one, as long as the software `runs`.
     ///
     /// # Errors
     /// An error of the system.
-    pub fn step(&mut self, deadline: Option<Instant>) -> io::Result<Period> {
+    pub fn step(
+        &mut self,
+        deadline: Option<Instant>,
+        mut runs: impl FnMut() -> bool,
+    ) -> io::Result<Period> {
         let number = self.timing.periods;
         self.timing.periods += 1;
         let time = number as f64 * self.period;
@@ -239,7 +246,7 @@ impl Bench {
         }
         let mut inputs = Inputs { time: clock, readings, ..Inputs::default() };
         self.open.push_back((number, inputs));
-        let (mut count, mut late) = (None, Vec::new());
+        let (mut count, mut late, mut told) = (None, Vec::new(), None);
         if let (None, Some(deadline)) = (self.computer, deadline) {
             // One that was started anew says so.
             self.hear(deadline, |_| ())?;
@@ -247,7 +254,11 @@ impl Bench {
         let until = deadline.unwrap_or(begun + PATIENCE);
         while self.computer.is_some() && count.is_none() {
             let mut heard = None;
-            if !self.hear(until, |answer| heard = Some(answer))? {
+            let look = if deadline.is_some() { until } else { until.min(Instant::now() + LOOK) };
+            if !self.hear(look, |answer| heard = Some(answer))? {
+                if look < until && runs() {
+                    continue;
+                }
                 break;
             }
             let Some(answer) = heard else { continue };
@@ -255,10 +266,11 @@ impl Bench {
             let Some((_, taken)) = place.and_then(|place| self.open.remove(place)) else {
                 continue;
             };
-            let Answer { count: theirs, uplink, refused, outputs, .. } = answer;
+            let Answer { count: theirs, station, uplink, refused, outputs, .. } = answer;
             let taken = Inputs { uplink, refused, ..taken };
             if answer.number == number {
                 (count, inputs, self.last) = (Some(theirs), taken, outputs);
+                told = (station != 0).then_some(station);
             } else {
                 late.push(Worked { count: theirs, inputs: taken, outputs });
             }
@@ -283,7 +295,7 @@ impl Bench {
         let speeds = self.world.motors.speeds;
         self.battery.draw(&speeds, self.period);
         let moment = Moment { time, state, inputs, outputs: self.last, speeds, impact };
-        Ok(Period { number, count, moment, late })
+        Ok(Period { number, count, moment, told, late })
     }
 
     /// Whether the software has answered lately.
@@ -291,18 +303,19 @@ impl Bench {
         self.computer.is_some() && self.silent < FAILSAFE
     }
 
-    /// The software's memory between two periods: bytes for the same program only. None, if it does not answer.
+    /// The software's memory between two periods: bytes for the same program only. None, if it does not answer for so long.
     ///
     /// # Errors
     /// An error of the system.
-    pub fn image(&mut self) -> io::Result<Option<Vec<u8>>> {
+    pub fn image(&mut self, patience: Duration) -> io::Result<Option<Vec<u8>>> {
         let Some(computer) = self.computer else { return Ok(None) };
         self.bus.send_to(b"image", computer)?;
-        self.bus.set_read_timeout(Some(IMAGE))?;
+        let until = Instant::now() + patience;
         let mut buffer = vec![0; 65536];
         // Late answers of earlier periods may come before it.
         for _ in 0..64 {
-            let Ok((length, from)) = self.bus.recv_from(&mut buffer) else { break };
+            let heard = wait::receive(&self.bus, &mut buffer, until);
+            let Ok(Some((length, from))) = heard else { break };
             if from == computer && Answer::read(&buffer[..length]).is_none() {
                 buffer.truncate(length);
                 return Ok(Some(buffer));
@@ -318,26 +331,12 @@ impl Bench {
 
     /// Takes one datagram in before `deadline`; whether one came. Answers are handed to `take`.
     fn hear(&mut self, deadline: Instant, take: impl FnOnce(Answer)) -> io::Result<bool> {
-        let left = deadline.saturating_duration_since(Instant::now());
-        if left.is_zero() {
-            return Ok(false);
-        }
-        self.bus.set_read_timeout(Some(left))?;
         let mut buffer = [0; 4096];
-        let (length, from) = match self.bus.recv_from(&mut buffer) {
-            Ok(heard) => heard,
+        let (length, from) = match wait::receive(&self.bus, &mut buffer, deadline) {
+            Ok(Some(heard)) => heard,
+            Ok(None) => return Ok(false),
             // Refused: the computer is gone.
             Err(error) if error.kind() == io::ErrorKind::ConnectionRefused => return Ok(true),
-            Err(error)
-                if matches!(
-                    error.kind(),
-                    io::ErrorKind::WouldBlock
-                        | io::ErrorKind::TimedOut
-                        | io::ErrorKind::Interrupted
-                ) =>
-            {
-                return Ok(false);
-            }
             Err(error) => return Err(error),
         };
         if let Some([low, high]) = buffer[..length].strip_prefix(b"ready") {
@@ -352,6 +351,15 @@ impl Bench {
     }
 }
 
+/// Words of an answer before inputs and outputs: period, count, station.
+const HEAD: usize = 3;
+
+/// A station as the computer names it: its address above its port; none of an address that loopback has not.
+pub fn station(address: SocketAddr) -> Option<u64> {
+    let SocketAddr::V4(address) = address else { return None };
+    Some(u64::from(address.ip().to_bits()) << 16 | u64::from(address.port()))
+}
+
 /// What the computer answers.
 #[derive(Clone, Debug)]
 pub struct Answer {
@@ -359,6 +367,8 @@ pub struct Answer {
     pub number: u64,
     /// Periods since the software began.
     pub count: u64,
+    /// The station to which something went down, as a number; 0 if nothing did.
+    pub station: u64,
     /// The packet that it took from the ground in this period.
     pub uplink: Packet,
     /// What its gate had kept out.
@@ -375,16 +385,17 @@ impl Answer {
             .map(|eight| u64::from_le_bytes(eight.try_into().unwrap_or_default()))
             .collect();
         let (packet, refused) = (words(&Packet::none()).len(), words(&Refused::default()).len());
-        let expected = 2 + packet + refused + words(&Outputs::default()).len();
+        let expected = HEAD + packet + refused + words(&Outputs::default()).len();
         if datagram.len() != 8 * expected {
             return None;
         }
-        let (head, rest) = all.split_at(2);
+        let (head, rest) = all.split_at(HEAD);
         let (uplink, rest) = rest.split_at(packet);
         let (kept, outputs) = rest.split_at(refused);
         Some(Self {
             number: head[0],
             count: head[1],
+            station: head[2],
             uplink: value(uplink),
             refused: value(kept),
             outputs: value(outputs),

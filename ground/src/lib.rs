@@ -37,3 +37,4 @@ pub mod server;
 pub mod station;
 pub mod testbed;
 pub mod tools;
+pub mod wait;

@@ -8,7 +8,7 @@ use crate::catalogue::{SHOWN, SIGNALS, parameters};
 use crate::command::Seat;
 use crate::messages::{Ask, Point, Recording, State, Tell};
 use crate::radio::Quality;
-use crate::recorder::Recorder;
+use crate::recorder::{Recorder, Unwritable};
 use crate::server::Hub;
 use crate::testbed::{Error, Testbed, period};
 use crate::tools::Tool;
@@ -108,10 +108,14 @@ impl Live {
     }
 
     /// Begins to record into a file.
-    pub fn record(&mut self, path: PathBuf) {
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn record(&mut self, path: PathBuf) -> Result<(), Unwritable> {
         self.save();
-        let image = self.testbed.bench.image().ok().flatten();
-        self.recorder = Some(Recorder::start(path, image));
+        let image = self.testbed.image().ok().flatten();
+        self.recorder = Some(Recorder::start(path, image, self.testbed.waits())?);
+        Ok(())
     }
 
     /// One period: what was asked for, the testbed, what came of it.
@@ -253,7 +257,9 @@ impl Live {
             Ask::Record => {
                 self.files += 1;
                 let name = format!("flight-{}-{}.mcap", std::process::id(), self.files);
-                self.record(self.folder.join(name));
+                if let Err(error) = self.record(self.folder.join(name)) {
+                    self.recorded.error = Some(error.to_string());
+                }
             }
             Ask::Save => self.save(),
             Ask::Play { .. } | Ask::Seek { .. } => {

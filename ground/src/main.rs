@@ -77,7 +77,7 @@ fn fly(wanted: &Fly) -> Result<(), Box<dyn Error>> {
     let mut live = Live::new(testbed, hub, asks, folder);
     add_tools(wanted, &mut live)?;
     if let Some(path) = &wanted.record {
-        live.record(path.clone());
+        live.record(path.clone())?;
     }
     let mut told = 0;
     while wanted.seconds.is_none_or(|end| live.testbed.now() < end) {

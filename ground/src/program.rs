@@ -16,7 +16,7 @@ use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
 /// How long the board's line may be silent: emulated, on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(10);
+const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Where the software runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 //!
 //! Two kinds of topics: the ones of `sim::recording`, JSON for Foxglove and PlotJuggler, at 50 Hz; and, for the
 //! software to be run again, `/image`, its memory at the beginning, and `/steps`, the words of everything that it
-//! took and said in each period. A
-//! thread writes; when it cannot, or not fast enough, the recording ends and says why, and the flight goes on.
+//! took and said in each period. A thread writes; when it cannot, or in real time not fast enough, the recording ends and
+//! says why, and the flight goes on. Time that waits for the software waits for the disk, too.
 
 use crate::bench::{Period, Worked};
 use crate::messages::Recording;
@@ -17,7 +17,7 @@ use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
+use std::sync::mpsc::{Receiver, SendError, SyncSender, TrySendError, sync_channel};
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 
@@ -33,6 +33,14 @@ const WAITING: usize = 1000;
 /// Of so many periods one goes to the topics for people.
 const SHOWN: u64 = 4;
 
+/// A recording cannot begin.
+#[derive(Debug, thiserror::Error)]
+#[error("the recording `{path}` cannot be written: {source}")]
+pub struct Unwritable {
+    path: PathBuf,
+    source: std::io::Error,
+}
+
 /// What goes to the writing thread.
 struct Page {
     shown: Option<Moment>,
@@ -47,24 +55,31 @@ pub struct Recorder {
     error: Arc<Mutex<Option<String>>>,
     broken: Arc<AtomicBool>,
     periods: u64,
+    waits: bool,
 }
 
 impl Recorder {
-    /// Begins to write a file; `image`: the software's memory, if it has begun already.
-    pub fn start(path: PathBuf, image: Option<Vec<u8>>) -> Self {
+    /// Begins to write a file; `image`: the software's memory, if it has begun already; `waits`: whether periods may wait
+    /// for the disk.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn start(path: PathBuf, image: Option<Vec<u8>>, waits: bool) -> Result<Self, Unwritable> {
+        let file = created(&path)?;
         let (pages, waiting) = sync_channel(WAITING);
         let (error, broken) = (Arc::new(Mutex::new(None)), Arc::new(AtomicBool::new(false)));
         let (said, there, place) = (error.clone(), broken.clone(), path.clone());
         let writer = std::thread::spawn(move || {
             priority::lower();
-            if let Err(reason) = write(&place, image.as_deref(), &waiting) {
+            if let Err(reason) = write(file, image.as_deref(), &waiting) {
                 there.store(true, Ordering::Relaxed);
                 if let Ok(mut said) = said.lock() {
                     *said = Some(format!("`{}`: {}", place.display(), whole(reason.as_ref())));
                 }
             }
         });
-        Self { path, pages: Some(pages), writer: Some(writer), error, broken, periods: 0 }
+        let (pages, writer) = (Some(pages), Some(writer));
+        Ok(Self { path, pages, writer, error, broken, periods: 0, waits })
     }
 
     /// Where it goes.
@@ -78,7 +93,12 @@ impl Recorder {
         let shown = is_shown(done).then(|| done.moment.clone());
         let worked = done.worked().map(|worked| (time, worked)).collect();
         let Some(pages) = &self.pages else { return };
-        match pages.try_send(Page { shown, worked }) {
+        let page = Page { shown, worked };
+        let sent = match self.waits {
+            true => pages.send(page).map_err(|SendError(page)| TrySendError::Disconnected(page)),
+            false => pages.try_send(page),
+        };
+        match sent {
             Ok(()) => self.periods += 1,
             Err(TrySendError::Full(_)) => {
                 self.fail("the disk does not keep up");
@@ -113,6 +133,11 @@ impl Recorder {
     }
 }
 
+/// Creates the file of a recording, or empties it.
+fn created(path: &Path) -> Result<File, Unwritable> {
+    File::create(path).map_err(|source| Unwritable { path: path.to_owned(), source })
+}
+
 /// Whether a period goes to the topics for people.
 pub fn is_shown(done: &Period) -> bool {
     done.number.is_multiple_of(SHOWN)
@@ -128,11 +153,11 @@ fn whole(error: &dyn std::error::Error) -> String {
 
 /// Writes what comes until nothing comes any more.
 fn write(
-    path: &Path,
+    file: File,
     image: Option<&[u8]>,
     pages: &Receiver<Page>,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    let file = BufWriter::new(File::create(path)?);
+    let file = BufWriter::new(file);
     let about = BTreeMap::from([("flight".to_owned(), "live".to_owned())]);
     let mut writer = Writer::new(file, &about)?;
     writer.raw(STEPS, "words", "u64: steps since the software began, inputs, outputs")?;

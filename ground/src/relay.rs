@@ -2,21 +2,23 @@
 //! and frames datagrams.
 //!
 //! As the program on this machine does, it takes in what has come from the ground when a datagram of the bus comes, and hands on
-//! what goes down before the answer, so that a flight in virtual time is the same. It ends with the line, or when the bus is
-//! silent. `ground/onboard/zynq/main.c` is the other end.
+//! what goes down before the answer, so that a flight in virtual time is the same. It ends with the line, or when the
+//! [`Relay`] is dropped. `ground/onboard/zynq/main.c` is the other end.
 //!
 //! What it must not know: what datagrams say.
 
+use crate::bench::station;
 use crate::key::Key;
 use bessemer_legs::lockstep::complaint;
 use bessemer_legs::serial::{self, Serial, packed, unpacked};
+use std::io::ErrorKind::{Interrupted, TimedOut, WouldBlock};
 use std::io::{self, Read, Write};
-use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4, UdpSocket};
-use std::sync::{Arc, OnceLock};
+use std::net::{Ipv4Addr, SocketAddrV4, UdpSocket};
+use std::sync::{Arc, OnceLock, Weak};
 use std::time::Duration;
 
-/// After so long a silence of the bus nobody is there any more.
-const PATIENCE: Duration = Duration::from_secs(10);
+/// After so long a silence of the bus it looks whether anybody is there any more.
+const LOOK: Duration = Duration::from_millis(500);
 
 /// The longest datagram: the software's memory.
 const MOST: usize = 1 << 16;
@@ -63,15 +65,17 @@ impl Relay {
         let port = || UdpSocket::bind((Ipv4Addr::LOCALHOST, 0));
         let (to_bus, ground) = (port()?, port()?);
         to_bus.connect((Ipv4Addr::LOCALHOST, bus))?;
-        to_bus.set_read_timeout(Some(PATIENCE))?;
+        to_bus.set_read_timeout(Some(LOOK))?;
         ground.set_nonblocking(true)?;
         let [low, high] = key.map(Key::halves).unwrap_or_default();
         let begin = [kind::BEGIN, u64::from(key.is_some()), low, high];
         let mut ends = Ends { board: Serial::new(line), bus: to_bus, ground };
         let wrong = Arc::new(OnceLock::new());
-        let told = wrong.clone();
+        let there = Arc::downgrade(&wrong);
         std::thread::spawn(move || {
-            if let Err(error) = ends.relay(&begin) {
+            if let Err(error) = ends.relay(&begin, &there)
+                && let Some(told) = there.upgrade()
+            {
                 let _ = told.set(error);
             }
         });
@@ -92,8 +96,8 @@ struct Ends<L> {
 }
 
 impl<L: Read + Write> Ends<L> {
-    /// Until the bus is silent.
-    fn relay(&mut self, begin: &[u64]) -> Result<(), Error> {
+    /// Relays as long as anybody is `there`.
+    fn relay(&mut self, begin: &[u64], there: &Weak<OnceLock<Error>>) -> Result<(), Error> {
         if self.receive()? != [kind::READY] {
             return Err(Error::Other);
         }
@@ -102,10 +106,18 @@ impl<L: Read + Write> Ends<L> {
         // Whoever does not listen any more is told nothing.
         let _ = self.bus.send(&[b"ready", &port.to_le_bytes()[..]].concat());
         let mut datagram = vec![0; MOST];
-        while let Ok(length) = self.bus.recv(&mut datagram) {
+        while there.strong_count() > 0 {
+            let length = match self.bus.recv(&mut datagram) {
+                Ok(length) => length,
+                Err(error) if matches!(error.kind(), WouldBlock | TimedOut | Interrupted) => {
+                    continue;
+                }
+                // The other end of the bus is closed.
+                Err(_) => break,
+            };
             let mut heard = [0; 2048];
             while let Ok((length, from)) = self.ground.recv_from(&mut heard) {
-                let Some(station) = number(from) else { continue };
+                let Some(station) = station(from) else { continue };
                 // One byte more than the board reads is enough to tell it that this is no packet.
                 let some = &heard[..length.min(LONGEST_HEARD)];
                 let words = [kind::GROUND, station].into_iter().chain(packed(some));
@@ -150,12 +162,6 @@ impl<L: Read + Write> Ends<L> {
 /// Bytes of a datagram from the ground that the board is told: one more than a packet has.
 const LONGEST_HEARD: usize = models::packet::MOST_BYTES + 1;
 
-/// Whom a datagram comes from, as a number; none of an address that loopback has not.
-fn number(station: SocketAddr) -> Option<u64> {
-    let SocketAddr::V4(station) = station else { return None };
-    Some(u64::from(station.ip().to_bits()) << 16 | u64::from(station.port()))
-}
-
 /// The address that a number stands for.
 fn address(number: u64) -> SocketAddrV4 {
     SocketAddrV4::new(Ipv4Addr::from_bits((number >> 16) as u32), number as u16)
@@ -164,8 +170,9 @@ fn address(number: u64) -> SocketAddrV4 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::net::Shutdown;
+    use std::net::{Shutdown, SocketAddr};
     use std::os::unix::net::UnixStream;
+    use std::time::Instant;
 
     /// A bus, a relay to it, and the board's end of the line.
     fn started(key: Option<&Key>) -> (UdpSocket, Relay, Serial<UnixStream>) {
@@ -177,9 +184,11 @@ mod tests {
     }
 
     fn heard(socket: &UdpSocket) -> (Vec<u8>, SocketAddr) {
-        socket.set_read_timeout(Some(PATIENCE)).expect("a time");
+        // It only ends a test that would never end.
+        let limit = Instant::now() + Duration::from_secs(60);
         let mut buffer = [0; 2048];
-        let (length, from) = socket.recv_from(&mut buffer).expect("a datagram");
+        let heard = crate::wait::receive(socket, &mut buffer, limit).expect("a socket");
+        let (length, from) = heard.expect("a datagram");
         (buffer[..length].to_vec(), from)
     }
 
@@ -197,7 +206,7 @@ mod tests {
         station.send_to(&[7; 200], (Ipv4Addr::LOCALHOST, link)).expect("loopback takes it");
         bus.send_to(b"sensors", computer).expect("loopback takes it");
         let up = board.receive().expect("a frame");
-        let who = number(station.local_addr().expect("an address")).expect("of version 4");
+        let who = super::station(station.local_addr().expect("an address")).expect("of version 4");
         assert_eq!((up[0], up[1]), (kind::GROUND, who));
         assert_eq!(unpacked(&up[2..]), Some(vec![7; LONGEST_HEARD]));
         let sensors = board.receive().expect("a frame");

@@ -5,12 +5,13 @@
 use crate::bench::{Answer, Worked, bytes};
 use crate::program::{self, Program, Running};
 use crate::recorder::{IMAGE, STEPS, step};
+use crate::wait;
 use bessemer::Plain;
 use models::Outputs;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How long an answer may take.
 const PATIENCE: Duration = Duration::from_secs(30);
@@ -129,6 +130,12 @@ pub fn replay(program: &Program, path: &Path) -> Result<Report, Error> {
     Ok(report)
 }
 
+/// What comes over the bus.
+fn heard(bus: &UdpSocket, buffer: &mut [u8]) -> Result<(usize, SocketAddr), Error> {
+    let heard = wait::receive(bus, buffer, Instant::now() + PATIENCE).map_err(Error::Silent)?;
+    heard.ok_or_else(|| Error::Silent(io::ErrorKind::TimedOut.into()))
+}
+
 /// The software and the other end of its bus.
 struct Runner {
     bus: UdpSocket,
@@ -139,10 +146,9 @@ struct Runner {
 impl Runner {
     fn start(program: &Program) -> Result<Self, Error> {
         let bus = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0)).map_err(Error::Silent)?;
-        bus.set_read_timeout(Some(PATIENCE)).map_err(Error::Silent)?;
         let port = bus.local_addr().map_err(Error::Silent)?.port();
         let running = program.start(port, None)?;
-        let (_, computer) = bus.recv_from(&mut [0; 16]).map_err(Error::Silent)?;
+        let (_, computer) = heard(&bus, &mut [0; 16])?;
         Ok(Self { bus, computer, _running: running })
     }
 
@@ -155,7 +161,7 @@ impl Runner {
         recorded.inputs.store(&mut |word| all.push(word));
         self.send(&bytes(&all))?;
         let mut buffer = [0; 4096];
-        let (length, _) = self.bus.recv_from(&mut buffer).map_err(Error::Silent)?;
+        let (length, _) = heard(&self.bus, &mut buffer)?;
         let answer = Answer::read(&buffer[..length]);
         let nonsense = || Error::Silent(io::Error::other("it answers something else"));
         answer.map(|answer| answer.outputs).ok_or_else(nonsense)

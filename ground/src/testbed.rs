@@ -4,12 +4,13 @@
 //! computer's socket before the sensors' datagram is. Knows no browser and no file: whoever drives it gets what
 //! each period came to.
 
-use crate::bench::{Bench, Injection, Period};
+use crate::bench::{self, Bench, Injection, Period};
 use crate::key::Key;
 use crate::priority::{self, Awake};
 use crate::program::{self, Program, Running};
 use crate::radio::{Counts, Quality, Way};
 use crate::station::Station;
+use crate::wait;
 use models::Settings;
 use sim::ground_station::News;
 use std::io;
@@ -19,8 +20,11 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 /// How long a program may take to start: emulated, on a busy machine.
 const START: Duration = Duration::from_secs(30);
 
-/// How late a datagram may be on loopback.
-const DELIVERED: Duration = Duration::from_millis(50);
+/// How late a datagram may be on loopback: it only ends a wait for one that was lost.
+const DELIVERED: Duration = Duration::from_secs(10);
+
+/// How long the software's memory may take in real time; otherwise as long as a datagram.
+const IMAGE: Duration = Duration::from_secs(2);
 
 /// So many periods behind, real time begins anew instead of catching up.
 const STALLED: u32 = 10;
@@ -83,6 +87,7 @@ pub struct Testbed {
     running: Running,
     key: Option<Key>,
     socket: UdpSocket,
+    here: Option<u64>,
     pace: Pace,
     _awake: Option<Awake>,
     begun: Instant,
@@ -117,6 +122,7 @@ impl Testbed {
             program: program.clone(),
             running,
             key,
+            here: bench::station(socket.local_addr()?),
             socket,
             pace: wanted.pace,
             _awake: (wanted.pace == Pace::Real).then(Awake::keep),
@@ -152,6 +158,19 @@ impl Testbed {
         self.running.kill();
     }
 
+    /// The software's memory between two periods; none, if it does not answer.
+    ///
+    /// # Errors
+    /// An error of the system.
+    pub fn image(&mut self) -> io::Result<Option<Vec<u8>>> {
+        self.bench.image(if self.pace == Pace::Real { IMAGE } else { DELIVERED })
+    }
+
+    /// Whether time waits for the software, and so for whoever listens to it.
+    pub fn waits(&self) -> bool {
+        self.pace != Pace::Real
+    }
+
     /// Does something to the aircraft.
     pub fn inject(&mut self, what: Injection) {
         self.bench.inject(what);
@@ -175,9 +194,9 @@ impl Testbed {
             // A software that is gone refuses: the datagram is lost.
             let _ = self.link().map(|link| self.socket.send_to(&datagram, link));
         }
-        let done = self.bench.step(deadline)?;
-        let spoken = done.count.is_some() && done.moment.outputs.downlink.length > 0;
-        if spoken && self.pace == Pace::Virtual {
+        let running = &mut self.running;
+        let done = self.bench.step(deadline, || running.ended().is_none())?;
+        if self.pace == Pace::Virtual && done.told.is_some() && done.told == self.here {
             self.await_datagram()?;
         }
         self.listen(now);
@@ -204,12 +223,11 @@ impl Testbed {
         Ok(())
     }
 
-    /// Waits for what was sent down in this period. A system that is busy may deliver it behind the answer, which went to another
-    /// socket; in virtual time it belongs to the period. It may be for another station: then nothing comes.
+    /// Waits for what was sent down to this station in this period. A system that is busy may deliver it behind the answer, which
+    /// went to another socket; in virtual time it belongs to the period.
     fn await_datagram(&self) -> io::Result<()> {
         self.socket.set_nonblocking(false)?;
-        self.socket.set_read_timeout(Some(DELIVERED))?;
-        let _ = self.socket.peek_from(&mut [0; 1]);
+        let _ = wait::is_there(&self.socket, Instant::now() + DELIVERED);
         self.socket.set_nonblocking(true)
     }
 

@@ -5,6 +5,7 @@ use ground::bench::Injection;
 use ground::key::Key;
 use ground::program::{Program, Target};
 use ground::radio::Quality;
+use ground::recorder::Recorder;
 use ground::station::Station;
 use ground::testbed::{Pace, Testbed, Wanted};
 use models::gate::{Gate, Refused};
@@ -13,6 +14,11 @@ use models::receiver::COMMIT;
 use models::{Alarm, Mode, Phase};
 use sim::ground_station::{Order, Status, unframed};
 use sim::scenario::point;
+use std::io::Write as _;
+use std::net::UdpSocket;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
 fn built(target: Target) -> Program {
     let root = bessemer_legs::root();
@@ -26,6 +32,11 @@ fn testbed(wanted: Wanted) -> Testbed {
 fn testbed_on(program: &Program, wanted: Wanted) -> Testbed {
     Testbed::start(program, &Wanted { pace: Pace::Virtual, ..wanted })
         .unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A recording for which time waits.
+fn recorder(path: &Path, image: Option<Vec<u8>>) -> Recorder {
+    Recorder::start(path.to_owned(), image, true).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn until(testbed: &mut Testbed, time: f64) {
@@ -103,6 +114,46 @@ fn two_runs_over_the_same_bad_link_are_the_same_to_the_bit() {
         words
     };
     assert!(flown() == flown());
+}
+
+/// Stops two processes again and again, each until it is seen to stand still.
+const STOP_AND_GO: &str = "
+for n in $(seq 100); do
+    for it in $0 $1; do
+        kill -STOP $it
+        while read -r _ _ state _ </proc/$it/stat; do
+            case $state in [TZX]) break ;; esac
+        done
+        kill -CONT $it
+    done
+done";
+
+/// A machine that is frozen, a debugger, a shell: whatever stops a process and lets it go on ends every wait with a time limit.
+#[test]
+fn who_is_stopped_and_goes_on_flies_the_same_bits() {
+    let flown = |disturbed: bool| {
+        let mut testbed = testbed(Wanted { key: key(), ..Wanted::default() });
+        let (us, software) = (std::process::id(), testbed.process());
+        let mut command = Command::new("sh");
+        command.args(["-c", STOP_AND_GO, &us.to_string(), &software.to_string()]);
+        let mut shell = disturbed.then(|| command.spawn().expect("it starts"));
+        testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+        testbed.station.order(0.0, Order::TakeOff);
+        let (mut words, mut ended) = (Vec::new(), false);
+        // As long as it is disturbed, and the same flight undisturbed.
+        while testbed.now() < 3.0 || !ended {
+            let (done, _) = testbed.step().unwrap_or_else(|error| panic!("{error}"));
+            if done.moment.time < 3.0 {
+                words.extend(bessemer_legs::words(&done.moment.outputs));
+            }
+            let over = |it: &mut Child| it.try_wait().expect("it is ours").is_some();
+            ended = shell.as_mut().is_none_or(over);
+        }
+        assert!(testbed.image().expect("the bus").is_some());
+        assert_eq!((testbed.restarts, testbed.bench.timing.missed), (0, 0));
+        words
+    };
+    assert!(flown(false) == flown(true));
 }
 
 #[test]
@@ -201,7 +252,7 @@ fn what_was_overheard_cannot_be_said_again() {
 #[test]
 fn noise_on_the_port_harms_nobody() {
     let mut testbed = taken_off(Wanted::default());
-    let noise = std::net::UdpSocket::bind("127.0.0.1:0").expect("a port");
+    let noise = UdpSocket::bind("127.0.0.1:0").expect("a port");
     let link = testbed.link().expect("it listens");
     let mut random = sim::noise::Stream::new(3, sim::noise::Purpose::Radio);
     let mut alarm = Alarm::Clear;
@@ -222,7 +273,7 @@ fn noise_on_the_port_harms_nobody() {
 #[test]
 fn a_second_ground_station_may_only_stop() {
     let mut testbed = taken_off(Wanted::default());
-    let other = std::net::UdpSocket::bind("127.0.0.1:0").expect("a port");
+    let other = UdpSocket::bind("127.0.0.1:0").expect("a port");
     let link = testbed.link().expect("it listens");
     let mut framer = sim::ground_station::Framer::default();
     let mut say = |order: &Order| {
@@ -253,6 +304,32 @@ fn a_software_that_is_killed_is_met_again() {
     testbed.station.order(6.0, Order::TakeOff);
     until(&mut testbed, 14.0);
     assert!((testbed.bench.state().position.z - 1.0).abs() < 0.1);
+}
+
+#[test]
+fn the_software_ends_with_whoever_started_it() {
+    let Program::Process { path, .. } = built(Target::Native) else { panic!("it is a process") };
+    let bus = UdpSocket::bind("127.0.0.1:0").expect("a port");
+    let mut command = Command::new(path);
+    command.arg(bus.local_addr().expect("a port").port().to_string()).stdin(Stdio::piped());
+    let mut software = command.spawn().expect("it starts");
+    let mut input = software.stdin.take().expect("it is piped");
+    writeln!(input).expect("it listens");
+    let mut ready = [0; 16];
+    let limit = Instant::now() + Duration::from_secs(120);
+    let heard = ground::wait::receive(&bus, &mut ready, limit).expect("a socket");
+    let (length, computer) = heard.expect("it says that it is there");
+    assert!(ready[..length].starts_with(b"ready"));
+    // Its bus is never silent: that is not what it ends for.
+    drop(input);
+    let begun = Instant::now();
+    while software.try_wait().expect("it is ours").is_none() {
+        bus.send_to(b"image", computer).expect("loopback takes it");
+        if begun.elapsed() > Duration::from_secs(20) {
+            software.kill().expect("it is ours");
+            panic!("it outlives whoever started it");
+        }
+    }
 }
 
 #[test]
@@ -334,8 +411,8 @@ fn the_c_runs_again_from_a_recording_to_the_bit() {
     let path = folder.path().join("flight.mcap");
     // From the middle of the flight, over a bad link, with a key.
     let mut testbed = taken_off(Wanted { quality: bad(), key: key(), ..Wanted::default() });
-    let image = testbed.bench.image().expect("the bus").expect("it answers");
-    let mut recorder = ground::recorder::Recorder::start(path.clone(), Some(image));
+    let image = testbed.image().expect("the bus").expect("it answers");
+    let mut recorder = recorder(&path, Some(image));
     testbed.station.order(12.0, Order::Set(0, 2.0));
     testbed
         .run_until(15.0, |done, _| recorder.take(done))
@@ -356,8 +433,8 @@ fn the_key_is_in_no_log() {
     let path = folder.path().join("flight.mcap");
     let key = Key::new(SECRET);
     let mut testbed = testbed(Wanted { key: Some(key.clone()), ..Wanted::default() });
-    let image = testbed.bench.image().expect("the bus").expect("it answers");
-    let mut recorder = ground::recorder::Recorder::start(path.clone(), Some(image));
+    let image = testbed.image().expect("the bus").expect("it answers");
+    let mut recorder = recorder(&path, Some(image));
     testbed.run_until(2.0, |done, _| recorder.take(done)).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
 
@@ -385,7 +462,7 @@ fn the_key_is_in_no_log() {
 #[test]
 fn what_is_forged_or_cut_off_is_counted_wherever_it_comes_from() {
     let mut testbed = taken_off(Wanted { key: key(), ..Wanted::default() });
-    let other = std::net::UdpSocket::bind("127.0.0.1:0").expect("a port");
+    let other = UdpSocket::bind("127.0.0.1:0").expect("a port");
     let link = testbed.link().expect("it listens");
     let stop = &sim::ground_station::Framer::default().frame(&Order::Stop)[0];
     let whole = Key::new(KEY).seal(stop, u64::from(u32::MAX) << 10).expect("it has room");
@@ -404,9 +481,9 @@ fn what_is_forged_or_cut_off_is_counted_wherever_it_comes_from() {
 }
 
 /// A recording of the first two seconds; in one of its periods a bit is another, if that is wanted.
-fn recorded(path: &std::path::Path, changed: Option<u64>) {
+fn recorded(path: &Path, changed: Option<u64>) {
     let mut testbed = testbed(Wanted::default());
-    let mut recorder = ground::recorder::Recorder::start(path.to_owned(), None);
+    let mut recorder = recorder(path, None);
     let run = testbed.run_until(2.0, |done, _| {
         let mut done = done.clone();
         if done.count == changed && changed.is_some() {
@@ -473,8 +550,8 @@ fn a_bare_zynq_takes_off_with_the_bits_of_this_machine() {
     // Its memory goes over the line, too, and is put back.
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("flight.mcap");
-    let image = there.bench.image().expect("the bus").expect("it answers");
-    let mut recorder = ground::recorder::Recorder::start(path.clone(), Some(image));
+    let image = there.image().expect("the bus").expect("it answers");
+    let mut recorder = recorder(&path, Some(image));
     there.run_until(3.5, |done, _| recorder.take(done)).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);
     let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));

@@ -305,7 +305,8 @@ fn played(path: &std::path::Path) -> String {
         .unwrap_or_else(|error| panic!("{error}"));
     let wanted = Wanted { pace: Pace::Virtual, ..Wanted::default() };
     let mut testbed = Testbed::start(&program, &wanted).unwrap_or_else(|error| panic!("{error}"));
-    let mut recorder = ground::recorder::Recorder::start(path.to_owned(), None);
+    let mut recorder = ground::recorder::Recorder::start(path.to_owned(), None, true)
+        .unwrap_or_else(|error| panic!("{error}"));
     let run = testbed.run_until(2.0, |done, _| recorder.take(done));
     run.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(recorder.finish().error, None);

@@ -5,22 +5,23 @@
  *
  * BUS_PORT is where the aircraft listens, on loopback, as is the port at which the ground is listened to: any that is
  * free; the first datagram on the bus is "ready" and that port, two bytes, least significant first. The first line of
- * standard input is the key, 32 hexadecimal digits, or empty. Without a datagram on the bus for ten seconds the program
- * ends.
+ * standard input is the key, 32 hexadecimal digits, or empty. The program ends when standard input does: then whoever
+ * started it is gone. It does not end for silence, which may be that of a busy machine.
  *
  * SPDX-License-Identifier: MIT OR Apache-2.0
  */
 #define _POSIX_C_SOURCE 200112L
 
 #include <arpa/inet.h>
+#include <errno.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 #include "computer.h"
@@ -42,13 +43,11 @@ static int opened(void)
 static void reach(int bus, uint16_t port)
 {
     struct sockaddr_in there;
-    const struct timeval patience = {10, 0};
     memset(&there, 0, sizeof there);
     there.sin_family = AF_INET;
     there.sin_port = htons(port);
     there.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (connect(bus, (const struct sockaddr *)&there, sizeof there) != 0 ||
-        setsockopt(bus, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience) != 0) {
+    if (connect(bus, (const struct sockaddr *)&there, sizeof there) != 0) {
         perror("onboard: bus");
         exit(1);
     }
@@ -73,10 +72,35 @@ static bool read_key(siphash_key_t *key)
     return true;
 }
 
-/** A sender as a number, from which it can be had back. */
+/** Waits for a datagram on the bus; false if whoever started the program is gone. */
+static bool wait_for(int bus)
+{
+    struct pollfd ends[2] = {{bus, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
+    for (;;) {
+        if (poll(ends, 2U, -1) < 0) {
+            if (errno != EINTR) {
+                perror("onboard: poll");
+                return false;
+            }
+            continue;
+        }
+        if (ends[1].revents != 0) {
+            /* Nothing more is to be said there but its end. */
+            char rest[80];
+            if (read(STDIN_FILENO, rest, sizeof rest) <= 0) {
+                return false;
+            }
+        }
+        if (ends[0].revents != 0) {
+            return true;
+        }
+    }
+}
+
+/** A sender as a number: its address above its port. */
 static uint64_t station(const struct sockaddr_in *sender)
 {
-    return ((uint64_t)sender->sin_addr.s_addr << 16U) | sender->sin_port;
+    return ((uint64_t)ntohl(sender->sin_addr.s_addr) << 16U) | ntohs(sender->sin_port);
 }
 
 /** Takes in every datagram that has come from the ground. */
@@ -102,8 +126,8 @@ static void speak(const computer_t *computer, int ground)
     struct sockaddr_in there;
     memset(&there, 0, sizeof there);
     there.sin_family = AF_INET;
-    there.sin_port = (in_port_t)(computer->ground.station & 0xFFFFU);
-    there.sin_addr.s_addr = (in_addr_t)(computer->ground.station >> 16U);
+    there.sin_port = htons((uint16_t)(computer->ground.station & 0xFFFFU));
+    there.sin_addr.s_addr = htonl((uint32_t)((computer->ground.station >> 16U) & 0xFFFFFFFFU));
     (void)sendto(ground, computer->downlink.bytes, (size_t)computer->downlink.length, 0,
         (const struct sockaddr *)&there, sizeof there);
 }
@@ -146,9 +170,10 @@ int main(int argc, char **argv)
     computer_begin(&computer, &key);
     say_ready(bus, ground);
 
-    for (;;) {
+    while (wait_for(bus)) {
         const ssize_t length = recv(bus, in, sizeof in, 0);
         if (length < 0) {
+            /* The other end of the bus is closed. */
             return 0;
         }
         if (computer_is_period((size_t)length)) {
@@ -163,4 +188,5 @@ int main(int argc, char **argv)
             (void)send(bus, computer.answer, size, 0);
         }
     }
+    return 0;
 }

@@ -3,6 +3,7 @@
 //! Waits for what a page shows, never for a time: the limit only ends a test that would never end.
 
 use serde_json::{Value, json};
+use std::io::ErrorKind::Interrupted;
 use std::io::{BufRead, BufReader};
 use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
@@ -215,6 +216,10 @@ impl Browser {
         self.socket.send(Message::text(asked.to_string())).expect("chromium listens");
         loop {
             let heard = self.socket.read();
+            // This process was stopped, and goes on.
+            if matches!(&heard, Err(tungstenite::Error::Io(error)) if error.kind() == Interrupted) {
+                continue;
+            }
             let heard = heard.unwrap_or_else(|error| panic!("{method} is not answered: {error}"));
             let Ok(text) = heard.to_text() else { continue };
             let Ok(answer) = serde_json::from_str::<Value>(text) else { continue };

@@ -4,6 +4,7 @@
 
 use ground::priority;
 use ground::testbed::period;
+use ground::wait;
 use std::io;
 use std::net::UdpSocket;
 use std::sync::Arc;
@@ -66,21 +67,10 @@ fn counted(goes_on: &AtomicBool) -> io::Result<Echoed> {
 /// Whether this number comes back in time; older ones are late.
 fn answered(here: &UdpSocket, number: u64, until: Instant) -> io::Result<bool> {
     let mut heard = [0; 8];
-    loop {
-        let left = until.saturating_duration_since(Instant::now());
-        if left.is_zero() {
-            return Ok(false);
-        }
-        here.set_read_timeout(Some(left))?;
-        match here.recv(&mut heard) {
-            Ok(_) if u64::from_le_bytes(heard) == number => return Ok(true),
-            Ok(_) => {}
-            Err(error)
-                if matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut) =>
-            {
-                return Ok(false);
-            }
-            Err(error) => return Err(error),
+    while wait::receive(here, &mut heard, until)?.is_some() {
+        if u64::from_le_bytes(heard) == number {
+            return Ok(true);
         }
     }
+    Ok(false)
 }

@@ -41,10 +41,11 @@ def seen(what, kinds, holds=lambda _: True):
 
 def order(command, *parameters):
     """Sends a command until it is acknowledged, as the protocol wants it; the result."""
-    for confirmation in range(10):
+    # Asked again, an order may be refused that was obeyed: over loopback nothing is lost, and a busy machine takes its time.
+    for confirmation in range(3):
         filled = list(parameters) + [0.0] * (7 - len(parameters))
         link.mav.command_long_send(link.target_system, link.target_component, command, confirmation, *filled)
-        ack = hear("COMMAND_ACK", lambda it: it.command == command, 2.0)
+        ack = hear("COMMAND_ACK", lambda it: it.command == command, 30.0)
         if ack is not None:
             return ack.result
     raise AssertionError(f"command {command} is not acknowledged")
