@@ -51,7 +51,7 @@ pub enum Error {
         /// Its path.
         path: PathBuf,
         /// The defect.
-        wrong: crate::verify::recording::Wrong,
+        wrong: Box<crate::verify::recording::Wrong>,
     },
     /// Inputs are not what an entry point takes.
     #[error("`{name}` takes {wanted} numbers beside its component, and an input has {found}")]

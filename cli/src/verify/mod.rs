@@ -55,8 +55,8 @@ struct Case {
 /// # Errors
 /// Errors of the models or the system; [`Error::NoCompiler`] if there is no leg of C.
 pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool), Error> {
-    compared(folder, wanted, colour, |module| match &wanted.inputs {
-        Some(path) => recorded(module, path, wanted.entry.as_deref()),
+    compared(folder, wanted, colour, |compiled| match &wanted.inputs {
+        Some(path) => recorded(compiled, path, wanted.entry.as_deref()),
         None => Ok(Inputs::Made { seed: wanted.seed }),
     })
 }
@@ -70,8 +70,8 @@ pub fn with_words(
     wanted: &Verify,
     calls: &[Vec<u64>],
 ) -> Result<(String, bool), Error> {
-    compared(folder, wanted, false, |module| {
-        let entry = chosen(module, wanted.entry.as_deref())?;
+    compared(folder, wanted, false, |compiled| {
+        let (module, entry) = (&compiled.module, chosen(compiled, wanted.entry.as_deref())?);
         let function = &module.functions[entry.index()];
         let counts: Vec<usize> =
             function.parameters().iter().skip(1).map(|it| module.width(&it.ty)).collect();
@@ -89,7 +89,7 @@ pub fn with_words(
                 .collect())
         };
         let calls = calls.iter().map(parted).collect::<Result<_, _>>()?;
-        Ok(Inputs::Recorded { entry, calls })
+        Ok(Inputs::Recorded { entry, calls, notes: Vec::new() })
     })
 }
 
@@ -97,7 +97,7 @@ fn compared(
     folder: &Path,
     wanted: &Verify,
     colour: bool,
-    inputs: impl FnOnce(&Module) -> Result<Inputs, Error>,
+    inputs: impl FnOnce(&Compiled) -> Result<Inputs, Error>,
 ) -> Result<(String, bool), Error> {
     let project = Project::find(folder, wanted.package.name(), colour)?;
     let mut job = project.job(colour);
@@ -116,7 +116,7 @@ fn compared(
         return Ok((board::write(&compiled, &job.options, folder)?, true));
     }
     let module = &compiled.module;
-    let inputs = inputs(module)?;
+    let inputs = inputs(&compiled)?;
     let mut cases = cases(module, &inputs);
     let mut legs = Vec::new();
     let (program, left) = rust(&job, module, &mut cases)?;
@@ -142,6 +142,11 @@ fn compared(
     let calls: usize = cases.iter().map(|case| case.calls.len()).sum();
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{} entry points, {calls} calls; against the interpreter:", cases.len());
+    if let Inputs::Recorded { notes, .. } = &inputs {
+        for note in notes {
+            let _ = writeln!(text, "  the recording: {note}");
+        }
+    }
     if cases.is_empty() && left.is_empty() {
         text += "  There is nothing to call: mark a method of a component `#[entry]`.\n";
     }
@@ -191,7 +196,7 @@ enum Inputs {
     /// Edge values, and a life of small numbers, of each entry point.
     Made { seed: u64 },
     /// The recorded inputs of one entry point: the words of each argument but the component, for each call.
-    Recorded { entry: FunctionId, calls: Vec<Vec<Vec<u64>>> },
+    Recorded { entry: FunctionId, calls: Vec<Vec<Vec<u64>>>, notes: Vec<String> },
 }
 
 /// The entry points of a module.
@@ -201,8 +206,15 @@ fn all(module: &Module) -> impl Iterator<Item = FunctionId> + '_ {
 }
 
 /// The entry point called `entry`, or the only one.
-fn chosen(module: &Module, entry: Option<&str>) -> Result<FunctionId, Error> {
+fn chosen(compiled: &Compiled, entry: Option<&str>) -> Result<FunctionId, Error> {
+    let module = &compiled.module;
     let name = |id: &FunctionId| named(module, &module.functions[id.index()]);
+    // By its name in the C or in the Rust.
+    let in_rust = |entry| {
+        let mut entries = compiled.interface.entries.iter();
+        entries.find(|it| it.name == entry).map_or(entry, |it| it.rust.as_str())
+    };
+    let entry = entry.map(in_rust);
     let chosen: Vec<FunctionId> =
         all(module).filter(|id| entry.is_none_or(|entry| name(id) == entry)).collect();
     if let [entry] = chosen[..] {
@@ -216,20 +228,22 @@ fn chosen(module: &Module, entry: Option<&str>) -> Result<FunctionId, Error> {
 }
 
 /// The recording of an entry point.
-fn recorded(module: &Module, path: &Path, entry: Option<&str>) -> Result<Inputs, Error> {
-    let entry = chosen(module, entry)?;
+fn recorded(compiled: &Compiled, path: &Path, entry: Option<&str>) -> Result<Inputs, Error> {
+    let entry = chosen(compiled, entry)?;
+    let module = &compiled.module;
     let bytes = std::fs::read(path);
     let bytes = bytes.map_err(|source| Error::File { path: path.to_owned(), source })?;
-    let calls = recording::calls(module, &module.functions[entry.index()], &bytes);
-    let calls = calls.map_err(|wrong| Error::Recording { path: path.to_owned(), wrong })?;
-    Ok(Inputs::Recorded { entry, calls })
+    let read = recording::read(module, &module.functions[entry.index()], &bytes);
+    let read =
+        read.map_err(|wrong| Error::Recording { path: path.to_owned(), wrong: Box::new(wrong) })?;
+    Ok(Inputs::Recorded { entry, calls: read.calls, notes: read.notes })
 }
 
 /// The calls of each entry point, and what the interpreter makes of them.
 fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
     let (mut random, only, count) = match inputs {
         Inputs::Made { seed } => (Random(*seed), None, 3 * CALLS),
-        Inputs::Recorded { entry, calls } => (Random(0), Some(*entry), calls.len()),
+        Inputs::Recorded { entry, calls, .. } => (Random(0), Some(*entry), calls.len()),
     };
     let mut interpreter = Interpreter::new(module);
     let mut cases = Vec::new();
