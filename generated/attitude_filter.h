@@ -33,21 +33,21 @@ typedef struct {
     double covariance[36];
 } attitude_filter_t;
 
-/** Level, known to within `angle`, rad, and `bias`, rad/s. */
+/** Returns a level attitude with standard deviations `angle`, rad, and `bias`, rad/s. */
 void attitude_filter_level(double angle, double bias, attitude_filter_t *attitude_filter);
 
 /**
- * One period, s, at the measured rates, rad/s, which are uncertain by `noise`, rad/s, and whose biases
- * wander by `drift`, rad/s in a second.
+ * Predicts one period, s, from the measured rates, rad/s, with standard deviation `noise`, rad/s, and bias drift
+ * `drift`, rad/s in a second.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 void attitude_filter_predict(attitude_filter_t *self, const double measured[3], double period,
     double noise, double drift, double work[180]);
 
 /**
- * A measurement of the angle that `row` picks out, as its difference from what is believed, with the
- * given variance. It is refused, and nothing changes, if it lies more than `gate` standard deviations
- * off, or is not a number.
+ * Corrects the state by a measurement of the angle that `row` selects: `innovation` is measured minus estimated.
+ * The measurement is rejected, and nothing changes, if the innovation exceeds `gate` standard deviations or is not
+ * a number.
  *
  * `moves` has a 1 for each part of the state that it may change, and 0 elsewhere: Joseph's form holds
  * for any gain.

@@ -31,25 +31,25 @@ typedef struct {
     double covariance[9];
 } axis_filter_t;
 
-/** At rest at 0, known to within `place`, m, and `bias`, m/s². */
+/** Returns a state at rest at 0, with standard deviations `place`, m, and `bias`, m/s². */
 void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter);
 
 /**
- * One period, s, under a measured acceleration, m/s², that is uncertain by `noise`, m/s², and whose
- * bias wanders by `drift`, m/s² in a second.
+ * Predicts one period, s, from a measured acceleration, m/s², with standard deviation `noise`, m/s², and bias
+ * drift `drift`, m/s² in a second.
  */
 void axis_filter_predict(axis_filter_t *self, double acceleration, double period, double noise,
     double drift);
 
 /**
- * Opens the gate: place and velocity may be off by half a metre and half a metre per second more than
- * was believed.
+ * Inflates the covariance of position and velocity by (0.5 m)² and (0.5 m/s)², so that the gate accepts larger
+ * innovations.
  */
-void axis_filter_doubt(axis_filter_t *self);
+void axis_filter_inflate(axis_filter_t *self);
 
 /**
- * A measurement of `row` · state with the given variance. It is refused, and nothing changes, if it
- * lies more than `gate` standard deviations off, or is not a number.
+ * Corrects the state by a measurement of `row` · state with the passed variance. The measurement is rejected, and
+ * nothing changes, if the innovation exceeds `gate` standard deviations or is not a number.
  */
 bool axis_filter_correct(axis_filter_t *self, const double row[3], double measured, double variance,
     double gate);

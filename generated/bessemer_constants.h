@@ -78,13 +78,13 @@ static const double FINER_FINER_LN[7] = {
 };
 
 /**
- * So much older than the last packet, ms, a STOP is still taken: it may have been overtaken. Whoever
- * repeats one within that time stops what has been stopped.
+ * Age, relative to the last packet, up to which a STOP is accepted, ms: it may have been overtaken. A repeated STOP
+ * within that time stops the motors again.
  */
-static const uint64_t GATE_OVERTAKEN = UINT64_C(2000);
+static const uint64_t GATE_STOP_MAX_AGE = UINT64_C(2000);
 
-/** Least cosine of the pitch that is divided by: 89.4°. */
-static const double GEOMETRY_STEEP = 0.01;
+/** Least cosine of the pitch used as a divisor: 89.4°. */
+static const double GEOMETRY_LEAST_PITCH_COSINE = 0.01;
 
 /** The logarithm of 2 to a multiple of 2⁻⁴². */
 static const double LOGARITHMS_LN_2_HIGH = 0.6931471805598903;
@@ -114,42 +114,43 @@ static const double POWERS_UNIT_STEP_HIGH = 0.005415212348111709;
 /** The rest of (ln 2)/128. */
 static const double POWERS_UNIT_STEP_LOW = 1.2864023111638346e-14;
 
-/** Makes ready for another flight; nothing happens unless the aircraft stands on the ground. */
+/** Prepares another flight; ignored unless the aircraft is at rest on the ground. */
 static const uint8_t RECEIVER_ARM = 11U;
 
-/** Asks for a parameter: its number, one byte. */
+/** Requests a parameter: its number, one byte. */
 static const uint8_t RECEIVER_ASK = 12U;
 
-/** Says that the ground is there. From the first one on, it is missed when it is silent. */
-static const uint8_t RECEIVER_BEAT = 10U;
-
-/**
- * Chooses what to write down: what to call the choice, every so many periods, and each signal, one byte each.
- */
+/** Selects the logged signals: tag and period of the selection, then each signal, one byte each. */
 static const uint8_t RECEIVER_CHOOSE = 14U;
 
-/** Flies the collected trajectory: how many points, one byte; what it is called, one byte. */
+/** Activates the collected trajectory: number of points, one byte; its tag, one byte. */
 static const uint8_t RECEIVER_COMMIT = 5U;
 
-/** Closes the link: nothing is sent down any more. */
+/** Closes the link: the downlink stops. */
 static const uint8_t RECEIVER_GOODBYE = 2U;
 
-/** Opens the link: always taken, and the numbering begins with it. */
+/**
+ * Heartbeat of the ground station. After the first one, silence is a lost link. From the first one on, it is missed
+ * when it is silent.
+ */
+static const uint8_t RECEIVER_HEARTBEAT = 10U;
+
+/** Opens the link: always accepted, and restarts the sequence numbers. */
 static const uint8_t RECEIVER_HELLO = 1U;
 
 /** Lands. */
 static const uint8_t RECEIVER_LAND = 7U;
 
-/** A `Mode`, one byte. */
+/** Sets the mode, one byte. */
 static const uint8_t RECEIVER_MODE = 3U;
 
-/** A set point: what to call its trajectory, one byte; its index, one byte; time, x, y, z, yaw. */
+/** Adds a set point: tag of its trajectory, one byte; its index, one byte; time, x, y, z, yaw. */
 static const uint8_t RECEIVER_POINT = 4U;
 
 /** Sets a parameter: its number, one byte; its value. */
 static const uint8_t RECEIVER_SET = 13U;
 
-/** Sticks: roll, pitch, rate of yaw, rate of climb. */
+/** Sticks: roll, pitch, yaw rate, climb rate. */
 static const uint8_t RECEIVER_STICKS = 8U;
 
 /** Stops the motors at once. */
@@ -158,23 +159,25 @@ static const uint8_t RECEIVER_STOP = 9U;
 /** Takes off. */
 static const uint8_t RECEIVER_TAKE_OFF = 6U;
 
-/** A parameter: its number, one byte; its value, or no number if there is no such parameter. */
+/**
+ * Kind of a packet with a parameter: its number, one byte; its value, NaN if there is no such parameter.
+ */
 static const uint8_t SENDER_PARAMETER = 0x42U;
 
-/** A part of a record. */
+/** Kind of a packet with a part of a record. */
 static const uint8_t SENDER_RECORD = 0x40U;
 
-/** The state of the link: see `Status`. */
+/** Kind of a packet with the state of the link. */
 static const uint8_t SENDER_STATUS = 0x41U;
 
 /** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
 static const double SINE_TO_INTEGER = 6755399441055744.0;
 
-/** The least values, in the order of `values`. */
-extern const double TUNING_LEAST[20];
+/** Largest value of each parameter. */
+extern const double TUNING_LARGEST_VALUES[20];
 
-/** The largest values. */
-extern const double TUNING_MOST[20];
+/** Least value of each parameter. */
+extern const double TUNING_LEAST_VALUES[20];
 
 #ifdef __cplusplus
 }

@@ -9,70 +9,70 @@
 
 #include <stdint.h>
 
-/** Places for motors: quad-, hexa- and octocopters run the same code. */
-#define AIRFRAME_MOST_MOTORS UINT64_C(8)
+/** Largest number of motors: quad-, hexa- and octocopters run the same code. */
+#define AIRFRAME_MAX_MOTORS UINT64_C(8)
 
-/** Bytes of the counter. */
-#define GATE_COUNTER UINT64_C(6)
+/** Size of the counter, bytes. */
+#define GATE_COUNTER_BYTES UINT64_C(6)
 
-/** Bytes of the counter and of the sum. */
-#define GATE_SEAL UINT64_C(14)
+/** Size of the counter and the checksum, bytes. */
+#define GATE_SEAL_BYTES UINT64_C(14)
 
-/** How many records the ring holds. */
+/** Number of records in the ring. */
 #define LOGGER_DEPTH UINT64_C(16)
 
-/** How many signals there are to choose from. */
+/** Number of signals to choose from. */
 #define LOGGER_SIGNALS UINT64_C(64)
 
-/** How many signals a record holds. */
+/** Number of signals in a record. */
 #define LOGGER_WIDTH UINT64_C(36)
 
-/** Bytes before the payload: two marks, kind, sequence (2), length. */
-#define PACKET_HEADER UINT64_C(6)
+/** Size of the checksum after the payload, bytes. */
+#define PACKET_CHECKSUM_BYTES UINT64_C(2)
 
-/** The most bytes of a packet. */
-#define PACKET_MOST_BYTES UINT64_C(64)
+/** Offset of the first byte that the checksum covers: the kind, after the two sync bytes. */
+#define PACKET_CHECKSUM_START UINT64_C(2)
 
-/** The most bytes of a payload: the rest is header and checksum. */
-#define PACKET_MOST_PAYLOAD UINT64_C(56)
+/** Size of the header, bytes: two sync bytes, kind, sequence (2), length. */
+#define PACKET_HEADER_BYTES UINT64_C(6)
 
-/** Where the length of the payload stands. */
-#define PACKET_SIZE_AT UINT64_C(5)
+/** Largest size of a packet, bytes. */
+#define PACKET_MAX_BYTES UINT64_C(64)
 
-/** Where what is summed up begins: behind the two marks, with the kind. */
-#define PACKET_START UINT64_C(2)
+/** Largest size of a payload, bytes: the packet without header and checksum. */
+#define PACKET_MAX_PAYLOAD UINT64_C(56)
 
-/** Bytes of the checksum behind the payload. */
-#define PACKET_SUM UINT64_C(2)
+/** Offset of the payload's length. */
+#define PACKET_SIZE_OFFSET UINT64_C(5)
 
-/** Bytes of the payload of `ASK`: a parameter. */
+/** Payload of a query packet, bytes: a parameter. */
 #define RECEIVER_ASK_BYTES UINT64_C(1)
 
-/** Bytes of the payload of `CHOOSE`: two, and one for each signal. */
+/** Payload of a selection packet, bytes: tag, period and one byte for each signal. */
 #define RECEIVER_CHOOSE_BYTES UINT64_C(38)
 
-/** Bytes of the payload of `COMMIT`: how many points, and a name. */
+/** Payload of a commit packet, bytes: number of points and tag. */
 #define RECEIVER_COMMIT_BYTES UINT64_C(2)
 
-/** Bytes of the payload of `MODE`. */
+/** Payload of a mode packet, bytes. */
 #define RECEIVER_MODE_BYTES UINT64_C(1)
 
-/** Bytes of the payload of `POINT`: a name, an index and five numbers. */
+/** Payload of a set point packet, bytes: tag, index and five numbers. */
 #define RECEIVER_POINT_BYTES UINT64_C(42)
 
-/** Bytes of the payload of `SET`: a parameter and a number. */
+/** Payload of a parameter packet, bytes: a parameter and a number. */
 #define RECEIVER_SET_BYTES UINT64_C(9)
 
-/** Bytes of the payload of `STICKS`: four numbers. */
+/** Payload of a sticks packet, bytes: four numbers. */
 #define RECEIVER_STICKS_BYTES UINT64_C(32)
 
-/** The most set points of a trajectory. */
-#define TRAJECTORY_MOST_POINTS UINT64_C(16)
+/** Largest number of set points in a trajectory. */
+#define TRAJECTORY_MAX_POINTS UINT64_C(16)
 
-/** From this number on they change on the ground only. */
-#define TUNING_GROUNDED UINT64_C(18)
+/** Number of the first parameter that changes on the ground only. */
+#define TUNING_FIRST_GROUND_ONLY UINT64_C(18)
 
-/** How many parameters there are. */
-#define TUNING_TUNABLE UINT64_C(20)
+/** Number of parameters. */
+#define TUNING_PARAMETER_COUNT UINT64_C(20)
 
 #endif

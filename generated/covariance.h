@@ -20,21 +20,21 @@ extern "C" {
 #endif
 
 /**
- * The matrix with the given diagonal.
+ * Returns the diagonal matrix of the values.
  *
  * `all` by columns: [row + 3 * column].
  */
 void covariance_diagonal_3(const double values[3], double all[9]);
 
 /**
- * The matrix with the given diagonal.
+ * Returns the diagonal matrix of the values.
  *
  * `all` by columns: [row + 6 * column].
  */
 void covariance_diagonal_6(const double values[6], double all[36]);
 
 /**
- * The covariance after errors have grown as `advance` says, and by `growth`.
+ * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
  *
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 3 * column].
  */
@@ -42,7 +42,7 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
     double result[9]);
 
 /**
- * The covariance after errors have grown as `advance` says, and by `growth`.
+ * Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
  * `work` is lent to work with: what it holds means nothing between calls.
  *
  * `covariance`, `advance`, `growth`, `result` by columns: [row + 6 * column].
@@ -51,8 +51,8 @@ void covariance_grown_6(const double covariance[36], const double advance[36],
     const double growth[36], double work[72], double result[36]);
 
 /**
- * The covariance after a measurement of `row` · errors with the given variance was weighed by `gain`:
- * Joseph's form, (I − K h) P (I − K h)ᵀ + K r Kᵀ.
+ * Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`
+ * K, `variance` r.
  *
  * `covariance`, `result` by columns: [row + 3 * column].
  */
@@ -60,8 +60,8 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
     double variance, double result[9]);
 
 /**
- * The covariance after a measurement of `row` · errors with the given variance was weighed by `gain`:
- * Joseph's form, (I − K h) P (I − K h)ᵀ + K r Kᵀ.
+ * Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`
+ * K, `variance` r.
  * `work` is lent to work with: what it holds means nothing between calls.
  *
  * `covariance`, `result` by columns: [row + 6 * column].

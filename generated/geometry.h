@@ -34,7 +34,7 @@ typedef struct {
     double c3;
 } orientation_t;
 
-/** The orientation at the given roll, pitch and yaw, rad. */
+/** Returns the orientation for roll, pitch and yaw, rad. */
 void orientation_of(const double angles[3], orientation_t *orientation);
 
 /**
@@ -49,13 +49,13 @@ void orientation_of(const double angles[3], orientation_t *orientation);
 void orientation_rotation(const orientation_t *self, double result[9]);
 
 /**
- * Where the body's z points in the inertial frame: the third column of
+ * Returns the direction of the body's z in the inertial frame: the third column of
  * `rotation`.
  */
 void orientation_thrust_direction(const orientation_t *self, double result[3]);
 
 /**
- * Where the inertial frame's z points in the body frame: the third row of
+ * Returns the direction of the inertial frame's z in the body frame: the third row of
  * `rotation` (thesis, eq. (4.7)).
  */
 void orientation_upwards(const orientation_t *self, double result[3]);
@@ -71,22 +71,19 @@ void orientation_upwards(const orientation_t *self, double result[3]);
 void orientation_rate_matrix(const orientation_t *self, double result[9]);
 
 /**
- * cos θ2 as a divisor: no nearer to 0 than `STEEP`, so that a pitch of ±π/2 has large rates, and not
- * infinite ones.
+ * Returns cos θ2 as a divisor, at least 0.01 in magnitude, so that rates stay finite at a pitch of ±π/2.
  */
 double orientation_divisor(const orientation_t *self);
 
 /**
  * Rates of the angles at the given body rates (thesis, eq. (2.17)), rad/s.
  *
- * Singular at a pitch of ±π/2: see `divisor`.
+ * Singular at a pitch of ±π/2: the divisor is limited.
  */
 void orientation_angle_rates(const orientation_t *self, const double body_rates[3],
     double result[3]);
 
-/**
- * The angle that differs from `angle` by whole turns and lies within half a turn, rad: itself, if it does.
- */
+/** Returns the angle reduced to ±π, rad. */
 double geometry_wrapped(double angle);
 
 #ifdef __cplusplus

@@ -20,7 +20,7 @@ extern "C" {
 
 /** The filtered signals. */
 typedef struct {
-    /** Where they are. */
+    /** Filtered values. */
     double level[3];
 } low_pass_t;
 
@@ -28,7 +28,7 @@ typedef struct {
 void low_pass_init(low_pass_t *self);
 
 /**
- * One period: moves the levels by `share`, 0 to 1, of the way to the signals.
+ * Advances one period: moves the values by `share`, 0 to 1, of the difference to the signals.
  *
  * For a corner at f and a period T the share is 1 − exp(−2π f T).
  */

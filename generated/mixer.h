@@ -23,43 +23,42 @@
 extern "C" {
 #endif
 
-/** From thrust and torques to motors. */
+/** Conversion of thrust and torques to motor commands. */
 typedef struct {
     /**
-     * Squares of the motor speeds (rows) per thrust and roll, pitch and yaw torque (columns),
-     * rad²/s² per N and per N·m, about the body's x, y and z.
-     * A matrix by columns: [row + 8 * column].
+     * Squares of the motor speeds (rows) per thrust and torque about the body's x, y and z (columns), rad²/s² per N
+     * and per N·m. A matrix by columns: [row + 8 * column].
      */
-    double allocation[AIRFRAME_MOST_MOTORS * 4U];
+    double allocation[AIRFRAME_MAX_MOTORS * 4U];
     /**
-     * Thrust and roll, pitch and yaw torque (rows) per square of the motor speeds (columns), N·s²/rad²
-     * and N·m·s²/rad²: what the motors do. A positive torque turns x towards y, y towards z, z towards x.
+     * Thrust and torque about the body's x, y and z (rows) per square of the motor speeds (columns), N·s²/rad² and
+     * N·m·s²/rad². A positive torque turns x towards y, y towards z, z towards x.
      * A matrix by columns: [row + 4 * column].
      */
-    double effectiveness[4U * AIRFRAME_MOST_MOTORS];
-    /** Direction in which each motor turns, 1 or −1; 0 where there is none. */
-    double spins[AIRFRAME_MOST_MOTORS];
+    double effectiveness[4U * AIRFRAME_MAX_MOTORS];
+    /** Direction of rotation of each motor, 1 or −1; 0 for a missing motor. */
+    double spins[AIRFRAME_MAX_MOTORS];
     /** Square of a motor's speed per unit of its command, rad²/s². */
     double square_per_command;
     /** Largest command that a motor takes. */
     double largest_command;
 } mixer_t;
 
-/** The mixer of an airframe whose motors take commands up to `largest_command`. */
+/** Returns the mixer of an airframe whose motors accept commands up to `largest_command`. */
 void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
     mixer_t *mixer);
 
 /**
- * Motor commands that add a wrench to what `feed_forward`, a speed for each motor, rad/s, does.
+ * Returns the motor commands that add a wrench to `feed_forward`, a speed for each motor, rad/s.
  *
  * The thrust becomes a speed that is added to the feed-forward's, as the thesis has it. The torques
  * are added to the square of the sum: added as speeds they would act 1/(1 − gain) times as strongly
  * under feed-forward, which at a gain of 0.8 no attitude loop survives.
  */
 void mixer_mix(const mixer_t *self, const wrench_t *wanted,
-    const double feed_forward[AIRFRAME_MOST_MOTORS], command_t *command);
+    const double feed_forward[AIRFRAME_MAX_MOTORS], command_t *command);
 
-/** What commands come to once the motors follow them. */
+/** Returns the wrench at the commanded motor speeds. */
 void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrench);
 
 #ifdef __cplusplus

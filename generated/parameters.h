@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/** Gains of an axis that also remembers its error. */
+/** Gains of a PID law. */
 typedef struct {
     /** Per unit of error. */
     double p;
@@ -32,7 +32,7 @@ typedef struct {
     double d;
 } gains_t;
 
-/** Gains of an axis without memory. */
+/** Gains of a PD law. */
 typedef struct {
     /** Per unit of error. */
     double p;
@@ -40,17 +40,17 @@ typedef struct {
     double d;
 } damped_t;
 
-/** Which law closes the loop. */
+/** Selection of the control law. */
 typedef enum {
-    /** The thesis' cascade, read so that it flies: `cascade`. */
+    /** The thesis' cascade, corrected: `cascade`. */
     CANDIDATE_CASCADE = 0,
-    /** The same with the map from place to lean as the thesis prints it: `printed`. */
+    /** The thesis' cascade with the map from position to tilt as printed: `printed`. */
     CANDIDATE_PRINTED = 1,
-    /** A geometric law on the rotation itself: `geometric`. */
+    /** A geometric law: `geometric`. */
     CANDIDATE_GEOMETRIC = 2
 } candidate_t;
 
-/** Gains of the geometric law: each acts on an error that has no mass or inertia in it. */
+/** Gains of the geometric law, normalised by mass and inertia. */
 typedef struct {
     /** Position error to acceleration, 1/s², and its rate, 1/s. */
     damped_t place;
@@ -58,7 +58,7 @@ typedef struct {
     damped_t attitude;
 } geometric_t;
 
-/** Everything that the controller can be tuned by. */
+/** All parameters of the controller. */
 typedef struct {
     /** Control period, s. */
     double period;
@@ -66,7 +66,7 @@ typedef struct {
     double mass;
     /** Moments of inertia about the body axes, kg·m². */
     double inertia[3];
-    /** Which law closes the loop. */
+    /** Selected control law. */
     candidate_t candidate;
     /** Thrust of the take-off in excess of the weight, as a fraction of the weight. */
     double takeoff_gain;
@@ -88,21 +88,21 @@ typedef struct {
     mixer_t mixer;
 } parameters_t;
 
-/** The PID law: what to do about an error, its integral over time and its rate. */
+/** Returns the output of the PID law for an error, its integral over time and its rate. */
 double gains_respond(const gains_t *self, double error, double integral, double error_rate);
 
-/** The PD law: what to do about an error and its rate. */
+/** Returns the output of the PD law for an error and its rate. */
 double damped_respond(const damped_t *self, double error, double error_rate);
 
-/** What commands are to do to the aircraft. */
+/** Returns the accelerations that a command is to cause. */
 void parameters_push(const parameters_t *self, const command_t *command, push_t *push);
 
-/** The Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1). */
+/** Returns the parameters of the Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1). */
 void parameters_mambo(parameters_t *parameters);
 
 /**
- * The hexacopter at 200 Hz: the Mambo's gains per mass and per inertia, slower in attitude, as a
- * larger aircraft is.
+ * Returns the parameters of the hexacopter at 200 Hz: the Mambo's gains scaled by mass and inertia, with a slower
+ * attitude loop.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 void parameters_hexacopter(mixer_t *work, parameters_t *parameters);

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-/** Where the aircraft is and how it moves (thesis, eq. (2.18)). */
+/** Position, attitude and their rates (thesis, eq. (2.18)). */
 typedef struct {
     /** Position in the inertial frame, z upwards, m. */
     double position[3];
@@ -33,38 +33,39 @@ typedef struct {
     double rates[3];
 } motion_t;
 
-/** The aircraft as the model has it: flown in virtual time, or ahead of the real one. */
+/** The simulated aircraft, in virtual time or ahead of real time. */
 typedef struct {
-    /** Where it is. */
+    /** Present motion. */
     motion_t motion;
 } plant_t;
 
-/** This motion and `time` times its rate of change. */
+/** Returns this motion plus `time` times a rate of change. */
 void motion_plus(const motion_t *self, const motion_t *slope, double time, motion_t *motion);
 
-/** Rate of change under the motors' wrench (thesis, eqs. (2.17), (2.23), (2.24), (2.28)). */
+/**
+ * Returns the rate of change under the motors' wrench (thesis, eqs. (2.17), (2.23), (2.24), (2.28)).
+ */
 void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench_t *wrench,
     motion_t *motion);
 
 /**
- * The motion `period` seconds later, the wrench held: one step of the fourth-order Runge–Kutta rule.
+ * Returns the motion after `period` seconds of a constant wrench: one step of fourth-order Runge–Kutta.
  */
 void motion_after(const motion_t *self, const airframe_t *airframe, const wrench_t *wrench,
     double period, motion_t *motion);
 
 /**
- * Thrust and torques of the motors at their speeds, rad/s, whatever their signs
- * (thesis, eq. (2.49)).
+ * Returns thrust and torques of the motors at their speeds, rad/s, of either sign (thesis, eq. (2.49)).
  */
-void airframe_wrench(const airframe_t *self, const double speeds[AIRFRAME_MOST_MOTORS],
+void airframe_wrench(const airframe_t *self, const double speeds[AIRFRAME_MAX_MOTORS],
     wrench_t *wrench);
 
 /** Sets the initial state; call it before anything else. */
 void plant_init(plant_t *self);
 
-/** One period, s, at the given motor speeds, rad/s: where the aircraft is afterwards. */
-void plant_step(plant_t *self, const airframe_t *airframe,
-    const double speeds[AIRFRAME_MOST_MOTORS], double period, motion_t *motion);
+/** Advances one period, s, at the passed motor speeds, rad/s, and returns the motion. */
+void plant_step(plant_t *self, const airframe_t *airframe, const double speeds[AIRFRAME_MAX_MOTORS],
+    double period, motion_t *motion);
 
 #ifdef __cplusplus
 }

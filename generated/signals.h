@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/** What is known of the aircraft (thesis, eq. (2.18)). */
+/** State estimate of the aircraft (thesis, eq. (2.18)). */
 typedef struct {
     /** Position in the inertial frame, z upwards, m. */
     double position[3];
@@ -34,7 +34,7 @@ typedef struct {
     double rates[3];
 } estimate_t;
 
-/** Where the aircraft is wanted, and in which part of the flight it is. */
+/** Target of the aircraft, and the phase of the flight. */
 typedef struct {
     /** Position in the inertial frame, m. */
     double position[3];
@@ -46,36 +46,34 @@ typedef struct {
     double yaw;
     /** Rate of yaw, rad/s. */
     double yaw_rate;
-    /** Set while the aircraft takes off: it then climbs without minding its height. */
+    /** True during take-off: the height is not controlled. */
     bool take_off;
-    /**
-     * Set until the aircraft has left the ground: what it cannot turn or lift yet is no error to remember.
-     */
+    /** True until the aircraft has left the ground: integrals are frozen. */
     bool grounded;
-    /** Set while the aircraft lands: it then stops its motors on touch-down. */
+    /** True during landing: touch-down stops the motors. */
     bool land;
-    /** Set while a pilot holds the sticks: `lean` then stands in for the place. */
+    /** True while a pilot flies: `lean` replaces the position. */
     bool manual;
-    /** Roll and pitch that the pilot asks for, rad. */
+    /** Roll and pitch setpoints of the pilot, rad. */
     double lean[2];
 } target_t;
 
-/** What the motors are told. */
+/** Commands to the motors. */
 typedef struct {
     /** Command to each motor, 0 to the largest command. */
-    double motors[AIRFRAME_MOST_MOTORS];
-    /** Speed that each motor is to take, with the sign of its rotation, rad/s. */
-    double speeds[AIRFRAME_MOST_MOTORS];
-    /** What of the speed the closed loop asks for, rad/s. */
-    double closed_loop[AIRFRAME_MOST_MOTORS];
-    /** What of the speed the feed-forward asks for, rad/s. */
-    double feed_forward[AIRFRAME_MOST_MOTORS];
+    double motors[AIRFRAME_MAX_MOTORS];
+    /** Speed setpoint of each motor, with the sign of its rotation, rad/s. */
+    double speeds[AIRFRAME_MAX_MOTORS];
+    /** Part of the speed that the closed loop requests, rad/s. */
+    double closed_loop[AIRFRAME_MAX_MOTORS];
+    /** Part of the speed that the feed-forward requests, rad/s. */
+    double feed_forward[AIRFRAME_MAX_MOTORS];
 } command_t;
 
-/** On the ground where the flight began. */
+/** Returns the target on the ground at the start. */
 void target_idle(target_t *target);
 
-/** All motors off. */
+/** Returns the command that stops all motors. */
 void command_still(command_t *command);
 
 #ifdef __cplusplus

@@ -60,7 +60,7 @@ typedef struct {
     packet_t downlink;
 } computer_t;
 
-/** Puts the software into its initial state; the key may be one that is not given. */
+/** Puts the software into its initial state; the key may be unset. */
 void computer_begin(computer_t *computer, const siphash_key_t *key);
 
 /** Takes a datagram from the ground; `station` tells its sender from others. */

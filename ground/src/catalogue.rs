@@ -2,7 +2,7 @@
 //!
 //! The numbers are the models'; the names are only for people.
 
-use models::tuning::{GROUNDED, LEAST, MOST};
+use models::tuning::{FIRST_GROUND_ONLY, LARGEST_VALUES, LEAST_VALUES};
 use serde::Serialize;
 
 /// A signal that the onboard logger can write down.
@@ -72,7 +72,7 @@ pub struct Parameter {
 }
 
 /// Name and unit of each parameter, in the order of `models::tuning`.
-const NAMED: [(&str, &str); models::tuning::TUNABLE] = [
+const NAMED: [(&str, &str); models::tuning::PARAMETER_COUNT] = [
     ("height P", "N/m"),
     ("height I", "N/(m·s)"),
     ("height D", "N·s/m"),
@@ -107,9 +107,9 @@ pub fn parameters() -> Vec<Parameter> {
             number: n as u8,
             name,
             unit,
-            least: LEAST[n],
-            most: MOST[n],
-            in_flight: n < GROUNDED,
+            least: LEAST_VALUES[n],
+            most: LARGEST_VALUES[n],
+            in_flight: n < FIRST_GROUND_ONLY,
             choices: if *name == CANDIDATE { &CANDIDATES } else { &[] },
         })
         .collect()

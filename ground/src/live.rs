@@ -13,7 +13,7 @@ use crate::server::Hub;
 use crate::testbed::{Error, Testbed, period};
 use crate::tools::Tool;
 use models::receiver::Sticks;
-use models::trajectory::{MOST_POINTS, SetPoint};
+use models::trajectory::{MAX_POINTS, SetPoint};
 use models::{Alarm, Phase, Settings};
 use nalgebra::{Vector2, Vector3};
 use sim::ground_station::{News, Order, Record};
@@ -63,15 +63,15 @@ pub fn hello(authenticated: bool) -> Tell {
         .into(),
         alarms: [
             Alarm::Clear,
-            Alarm::Asked,
+            Alarm::Commanded,
             Alarm::Undefined,
             Alarm::Clock,
-            Alarm::Blind,
+            Alarm::Unmeasured,
             Alarm::Tilt,
             Alarm::Spin,
             Alarm::Speed,
             Alarm::Height,
-            Alarm::Place,
+            Alarm::Position,
             Alarm::Impact,
         ]
         .map(|it| spaced(&format!("{it:?}")))
@@ -227,11 +227,11 @@ impl Live {
                 let lean = Vector2::new(roll, pitch);
                 station.order(now, Order::Sticks(Sticks { lean, yaw_rate, climb }));
             }
-            Ask::Fly { points } if (1..=MOST_POINTS).contains(&points.len()) => {
+            Ask::Fly { points } if (1..=MAX_POINTS).contains(&points.len()) => {
                 station.fly(now, points.iter().map(set_point).collect());
             }
             Ask::Fly { .. } => {
-                let reason = format!("a trajectory has 1 to {MOST_POINTS} points");
+                let reason = format!("a trajectory has 1 to {MAX_POINTS} points");
                 self.hub.tell(&Tell::Refused { reason });
             }
             Ask::Set { number, value } => station.order(now, Order::Set(number, value)),

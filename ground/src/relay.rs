@@ -160,7 +160,7 @@ impl<L: Read + Write> Ends<L> {
 }
 
 /// Bytes of a datagram from the ground that the board is told: one more than a packet has.
-const LONGEST_HEARD: usize = models::packet::MOST_BYTES + 1;
+const LONGEST_HEARD: usize = models::packet::MAX_BYTES + 1;
 
 /// The address that a number stands for.
 fn address(number: u64) -> SocketAddrV4 {

@@ -7,14 +7,14 @@
 use crate::catalogue::SHOWN;
 use crate::key::Key;
 use models::packet::Packet;
-use models::tuning::TUNABLE;
+use models::tuning::PARAMETER_COUNT;
 use models::{Alarm, Phase};
 use serde::Serialize;
 use sim::ground_station::{Collector, Framer, News, Order, Record, Status};
 use std::collections::VecDeque;
 
 /// A beat every so often, s.
-const BEAT: f64 = 0.1;
+const HEARTBEAT: f64 = 0.1;
 
 /// An order is repeated every so often, s: twice as often as the state of the link comes down.
 const AGAIN: f64 = 0.25;
@@ -78,7 +78,7 @@ pub struct Station {
     /// How the aircraft sees the link.
     pub status: Option<Status>,
     /// The parameters, as far as they are known.
-    pub parameters: [Option<f64>; TUNABLE],
+    pub parameters: [Option<f64>; PARAMETER_COUNT],
     /// How the way down is.
     pub down: Down,
     /// What became of orders, for people.
@@ -104,7 +104,7 @@ impl Station {
             values: [0.0; 64],
             record: None,
             status: None,
-            parameters: [None; TUNABLE],
+            parameters: [None; PARAMETER_COUNT],
             down: Down::default(),
             outcomes: VecDeque::new(),
         };
@@ -116,7 +116,7 @@ impl Station {
     fn meet(&mut self, now: f64) {
         self.order(now, Order::Hello);
         self.choose(now, EVERY, SHOWN);
-        for number in 0..TUNABLE {
+        for number in 0..PARAMETER_COUNT {
             self.order(now, Order::Ask(number as u8));
         }
     }
@@ -198,7 +198,7 @@ impl Station {
     /// The datagrams that go up now; `clock`: milliseconds since 1970.
     pub fn tick(&mut self, now: f64, clock: u64) -> Option<Vec<u8>> {
         if now >= self.next_beat {
-            self.next_beat = now + BEAT;
+            self.next_beat = now + HEARTBEAT;
             self.send(&Order::Beat);
         }
         if self.is_strange(now) && !self.pending.iter().any(|it| it.order == Order::Hello) {

@@ -209,7 +209,7 @@ fn who_lacks_the_key_commands_nothing() {
 
 #[test]
 fn a_clock_that_jumps_keeps_nobody_out() {
-    let theirs = models::siphash::Key { given: true, halves: [u64::from_le_bytes([7; 8]); 2] };
+    let theirs = models::siphash::Key { is_set: true, halves: [u64::from_le_bytes([7; 8]); 2] };
     let (mut station, mut gate) = (Station::new(key(), 0.0), Gate::default());
     let mut through = 0;
     for (n, clock) in [5_000_000, 5, 4_000_000_000, 7].into_iter().cycle().take(400).enumerate() {
@@ -289,7 +289,7 @@ fn a_second_ground_station_may_only_stop() {
     assert_eq!(testbed.station.status.as_ref().map(|status| status.mode), Some(0));
     say(&Order::Stop);
     until(&mut testbed, 13.5);
-    assert_eq!(testbed.station.signal(35), f32::from(Alarm::Asked as u8));
+    assert_eq!(testbed.station.signal(35), f32::from(Alarm::Commanded as u8));
 }
 
 #[test]

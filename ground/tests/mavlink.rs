@@ -85,5 +85,5 @@ fn pymavlink_alone_flies_a_mission() {
     }
     let status = child.wait().expect("it has ended");
     assert!(status.success() && seen.last().is_some_and(|it| it == "flown"), "{seen:#?}");
-    assert_eq!(live.testbed.station.signal(35), f32::from(Alarm::Asked as u8));
+    assert_eq!(live.testbed.station.signal(35), f32::from(Alarm::Commanded as u8));
 }

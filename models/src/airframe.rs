@@ -1,20 +1,20 @@
-//! The aircraft in figures (thesis, table A.1), and what its motors do to it (thesis, §2.3).
+//! The aircraft's physical parameters (thesis, table A.1), and the forces of its motors (thesis, §2.3).
 //!
-//! Any number of motors up to [`MOST_MOTORS`]: what is not there has coefficients of 0, so that sums
-//! over all places are sums over the motors. Knows the body, not how it is flown: no gain belongs here.
+//! The arrays have room for the largest number of motors. Entries without a motor have coefficients of 0, so sums
+//! over all entries are sums over the motors. This module describes the body and contains no gains.
 
 use bessemer::prelude::*;
 use core::f64::consts::PI;
 
-/// Places for motors: quad-, hexa- and octocopters run the same code.
+/// Largest number of motors: quad-, hexa- and octocopters run the same code.
 #[data]
-pub const MOST_MOTORS: usize = 8;
+pub const MAX_MOTORS: usize = 8;
 
 /// Acceleration of gravity, m/s².
 #[data]
 pub const GRAVITY: f64 = 9.81;
 
-/// How the arms lie (thesis, eq. (2.2)).
+/// Arrangement of the arms (thesis, eq. (2.2)).
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Layout {
@@ -35,9 +35,9 @@ pub struct Airframe {
     pub inertia: Vector3<f64>,
     /// Length of an arm, from the centre of mass to a motor, m.
     pub arm: f64,
-    /// How the arms lie.
+    /// Arrangement of the arms.
     pub layout: Layout,
-    /// How many motors it has: 4, 6 or 8.
+    /// Number of motors: 4, 6 or 8.
     pub motors: usize,
     /// Radius of a propeller, m.
     pub propeller_radius: f64,
@@ -45,13 +45,13 @@ pub struct Airframe {
     pub disc_area: f64,
     /// Density of the air, kg/m³.
     pub air_density: f64,
-    /// Thrust coefficient of each propeller; 0 where there is none.
-    pub thrust_coefficients: SVector<f64, MOST_MOTORS>,
-    /// Drag-moment coefficient of each propeller; 0 where there is none.
-    pub drag_coefficients: SVector<f64, MOST_MOTORS>,
+    /// Thrust coefficient of each propeller; 0 for a missing motor.
+    pub thrust_coefficients: SVector<f64, MAX_MOTORS>,
+    /// Drag-moment coefficient of each propeller; 0 for a missing motor.
+    pub drag_coefficients: SVector<f64, MAX_MOTORS>,
 }
 
-/// What the motors do to the body, or are wanted to do.
+/// Thrust and torque on the body, produced or requested.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench {
@@ -99,10 +99,10 @@ impl Airframe {
         }
     }
 
-    /// The same value for each of `count` motors, and 0 for the places that are left.
-    pub fn for_each(count: usize, value: f64) -> SVector<f64, MOST_MOTORS> {
+    /// Returns `value` for each of the first `count` motors, and 0 for the rest.
+    pub fn for_each(count: usize, value: f64) -> SVector<f64, MAX_MOTORS> {
         let mut all = SVector::zeros();
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             if n < count {
                 all[n] = value;
             }
@@ -111,9 +111,9 @@ impl Airframe {
     }
 
     /// Direction in which each motor turns, 1 or −1: neighbours turn against each other.
-    pub fn spins(&self) -> SVector<f64, MOST_MOTORS> {
+    pub fn spins(&self) -> SVector<f64, MAX_MOTORS> {
         let mut spins = Airframe::for_each(self.motors, 1.0);
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             if n % 2 == 1 {
                 spins[n] = -spins[n];
             }
@@ -122,13 +122,13 @@ impl Airframe {
     }
 
     /// Thrust of each propeller per square of its speed (thesis, eq. (2.31)), N·s²/rad².
-    pub fn thrust_factors(&self) -> SVector<f64, MOST_MOTORS> {
+    pub fn thrust_factors(&self) -> SVector<f64, MAX_MOTORS> {
         let area = self.disc_area * self.propeller_radius * self.propeller_radius;
         self.thrust_coefficients * (self.air_density * area)
     }
 
     /// Drag moment of each propeller per square of its speed (thesis, eq. (2.32)), N·m·s²/rad².
-    pub fn drag_factors(&self) -> SVector<f64, MOST_MOTORS> {
+    pub fn drag_factors(&self) -> SVector<f64, MAX_MOTORS> {
         let radius = self.propeller_radius;
         let volume = self.disc_area * radius * radius * radius;
         self.drag_coefficients * (self.air_density * volume)
@@ -139,12 +139,12 @@ impl Airframe {
     /// Rows: thrust along the body's z; torques about its x (forward), y (left) and z, by the right-hand rule.
     /// Columns: motors, from the forward direction on towards the left. A motor of spin 1 turns the body from x
     /// towards y.
-    pub fn effectiveness(&self) -> SMatrix<f64, 4, MOST_MOTORS> {
+    pub fn effectiveness(&self) -> SMatrix<f64, 4, MAX_MOTORS> {
         let thrust = self.thrust_factors();
         let drag = self.drag_factors();
         let spins = self.spins();
         let mut effect = SMatrix::zeros();
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             let angle = arm_angle(self.layout, self.motors, n);
             effect[(0, n)] = thrust[n];
             effect[(1, n)] = thrust[n] * self.arm * angle.sin();
@@ -160,13 +160,13 @@ impl Airframe {
     /// The arms share the thrust evenly, and each torque in proportion to their leverage. It is the
     /// inverse of least squares where the motors are equal; where each has its own coefficients, thrust,
     /// roll and pitch stay exact.
-    pub fn allocation(&self) -> SMatrix<f64, MOST_MOTORS, 4> {
+    pub fn allocation(&self) -> SMatrix<f64, MAX_MOTORS, 4> {
         let thrust = self.thrust_factors();
         let drag = self.drag_factors();
         let spins = self.spins();
         let count = self.motors as f64;
         let mut share = SMatrix::zeros();
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             if thrust[n] > 0.0 && drag[n] > 0.0 {
                 let angle = arm_angle(self.layout, self.motors, n);
                 let leverage = 2.0 / (count * thrust[n] * self.arm);

@@ -1,13 +1,13 @@
-//! How to turn: the loops of roll, pitch and yaw (thesis, eqs. (3.15), (3.18), (3.19)).
+//! Attitude control: the loops of roll, pitch and yaw (thesis, eqs. (3.15), (3.18), (3.19)).
 //!
-//! Knows the angles only as three errors: frames and motors are for others.
+//! The loops receive three angle errors; frames and motors are handled elsewhere.
 
 use crate::parameters::Parameters;
 use bessemer::prelude::*;
 
 /// Largest integral of the error of an angle, rad·s: at the Mambo's gain as much torque as 0.5 rad.
 #[data]
-const MOST: f64 = 0.5;
+const INTEGRAL_LIMIT: f64 = 0.5;
 
 /// Holds roll, pitch and yaw.
 #[component]
@@ -19,8 +19,8 @@ pub struct Attitude {
 
 #[component]
 impl Attitude {
-    /// One control period: the torques about the axes of roll, pitch and yaw, N·m. On the ground the
-    /// errors are not remembered.
+    /// Advances one control period and returns the torques about the axes of roll, pitch and yaw, N·m. On the ground
+    /// the integrals are frozen.
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -33,7 +33,7 @@ impl Attitude {
         if !grounded {
             for n in 0..3 {
                 let integral = self.integral[n] + error[n] * parameters.period;
-                self.integral[n] = integral.clamp(-MOST, MOST);
+                self.integral[n] = integral.clamp(-INTEGRAL_LIMIT, INTEGRAL_LIMIT);
             }
         }
 

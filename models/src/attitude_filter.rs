@@ -1,6 +1,6 @@
 //! Roll, pitch, yaw and the gyroscope's biases: an extended Kalman filter of six states.
 //!
-//! Knows no sensor but the gyroscope: a correction is any measurement of one angle.
+//! The only sensor known here is the gyroscope; a correction is any measurement of one angle.
 
 use crate::covariance::{corrected, diagonal, grown};
 use crate::geometry::Orientation;
@@ -21,7 +21,7 @@ pub struct AttitudeFilter {
 
 #[data]
 impl AttitudeFilter {
-    /// Level, known to within `angle`, rad, and `bias`, rad/s.
+    /// Returns a level attitude with standard deviations `angle`, rad, and `bias`, rad/s.
     pub fn level(angle: f64, bias: f64) -> AttitudeFilter {
         let mut covariance = Matrix6::zeros();
         for n in 0..3 {
@@ -31,8 +31,8 @@ impl AttitudeFilter {
         AttitudeFilter { angles: Vector3::zeros(), bias: Vector3::zeros(), covariance }
     }
 
-    /// One period, s, at the measured rates, rad/s, which are uncertain by `noise`, rad/s, and whose biases
-    /// wander by `drift`, rad/s in a second.
+    /// Predicts one period, s, from the measured rates, rad/s, with standard deviation `noise`, rad/s, and bias drift
+    /// `drift`, rad/s in a second.
     pub fn predict(&mut self, measured: &Vector3<f64>, period: f64, noise: f64, drift: f64) {
         let orientation = Orientation::of(&self.angles);
         let rates = measured - self.bias;
@@ -49,9 +49,9 @@ impl AttitudeFilter {
         self.covariance = grown(&self.covariance, &advance, &diagonal(&growth));
     }
 
-    /// A measurement of the angle that `row` picks out, as its difference from what is believed, with the
-    /// given variance. It is refused, and nothing changes, if it lies more than `gate` standard deviations
-    /// off, or is not a number.
+    /// Corrects the state by a measurement of the angle that `row` selects: `innovation` is measured minus estimated.
+    /// The measurement is rejected, and nothing changes, if the innovation exceeds `gate` standard deviations or is not
+    /// a number.
     ///
     /// `moves` has a 1 for each part of the state that it may change, and 0 elsewhere: Joseph's form holds
     /// for any gain.
@@ -65,8 +65,7 @@ impl AttitudeFilter {
     ) -> bool {
         let spread = self.covariance * row;
         let expected = row.dot(&spread) + variance;
-        // Nothing is left to learn where neither the state nor the measurement can be wrong, nor from a measurement
-        // that can be anything.
+        // A certain state with a certain measurement leaves no correction; neither does a measurement of infinite variance.
         let learns = expected > 0.0 && expected.is_finite();
         let plausible = learns && innovation * innovation <= gate * gate * expected;
         if !plausible {
@@ -82,7 +81,7 @@ impl AttitudeFilter {
     }
 }
 
-/// How errors of the angles and biases grow over one period: the derivative of (2.17).
+/// Returns the Jacobian of the state over one period: the derivative of (2.17).
 #[function]
 fn advance(orientation: &Orientation, rates: &Vector3<f64>, period: f64) -> Matrix6<f64> {
     let Orientation { s2, s3, c3, .. } = *orientation;

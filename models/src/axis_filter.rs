@@ -1,6 +1,6 @@
 //! Position, velocity and the accelerometer's bias along one axis: a Kalman filter of three states.
 //!
-//! Knows no sensor: a correction is any measurement that is linear in the state.
+//! No sensor is known here; a correction is any measurement that is linear in the state.
 
 use crate::covariance::{corrected, diagonal, grown};
 use bessemer::prelude::*;
@@ -17,14 +17,14 @@ pub struct AxisFilter {
 
 #[data]
 impl AxisFilter {
-    /// At rest at 0, known to within `place`, m, and `bias`, m/s².
+    /// Returns a state at rest at 0, with standard deviations `place`, m, and `bias`, m/s².
     pub fn at_rest(place: f64, bias: f64) -> AxisFilter {
         let spread = Vector3::new(place * place, 0.01, bias * bias);
         AxisFilter { state: Vector3::zeros(), covariance: diagonal(&spread) }
     }
 
-    /// One period, s, under a measured acceleration, m/s², that is uncertain by `noise`, m/s², and whose
-    /// bias wanders by `drift`, m/s² in a second.
+    /// Predicts one period, s, from a measured acceleration, m/s², with standard deviation `noise`, m/s², and bias
+    /// drift `drift`, m/s² in a second.
     pub fn predict(&mut self, acceleration: f64, period: f64, noise: f64, drift: f64) {
         let real = acceleration - self.state[2];
         self.state[0] += period * (self.state[1] + 0.5 * period * real);
@@ -39,21 +39,20 @@ impl AxisFilter {
         self.covariance = grown(&self.covariance, &advance, &growth);
     }
 
-    /// Opens the gate: place and velocity may be off by half a metre and half a metre per second more than
-    /// was believed.
-    pub fn doubt(&mut self) {
+    /// Inflates the covariance of position and velocity by (0.5 m)² and (0.5 m/s)², so that the gate accepts larger
+    /// innovations.
+    pub fn inflate(&mut self) {
         self.covariance[(0, 0)] += 0.25;
         self.covariance[(1, 1)] += 0.25;
     }
 
-    /// A measurement of `row` · state with the given variance. It is refused, and nothing changes, if it
-    /// lies more than `gate` standard deviations off, or is not a number.
+    /// Corrects the state by a measurement of `row` · state with the passed variance. The measurement is rejected, and
+    /// nothing changes, if the innovation exceeds `gate` standard deviations or is not a number.
     pub fn correct(&mut self, row: &Vector3<f64>, measured: f64, variance: f64, gate: f64) -> bool {
         let innovation = measured - row.dot(&self.state);
         let spread = self.covariance * row;
         let expected = row.dot(&spread) + variance;
-        // Nothing is left to learn where neither the state nor the measurement can be wrong, nor from a measurement
-        // that can be anything.
+        // A certain state with a certain measurement leaves no correction; neither does a measurement of infinite variance.
         let learns = expected > 0.0 && expected.is_finite();
         let plausible = learns && innovation * innovation <= gate * gate * expected;
         if !plausible {

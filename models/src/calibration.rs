@@ -1,20 +1,19 @@
-//! From what the sensors say to what they mean: offsets, scales, units (thesis, §6.1, signal processor).
+//! Conversion of sensor readings to physical units: offsets and scales (thesis, §6.1, signal processor).
 //!
-//! Knows each sensor by its data sheet; whether to believe it is for [`crate::estimator`]. Readings of
-//! the processor's own sensors are counts, so that they cannot be NaN; those of Vicon come by radio, and
-//! can be anything.
+//! Scales follow the data sheets; plausibility is checked by the estimator. Readings of the processor's own sensors
+//! are counts and cannot be NaN; Vicon's are received by radio and can be any number.
 
 use bessemer::prelude::*;
 
-/// Largest count of a 16-bit sensor: at it, the sensor is at the end of its range.
+/// Largest count of a 16-bit sensor: a reading of this count is saturated.
 #[data]
 const FULL_SCALE: i16 = 32767;
 
-/// What the inertial sensors say.
+/// Raw reading of the inertial sensors.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inertial {
-    /// Whether it is new.
+    /// True if the reading is new.
     pub fresh: bool,
     /// Angular velocity about the body's axes, counts.
     pub gyroscope: [i16; 3],
@@ -22,31 +21,31 @@ pub struct Inertial {
     pub accelerometer: [i16; 3],
 }
 
-/// What the ultrasonic altimeter says.
+/// Raw reading of the ultrasonic altimeter.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Echo {
-    /// Whether it is new.
+    /// True if the reading is new.
     pub fresh: bool,
     /// Time from the pulse to its echo, µs.
     pub delay: u32,
 }
 
-/// What the camera that looks downwards says.
+/// Raw reading of the optical-flow camera, which looks down.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Flow {
-    /// Whether it is new.
+    /// True if the reading is new.
     pub fresh: bool,
     /// Velocity along the body's x and y, counts.
     pub velocity: [i16; 2],
 }
 
-/// What Vicon says, by radio.
+/// Reading of Vicon, received by radio.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vicon {
-    /// Whether it is new.
+    /// True if the reading is new.
     pub fresh: bool,
     /// Position in the inertial frame, m.
     pub position: Vector3<f64>,
@@ -54,7 +53,7 @@ pub struct Vicon {
     pub angles: Vector3<f64>,
 }
 
-/// Everything that is sensed in one period.
+/// All sensor readings of one period.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Readings {
@@ -68,29 +67,29 @@ pub struct Readings {
     pub vicon: Vicon,
 }
 
-/// The same in units.
+/// All sensor readings of one period in physical units.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measured {
-    /// Whether the inertial sensors are new and within their range.
+    /// True if the inertial reading is new and not saturated.
     pub inertial: bool,
     /// Angular velocity in the body frame, rad/s.
     pub rates: Vector3<f64>,
     /// Specific force in the body frame, m/s².
     pub force: Vector3<f64>,
-    /// Whether the altimeter is new.
+    /// True if the altimeter's reading is new.
     pub echo: bool,
     /// Distance to the ground along the body's z, m.
     pub distance: f64,
-    /// Whether the camera is new and within its range.
+    /// True if the camera's reading is new and not saturated.
     pub flow: bool,
     /// Velocity along the body's x and y, m/s.
     pub flow_velocity: Vector2<f64>,
-    /// Vicon, as it came.
+    /// Reading of Vicon, unchanged.
     pub vicon: Vicon,
 }
 
-/// What the sensors' data sheets and their calibration on the ground say.
+/// Calibration of the sensors, from their data sheets and measurements at rest.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Calibration {
@@ -110,7 +109,7 @@ pub struct Calibration {
 
 #[data]
 impl Calibration {
-    /// A gyroscope of ±2000 °/s, an accelerometer of ±8 g, a camera that tells millimetres per second.
+    /// Returns the calibration for a gyroscope of ±2000 °/s, an accelerometer of ±8 g and a camera in mm/s.
     pub fn mambo() -> Calibration {
         Calibration {
             gyroscope_scale: 2000.0_f64.to_radians() / 32768.0,
@@ -122,7 +121,7 @@ impl Calibration {
         }
     }
 
-    /// What the readings of one period mean.
+    /// Converts the readings of one period to physical units.
     pub fn measured(&self, readings: &Readings) -> Measured {
         let inertial = readings.inertial;
         let flow = readings.flow;
@@ -144,19 +143,19 @@ impl Calibration {
     }
 }
 
-/// Three counts as a vector.
+/// Returns three counts as a vector.
 #[function]
 fn vector(counts: &[i16; 3]) -> Vector3<f64> {
     Vector3::new(f64::from(counts[0]), f64::from(counts[1]), f64::from(counts[2]))
 }
 
-/// Whether no count is at the end of its range.
+/// Returns true if no count is saturated.
 #[function]
 fn within(counts: &[i16; 3]) -> bool {
     inside(counts[0]) && inside(counts[1]) && inside(counts[2])
 }
 
-/// Whether a count is not at the end of its range.
+/// Returns true if a count is not saturated.
 #[function]
 fn inside(count: i16) -> bool {
     count < FULL_SCALE && count > -FULL_SCALE

@@ -1,6 +1,6 @@
-//! The thesis' closed loop, read so that it flies (thesis, ch. 3): place to lean, lean to torque.
+//! The thesis' closed loop, corrected so that it flies (thesis, ch. 3): position to tilt, tilt to torque.
 //!
-//! A candidate of [`crate::controller`]. Composes the loops; every law is in the module named for it.
+//! One of the control laws of the controller. It composes the loops; each law is in the module of its name.
 
 use crate::airframe::Wrench;
 use crate::attitude::Attitude;
@@ -23,7 +23,7 @@ pub struct Cascade {
 
 #[component]
 impl Cascade {
-    /// One control period: the thrust and the torques to command.
+    /// Advances one control period and returns the commanded thrust and torques.
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -33,7 +33,7 @@ impl Cascade {
     ) -> Wrench {
         let orientation = Orientation::of(&estimate.angles);
 
-        // How hard to push, and where to lean.
+        // Commanded thrust and tilt.
         let climb = estimate.velocity.z;
         let thrust = self.height.step(parameters, target, estimate.position.z, climb);
         let wanted = lean(parameters, target, &estimate.position, &estimate.velocity);

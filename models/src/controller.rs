@@ -1,9 +1,8 @@
-//! One control period of the closed loop, from what is known to what the motors get (thesis, ch. 3).
+//! One control period of the closed loop, from estimate to motor commands (thesis, ch. 3).
 //!
-//! It is the slot for candidates: whatever makes a wrench of an estimate and a target fits in. Which one
-//! flies is a parameter; the others rest.
+//! Any law that computes a wrench from estimate and target can be added here. A parameter selects the law that runs.
 
-use crate::airframe::{MOST_MOTORS, Wrench};
+use crate::airframe::{MAX_MOTORS, Wrench};
 use crate::cascade::Cascade;
 use crate::geometric::track;
 use crate::parameters::{Candidate, Parameters};
@@ -12,29 +11,28 @@ use crate::signals::{Command, Estimate, Target};
 use crate::touch_down::TouchDown;
 use bessemer::prelude::*;
 
-/// Flies the aircraft to its target.
+/// Controller that flies the aircraft to its target.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Controller {
-    /// The thesis' law, as it flies.
+    /// The thesis' law, corrected.
     pub cascade: Cascade,
-    /// The thesis' law, as it is printed.
+    /// The thesis' law, as printed.
     pub printed: Printed,
-    /// Whether the landing aircraft has touched down.
+    /// Touch-down detection during landing.
     pub touch_down: TouchDown,
 }
 
 #[component]
 impl Controller {
-    /// One control period: the command to each motor, on top of the speeds that the feed-forward asks
-    /// of them, rad/s.
+    /// Advances one control period and returns the command to each motor, added to the feed-forward speeds, rad/s.
     #[entry(infallible)]
     pub fn step(
         &mut self,
         parameters: &Parameters,
         estimate: &Estimate,
         target: &Target,
-        feed_forward: &SVector<f64, MOST_MOTORS>,
+        feed_forward: &SVector<f64, MAX_MOTORS>,
     ) -> Command {
         if self.touch_down.step(parameters.period, target, estimate) {
             return Command::still();
@@ -43,7 +41,7 @@ impl Controller {
         parameters.mixer.mix(&wanted, feed_forward)
     }
 
-    /// What the candidate that flies asks for.
+    /// Returns the wrench requested by the selected control law.
     fn candidate(
         &mut self,
         parameters: &Parameters,

@@ -1,11 +1,11 @@
 //! Covariances of any number of errors, kept symmetric after each change, so that rounding does not make
 //! them lose their sign.
 //!
-//! Knows no filter: what the errors are is the filter's business.
+//! No filter is known here: the meaning of the errors is up to the filter.
 
 use bessemer::prelude::*;
 
-/// The matrix with the given diagonal.
+/// Returns the diagonal matrix of the values.
 #[function]
 pub fn diagonal<const N: usize>(values: &SVector<f64, N>) -> SMatrix<f64, N, N> {
     let mut all = SMatrix::zeros();
@@ -15,7 +15,7 @@ pub fn diagonal<const N: usize>(values: &SVector<f64, N>) -> SMatrix<f64, N, N> 
     all
 }
 
-/// The covariance after errors have grown as `advance` says, and by `growth`.
+/// Propagates a covariance by the Jacobian `advance` and adds the process noise `growth`.
 #[function]
 pub fn grown<const N: usize>(
     covariance: &SMatrix<f64, N, N>,
@@ -25,8 +25,8 @@ pub fn grown<const N: usize>(
     symmetric(&(advance * covariance * advance.transpose() + growth))
 }
 
-/// The covariance after a measurement of `row` · errors with the given variance was weighed by `gain`:
-/// Joseph's form, (I − K h) P (I − K h)ᵀ + K r Kᵀ.
+/// Corrects a covariance by a scalar measurement, in Joseph's form: (I − K h) P (I − K h)ᵀ + K r Kᵀ. `row` is h, `gain`
+/// K, `variance` r.
 #[function]
 pub fn corrected<const N: usize>(
     covariance: &SMatrix<f64, N, N>,
@@ -39,7 +39,7 @@ pub fn corrected<const N: usize>(
     symmetric(&(kept * covariance * kept.transpose() + noise))
 }
 
-/// The symmetric part.
+/// Returns the symmetric part of a matrix.
 #[function]
 fn symmetric<const N: usize>(matrix: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
     (matrix + matrix.transpose()) * 0.5

@@ -1,8 +1,7 @@
-//! Whether the flight is about to end badly (thesis, §6.1): limits on what is known of the aircraft now
-//! and a moment ahead, and on how well it is known.
+//! Crash prediction (thesis, §6.1): limits on the present state, on the state extrapolated over a horizon, and on the
+//! age of the measurements.
 //!
-//! It judges the state alone, not what may have caused it. Once raised, an alarm stays until `init`: the
-//! motors stop, and somebody goes and looks.
+//! It checks the state, not the cause. An alarm, once raised, stays until `init`: the motors stop.
 
 use crate::airframe::GRAVITY;
 use crate::estimator::Ages;
@@ -10,44 +9,44 @@ use crate::geometry::Orientation;
 use crate::signals::Estimate;
 use bessemer::prelude::*;
 
-/// For so many periods something has to look wrong: one reading proves nothing.
+/// Number of consecutive periods in which a limit must be exceeded before the alarm is raised.
 #[data]
-const PROOF: u32 = 3;
+const CONFIRMATION_PERIODS: u32 = 3;
 
-/// Below this height, m, an aircraft that does not know how it leans had better go on landing.
+/// Height below which an aircraft without attitude information continues its landing, m.
 #[data]
-const LOW: f64 = 0.2;
+const LANDING_HEIGHT: f64 = 0.2;
 
-/// What is wrong.
+/// Cause of an alarm.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Alarm {
-    /// Nothing.
+    /// No alarm.
     #[default]
     Clear,
-    /// The ground asked for the motors to stop.
-    Asked,
+    /// The ground station commanded the motors to stop.
+    Commanded,
     /// The state is not a number.
     Undefined,
-    /// The processor's clock does not go forward as it should.
+    /// The processor's clock does not advance by one period per period.
     Clock,
-    /// A part of the state has gone unmeasured for too long.
-    Blind,
-    /// The aircraft leans too far, or will.
+    /// A part of the state has not been measured for too long.
+    Unmeasured,
+    /// The aircraft tilts too far, or will.
     Tilt,
-    /// It turns too fast.
+    /// The aircraft turns too fast.
     Spin,
-    /// It moves too fast, or will.
+    /// The aircraft moves too fast, or will.
     Speed,
-    /// It is too high, or will be.
+    /// The aircraft is too high, or will be.
     Height,
-    /// It is too far away, or will be.
-    Place,
-    /// It will hit the ground too hard.
+    /// The aircraft is too far from the start, or will be.
+    Position,
+    /// The aircraft will hit the ground too hard.
     Impact,
 }
 
-/// What is out of bounds.
+/// Limits of the crash predictor.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
@@ -63,15 +62,13 @@ pub struct Limits {
     pub reach: f64,
     /// Fastest touch-down, m/s.
     pub impact: f64,
-    /// Longest time without a measurement of the height or of the motion in the plane, s: as long as the
-    /// inertial sensors carry the state.
-    pub blind: f64,
-    /// Without the gyroscope and Vicon the camera alone shows how the aircraft leans: longest time without
-    /// it, s.
-    pub dizzy: f64,
-    /// How far ahead to look, s.
+    /// Longest time without a measurement of height or horizontal motion, s: as long as dead reckoning is usable.
+    pub dead_reckoning_timeout: f64,
+    /// Longest time without an attitude source, s: the camera is the only one while gyroscope and Vicon are lost.
+    pub attitude_timeout: f64,
+    /// Extrapolation horizon, s.
     pub horizon: f64,
-    /// Whether to stop the motors: off, the predictor only watches.
+    /// True if an alarm stops the motors; false to monitor only.
     pub armed: bool,
 }
 
@@ -86,8 +83,8 @@ impl Limits {
             ceiling: 4.0,
             reach: 4.0,
             impact: 0.7,
-            blind: 20.0,
-            dizzy: 0.1,
+            dead_reckoning_timeout: 20.0,
+            attitude_timeout: 0.1,
             horizon: 0.1,
             armed: true,
         }
@@ -98,16 +95,16 @@ impl Limits {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CrashPredictor {
-    /// The first thing that went wrong.
+    /// The first alarm raised.
     pub alarm: Alarm,
-    /// For how many periods something has looked wrong.
-    pub suspicion: u32,
+    /// Number of consecutive periods in which a limit was exceeded.
+    pub violations: u32,
 }
 
 #[component]
 impl CrashPredictor {
-    /// One period: what has gone wrong so far. Only what flies can crash. `climb`: the vertical
-    /// acceleration, m/s².
+    /// Checks the limits for one period and returns the alarm. Only a flying aircraft is checked. `climb` is the
+    /// vertical acceleration, m/s².
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -119,18 +116,18 @@ impl CrashPredictor {
     ) -> Alarm {
         if flying && limits.armed && self.alarm == Alarm::Clear {
             let found = CrashPredictor::find(limits, estimate, ages, climb);
-            self.suspicion = self.suspicion.saturating_add(1);
+            self.violations = self.violations.saturating_add(1);
             if found == Alarm::Clear {
-                self.suspicion = 0;
+                self.violations = 0;
             }
-            if found == Alarm::Undefined || self.suspicion >= PROOF {
+            if found == Alarm::Undefined || self.violations >= CONFIRMATION_PERIODS {
                 self.alarm = found;
             }
         }
         self.alarm
     }
 
-    /// Raises an alarm that is not found in the state.
+    /// Raises an alarm that does not depend on the state.
     #[entry(infallible)]
     pub fn raise(&mut self, alarm: Alarm) {
         if self.alarm == Alarm::Clear {
@@ -138,20 +135,26 @@ impl CrashPredictor {
         }
     }
 
-    /// What is wrong now, or will be within the horizon.
+    /// Returns the limit that is exceeded now or within the horizon.
     fn find(limits: &Limits, now: &Estimate, ages: &Ages, climb: f64) -> Alarm {
         let sum = now.position.norm() + now.angles.norm() + now.velocity.norm() + now.rates.norm();
         if !sum.is_finite() {
             return Alarm::Undefined;
         }
-        let unaided = ages.inertial > limits.dizzy && ages.vicon > limits.dizzy;
-        let dizzy = unaided && ages.plane > limits.dizzy && now.position.z > LOW;
-        if dizzy || ages.height > limits.blind || ages.plane > limits.blind {
-            return Alarm::Blind;
+        let attitude_unmeasured =
+            ages.inertial > limits.attitude_timeout && ages.vicon > limits.attitude_timeout;
+        let attitude_lost = attitude_unmeasured
+            && ages.plane > limits.attitude_timeout
+            && now.position.z > LANDING_HEIGHT;
+        if attitude_lost
+            || ages.height > limits.dead_reckoning_timeout
+            || ages.plane > limits.dead_reckoning_timeout
+        {
+            return Alarm::Unmeasured;
         }
         let mut horizon = limits.horizon;
-        if unaided {
-            // The rates are a guess, and so is what they lead to.
+        if attitude_unmeasured {
+            // Predicted rates are uncertain, and so is the extrapolation.
             horizon *= 0.3;
         }
         let across = now.rates.x.hypot(now.rates.y);
@@ -167,7 +170,7 @@ impl CrashPredictor {
         CrashPredictor::find_in_motion(limits, now, &orientation, climb, horizon)
     }
 
-    /// What is wrong with where the aircraft goes.
+    /// Returns the limit of speed or position that is exceeded now or within the horizon.
     fn find_in_motion(
         limits: &Limits,
         now: &Estimate,
@@ -176,7 +179,7 @@ impl CrashPredictor {
         horizon: f64,
     ) -> Alarm {
         let place = now.position + now.velocity * horizon;
-        // In the plane the thrust that holds the weight pulls to where the aircraft leans.
+        // Horizontally, the thrust that carries the weight accelerates the aircraft in the direction of the tilt.
         let direction = orientation.thrust_direction();
         let pull = Vector3::new(direction.x, direction.y, 0.0) * GRAVITY;
         let velocity = now.velocity + pull * horizon;
@@ -187,7 +190,7 @@ impl CrashPredictor {
             return Alarm::Height;
         }
         if place.x.abs() > limits.reach || place.y.abs() > limits.reach {
-            return Alarm::Place;
+            return Alarm::Position;
         }
         let gained = climb * horizon;
         let low = place.z + 0.5 * gained * horizon;

@@ -1,15 +1,14 @@
-//! The state of the aircraft, from all sensors (thesis, §6.1): which source to believe, what
-//! to throw away, and one state vector.
+//! State estimation from all sensors (thesis, §6.1): selects sources, rejects outliers and returns one state vector.
 //!
-//! * Vicon is the source of place and attitude while it is there. Without it: the altimeter for the
-//!   height, the camera for the horizontal velocity, the accelerometer for what is level.
-//! * A reading out of its sensor's range, not a number, repeated to the bit, or too far from what is
-//!   expected (the filters' gates) changes nothing. What lasts is believed in the end: [`DOUBT`].
-//! * While an inertial sensor is silent, what it should say stands in for it ([`crate::expectation`]);
-//!   without a gyroscope, Vicon or the camera tell what is level.
-//! * How long each part of the state has gone unmeasured is told, for others to judge.
+//! * Vicon is the source of position and attitude while it is available. Without it, the altimeter measures the
+//!   height, the camera the horizontal velocity, and the accelerometer the vertical.
+//! * A reading that is out of range, not a number, equal to the previous one to the bit, or rejected by the gates
+//!   changes nothing. If the gates reject a source for long, the covariance is inflated until they accept it.
+//! * While an inertial sensor is silent, its predicted reading is used. Without a gyroscope, Vicon or the camera
+//!   measure the attitude.
+//! * The age of the measurement of each part of the state is an output.
 //!
-//! Knows what the sensors measure, not how the aircraft is flown.
+//! The control of the aircraft is unknown here.
 
 use crate::airframe::GRAVITY;
 use crate::attitude_filter::AttitudeFilter;
@@ -22,84 +21,86 @@ use crate::signals::Estimate;
 use crate::stuck::Stuck;
 use bessemer::prelude::*;
 
-/// After so long, s, in which the gates let nothing of a source through, it is the state that is wrong.
+/// Time for which the gates reject all of Vicon before the covariance is inflated, s.
 #[data]
-const DOUBT: f64 = 0.25;
+const VICON_RESET_TIMEOUT: f64 = 0.25;
 
-/// The same for the other sources, whose readings are nonsense more often.
+/// Time for which the gates reject all of another source before the covariance is inflated, s. These sources have more
+/// outliers.
 #[data]
-const LATE_DOUBT: f64 = 0.8;
+const RESET_TIMEOUT: f64 = 0.8;
 
-/// The same while the gyroscope is silent, and the state is wrong more often.
+/// Time as above while the gyroscope is lost, s: the state is then wrong more often.
 #[data]
-const DEAF_DOUBT: f64 = 0.1;
+const GYRO_LOST_RESET_TIMEOUT: f64 = 0.1;
 
-/// So far below the ground, m, it is the height that is wrong: more than the inertial sensors drift in the
-/// seconds in which nothing else shows it.
+/// Lowest estimated height below the ground, m. It exceeds the drift of dead reckoning over the seconds in which no
+/// sensor measures the height.
 #[data]
-const SUNK: f64 = 0.15;
+const LOWEST_DEPTH: f64 = 0.15;
 
-/// How near the ground, m, it may be the ground that holds the aircraft: nothing is expected to fall there.
+/// Height below which the ground may carry the aircraft, m: no downward acceleration is predicted there.
 #[data]
-const GROUND: f64 = 0.05;
+const GROUND_CONTACT_HEIGHT: f64 = 0.05;
 
-/// Without the gyroscope for so long, s, its expected readings are all that there is.
+/// After this time without gyroscope data, s, predicted rates are used.
 #[data]
-const DEAF: f64 = 0.02;
+const GYRO_TIMEOUT: f64 = 0.02;
 
-/// How uncertain the expected rates are, rad/s, and how they wander, rad/s in a second.
+/// Standard deviation of the predicted rates, rad/s, and of their drift, rad/s in a second.
 #[data]
-const DEAF_RATES: Vector2<f64> = Vector2::new(0.1, 1.0);
+const PREDICTED_RATE_NOISE: Vector2<f64> = Vector2::new(0.1, 1.0);
 
-/// The same for the acceleration, whose direction is then uncertain, m/s² and m/s² in a second.
+/// Standard deviation of the acceleration while the gyroscope is lost, m/s², and of its drift, m/s² in a second. Its
+/// direction is then uncertain.
 #[data]
-const DEAF_PUSH: Vector2<f64> = Vector2::new(3.0, 0.02);
+const GYRO_LOST_ACCELERATION_NOISE: Vector2<f64> = Vector2::new(3.0, 0.02);
 
-/// How uncertain the expected acceleration is, m/s², and how it wanders, m/s² in a second.
+/// Standard deviation of the predicted acceleration, m/s², and of its drift, m/s² in a second.
 #[data]
-const UNFELT: Vector2<f64> = Vector2::new(1.0, 0.3);
+const PREDICTED_ACCELERATION_NOISE: Vector2<f64> = Vector2::new(1.0, 0.3);
 
-/// The longest time over which the camera's velocity tells an acceleration, s.
+/// Longest time over which the camera's velocity is differentiated, s.
 #[data]
-const MEMORY: f64 = 0.05;
+const FLOW_DIFFERENCE_TIME: f64 = 0.05;
 
-/// How good the sensors are.
+/// Noise and limits of the sensors.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sensors {
     /// Estimation period, s.
     pub period: f64,
-    /// Noise of the gyroscope, rad/s, and how its bias wanders, rad/s in a second.
+    /// Standard deviation of the gyroscope, rad/s, and of its bias drift, rad/s in a second.
     pub gyroscope: Vector2<f64>,
-    /// Noise of the acceleration, m/s², vibration included, and how its bias wanders, m/s² in a second.
+    /// Standard deviation of the acceleration including vibration, m/s², and of its bias drift, m/s² in a second.
     pub accelerometer: Vector2<f64>,
-    /// Error of the angles when the specific force is taken for upwards, rad.
+    /// Standard deviation of the tilt that follows from the direction of the specific force, rad.
     pub level: f64,
-    /// Noise of Vicon's position, m, and of its angles, rad.
+    /// Standard deviations of Vicon's position, m, and angles, rad.
     pub vicon: Vector2<f64>,
-    /// How old Vicon's readings are when they arrive, s.
+    /// Delay of Vicon's readings, s.
     pub vicon_delay: f64,
-    /// Without Vicon for so long, s, the other sources take over.
-    pub vicon_patience: f64,
-    /// What Vicon sees, from the ground up: half the sides of a box, m, and its height.
+    /// After this time without Vicon, s, the other sources are used.
+    pub vicon_timeout: f64,
+    /// Volume that Vicon covers: half its sides and its height above the ground, m.
     pub vicon_space: Vector3<f64>,
-    /// Noise of the altimeter, m.
+    /// Standard deviation of the altimeter, m.
     pub altimeter: f64,
-    /// Least and largest distance that it measures, m.
+    /// Range of the altimeter: least and largest distance, m.
     pub altimeter_range: Vector2<f64>,
-    /// Least cosine of the tilt at which its echo comes from the ground below.
+    /// Least cosine of the tilt at which the altimeter measures the ground below.
     pub altimeter_upright: f64,
-    /// Noise of the camera's velocity, m/s.
+    /// Standard deviation of the camera's velocity, m/s.
     pub camera: f64,
-    /// What is out of so many standard deviations is thrown away.
+    /// Innovation above which a measurement is rejected, in standard deviations.
     pub gate: f64,
-    /// Share by which the rates follow the gyroscope in each period: see [`LowPass`].
+    /// Smoothing factor of the rates in each period: the fraction of the difference.
     pub smoothing: f64,
 }
 
 #[data]
 impl Sensors {
-    /// The Mambo's, and a Vicon of 100 Hz.
+    /// Returns the parameters of the Mambo with a Vicon of 100 Hz.
     pub fn mambo() -> Sensors {
         Sensors {
             period: 0.005,
@@ -108,7 +109,7 @@ impl Sensors {
             level: 1.0,
             vicon: Vector2::new(0.002, 0.005),
             vicon_delay: 0.01,
-            vicon_patience: 0.1,
+            vicon_timeout: 0.1,
             vicon_space: Vector3::new(5.0, 5.0, 5.0),
             altimeter: 0.012,
             altimeter_range: Vector2::new(0.03, 4.0),
@@ -120,17 +121,17 @@ impl Sensors {
     }
 }
 
-/// How long the parts of the state have gone unmeasured, s.
+/// Time since the last measurement of each part of the state, s.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ages {
-    /// Of the inertial sensors.
+    /// Age of the inertial measurement.
     pub inertial: f64,
-    /// Of Vicon.
+    /// Age of Vicon's measurement.
     pub vicon: f64,
-    /// Of the height, whatever its source.
+    /// Age of the height measurement, from any source.
     pub height: f64,
-    /// Of the motion in the plane, whatever its source.
+    /// Age of the measurement of horizontal motion, from any source.
     pub plane: f64,
 }
 
@@ -140,37 +141,37 @@ pub struct Ages {
 pub struct Estimator {
     /// Attitude and the gyroscope's biases.
     pub attitude: AttitudeFilter,
-    /// Place, velocity and the accelerometer's biases, along each axis.
+    /// Position, velocity and accelerometer bias along each axis.
     pub axes: [AxisFilter; 3],
-    /// The rates, without noise.
+    /// Low-pass filter of the rates.
     pub smooth: LowPass,
-    /// Whether Vicon repeats itself.
+    /// Stuck detection of Vicon.
     pub vicon: Stuck,
-    /// Whether the gyroscope repeats itself.
+    /// Stuck detection of the gyroscope.
     pub gyroscope: Stuck,
-    /// Whether the accelerometer repeats itself.
+    /// Stuck detection of the accelerometer.
     pub accelerometer: Stuck,
-    /// Whether the altimeter repeats itself.
+    /// Stuck detection of the altimeter.
     pub altimeter: Stuck,
-    /// Whether the camera repeats itself.
+    /// Stuck detection of the camera.
     pub camera: Stuck,
-    /// What the inertial sensors should say.
+    /// Predicted readings of the inertial sensors.
     pub expectation: Expectation,
-    /// The gyroscope's reading or, without one, what it should be, rad/s.
+    /// Rates, measured or predicted, rad/s.
     pub rates: Vector3<f64>,
-    /// The accelerometer's likewise, m/s².
+    /// Specific force, measured or predicted, m/s².
     pub force: Vector3<f64>,
-    /// Whether that is a reading.
-    pub felt: bool,
+    /// True if the specific force is measured.
+    pub force_measured: bool,
     /// Vertical acceleration, m/s².
     pub climb: f64,
-    /// What the camera saw last, in the inertial frame, m/s.
-    pub drift: Vector3<f64>,
-    /// How old that is, s.
-    pub drift_age: f64,
-    /// How old everything is.
+    /// Last velocity measured by the camera, in the inertial frame, m/s.
+    pub flow: Vector3<f64>,
+    /// Age of the camera's velocity, s.
+    pub flow_age: f64,
+    /// Ages of the measurements.
     pub ages: Ages,
-    /// How many readings were thrown away.
+    /// Number of rejected measurements.
     pub outliers: u32,
 }
 
@@ -188,10 +189,10 @@ impl Default for Estimator {
             expectation: Expectation::default(),
             rates: Vector3::zeros(),
             force: Vector3::new(0.0, 0.0, GRAVITY),
-            felt: true,
+            force_measured: true,
             climb: 0.0,
-            drift: Vector3::zeros(),
-            drift_age: 0.0,
+            flow: Vector3::zeros(),
+            flow_age: 0.0,
             ages: Ages::default(),
             outliers: 0,
         }
@@ -200,46 +201,46 @@ impl Default for Estimator {
 
 #[component]
 impl Estimator {
-    /// One period: the state from what was measured in it, and from what the motors were told before it.
+    /// Advances one period from the measurements and the last motor commands, and returns the estimate.
     #[entry(infallible)]
-    pub fn step(&mut self, sensors: &Sensors, told: &Push, measured: &Measured) -> Estimate {
-        self.grow_older(sensors.period);
-        self.listen(sensors, told, measured);
+    pub fn step(&mut self, sensors: &Sensors, commanded: &Push, measured: &Measured) -> Estimate {
+        self.advance_ages(sensors.period);
+        self.read_inertial(sensors, commanded, measured);
         self.advance(sensors);
         if measured.vicon.fresh {
-            self.see_vicon(sensors, measured);
+            self.correct_by_vicon(sensors, measured);
         }
         let distance = Vector3::new(measured.distance, 0.0, 0.0);
-        let heard = measured.echo && self.altimeter.says(&distance);
+        let echo_is_new = measured.echo && self.altimeter.is_new(&distance);
         let flow = Vector3::new(measured.flow_velocity.x, measured.flow_velocity.y, 0.0);
-        let seen = measured.flow && self.camera.says(&flow);
-        if self.ages.vicon > sensors.vicon_patience || self.is_deaf() {
-            self.do_without(sensors, measured, heard, seen);
+        let flow_is_new = measured.flow && self.camera.is_new(&flow);
+        if self.ages.vicon > sensors.vicon_timeout || self.gyro_lost() {
+            self.correct_without_vicon(sensors, measured, echo_is_new, flow_is_new);
         }
         self.state(sensors)
     }
 
-    /// Everything is one period older until it is measured.
-    fn grow_older(&mut self, period: f64) {
+    /// Adds one period to each age.
+    fn advance_ages(&mut self, period: f64) {
         self.ages.inertial += period;
         self.ages.vicon += period;
         self.ages.height += period;
         self.ages.plane += period;
-        self.drift_age += period;
+        self.flow_age += period;
     }
 
-    /// Takes in the inertial sensors' readings, and what should have been where there are none.
-    fn listen(&mut self, sensors: &Sensors, told: &Push, measured: &Measured) {
-        self.expectation.step(sensors.period, told);
-        self.felt = measured.inertial && self.accelerometer.says(&measured.force);
-        if self.felt {
-            self.expectation.felt(&measured.force);
+    /// Reads the inertial sensors, and substitutes predictions for missing readings.
+    fn read_inertial(&mut self, sensors: &Sensors, commanded: &Push, measured: &Measured) {
+        self.expectation.step(sensors.period, commanded);
+        self.force_measured = measured.inertial && self.accelerometer.is_new(&measured.force);
+        if self.force_measured {
+            self.expectation.correct_force(&measured.force);
             self.force = measured.force;
         } else {
-            self.force = self.expectation.felt_force();
+            self.force = self.expectation.predicted_force();
         }
-        if measured.inertial && self.gyroscope.says(&measured.rates) {
-            self.expectation.turned(&measured.rates);
+        if measured.inertial && self.gyroscope.is_new(&measured.rates) {
+            self.expectation.correct_rates(&measured.rates);
             self.rates = measured.rates;
             self.ages.inertial = 0.0;
         } else {
@@ -247,62 +248,62 @@ impl Estimator {
         }
     }
 
-    /// Whether the gyroscope is silent for good.
+    /// Returns true if the gyroscope is lost.
     #[entry(infallible)]
-    pub fn is_deaf(&self) -> bool {
-        self.ages.inertial > DEAF
+    pub fn gyro_lost(&self) -> bool {
+        self.ages.inertial > GYRO_TIMEOUT
     }
 
-    /// How long the gates may let nothing of the altimeter or of the camera through, s.
-    fn patience(&self) -> f64 {
-        if self.is_deaf() { DEAF_DOUBT } else { LATE_DOUBT }
+    /// Returns the time for which the gates may reject the altimeter or the camera, s.
+    fn reset_timeout(&self) -> f64 {
+        if self.gyro_lost() { GYRO_LOST_RESET_TIMEOUT } else { RESET_TIMEOUT }
     }
 
-    /// Carries the state over one period.
+    /// Predicts the state over one period.
     fn advance(&mut self, sensors: &Sensors) {
         let mut noise = sensors.gyroscope;
-        if self.is_deaf() {
-            noise = DEAF_RATES;
+        if self.gyro_lost() {
+            noise = PREDICTED_RATE_NOISE;
         }
         self.attitude.predict(&self.rates, sensors.period, noise.x, noise.y);
 
         let mut noise = sensors.accelerometer;
-        if self.is_deaf() {
-            noise = DEAF_PUSH;
-        } else if !self.felt {
-            noise = UNFELT;
+        if self.gyro_lost() {
+            noise = GYRO_LOST_ACCELERATION_NOISE;
+        } else if !self.force_measured {
+            noise = PREDICTED_ACCELERATION_NOISE;
         }
         let orientation = Orientation::of(&self.attitude.angles);
         let mut push = orientation.rotation() * self.force - Vector3::new(0.0, 0.0, GRAVITY);
-        if !self.felt && self.axes[2].state[0] < GROUND {
+        if !self.force_measured && self.axes[2].state[0] < GROUND_CONTACT_HEIGHT {
             push.z = push.z.max(0.0);
         }
         self.climb = push.z - self.axes[2].state[2];
         for n in 0..3 {
             self.axes[n].predict(push[n], sensors.period, noise.x, noise.y);
         }
-        if self.axes[2].state[0] < -SUNK {
-            // Nothing falls through the ground.
-            self.axes[2].state[0] = -SUNK;
+        if self.axes[2].state[0] < -LOWEST_DEPTH {
+            // The aircraft cannot sink into the ground.
+            self.axes[2].state[0] = -LOWEST_DEPTH;
             self.axes[2].state[1] = self.axes[2].state[1].max(0.0);
         }
     }
 
-    /// Takes in Vicon's reading, if it can be one.
-    fn see_vicon(&mut self, sensors: &Sensors, measured: &Measured) {
+    /// Corrects the state by Vicon's reading, if it is plausible.
+    fn correct_by_vicon(&mut self, sensors: &Sensors, measured: &Measured) {
         let vicon = measured.vicon;
         let space = sensors.vicon_space;
         let place = vicon.position;
         let above = place.x.abs() <= space.x && place.y.abs() <= space.y;
-        let inside = above && place.z >= -SUNK && place.z <= space.z;
-        let new = self.vicon.says(&place);
+        let inside = above && place.z >= -LOWEST_DEPTH && place.z <= space.z;
+        let new = self.vicon.is_new(&place);
         if !inside || !new {
             self.outliers = self.outliers.saturating_add(1);
             return;
         }
 
-        let turned = self.see_angles(sensors, &vicon.angles);
-        let moved = self.see_place(sensors, &place);
+        let turned = self.correct_angles(sensors, &vicon.angles);
+        let moved = self.correct_position(sensors, &place);
         if turned && moved {
             self.ages.vicon = 0.0;
             self.ages.height = 0.0;
@@ -310,31 +311,32 @@ impl Estimator {
             return;
         }
         self.outliers = self.outliers.saturating_add(1);
-        if self.ages.vicon > DOUBT {
-            self.doubt();
+        if self.ages.vicon > VICON_RESET_TIMEOUT {
+            self.inflate_covariance();
         }
     }
 
-    /// Vicon's angles, one after another.
-    fn see_angles(&mut self, sensors: &Sensors, angles: &Vector3<f64>) -> bool {
+    /// Corrects the attitude by Vicon's angles, one at a time; returns true if all were accepted.
+    fn correct_angles(&mut self, sensors: &Sensors, angles: &Vector3<f64>) -> bool {
         let orientation = Orientation::of(&self.attitude.angles);
         let rates = orientation.angle_rates(&(self.rates - self.attitude.bias));
         let variance = sensors.vicon.y * sensors.vicon.y;
-        let everything = Vector6::repeat(1.0);
+        let all_states = Vector6::repeat(1.0);
         let mut good = true;
         for n in 0..3 {
             let then = self.attitude.angles[n] - rates[n] * sensors.vicon_delay;
             let mut row = Vector6::zeros();
             row[n] = 1.0;
             let innovation = wrapped(angles[n] - then);
-            good = self.attitude.correct(&row, &everything, innovation, variance, sensors.gate)
+            good = self.attitude.correct(&row, &all_states, innovation, variance, sensors.gate)
                 && good;
         }
         good
     }
 
-    /// Vicon's position, axis by axis: what it shows is where the aircraft was a delay ago.
-    fn see_place(&mut self, sensors: &Sensors, place: &Vector3<f64>) -> bool {
+    /// Corrects position and velocity by Vicon's position, axis by axis, allowing for its delay; returns true if all
+    /// were accepted.
+    fn correct_position(&mut self, sensors: &Sensors, place: &Vector3<f64>) -> bool {
         let row = Vector3::new(1.0, -sensors.vicon_delay, 0.0);
         let variance = sensors.vicon.x * sensors.vicon.x;
         let mut good = true;
@@ -344,31 +346,42 @@ impl Estimator {
         good
     }
 
-    /// Opens the gates: place and attitude may be anywhere near.
-    fn doubt(&mut self) {
+    /// Inflates the covariances of position, velocity and attitude.
+    fn inflate_covariance(&mut self) {
         for n in 0..3 {
-            self.axes[n].doubt();
+            self.axes[n].inflate();
             self.attitude.covariance[(n, n)] += 0.1;
         }
     }
 
-    /// The other sources, in Vicon's absence; `heard` and `seen`: whether the altimeter and the camera are
-    /// new and alive.
-    fn do_without(&mut self, sensors: &Sensors, measured: &Measured, heard: bool, seen: bool) {
-        if self.felt && !self.is_deaf() {
-            self.level(sensors);
+    /// Corrects the state by the sources that replace Vicon. `echo_is_new` and `flow_is_new` say which of them
+    /// delivered.
+    fn correct_without_vicon(
+        &mut self,
+        sensors: &Sensors,
+        measured: &Measured,
+        echo_is_new: bool,
+        flow_is_new: bool,
+    ) {
+        if self.force_measured && !self.gyro_lost() {
+            self.tilt_from_force(sensors);
         }
         let orientation = Orientation::of(&self.attitude.angles);
-        if heard && !self.see_echo(sensors, measured.distance, &orientation) {
+        if echo_is_new && !self.correct_height(sensors, measured.distance, &orientation) {
             self.outliers = self.outliers.saturating_add(1);
         }
-        if seen && !self.see_flow(sensors, &measured.flow_velocity, &orientation) {
+        if flow_is_new && !self.correct_velocity(sensors, &measured.flow_velocity, &orientation) {
             self.outliers = self.outliers.saturating_add(1);
         }
     }
 
-    /// The altimeter's distance along the body's z, m: whether it was taken.
-    fn see_echo(&mut self, sensors: &Sensors, distance: f64, orientation: &Orientation) -> bool {
+    /// Corrects the height by the altimeter's distance along the body's z, m; returns true if it was accepted.
+    fn correct_height(
+        &mut self,
+        sensors: &Sensors,
+        distance: f64,
+        orientation: &Orientation,
+    ) -> bool {
         let range = sensors.altimeter_range;
         let upright = orientation.c1 * orientation.c2;
         let in_range = distance >= range.x && distance <= range.y;
@@ -380,15 +393,15 @@ impl Estimator {
         let good = self.axes[2].correct(&row, distance * upright, variance, sensors.gate);
         if good {
             self.ages.height = 0.0;
-        } else if self.ages.height > self.patience() {
-            self.axes[2].doubt();
+        } else if self.ages.height > self.reset_timeout() {
+            self.axes[2].inflate();
         }
         good
     }
 
-    /// The camera's velocity along the body's axes, m/s, with what it does not see taken as believed:
-    /// whether it was taken.
-    fn see_flow(
+    /// Corrects the horizontal velocity by the camera's velocity along the body's axes, m/s; returns true if it was
+    /// accepted. The vertical velocity is the estimate.
+    fn correct_velocity(
         &mut self,
         sensors: &Sensors,
         flow: &Vector2<f64>,
@@ -397,11 +410,11 @@ impl Estimator {
         let rotation = orientation.rotation();
         let believed = rotation.tr_mul(&self.velocity());
         let seen = rotation * Vector3::new(flow.x, flow.y, believed.z);
-        if self.is_deaf() && self.drift_age < MEMORY {
-            self.lean(sensors, &((seen - self.drift) / self.drift_age));
+        if self.gyro_lost() && self.flow_age < FLOW_DIFFERENCE_TIME {
+            self.tilt_from_acceleration(sensors, &((seen - self.flow) / self.flow_age));
         }
-        self.drift = seen;
-        self.drift_age = 0.0;
+        self.flow = seen;
+        self.flow_age = 0.0;
         let row = Vector3::new(0.0, 1.0, 0.0);
         let variance = sensors.camera * sensors.camera;
         let mut good = true;
@@ -410,15 +423,16 @@ impl Estimator {
         }
         if good {
             self.ages.plane = 0.0;
-        } else if self.ages.plane > self.patience() {
-            self.axes[0].doubt();
-            self.axes[1].doubt();
+        } else if self.ages.plane > self.reset_timeout() {
+            self.axes[0].inflate();
+            self.axes[1].inflate();
         }
         good
     }
 
-    /// Takes the specific force for upwards: right on average while the aircraft stays in one place.
-    fn level(&mut self, sensors: &Sensors) {
+    /// Corrects roll and pitch by the direction of the specific force, which is vertical on average while the aircraft
+    /// hovers.
+    fn tilt_from_force(&mut self, sensors: &Sensors) {
         let Orientation { s3, c3, .. } = Orientation::of(&self.attitude.angles);
         let force = self.force;
         let along = c3 * force.x + s3 * force.y;
@@ -426,21 +440,21 @@ impl Estimator {
         let pitch = along.atan2(force.z);
         let roll = across.atan2(along.hypot(force.z));
         let variance = sensors.level * sensors.level;
-        self.see_lean(roll, pitch, variance, sensors.gate);
+        self.correct_tilt(roll, pitch, variance, sensors.gate);
     }
 
-    /// Takes the direction in which the aircraft is pulled for that of its thrust: what its acceleration in
-    /// the plane, m/s², says of roll and pitch while no gyroscope does.
-    fn lean(&mut self, sensors: &Sensors, acceleration: &Vector3<f64>) {
+    /// Corrects roll and pitch by the horizontal acceleration, m/s², which has the direction of the thrust, while the
+    /// gyroscope is lost.
+    fn tilt_from_acceleration(&mut self, sensors: &Sensors, acceleration: &Vector3<f64>) {
         let roll = acceleration.y.atan2(GRAVITY);
         let pitch = (-acceleration.x).atan2(acceleration.y.hypot(GRAVITY));
-        let deviation = 1.5 * sensors.camera / (self.drift_age * GRAVITY);
+        let deviation = 1.5 * sensors.camera / (self.flow_age * GRAVITY);
         let variance = deviation * deviation;
-        self.see_lean(roll, pitch, variance, sensors.gate);
+        self.correct_tilt(roll, pitch, variance, sensors.gate);
     }
 
-    /// A measurement of roll and pitch, rad. Of the yaw it says nothing, however uncertain that is.
-    fn see_lean(&mut self, roll: f64, pitch: f64, variance: f64, gate: f64) {
+    /// Corrects roll and pitch by a measurement of both, rad. The yaw does not change.
+    fn correct_tilt(&mut self, roll: f64, pitch: f64, variance: f64, gate: f64) {
         let seen = Vector2::new(roll, pitch);
         let moves = Vector6::new(1.0, 1.0, 0.0, 1.0, 1.0, 0.0);
         for n in 0..2 {
@@ -451,23 +465,23 @@ impl Estimator {
         }
     }
 
-    /// The velocity in the inertial frame, m/s.
+    /// Returns the velocity in the inertial frame, m/s.
     fn velocity(&self) -> Vector3<f64> {
         Vector3::new(self.axes[0].state[1], self.axes[1].state[1], self.axes[2].state[1])
     }
 
-    /// Variances of the position, m², and of the angles, rad².
+    /// Returns the variances of the position, m², and of the angles, rad².
     #[entry(infallible)]
-    pub fn spread(&self) -> Vector6<f64> {
-        let mut spread = Vector6::zeros();
+    pub fn variances(&self) -> Vector6<f64> {
+        let mut variances = Vector6::zeros();
         for n in 0..3 {
-            spread[n] = self.axes[n].covariance[(0, 0)];
-            spread[n + 3] = self.attitude.covariance[(n, n)];
+            variances[n] = self.axes[n].covariance[(0, 0)];
+            variances[n + 3] = self.attitude.covariance[(n, n)];
         }
-        spread
+        variances
     }
 
-    /// Everything in one vector.
+    /// Returns the estimate.
     fn state(&mut self, sensors: &Sensors) -> Estimate {
         let rates = self.rates - self.attitude.bias;
         let axes = self.axes;

@@ -1,28 +1,27 @@
-//! The expected readings of the inertial sensors, by what the motors were told: they stand in for them while they
-//! are silent.
+//! Prediction of the inertial sensors' readings from the motor commands, used while the sensors are silent.
 //!
-//! Mass, inertia and propellers are known to within a tenth, and sensors have biases: so what was felt
-//! beyond what the commands explain is remembered, and counted in. Knows nothing of attitude or place.
+//! Mass, inertia and propellers are known to within 10 %, and sensors have biases. Measured accelerations that the
+//! commands do not explain are therefore estimated and added. Attitude and position are unknown here.
 
 use bessemer::prelude::*;
 
-/// How fast the motors follow their commands: share of the way in a period.
+/// Response of the motors to a command: fraction of the difference per period.
 #[data]
-const FOLLOW: f64 = 0.25;
+const MOTOR_RESPONSE: f64 = 0.25;
 
-/// Share by which the expected rates follow the gyroscope in each period.
+/// Gain by which the predicted rates follow the gyroscope in each period.
 #[data]
-const TURN: f64 = 0.2;
+const RATE_GAIN: f64 = 0.2;
 
-/// The same for the angular acceleration that no command explains, 1/s, as a share of the force, m/s².
+/// Gain of the unexplained angular acceleration per specific force, 1/s.
 #[data]
-const UNEXPLAINED_TURN: f64 = 0.1;
+const UNEXPLAINED_TURN_GAIN: f64 = 0.1;
 
-/// Share by which the force that no command explains follows the accelerometer in each period.
+/// Gain by which the unexplained specific force follows the accelerometer in each period.
 #[data]
-const UNEXPLAINED_FORCE: f64 = 0.02;
+const UNEXPLAINED_FORCE_GAIN: f64 = 0.02;
 
-/// What the motors are to do to the aircraft.
+/// Accelerations that the motor commands are to cause.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Push {
@@ -32,16 +31,16 @@ pub struct Push {
     pub turn: Vector3<f64>,
 }
 
-/// What is expected of the gyroscope and of the accelerometer.
+/// Predictor of the gyroscope's and the accelerometer's readings.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Expectation {
-    /// What the motors do by now.
+    /// Accelerations caused by the motors now.
     pub push: Push,
-    /// Angular velocity, as the gyroscope would show it, rad/s.
+    /// Predicted angular velocity, rad/s.
     pub rates: Vector3<f64>,
-    /// Angular acceleration that the commands do not explain, rad/s², per specific force, m/s²: the
-    /// propellers differ, and push the harder.
+    /// Angular acceleration that the commands do not explain, rad/s², per specific force, m/s²: unequal propellers have
+    /// an effect in proportion to their thrust.
     pub turn: Vector3<f64>,
     /// Specific force that the commands do not explain, m/s².
     pub force: Vector3<f64>,
@@ -49,32 +48,32 @@ pub struct Expectation {
 
 #[component]
 impl Expectation {
-    /// One period under the last commands.
+    /// Advances one period under the last commands.
     #[entry(infallible)]
-    pub fn step(&mut self, period: f64, told: &Push) {
-        self.push.force += (told.force - self.push.force) * FOLLOW;
-        self.push.turn += (told.turn - self.push.turn) * FOLLOW;
+    pub fn step(&mut self, period: f64, commanded: &Push) {
+        self.push.force += (commanded.force - self.push.force) * MOTOR_RESPONSE;
+        self.push.turn += (commanded.turn - self.push.turn) * MOTOR_RESPONSE;
         self.rates += (self.push.turn + self.turn * self.push.force) * period;
     }
 
-    /// What the gyroscope showed, rad/s.
+    /// Corrects the prediction by the measured rates, rad/s.
     #[entry(infallible)]
-    pub fn turned(&mut self, rates: &Vector3<f64>) {
-        let missed = rates - self.rates;
-        self.rates += missed * TURN;
-        self.turn += missed * UNEXPLAINED_TURN;
+    pub fn correct_rates(&mut self, rates: &Vector3<f64>) {
+        let residual = rates - self.rates;
+        self.rates += residual * RATE_GAIN;
+        self.turn += residual * UNEXPLAINED_TURN_GAIN;
     }
 
-    /// What the accelerometer showed, m/s².
+    /// Corrects the prediction by the measured specific force, m/s².
     #[entry(infallible)]
-    pub fn felt(&mut self, force: &Vector3<f64>) {
-        let missed = force - self.felt_force();
-        self.force += missed * UNEXPLAINED_FORCE;
+    pub fn correct_force(&mut self, force: &Vector3<f64>) {
+        let residual = force - self.predicted_force();
+        self.force += residual * UNEXPLAINED_FORCE_GAIN;
     }
 
-    /// Specific force, as the accelerometer would show it, m/s².
+    /// Returns the predicted specific force, m/s².
     #[entry(infallible)]
-    pub fn felt_force(&self) -> Vector3<f64> {
+    pub fn predicted_force(&self) -> Vector3<f64> {
         Vector3::new(0.0, 0.0, self.push.force) + self.force
     }
 }

@@ -1,16 +1,16 @@
-//! Flying as if gravity, or the air, were others (thesis, ch. 4): the motors' speeds that undo the
-//! aircraft's own dynamics, and how much of them is injected when.
+//! Feed-forward that emulates another gravity or air (thesis, ch. 4): motor speeds that cancel the aircraft's own
+//! dynamics, and their gain over time.
 //!
-//! The compensator gives the speeds that cancel weight and friction as a whole; the virtual dynamics are
-//! the share of them that is injected. Thrust goes with the square of the speed, so a gain γ takes away
-//! γ² of the weight. (4.22)–(4.25) give no thrust as they are printed, and are not used.
+//! The compensator computes the speeds that cancel all of weight and friction; the gain selects the injected
+//! fraction. Thrust is proportional to the square of the speed, so a gain γ cancels γ² of the weight. (4.22)–(4.25)
+//! yield no thrust as printed and are not used.
 
-use crate::airframe::{Airframe, GRAVITY, MOST_MOTORS};
+use crate::airframe::{Airframe, GRAVITY, MAX_MOTORS};
 use crate::geometry::Orientation;
 use crate::signals::Estimate;
 use bessemer::prelude::*;
 
-/// How the gain goes from 0 to its final value.
+/// Growth of the gain from 0 to its final value.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Profile {
@@ -23,15 +23,15 @@ pub enum Profile {
     Sigmoid,
 }
 
-/// What is injected, and when.
+/// Parameters of the feed-forward.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Injection {
-    /// How the gain grows.
+    /// Growth of the gain.
     pub profile: Profile,
-    /// When it begins to, in seconds since the take-off: T of (7.1).
+    /// Start of the growth, in seconds since take-off: T of (7.1).
     pub begins: f64,
-    /// K_slope of (7.1): the gain has grown by so much at 2 T.
+    /// K_slope of (7.1): the growth of the gain from T to 2 T.
     pub slope: f64,
     /// a of (7.11), 1/s: negative.
     pub rate: f64,
@@ -39,9 +39,9 @@ pub struct Injection {
     pub offset: f64,
     /// c of (7.11).
     pub power: f64,
-    /// The gain's final value.
+    /// Final value of the gain.
     pub most: f64,
-    /// Friction to take away besides, N·s/m; negative, to add some.
+    /// Friction to cancel, N·s/m; negative to add friction.
     pub friction: f64,
 }
 
@@ -61,23 +61,23 @@ impl Injection {
         }
     }
 
-    /// A gain that is there at once.
+    /// Returns a gain that is constant.
     pub fn constant(most: f64) -> Injection {
         Injection { begins: 10.0, most, ..Injection::none() }
     }
 
-    /// The gain that leaves the given gravity, m/s², of [`GRAVITY`].
+    /// Returns the gain at which the effective gravity is `gravity`, m/s².
     pub fn gain_for(gravity: f64) -> f64 {
         (1.0 - gravity / GRAVITY).max(0.0).sqrt()
     }
 
-    /// A gain that grows in proportion to time.
+    /// Returns a gain that grows in proportion to time.
     pub fn linear(most: f64) -> Injection {
         let profile = Profile::Linear;
         Injection { profile, begins: 10.0, slope: 0.2, most, ..Injection::none() }
     }
 
-    /// A gain that grows along a sigmoid.
+    /// Returns a gain that grows along a sigmoid.
     ///
     /// a and b cannot be read in the thesis. These have the gain at 1 % of K at 10 s, at half of it at
     /// 28 s, and at 0.7 at 32 s, where it is cut off.
@@ -87,7 +87,7 @@ impl Injection {
         Injection { begins: 10.0, most, ..fit }
     }
 
-    /// The gain at a time since take-off, s.
+    /// Returns the gain at a time since take-off, s.
     pub fn gain(&self, time: f64) -> f64 {
         if time < self.begins {
             return 0.0;
@@ -103,8 +103,8 @@ impl Injection {
     }
 }
 
-/// The speed of each motor that holds the aircraft's weight as it leans, and friction aside, rad/s
-/// (thesis, eqs. (4.7), (4.16)–(4.21)).
+/// Returns the speed of each motor that carries the weight at the present tilt and cancels `friction`, rad/s (thesis,
+/// eqs. (4.7), (4.16)–(4.21)).
 ///
 /// `airframe` is the aircraft as it is believed to be: its coefficients are what the identification finds.
 #[function]
@@ -112,14 +112,14 @@ pub fn compensation(
     airframe: &Airframe,
     estimate: &Estimate,
     friction: f64,
-) -> SVector<f64, MOST_MOTORS> {
+) -> SVector<f64, MAX_MOTORS> {
     let orientation = Orientation::of(&estimate.angles);
     let weight = orientation.upwards().z * airframe.mass * GRAVITY;
     let drag = orientation.thrust_direction().dot(&estimate.velocity) * friction;
     let each = ((weight + drag) / airframe.motors as f64).max(0.0);
     let factors = airframe.thrust_factors();
     let mut speeds = SVector::zeros();
-    for n in 0..MOST_MOTORS {
+    for n in 0..MAX_MOTORS {
         if factors[n] > 0.0 {
             speeds[n] = (each / factors[n]).sqrt();
         }

@@ -1,8 +1,8 @@
-//! A geometric law: errors are taken on the rotation itself, not on its angles (after Lee, Leok and
-//! McClamroch, "Geometric tracking control of a quadrotor UAV on SE(3)", 2010).
+//! A geometric control law: errors are computed on the rotation itself, not on its angles. Source: Lee, Leok and
+//! McClamroch, "Geometric tracking control of a quadrotor UAV on SE(3)", 2010.
 //!
-//! A candidate of [`crate::controller`]. It has no memory, and no singularity of its errors below half a
-//! turn; that the wanted rotation is written in the thesis' angles is the interface's, not the law's.
+//! One of the control laws of the controller. It has no integral, and its errors have no singularity below half a
+//! turn. The target attitude is specified in the thesis' angles because the interface is.
 
 use crate::airframe::{GRAVITY, Wrench};
 use crate::geometry::Orientation;
@@ -10,31 +10,31 @@ use crate::parameters::Parameters;
 use crate::signals::{Estimate, Target};
 use bessemer::prelude::*;
 
-/// Steepest lean that is asked for, rad.
+/// Largest tilt setpoint, rad.
 #[data]
-const STEEPEST: f64 = 0.6;
+const TILT_LIMIT: f64 = 0.6;
 
-/// The thrust and the torques that take the aircraft to its target.
+/// Returns the thrust and the torques that take the aircraft to its target.
 #[function]
 pub fn track(parameters: &Parameters, estimate: &Estimate, target: &Target) -> Wrench {
     let rotation = Orientation::of(&estimate.angles).rotation();
-    let force = push(parameters, estimate, target);
+    let force = wanted_force(parameters, estimate, target);
 
-    // The thrust that is wanted points along (−sin θ2, sin θ1 cos θ2, cos θ1 cos θ2).
-    let mut roll = force.y.atan2(force.z).clamp(-STEEPEST, STEEPEST);
-    let mut pitch = (-force.x).atan2(force.y.hypot(force.z)).clamp(-STEEPEST, STEEPEST);
+    // The requested thrust has the direction (−sin θ2, sin θ1 cos θ2, cos θ1 cos θ2).
+    let mut roll = force.y.atan2(force.z).clamp(-TILT_LIMIT, TILT_LIMIT);
+    let mut pitch = (-force.x).atan2(force.y.hypot(force.z)).clamp(-TILT_LIMIT, TILT_LIMIT);
     if target.manual {
         roll = target.lean.x;
         pitch = target.lean.y;
     }
     let wanted = Orientation::of(&Vector3::new(roll, pitch, target.yaw)).rotation();
 
-    // The turn that is left, as the antisymmetric part of the rotation between the two.
-    let apart = wanted.transpose() * rotation;
+    // The attitude error is the antisymmetric part of the rotation between the two.
+    let difference = wanted.transpose() * rotation;
     let error = Vector3::new(
-        0.5 * (apart[(2, 1)] - apart[(1, 2)]),
-        0.5 * (apart[(0, 2)] - apart[(2, 0)]),
-        0.5 * (apart[(1, 0)] - apart[(0, 1)]),
+        0.5 * (difference[(2, 1)] - difference[(1, 2)]),
+        0.5 * (difference[(0, 2)] - difference[(2, 0)]),
+        0.5 * (difference[(1, 0)] - difference[(0, 1)]),
     );
     let error_rate = estimate.rates - Vector3::new(0.0, 0.0, -target.yaw_rate);
     let gains = parameters.geometric.attitude;
@@ -46,9 +46,9 @@ pub fn track(parameters: &Parameters, estimate: &Estimate, target: &Target) -> W
     Wrench { thrust: force.dot(&upwards), torque: inertia.component_mul(&turn) + gyroscopic }
 }
 
-/// The force that is wanted of the motors, in the inertial frame, N.
+/// Returns the requested force of the motors in the inertial frame, N.
 #[function]
-fn push(parameters: &Parameters, estimate: &Estimate, target: &Target) -> Vector3<f64> {
+fn wanted_force(parameters: &Parameters, estimate: &Estimate, target: &Target) -> Vector3<f64> {
     let weight = Vector3::new(0.0, 0.0, parameters.mass * GRAVITY);
     if target.take_off {
         return weight * (1.0 + parameters.takeoff_gain);

@@ -1,15 +1,15 @@
 //! The aircraft's orientation: frames, angles and their rates (thesis, ch. 2).
 //!
-//! Frames: the inertial one has z upwards; the body's x points forward, its z along the thrust; both are
-//! right-handed. Angles: R = C1(roll) C2(pitch) C3(yaw), those of a passive rotation, so that a positive body
-//! rate lowers them. Nothing here knows of forces or of control.
+//! Frames: z of the inertial frame points upwards; x of the body points forward, its z along the thrust; both frames
+//! are right-handed. Angles: R = C1(roll) C2(pitch) C3(yaw) of a passive rotation, so a positive body rate decreases
+//! them. Forces and control are unknown here.
 
 use bessemer::prelude::*;
 use core::f64::consts::PI;
 
-/// Least cosine of the pitch that is divided by: 89.4°.
+/// Least cosine of the pitch used as a divisor: 89.4°.
 #[data]
-pub const STEEP: f64 = 0.01;
+pub const LEAST_PITCH_COSINE: f64 = 0.01;
 
 /// Sines and cosines of roll θ1, pitch θ2 and yaw θ3, the angles of R = C1(θ1) C2(θ2) C3(θ3).
 #[data]
@@ -31,7 +31,7 @@ pub struct Orientation {
 
 #[data]
 impl Orientation {
-    /// The orientation at the given roll, pitch and yaw, rad.
+    /// Returns the orientation for roll, pitch and yaw, rad.
     pub fn of(angles: &Vector3<f64>) -> Orientation {
         Orientation {
             s1: angles.x.sin(),
@@ -63,13 +63,13 @@ impl Orientation {
         )
     }
 
-    /// Where the body's z points in the inertial frame: the third column of
+    /// Returns the direction of the body's z in the inertial frame: the third column of
     /// [`rotation`](Orientation::rotation).
     pub fn thrust_direction(&self) -> Vector3<f64> {
         Vector3::new(-self.s2, self.s1 * self.c2, self.c1 * self.c2)
     }
 
-    /// Where the inertial frame's z points in the body frame: the third row of
+    /// Returns the direction of the inertial frame's z in the body frame: the third row of
     /// [`rotation`](Orientation::rotation) (thesis, eq. (4.7)).
     pub fn upwards(&self) -> Vector3<f64> {
         Vector3::new(
@@ -92,18 +92,17 @@ impl Orientation {
         )
     }
 
-    /// cos θ2 as a divisor: no nearer to 0 than [`STEEP`], so that a pitch of ±π/2 has large rates, and not
-    /// infinite ones.
+    /// Returns cos θ2 as a divisor, at least 0.01 in magnitude, so that rates stay finite at a pitch of ±π/2.
     pub fn divisor(&self) -> f64 {
-        if self.c2.abs() < STEEP {
-            return STEEP.copysign(self.c2);
+        if self.c2.abs() < LEAST_PITCH_COSINE {
+            return LEAST_PITCH_COSINE.copysign(self.c2);
         }
         self.c2
     }
 
     /// Rates of the angles at the given body rates (thesis, eq. (2.17)), rad/s.
     ///
-    /// Singular at a pitch of ±π/2: see [`divisor`](Orientation::divisor).
+    /// Singular at a pitch of ±π/2: the divisor is limited.
     pub fn angle_rates(&self, body_rates: &Vector3<f64>) -> Vector3<f64> {
         let along = self.c3 * body_rates.x + self.s3 * body_rates.y;
         let across = self.s3 * body_rates.x - self.c3 * body_rates.y;
@@ -112,7 +111,7 @@ impl Orientation {
     }
 }
 
-/// The angle that differs from `angle` by whole turns and lies within half a turn, rad: itself, if it does.
+/// Returns the angle reduced to ±π, rad.
 #[function]
 pub fn wrapped(angle: f64) -> f64 {
     if angle.abs() <= PI {

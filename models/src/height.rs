@@ -1,6 +1,6 @@
-//! How hard to push: the height loop (thesis, eq. (3.14)).
+//! Height control: commanded thrust from the height error (thesis, eq. (3.14)).
 //!
-//! Knows nothing of the aircraft's attitude: it commands thrust as if the aircraft were level.
+//! The attitude is unknown here: the commanded thrust is that of a level aircraft.
 
 use crate::airframe::GRAVITY;
 use crate::parameters::Parameters;
@@ -9,7 +9,7 @@ use bessemer::prelude::*;
 
 /// Largest integral of the height error, m·s: at the Mambo's gain its whole weight, most of which a feed-forward takes over.
 #[data]
-const MOST: f64 = 14.0;
+const INTEGRAL_LIMIT: f64 = 14.0;
 
 /// Holds the height, and takes off.
 #[component]
@@ -21,7 +21,7 @@ pub struct Height {
 
 #[component]
 impl Height {
-    /// One control period: the thrust to command (thesis, eq. (3.14)), N.
+    /// Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N. (3.14)), N.
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -40,7 +40,7 @@ impl Height {
         let correction = parameters.height.respond(error, self.integral, error_rate);
         if !target.grounded {
             let integral = self.integral + error * parameters.period;
-            self.integral = integral.clamp(-MOST, MOST);
+            self.integral = integral.clamp(-INTEGRAL_LIMIT, INTEGRAL_LIMIT);
         }
 
         weight + parameters.mass * target.climb_acceleration + correction

@@ -1,13 +1,13 @@
-//! Where to lean: the loops along x and y (thesis, eqs. (3.16), (3.17)).
+//! Horizontal control: commanded tilt from the position error along x and y (thesis, eqs. (3.16), (3.17)).
 //!
-//! Knows neither yaw nor thrust: under (2.11) the thrust points along (−sin θ2, sin θ1 cos θ2,
-//! cos θ1 cos θ2) whatever the yaw, so that pitch alone acts along x, and roll alone along y.
+//! Yaw and thrust are unknown here. Under (2.11) the thrust has the direction (−sin θ2, sin θ1 cos θ2, cos θ1 cos θ2)
+//! at any yaw, so that only pitch acts along x, and only roll along y.
 
 use crate::parameters::Parameters;
 use crate::signals::Target;
 use bessemer::prelude::*;
 
-/// Roll, pitch and yaw that take the aircraft to its target, rad.
+/// Returns the roll, pitch and yaw that take the aircraft to its target, rad.
 #[function]
 pub fn lean(
     parameters: &Parameters,

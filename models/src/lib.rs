@@ -1,33 +1,33 @@
 //! The flight software of the reference thesis, for quadcopters and hexacopters.
 //!
-//! It reads from the outside in:
+//! The modules from the outside in:
 //!
-//! | module | what it says | thesis |
+//! | module | purpose | thesis |
 //! |---|---|---|
-//! | [`onboard`] | everything that happens in one period | §6.1 |
-//! | [`receiver`], [`packet`], [`trajectory`], [`tuning`] | what the ground asks for | §6.1 |
-//! | [`gate`], [`siphash`] | whether it is the ground that asks | |
-//! | [`calibration`] | from counts to units | §6.1 |
-//! | [`estimator`], [`attitude_filter`], [`axis_filter`], [`covariance`], [`low_pass`], [`stuck`], [`expectation`] | what is known of the aircraft | §6.1 |
-//! | [`reference_generator`], [`touch_down`] | where it is wanted: take-off, trajectory, sticks, landing | (3.20) |
-//! | [`crash_predictor`], [`clock_monitor`] | when to stop the motors | §6.1 |
-//! | [`controller`] | the slot for the closed loop | ch. 3 |
-//! | [`cascade`], [`printed`], [`geometric`] | the candidates for it | ch. 3 |
-//! | [`height`] | how hard to push | (3.14) |
-//! | [`horizontal`] | where to lean | (3.16), (3.17) |
-//! | [`attitude`] | how to turn | (3.15), (3.18), (3.19) |
-//! | [`feed_forward`] | flying as if gravity were another | ch. 4 |
-//! | [`mixer`] | what each motor contributes | (3.9), (3.10) |
-//! | [`logger`], [`sender`] | what is written down and sent | §6.1 |
-//! | [`plant`] | how the aircraft moves | ch. 2 |
+//! | [`onboard`] | all steps of one period | §6.1 |
+//! | [`receiver`], [`packet`], [`trajectory`], [`tuning`] | commands of the ground station | §6.1 |
+//! | [`gate`], [`siphash`] | authentication of commands | |
+//! | [`calibration`] | conversion of counts to units | §6.1 |
+//! | [`estimator`], [`attitude_filter`], [`axis_filter`], [`covariance`], [`low_pass`], [`stuck`], [`expectation`] | state estimation | §6.1 |
+//! | [`reference_generator`], [`touch_down`] | target: take-off, trajectory, sticks, landing | (3.20) |
+//! | [`crash_predictor`], [`clock_monitor`] | alarms that stop the motors | §6.1 |
+//! | [`controller`] | closed loop | ch. 3 |
+//! | [`cascade`], [`printed`], [`geometric`] | control laws | ch. 3 |
+//! | [`height`] | height control | (3.14) |
+//! | [`horizontal`] | horizontal control | (3.16), (3.17) |
+//! | [`attitude`] | attitude control | (3.15), (3.18), (3.19) |
+//! | [`feed_forward`] | feed-forward that emulates another gravity | ch. 4 |
+//! | [`mixer`] | motor commands from thrust and torques | (3.9), (3.10) |
+//! | [`logger`], [`sender`] | log and downlink | §6.1 |
+//! | [`plant`] | the aircraft's motion | ch. 2 |
 //! | [`geometry`] | angles, rates and frames | (2.11), (2.16), (2.17) |
-//! | [`airframe`], [`parameters`] | the aircraft in figures | tables A.1, 3.1 |
+//! | [`airframe`], [`parameters`] | physical parameters and gains | tables A.1, 3.1 |
 //!
-//! Everything here is also C, bit for bit. So nothing here knows of a simulation, a file or an operating
-//! system; what an entry point needs comes in through its arguments.
+//! C is generated from everything here and computes the same bits. Simulation, files and operating system are
+//! unknown here: each entry point receives its inputs as arguments.
 
 #![no_std]
-// Loops over indices where the C has one, too; and what the DSL has no word for yet.
+// Loops over indices are loops over indices in the C; the other two have no counterpart in the DSL.
 #![allow(clippy::needless_range_loop, clippy::manual_is_multiple_of, clippy::manual_memcpy)]
 
 pub mod airframe;
@@ -66,7 +66,7 @@ pub mod touch_down;
 pub mod trajectory;
 pub mod tuning;
 
-pub use airframe::{Airframe, Layout, MOST_MOTORS, Wrench};
+pub use airframe::{Airframe, Layout, MAX_MOTORS, Wrench};
 pub use attitude::Attitude;
 pub use controller::Controller;
 pub use crash_predictor::{Alarm, Limits};

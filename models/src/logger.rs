@@ -1,29 +1,29 @@
-//! The log of a flight (thesis, §6.1, data logger): a ring of records of fixed size.
+//! Flight log (thesis, §6.1, data logger): a ring of records of fixed size.
 //!
-//! States, references, closed-loop and feed-forward commands unless others are chosen. When the ring is
-//! full the oldest record makes room, and is counted. Knows signals by their numbers, not what they mean.
+//! The default selection is states, references, closed-loop and feed-forward commands. A full ring overwrites the
+//! oldest record and counts it as lost. Signals are known by number only.
 
 use bessemer::prelude::*;
 
-/// How many signals there are to choose from.
+/// Number of signals to choose from.
 #[data]
 pub const SIGNALS: usize = 64;
 
-/// How many signals a record holds.
+/// Number of signals in a record.
 #[data]
 pub const WIDTH: usize = 36;
 
-/// How many records the ring holds.
+/// Number of records in the ring.
 #[data]
 pub const DEPTH: usize = 16;
 
-/// One moment.
+/// The signals at one time.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Record {
-    /// When: periods since `init`.
+    /// Time, in periods since `init`.
     pub period: u32,
-    /// The choice of signals that it holds.
+    /// Tag of the selection of signals.
     pub tag: u8,
     /// The chosen signals.
     pub values: [f64; WIDTH],
@@ -35,13 +35,13 @@ impl Default for Record {
     }
 }
 
-/// What to write down, and how often.
+/// Selection of signals and the period of recording.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {
-    /// What the ground calls this choice: it comes down with each record.
+    /// Tag of the selection, which the ground station chooses and each record repeats.
     pub tag: u8,
-    /// Every so many periods; 0 for never.
+    /// Period of recording, in control periods; 0 to record nothing.
     pub every: u32,
     /// The numbers of the signals.
     pub signals: [u8; WIDTH],
@@ -55,7 +55,7 @@ impl Default for Choice {
 
 #[data]
 impl Choice {
-    /// The first signals, at 20 Hz.
+    /// Returns the first signals at 20 Hz.
     pub fn usual() -> Choice {
         let mut signals = [0; WIDTH];
         for n in 0..WIDTH {
@@ -71,11 +71,11 @@ impl Choice {
 pub struct Logger {
     /// The ring.
     pub records: [Record; DEPTH],
-    /// Where the oldest record is.
+    /// Index of the oldest record.
     pub first: usize,
-    /// How many there are.
+    /// Number of records.
     pub count: usize,
-    /// How many were overwritten before anyone took them.
+    /// Number of records overwritten before they were sent.
     pub lost: u32,
     /// Periods since `init`.
     pub period: u32,
@@ -83,7 +83,7 @@ pub struct Logger {
 
 #[component]
 impl Logger {
-    /// One period: writes the chosen signals down if it is time to.
+    /// Advances one period and records the selected signals if a record is due.
     #[entry(infallible)]
     pub fn step(&mut self, choice: &Choice, signals: &SVector<f64, SIGNALS>) {
         let due = choice.every != 0 && self.period % choice.every.max(1) == 0;
@@ -98,7 +98,7 @@ impl Logger {
         self.period = self.period.wrapping_add(1);
     }
 
-    /// Puts a record behind the others.
+    /// Appends a record and overwrites the oldest one if the ring is full.
     fn push(&mut self, record: &Record) {
         let first = self.first % DEPTH;
         let count = self.count.min(DEPTH);
@@ -111,13 +111,13 @@ impl Logger {
         }
     }
 
-    /// Whether there is a record to take.
+    /// Returns true if there is a record to take.
     #[entry(infallible)]
     pub fn has_one(&self) -> bool {
         self.count > 0
     }
 
-    /// Takes the oldest record; the last one taken again if there is none.
+    /// Removes and returns the oldest record; returns an old one if there is none.
     #[entry(infallible)]
     pub fn take(&mut self) -> Record {
         let first = self.first % DEPTH;

@@ -6,13 +6,13 @@ use bessemer::prelude::*;
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LowPass {
-    /// Where they are.
+    /// Filtered values.
     pub level: Vector3<f64>,
 }
 
 #[component]
 impl LowPass {
-    /// One period: moves the levels by `share`, 0 to 1, of the way to the signals.
+    /// Advances one period: moves the values by `share`, 0 to 1, of the difference to the signals.
     ///
     /// For a corner at f and a period T the share is 1 − exp(−2π f T).
     #[entry(infallible)]

@@ -1,26 +1,25 @@
 //! The contribution of each motor to thrust and torques (thesis, eqs. (3.9), (3.10)), on top of what the
 //! feed-forward has them do already.
 //!
-//! When the motors cannot do all that is wanted, roll and pitch are kept before yaw, and yaw before
-//! height: an aircraft that keeps its attitude can be flown on. Knows the limits of the motors, and
-//! nothing of why the thrust and the torques are wanted.
+//! If the motors cannot produce everything requested, roll and pitch have priority over yaw, and yaw over height: an
+//! aircraft that keeps its attitude remains controllable.
 
-use crate::airframe::{Airframe, MOST_MOTORS, Wrench};
+use crate::airframe::{Airframe, MAX_MOTORS, Wrench};
 use crate::signals::Command;
 use bessemer::prelude::*;
 
-/// From thrust and torques to motors.
+/// Conversion of thrust and torques to motor commands.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mixer {
-    /// Squares of the motor speeds (rows) per thrust and roll, pitch and yaw torque (columns),
-    /// rad²/s² per N and per N·m, about the body's x, y and z.
-    pub allocation: SMatrix<f64, MOST_MOTORS, 4>,
-    /// Thrust and roll, pitch and yaw torque (rows) per square of the motor speeds (columns), N·s²/rad²
-    /// and N·m·s²/rad²: what the motors do. A positive torque turns x towards y, y towards z, z towards x.
-    pub effectiveness: SMatrix<f64, 4, MOST_MOTORS>,
-    /// Direction in which each motor turns, 1 or −1; 0 where there is none.
-    pub spins: SVector<f64, MOST_MOTORS>,
+    /// Squares of the motor speeds (rows) per thrust and torque about the body's x, y and z (columns), rad²/s² per N
+    /// and per N·m.
+    pub allocation: SMatrix<f64, MAX_MOTORS, 4>,
+    /// Thrust and torque about the body's x, y and z (rows) per square of the motor speeds (columns), N·s²/rad² and
+    /// N·m·s²/rad². A positive torque turns x towards y, y towards z, z towards x.
+    pub effectiveness: SMatrix<f64, 4, MAX_MOTORS>,
+    /// Direction of rotation of each motor, 1 or −1; 0 for a missing motor.
+    pub spins: SVector<f64, MAX_MOTORS>,
     /// Square of a motor's speed per unit of its command, rad²/s².
     pub square_per_command: f64,
     /// Largest command that a motor takes.
@@ -29,7 +28,7 @@ pub struct Mixer {
 
 #[data]
 impl Mixer {
-    /// The mixer of an airframe whose motors take commands up to `largest_command`.
+    /// Returns the mixer of an airframe whose motors accept commands up to `largest_command`.
     pub fn new(airframe: &Airframe, square_per_command: f64, largest_command: f64) -> Mixer {
         let allocation = airframe.allocation();
         let effectiveness = airframe.effectiveness();
@@ -42,17 +41,17 @@ impl Mixer {
         }
     }
 
-    /// Motor commands that add a wrench to what `feed_forward`, a speed for each motor, rad/s, does.
+    /// Returns the motor commands that add a wrench to `feed_forward`, a speed for each motor, rad/s.
     ///
     /// The thrust becomes a speed that is added to the feed-forward's, as the thesis has it. The torques
     /// are added to the square of the sum: added as speeds they would act 1/(1 − gain) times as strongly
     /// under feed-forward, which at a gain of 0.8 no attitude loop survives.
-    pub fn mix(&self, wanted: &Wrench, feed_forward: &SVector<f64, MOST_MOTORS>) -> Command {
+    pub fn mix(&self, wanted: &Wrench, feed_forward: &SVector<f64, MAX_MOTORS>) -> Command {
         let torque = wanted.torque;
         let mut lift = SVector::zeros();
         let mut tilt = SVector::zeros();
         let mut twist = SVector::zeros();
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             let own = (self.allocation[(n, 0)] * wanted.thrust).max(0.0).sqrt();
             let speed = own + feed_forward[n];
             lift[n] = speed * speed;
@@ -64,7 +63,7 @@ impl Mixer {
         let squares = self.fit(&lift, &tilt, &twist, largest);
 
         let mut command = Command::still();
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             let square = squares[n].max(0.0).min(largest);
             let speed = square.sqrt();
             command.motors[n] = square / self.square_per_command;
@@ -75,30 +74,30 @@ impl Mixer {
         command
     }
 
-    /// What commands come to once the motors follow them.
+    /// Returns the wrench at the commanded motor speeds.
     pub fn wrench(&self, command: &Command) -> Wrench {
         let squares = command.speeds.component_mul(&command.speeds);
         let done = self.effectiveness * squares;
         Wrench { thrust: done[0], torque: Vector3::new(done[1], done[2], done[3]) }
     }
 
-    /// Squares of the motor speeds within 0 and `largest`: as much of the tilt as the motors span, then
-    /// of the twist, then of the lift.
+    /// Returns the squares of the motor speeds, limited to 0 … `largest`. The tilt has priority over the twist, and the
+    /// twist over the lift.
     fn fit(
         &self,
-        lift: &SVector<f64, MOST_MOTORS>,
-        tilt: &SVector<f64, MOST_MOTORS>,
-        twist: &SVector<f64, MOST_MOTORS>,
+        lift: &SVector<f64, MAX_MOTORS>,
+        tilt: &SVector<f64, MAX_MOTORS>,
+        twist: &SVector<f64, MAX_MOTORS>,
         largest: f64,
-    ) -> SVector<f64, MOST_MOTORS> {
+    ) -> SVector<f64, MAX_MOTORS> {
         let kept = tilt * share(&SVector::zeros(), tilt, largest);
         let turn = kept + twist * share(&kept, twist, largest);
 
-        // How far the lift has to go up or down so that every motor stays within its limits.
+        // Change of the lift that keeps every motor within its limits.
         let wanted = lift + turn;
         let mut least = largest;
         let mut most = 0.0;
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             if self.spins[n] != 0.0 {
                 least = wanted[n].min(least);
                 most = wanted[n].max(most);
@@ -107,7 +106,7 @@ impl Mixer {
         let shift = (-least).max(0.0) - (most - largest).max(0.0);
 
         let mut squares = SVector::zeros();
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             if self.spins[n] != 0.0 {
                 squares[n] = wanted[n] + shift;
             }
@@ -116,17 +115,17 @@ impl Mixer {
     }
 }
 
-/// The largest share, 0 to 1, of `more` that can be added to `base` while no two motors are further
-/// apart than `largest`.
+/// Returns the largest fraction, 0 to 1, of `more` that can be added to `base` while any two motors differ by at most
+/// `largest`.
 #[function]
-fn share(base: &SVector<f64, MOST_MOTORS>, more: &SVector<f64, MOST_MOTORS>, largest: f64) -> f64 {
+fn share(base: &SVector<f64, MAX_MOTORS>, more: &SVector<f64, MAX_MOTORS>, largest: f64) -> f64 {
     let mut share = 1.0;
-    for i in 0..MOST_MOTORS {
-        for j in 0..MOST_MOTORS {
-            let apart = more[i] - more[j];
+    for i in 0..MAX_MOTORS {
+        for j in 0..MAX_MOTORS {
+            let difference = more[i] - more[j];
             let room = largest - (base[i] - base[j]);
-            if apart * share > room {
-                share = (room / apart).max(0.0);
+            if difference * share > room {
+                share = (room / difference).max(0.0);
             }
         }
     }

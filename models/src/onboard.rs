@@ -1,8 +1,7 @@
-//! The whole onboard software (thesis, ch. 6): everything that happens in one period, in its order.
+//! The complete onboard software (thesis, ch. 6): all steps of one period in order.
 //!
-//! Composes the components and nothing else. Receiver, estimator, reference, controller, mixer and sender
-//! work in each period, at 200 Hz; the sensors bring what is new at their own rates, and the logger
-//! writes at its own.
+//! It only composes the components. Receiver, estimator, reference, controller, mixer and sender run in each period,
+//! at 200 Hz; sensors and logger have their own rates.
 
 use crate::airframe::Airframe;
 use crate::calibration::{Calibration, Readings};
@@ -23,33 +22,33 @@ use crate::signals::{Command, Estimate};
 use crate::trajectory::Space;
 use bessemer::prelude::*;
 
-/// Everything that can be set before a flight.
+/// All settings of a flight.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings {
     /// The aircraft as it is believed to be: for the feed-forward.
     pub airframe: Airframe,
-    /// The sensors' scales.
+    /// Airframe assumed by the feed-forward.
     pub calibration: Calibration,
-    /// The sensors' noise.
+    /// Scales of the sensors.
     pub sensors: Sensors,
-    /// Where trajectories may lead.
+    /// Limits of trajectories.
     pub space: Space,
-    /// How flights begin and end.
+    /// Timing of take-off, landing and timeouts.
     pub course: Course,
-    /// When to stop the motors.
+    /// Limits that stop the motors.
     pub limits: Limits,
-    /// The closed loop.
+    /// Parameters of the closed loop.
     pub parameters: Parameters,
-    /// The feed-forward.
+    /// Parameters of the feed-forward.
     pub injection: Injection,
-    /// What to write down.
+    /// Selection of logged signals.
     pub choice: Choice,
 }
 
 #[data]
 impl Settings {
-    /// The Mambo, in a room.
+    /// Returns the settings of the Mambo in a room.
     pub fn mambo() -> Settings {
         Settings {
             airframe: Airframe::mambo(),
@@ -65,90 +64,90 @@ impl Settings {
     }
 }
 
-/// What comes in in one period.
+/// Inputs of one period.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inputs {
-    /// The processor's clock, µs.
+    /// Processor time, µs.
     pub time: u64,
-    /// The sensors.
+    /// Sensor readings.
     pub readings: Readings,
-    /// A packet from the ground; of no length, if none came.
+    /// Packet from the ground station; length 0 if none came.
     pub uplink: Packet,
-    /// What the gate before the link has kept out so far.
+    /// Number of packets that the gate has rejected so far.
     pub refused: Refused,
 }
 
-/// What goes out in one period.
+/// Outputs of one period.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Outputs {
-    /// To the motors.
+    /// Motor commands.
     pub command: Command,
-    /// What is known of the aircraft.
+    /// State estimate.
     pub estimate: Estimate,
-    /// How long its parts have gone unmeasured.
+    /// Ages of the measurements.
     pub ages: Ages,
-    /// Where it is wanted.
+    /// Reference: the target, and the phase of the flight.
     pub reference: Reference,
     /// Variances of the position, m², and of the angles, rad².
-    pub spread: Vector6<f64>,
-    /// The share of the feed-forward that is injected.
+    pub variances: Vector6<f64>,
+    /// Present gain of the feed-forward.
     pub gain: f64,
-    /// What the ground wants of the settings: for whoever holds them, before the next period.
+    /// Change of settings that the ground station requests, applied by the caller before the next period.
     pub wish: Wish,
-    /// What is wrong.
+    /// Alarm of the crash predictor.
     pub alarm: Alarm,
-    /// A packet for the ground; of no length, if there is none.
+    /// Packet for the ground station; length 0 if there is none.
     pub downlink: Packet,
 }
 
-/// How fast the share of the feed-forward may change, 1/s: at once, it would throw the aircraft up.
+/// Largest rate of change of the feed-forward's gain, 1/s: a step would throw the aircraft up.
 #[data]
-const SWELL: f64 = 0.1;
+const GAIN_RATE: f64 = 0.1;
 
-/// An aircraft stands on the ground if it is lower than this, m, and slower than this, m/s.
+/// Height, m, and speed, m/s, below which the aircraft is at rest on the ground.
 #[data]
-const STANDING: [f64; 2] = [0.1, 0.1];
+const REST_LIMITS: [f64; 2] = [0.1, 0.1];
 
 /// The onboard software.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Onboard {
-    /// Watches the processor's clock.
+    /// Monitor of the processor's clock.
     pub clock: ClockMonitor,
-    /// Listens to the ground.
+    /// Receiver of the ground station's commands.
     pub receiver: Receiver,
-    /// Knows where the aircraft is.
+    /// State estimator.
     pub estimator: Estimator,
-    /// What the motors were told to do to the aircraft.
-    pub pushed: Push,
-    /// Knows where it is wanted.
+    /// Accelerations that the last commands are to cause.
+    pub commanded: Push,
+    /// Generator of the target.
     pub reference: ReferenceGenerator,
-    /// Sees trouble coming.
+    /// Crash predictor.
     pub predictor: CrashPredictor,
-    /// Closes the loop.
+    /// Closed loop.
     pub controller: Controller,
-    /// Writes down.
+    /// Data logger.
     pub logger: Logger,
-    /// Sends what was written down.
+    /// Downlink of the logged records.
     pub sender: Sender,
-    /// The share of the feed-forward that is injected.
+    /// Present gain of the feed-forward.
     pub gain: f64,
-    /// The parameter that the ground has asked for.
+    /// Parameter that the ground station has requested.
     pub reply: Reply,
 }
 
 #[component]
 impl Onboard {
-    /// One period.
+    /// Advances one period.
     #[entry(infallible)]
     pub fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs {
         let period = settings.parameters.period;
         self.receiver.step(period, &settings.space, &inputs.uplink);
 
         let measured = settings.calibration.measured(&inputs.readings);
-        let estimate = self.estimator.step(&settings.sensors, &self.pushed, &measured);
+        let estimate = self.estimator.step(&settings.sensors, &self.commanded, &measured);
         if self.receiver.orders.arm {
             self.arm(&estimate);
         }
@@ -159,9 +158,9 @@ impl Onboard {
 
         let landed = self.controller.touch_down.landed;
         let orders = &self.receiver.orders;
-        let limp = self.estimator.is_deaf();
-        let reference = self.reference.step(&settings.course, orders, &estimate, landed, limp);
-        self.swell(settings, &reference);
+        let degraded = self.estimator.gyro_lost();
+        let reference = self.reference.step(&settings.course, orders, &estimate, landed, degraded);
+        self.update_gain(settings, &reference);
         let mut command = Command::still();
         if reference.motors {
             let whole = compensation(&settings.airframe, &estimate, settings.injection.friction);
@@ -170,14 +169,14 @@ impl Onboard {
             let share = whole * self.gain;
             command = self.controller.step(parameters, &estimate, target, &share);
         }
-        self.pushed = settings.parameters.push(&command);
+        self.commanded = settings.parameters.push(&command);
 
         let mut outputs = Outputs {
             command,
             estimate,
             ages: self.estimator.ages,
             reference,
-            spread: self.estimator.spread(),
+            variances: self.estimator.variances(),
             gain: self.gain,
             wish: self.receiver.wish,
             alarm,
@@ -190,11 +189,11 @@ impl Onboard {
         outputs
     }
 
-    /// Makes ready for another flight, if the aircraft stands on the ground with its motors off.
+    /// Prepares another flight, if the aircraft is at rest on the ground with its motors off.
     fn arm(&mut self, estimate: &Estimate) {
-        let [low, slow] = STANDING;
-        let stands = estimate.position.z < low && estimate.velocity.norm() < slow;
-        if !self.reference.is_flying() && stands {
+        let [low, slow] = REST_LIMITS;
+        let at_rest = estimate.position.z < low && estimate.velocity.norm() < slow;
+        if !self.reference.is_flying() && at_rest {
             self.receiver.forget();
             self.reference = ReferenceGenerator::default();
             self.predictor = CrashPredictor::default();
@@ -203,10 +202,10 @@ impl Onboard {
         }
     }
 
-    /// Whether to go on.
+    /// Updates the alarms and returns the present one.
     fn watch(&mut self, settings: &Settings, time: u64, estimate: &Estimate) -> Alarm {
         if self.receiver.orders.stop {
-            self.predictor.raise(Alarm::Asked);
+            self.predictor.raise(Alarm::Commanded);
         }
         if !self.clock.step(settings.parameters.period, time) {
             self.predictor.raise(Alarm::Clock);
@@ -216,8 +215,8 @@ impl Onboard {
         self.predictor.step(&settings.limits, flying, estimate, &self.estimator.ages, climb)
     }
 
-    /// The share of the feed-forward on its way to what is injected now.
-    fn swell(&mut self, settings: &Settings, reference: &Reference) {
+    /// Moves the gain of the feed-forward towards its setpoint.
+    fn update_gain(&mut self, settings: &Settings, reference: &Reference) {
         if !reference.motors || reference.target.take_off {
             self.gain = 0.0;
             return;
@@ -226,12 +225,12 @@ impl Onboard {
         if self.receiver.orders.mode == Mode::FeedForward {
             wanted = settings.injection.gain(reference.time);
         }
-        let most = SWELL * settings.parameters.period;
+        let most = GAIN_RATE * settings.parameters.period;
         self.gain += (wanted - self.gain).max(-most).min(most);
     }
 
-    /// What goes down in this period. A parameter that is asked for in it goes down in the next one, when a
-    /// change of it has taken place.
+    /// Returns the packet to send in this period. A requested parameter is sent in the next period, after a change of
+    /// it has been applied.
     fn send(&mut self, settings: &Settings, refused: &Refused) -> Packet {
         let status = Status {
             tally: self.receiver.tally,
@@ -250,7 +249,7 @@ impl Onboard {
     }
 }
 
-/// Everything that the logger can be told to write down, by its number.
+/// Returns all signals that the logger can record, by number.
 ///
 /// 0–11 the state; 12–17 the wanted position, yaw, phase and time; 18–25 the closed loop's commands;
 /// 26–33 the feed-forward's; 34 its gain; 35 the alarm; 36–43 the motors' commands; 44–46 the wanted
@@ -284,7 +283,7 @@ pub fn signals(outputs: &Outputs) -> SVector<f64, SIGNALS> {
     all[49] = outputs.ages.height;
     all[50] = outputs.ages.plane;
     for n in 0..6 {
-        all[51 + n] = outputs.spread[n];
+        all[51 + n] = outputs.variances[n];
     }
     all
 }

@@ -1,50 +1,50 @@
-//! Packets of bounded size: how bytes are framed on the way up and down.
+//! Packets of bounded size: framing of uplink and downlink.
 //!
-//! `A5 5A kind sequence(2) length payload(length) checksum(2)`, least significant byte first; the
-//! checksum is CRC-16/CCITT over all between the first two bytes and itself. Knows bytes, not meanings.
+//! Format: `A5 5A kind sequence(2) length payload(length) checksum(2)`, least significant byte first. The checksum is
+//! CRC-16/CCITT over everything between the sync bytes and itself.
 
 use bessemer::prelude::*;
 
-/// The most bytes of a packet.
+/// Largest size of a packet, bytes.
 #[data]
-pub const MOST_BYTES: usize = 64;
+pub const MAX_BYTES: usize = 64;
 
-/// Where what is summed up begins: behind the two marks, with the kind.
+/// Offset of the first byte that the checksum covers: the kind, after the two sync bytes.
 #[data]
-pub const START: usize = 2;
+pub const CHECKSUM_START: usize = 2;
 
-/// Where the length of the payload stands.
+/// Offset of the payload's length.
 #[data]
-pub const SIZE_AT: usize = 5;
+pub const SIZE_OFFSET: usize = 5;
 
-/// Bytes before the payload: two marks, kind, sequence (2), length.
+/// Size of the header, bytes: two sync bytes, kind, sequence (2), length.
 #[data]
-pub const HEADER: usize = 6;
+pub const HEADER_BYTES: usize = 6;
 
-/// Bytes of the checksum behind the payload.
+/// Size of the checksum after the payload, bytes.
 #[data]
-pub const SUM: usize = 2;
+pub const CHECKSUM_BYTES: usize = 2;
 
-/// The most bytes of a payload: the rest is header and checksum.
+/// Largest size of a payload, bytes: the packet without header and checksum.
 #[data]
-pub const MOST_PAYLOAD: usize = 56;
+pub const MAX_PAYLOAD: usize = 56;
 
-/// The first byte of every packet.
+/// First sync byte.
 #[data]
-const FIRST: u8 = 0xA5;
+const SYNC_1: u8 = 0xA5;
 
-/// The second byte of every packet.
+/// Second sync byte.
 #[data]
-const SECOND: u8 = 0x5A;
+const SYNC_2: u8 = 0x5A;
 
-/// Bytes as they come from a link, or go to one.
+/// Bytes received from a link or sent to one.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Packet {
-    /// How many of the bytes there are; 0 is no packet.
+    /// Number of bytes; 0 if there is no packet.
     pub length: usize,
     /// The bytes.
-    pub bytes: [u8; MOST_BYTES],
+    pub bytes: [u8; MAX_BYTES],
 }
 
 impl Default for Packet {
@@ -55,82 +55,85 @@ impl Default for Packet {
 
 #[data]
 impl Packet {
-    /// No packet.
+    /// Returns the empty packet.
     pub fn none() -> Packet {
-        Packet { length: 0, bytes: [0; MOST_BYTES] }
+        Packet { length: 0, bytes: [0; MAX_BYTES] }
     }
 
-    /// A packet of a kind around the first `length` bytes of a payload.
-    pub fn around(kind: u8, sequence: u16, payload: &[u8; MOST_PAYLOAD], length: usize) -> Packet {
+    /// Builds a packet from its kind and the first `length` bytes of a payload.
+    pub fn around(kind: u8, sequence: u16, payload: &[u8; MAX_PAYLOAD], length: usize) -> Packet {
         let mut packet = Packet::none();
-        let size = length.min(MOST_PAYLOAD);
-        packet.length = HEADER + size + SUM;
-        packet.bytes[0] = FIRST;
-        packet.bytes[1] = SECOND;
+        let size = length.min(MAX_PAYLOAD);
+        packet.length = HEADER_BYTES + size + CHECKSUM_BYTES;
+        packet.bytes[0] = SYNC_1;
+        packet.bytes[1] = SYNC_2;
         packet.bytes[2] = kind;
         packet.bytes[3] = (sequence & 0xFF) as u8;
         packet.bytes[4] = (sequence >> 8) as u8;
-        packet.bytes[SIZE_AT] = size as u8;
+        packet.bytes[SIZE_OFFSET] = size as u8;
         for n in 0..size {
-            packet.bytes[HEADER + n] = payload[n];
+            packet.bytes[HEADER_BYTES + n] = payload[n];
         }
-        let sum = checksum(&packet.bytes[START..HEADER + size]);
-        packet.bytes[HEADER + size] = (sum & 0xFF) as u8;
-        packet.bytes[HEADER + size + 1] = (sum >> 8) as u8;
+        let sum = checksum(&packet.bytes[CHECKSUM_START..HEADER_BYTES + size]);
+        packet.bytes[HEADER_BYTES + size] = (sum & 0xFF) as u8;
+        packet.bytes[HEADER_BYTES + size + 1] = (sum >> 8) as u8;
         packet
     }
 
-    /// Whether the bytes are a packet: its marks, its length and its checksum.
+    /// Returns true if sync bytes, length and checksum are correct.
     pub fn is_sound(&self) -> bool {
-        let size = self.bytes[SIZE_AT] as usize;
-        if self.bytes[0] != FIRST || self.bytes[1] != SECOND || size > MOST_PAYLOAD {
+        let size = self.bytes[SIZE_OFFSET] as usize;
+        if self.bytes[0] != SYNC_1 || self.bytes[1] != SYNC_2 || size > MAX_PAYLOAD {
             return false;
         }
-        if self.length != HEADER + size + SUM {
+        if self.length != HEADER_BYTES + size + CHECKSUM_BYTES {
             return false;
         }
-        let sent = u16::from_le_bytes([self.bytes[HEADER + size], self.bytes[HEADER + size + 1]]);
-        checksum(&self.bytes[START..HEADER + size]) == sent
+        let sent = u16::from_le_bytes([
+            self.bytes[HEADER_BYTES + size],
+            self.bytes[HEADER_BYTES + size + 1],
+        ]);
+        checksum(&self.bytes[CHECKSUM_START..HEADER_BYTES + size]) == sent
     }
 
-    /// What it says it is.
+    /// Returns the kind.
     pub fn kind(&self) -> u8 {
         self.bytes[2]
     }
 
-    /// Its number.
+    /// Returns the sequence number.
     pub fn sequence(&self) -> u16 {
         u16::from_le_bytes([self.bytes[3], self.bytes[4]])
     }
 
-    /// How long its payload is.
+    /// Returns the length of the payload.
     pub fn size(&self) -> usize {
-        self.bytes[SIZE_AT] as usize
+        self.bytes[SIZE_OFFSET] as usize
     }
 
-    /// The byte of the payload at `at`; 0 behind its capacity.
+    /// Returns the payload's byte at `at`, or the last one of its capacity if `at` is beyond that.
     pub fn byte(&self, at: usize) -> u8 {
-        let place = at.min(MOST_PAYLOAD - 1);
-        self.bytes[HEADER + place]
+        let place = at.min(MAX_PAYLOAD - 1);
+        self.bytes[HEADER_BYTES + place]
     }
 
-    /// The number at `at` in the payload, of eight bytes.
+    /// Returns the payload's eight-byte number at `at`.
     pub fn number(&self, at: usize) -> f64 {
         f64::from_bits(self.word(at))
     }
 
-    /// The word at `at` in the payload, of eight bytes.
+    /// Returns the payload's eight-byte word at `at`.
     pub fn word(&self, at: usize) -> u64 {
-        let start = at.min(MOST_PAYLOAD - 8);
+        let start = at.min(MAX_PAYLOAD - 8);
         let mut eight = [0; 8];
         for n in 0..8 {
-            eight[n] = self.bytes[HEADER + start + n];
+            eight[n] = self.bytes[HEADER_BYTES + start + n];
         }
         u64::from_le_bytes(eight)
     }
 }
 
-/// CRC-16/CCITT (polynomial 0x1021, from 0xFFFF).
+/// Returns the CRC-16/CCITT of the bytes (polynomial 0x1021, initial value 0xFFFF).
 #[function]
 fn checksum(bytes: &[u8]) -> u16 {
     let mut sum: u16 = 0xFFFF;

@@ -8,7 +8,7 @@ use crate::mixer::Mixer;
 use crate::signals::Command;
 use bessemer::prelude::*;
 
-/// Gains of an axis that also remembers its error.
+/// Gains of a PID law.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gains {
@@ -22,13 +22,13 @@ pub struct Gains {
 
 #[data]
 impl Gains {
-    /// The PID law: what to do about an error, its integral over time and its rate.
+    /// Returns the output of the PID law for an error, its integral over time and its rate.
     pub fn respond(&self, error: f64, integral: f64, error_rate: f64) -> f64 {
         self.p * error + self.i * integral + self.d * error_rate
     }
 }
 
-/// Gains of an axis without memory.
+/// Gains of a PD law.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Damped {
@@ -40,26 +40,26 @@ pub struct Damped {
 
 #[data]
 impl Damped {
-    /// The PD law: what to do about an error and its rate.
+    /// Returns the output of the PD law for an error and its rate.
     pub fn respond(&self, error: f64, error_rate: f64) -> f64 {
         self.p * error + self.d * error_rate
     }
 }
 
-/// Which law closes the loop.
+/// Selection of the control law.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Candidate {
-    /// The thesis' cascade, read so that it flies: [`crate::cascade`].
+    /// The thesis' cascade, corrected: [`crate::cascade`].
     #[default]
     Cascade,
-    /// The same with the map from place to lean as the thesis prints it: [`crate::printed`].
+    /// The thesis' cascade with the map from position to tilt as printed: [`crate::printed`].
     Printed,
-    /// A geometric law on the rotation itself: [`crate::geometric`].
+    /// A geometric law: [`crate::geometric`].
     Geometric,
 }
 
-/// Everything that the controller can be tuned by.
+/// All parameters of the controller.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parameters {
@@ -69,7 +69,7 @@ pub struct Parameters {
     pub mass: f64,
     /// Moments of inertia about the body axes, kg·m².
     pub inertia: Vector3<f64>,
-    /// Which law closes the loop.
+    /// Selected control law.
     pub candidate: Candidate,
     /// Thrust of the take-off in excess of the weight, as a fraction of the weight.
     pub takeoff_gain: f64,
@@ -91,7 +91,7 @@ pub struct Parameters {
     pub mixer: Mixer,
 }
 
-/// Gains of the geometric law: each acts on an error that has no mass or inertia in it.
+/// Gains of the geometric law, normalised by mass and inertia.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Geometric {
@@ -103,14 +103,14 @@ pub struct Geometric {
 
 #[data]
 impl Parameters {
-    /// What commands are to do to the aircraft.
+    /// Returns the accelerations that a command is to cause.
     pub fn push(&self, command: &Command) -> Push {
         let wrench = self.mixer.wrench(command);
         let turn = wrench.torque.component_div(&self.inertia);
         Push { force: wrench.thrust / self.mass, turn }
     }
 
-    /// The Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1).
+    /// Returns the parameters of the Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1).
     pub fn mambo() -> Parameters {
         let airframe = Airframe::mambo();
         Parameters {
@@ -120,7 +120,7 @@ impl Parameters {
             candidate: Candidate::Cascade,
             takeoff_gain: 0.2,
             height: Gains { p: 1.5, i: 0.05, d: 0.3 },
-            // Negative: to go forward is to lean the other way, since the angles are passive.
+            // Negative: the angles are passive, so a forward motion needs a negative pitch.
             x: Damped { p: -0.24, d: -0.1 },
             y: Damped { p: -0.24, d: -0.1 },
             roll: Gains { p: 0.01, i: 0.01, d: 0.0028 },
@@ -134,8 +134,8 @@ impl Parameters {
         }
     }
 
-    /// The hexacopter at 200 Hz: the Mambo's gains per mass and per inertia, slower in attitude, as a
-    /// larger aircraft is.
+    /// Returns the parameters of the hexacopter at 200 Hz: the Mambo's gains scaled by mass and inertia, with a slower
+    /// attitude loop.
     pub fn hexacopter() -> Parameters {
         let airframe = Airframe::hexacopter();
         Parameters {

@@ -1,13 +1,13 @@
 //! The aircraft's motion (thesis, eqs. (2.17)–(2.29), (2.49)), for any number of motors.
 //!
-//! On board it predicts; off board it is what the identification fits. Knows speeds of motors, not who
-//! commands them, and no ground: what hits it is for others to say.
+//! On board it predicts; on the ground the identification fits it. It knows motor speeds, not their source, and no
+//! contact with the ground.
 
-use crate::airframe::{Airframe, GRAVITY, MOST_MOTORS, Wrench};
+use crate::airframe::{Airframe, GRAVITY, MAX_MOTORS, Wrench};
 use crate::geometry::Orientation;
 use bessemer::prelude::*;
 
-/// Where the aircraft is and how it moves (thesis, eq. (2.18)).
+/// Position, attitude and their rates (thesis, eq. (2.18)).
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
@@ -23,7 +23,7 @@ pub struct Motion {
 
 #[data]
 impl Motion {
-    /// This motion and `time` times its rate of change.
+    /// Returns this motion plus `time` times a rate of change.
     pub fn plus(&self, slope: &Motion, time: f64) -> Motion {
         Motion {
             position: self.position + slope.position * time,
@@ -33,7 +33,7 @@ impl Motion {
         }
     }
 
-    /// Rate of change under the motors' wrench (thesis, eqs. (2.17), (2.23), (2.24), (2.28)).
+    /// Returns the rate of change under the motors' wrench (thesis, eqs. (2.17), (2.23), (2.24), (2.28)).
     pub fn slope(&self, airframe: &Airframe, wrench: &Wrench) -> Motion {
         let orientation = Orientation::of(&self.angles);
         let push = orientation.thrust_direction() * (wrench.thrust / airframe.mass);
@@ -47,7 +47,7 @@ impl Motion {
         }
     }
 
-    /// The motion `period` seconds later, the wrench held: one step of the fourth-order Runge–Kutta rule.
+    /// Returns the motion after `period` seconds of a constant wrench: one step of fourth-order Runge–Kutta.
     pub fn after(&self, airframe: &Airframe, wrench: &Wrench, period: f64) -> Motion {
         let first = self.slope(airframe, wrench);
         let second = self.plus(&first, period / 2.0).slope(airframe, wrench);
@@ -61,11 +61,10 @@ impl Motion {
 
 #[data]
 impl Airframe {
-    /// Thrust and torques of the motors at their speeds, rad/s, whatever their signs
-    /// (thesis, eq. (2.49)).
-    pub fn wrench(&self, speeds: &SVector<f64, MOST_MOTORS>) -> Wrench {
+    /// Returns thrust and torques of the motors at their speeds, rad/s, of either sign (thesis, eq. (2.49)).
+    pub fn wrench(&self, speeds: &SVector<f64, MAX_MOTORS>) -> Wrench {
         let mut squares = SVector::zeros();
-        for n in 0..MOST_MOTORS {
+        for n in 0..MAX_MOTORS {
             squares[n] = speeds[n] * speeds[n];
         }
         let effect = self.effectiveness() * squares;
@@ -73,22 +72,22 @@ impl Airframe {
     }
 }
 
-/// The aircraft as the model has it: flown in virtual time, or ahead of the real one.
+/// The simulated aircraft, in virtual time or ahead of real time.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plant {
-    /// Where it is.
+    /// Present motion.
     pub motion: Motion,
 }
 
 #[component]
 impl Plant {
-    /// One period, s, at the given motor speeds, rad/s: where the aircraft is afterwards.
+    /// Advances one period, s, at the passed motor speeds, rad/s, and returns the motion.
     #[entry(infallible)]
     pub fn step(
         &mut self,
         airframe: &Airframe,
-        speeds: &SVector<f64, MOST_MOTORS>,
+        speeds: &SVector<f64, MAX_MOTORS>,
         period: f64,
     ) -> Motion {
         let wrench = airframe.wrench(speeds);

@@ -1,8 +1,8 @@
-//! The closed loop with the thesis' map from place to lean as it is printed (thesis, eqs. (3.16), (3.17)).
+//! The closed loop with the thesis' map from position to tilt as printed (thesis, eqs. (3.16), (3.17)).
 //!
-//! A candidate of [`crate::controller`], kept to show where the printed law fails: the map turns with
-//! yaw, but under (2.11) the direction of the thrust does not, so that it diverges from a yaw of about
-//! ±20° on. All else is as in [`crate::cascade`].
+//! One of the control laws of the controller. It shows that the printed law fails: its map rotates with yaw, but
+//! under (2.11) the direction of the thrust does not. It diverges from a yaw of about ±20°. Everything else equals
+//! the cascade.
 
 use crate::airframe::Wrench;
 use crate::attitude::Attitude;
@@ -24,7 +24,7 @@ pub struct Printed {
 
 #[component]
 impl Printed {
-    /// One control period: the thrust and the torques to command.
+    /// Advances one control period and returns the commanded thrust and torques.
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -38,7 +38,7 @@ impl Printed {
         let wanted_rates = Vector3::new(0.0, 0.0, target.yaw_rate);
         let error_rate = wanted_rates - orientation.angle_rates(&estimate.rates);
 
-        // The torques go to the body's axes as they are: minus the PID, without the axes of (2.16).
+        // The torques act on the body's axes directly: minus the PID output, without the axes of (2.16).
         let torque = -self.attitude.step(parameters, &error, &error_rate, target.grounded);
         let climb = estimate.velocity.z;
         let thrust = self.height.step(parameters, target, estimate.position.z, climb);
@@ -46,8 +46,8 @@ impl Printed {
     }
 }
 
-/// Roll, pitch and yaw that take the aircraft to its target, rad (thesis, eqs. (3.16), (3.17), with the
-/// gains in rad per metre and both negative, without which it does not fly at any yaw).
+/// Returns the roll, pitch and yaw that take the aircraft to its target, rad (thesis, eqs. (3.16), (3.17)). The gains
+/// are in rad per metre and both negative, without which the law does not fly at any yaw.
 #[function]
 pub fn lean(parameters: &Parameters, target: &Target, estimate: &Estimate) -> Vector3<f64> {
     let error = target.position - estimate.position;

@@ -1,27 +1,27 @@
-//! The orders of the ground, packet by packet (thesis, §6.1, command receiver).
+//! Receiver of the ground station's commands, packet by packet (thesis, §6.1, command receiver).
 //!
-//! A packet that is not sound, not new, not known or not sensible is dropped and counted; what was asked
-//! before stays. One is taken however old it is: to stop. A new trajectory is collected beside the one that
-//! is flown and takes its place as a whole. Knows how orders are written, not how they are carried out.
+//! A packet that is corrupt, outdated, unknown or invalid is dropped and counted; earlier commands stay in force.
+//! STOP is accepted at any age. A new trajectory is collected separately and replaces the active one as a whole.
+//! Carrying out the commands is up to other modules.
 
 use crate::logger::{Choice, WIDTH};
-use crate::packet::{MOST_BYTES, Packet};
-use crate::trajectory::{MOST_POINTS, SetPoint, Space, Trajectory};
+use crate::packet::{MAX_BYTES, Packet};
+use crate::trajectory::{MAX_POINTS, SetPoint, Space, Trajectory};
 use bessemer::prelude::*;
 
-/// Opens the link: always taken, and the numbering begins with it.
+/// Opens the link: always accepted, and restarts the sequence numbers.
 #[data]
 pub const HELLO: u8 = 1;
-/// Closes the link: nothing is sent down any more.
+/// Closes the link: the downlink stops.
 #[data]
 pub const GOODBYE: u8 = 2;
-/// A [`Mode`], one byte.
+/// Sets the mode, one byte.
 #[data]
 pub const MODE: u8 = 3;
-/// A set point: what to call its trajectory, one byte; its index, one byte; time, x, y, z, yaw.
+/// Adds a set point: tag of its trajectory, one byte; its index, one byte; time, x, y, z, yaw.
 #[data]
 pub const POINT: u8 = 4;
-/// Flies the collected trajectory: how many points, one byte; what it is called, one byte.
+/// Activates the collected trajectory: number of points, one byte; its tag, one byte.
 #[data]
 pub const COMMIT: u8 = 5;
 /// Takes off.
@@ -30,68 +30,69 @@ pub const TAKE_OFF: u8 = 6;
 /// Lands.
 #[data]
 pub const LAND: u8 = 7;
-/// Sticks: roll, pitch, rate of yaw, rate of climb.
+/// Sticks: roll, pitch, yaw rate, climb rate.
 #[data]
 pub const STICKS: u8 = 8;
 /// Stops the motors at once.
 #[data]
 pub const STOP: u8 = 9;
-/// Says that the ground is there. From the first one on, it is missed when it is silent.
+/// Heartbeat of the ground station. After the first one, silence is a lost link. From the first one on, it is missed
+/// when it is silent.
 #[data]
-pub const BEAT: u8 = 10;
-/// Makes ready for another flight; nothing happens unless the aircraft stands on the ground.
+pub const HEARTBEAT: u8 = 10;
+/// Prepares another flight; ignored unless the aircraft is at rest on the ground.
 #[data]
 pub const ARM: u8 = 11;
-/// Asks for a parameter: its number, one byte.
+/// Requests a parameter: its number, one byte.
 #[data]
 pub const ASK: u8 = 12;
 /// Sets a parameter: its number, one byte; its value.
 #[data]
 pub const SET: u8 = 13;
-/// Chooses what to write down: what to call the choice, every so many periods, and each signal, one byte each.
+/// Selects the logged signals: tag and period of the selection, then each signal, one byte each.
 #[data]
 pub const CHOOSE: u8 = 14;
 
-/// Bytes of the payload of [`MODE`].
+/// Payload of a mode packet, bytes.
 #[data]
 pub const MODE_BYTES: usize = 1;
-/// Bytes of the payload of [`COMMIT`]: how many points, and a name.
+/// Payload of a commit packet, bytes: number of points and tag.
 #[data]
 pub const COMMIT_BYTES: usize = 2;
-/// Bytes of the payload of [`ASK`]: a parameter.
+/// Payload of a query packet, bytes: a parameter.
 #[data]
 pub const ASK_BYTES: usize = 1;
-/// Bytes of the payload of [`POINT`]: a name, an index and five numbers.
+/// Payload of a set point packet, bytes: tag, index and five numbers.
 #[data]
 pub const POINT_BYTES: usize = 42;
-/// Bytes of the payload of [`STICKS`]: four numbers.
+/// Payload of a sticks packet, bytes: four numbers.
 #[data]
 pub const STICKS_BYTES: usize = 32;
-/// Bytes of the payload of [`SET`]: a parameter and a number.
+/// Payload of a parameter packet, bytes: a parameter and a number.
 #[data]
 pub const SET_BYTES: usize = 9;
-/// Bytes of the payload of [`CHOOSE`]: two, and one for each signal.
+/// Payload of a selection packet, bytes: tag, period and one byte for each signal.
 #[data]
 pub const CHOOSE_BYTES: usize = 38;
 
-/// How old what never came is, s: older than any patience.
+/// Age of a message that was never received, s: larger than any timeout.
 #[data]
 pub const NEVER: f64 = 1e9;
 
-/// Who decides where the aircraft goes.
+/// Source of the target.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
-    /// The trajectory, by the closed loop.
+    /// Trajectory, by the closed loop.
     #[default]
     ClosedLoop,
-    /// The trajectory, by the closed loop and the feed-forward.
+    /// Trajectory, by the closed loop and the feed-forward.
     FeedForward,
-    /// A pilot with sticks.
+    /// Sticks of a pilot.
     Manual,
 }
 
-/// What a pilot's sticks ask for.
+/// Setpoints of a pilot's sticks.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sticks {
@@ -105,73 +106,73 @@ pub struct Sticks {
 
 #[data]
 impl Sticks {
-    /// Nobody's hands on them.
+    /// Returns centred sticks.
     pub fn centred() -> Sticks {
         Sticks { lean: Vector2::zeros(), yaw_rate: 0.0, climb: 0.0 }
     }
 }
 
-/// What the ground wants of the settings, which the receiver does not hold.
+/// Request concerning the settings, which the receiver does not own.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Request {
-    /// Nothing.
+    /// No request.
     #[default]
     Nothing,
-    /// To know a parameter.
+    /// Query of a parameter.
     Ask,
-    /// To change a parameter.
+    /// Change of a parameter.
     Set,
-    /// To change what is written down.
+    /// Change of the logged signals.
     Choose,
 }
 
-/// A request of one period.
+/// Request of one period.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wish {
-    /// What for.
+    /// Kind of the request.
     pub request: Request,
     /// The parameter's number: see [`crate::tuning`].
     pub number: u8,
-    /// The value it is to have.
+    /// Requested value.
     pub value: f64,
-    /// What is to be written down.
+    /// Requested selection of logged signals.
     pub choice: Choice,
 }
 
-/// Everything that the ground has asked for.
+/// Commands of the ground station.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orders {
-    /// Who decides.
+    /// Source of the target.
     pub mode: Mode,
-    /// Whether to fly.
+    /// True if take-off is commanded.
     pub take_off: bool,
-    /// Whether to land.
+    /// True if landing is commanded.
     pub land: bool,
-    /// Whether to stop the motors.
+    /// True if the motors are commanded to stop.
     pub stop: bool,
-    /// Whether to make ready for another flight: in the period in which it is asked for.
+    /// True in the period in which preparation of another flight is commanded.
     pub arm: bool,
-    /// Whether anyone listens.
+    /// True if the link is open.
     pub link: bool,
-    /// Whether the ground has said that it will be heard from again and again.
+    /// True if the ground station has announced heartbeats.
     pub watched: bool,
-    /// How long nothing has been taken, s.
+    /// Time since the last accepted packet, s.
     pub silence: f64,
-    /// Where to go.
+    /// Trajectory to follow.
     pub trajectory: Trajectory,
-    /// What the ground calls that.
+    /// Tag of the trajectory.
     pub tag: u8,
-    /// The sticks.
+    /// Setpoints of the sticks.
     pub sticks: Sticks,
-    /// How old they are, s.
+    /// Age of the sticks, s.
     pub sticks_age: f64,
 }
 
 impl Default for Orders {
-    /// Nothing was asked for, and the sticks were never heard of.
+    /// Returns the initial commands: nothing commanded, sticks never received.
     fn default() -> Self {
         Orders {
             mode: Mode::ClosedLoop,
@@ -190,21 +191,21 @@ impl Default for Orders {
     }
 }
 
-/// How many packets came to what.
+/// Numbers of packets by result.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Taken.
-    pub taken: u32,
-    /// Not packets: marks, length or checksum wrong.
-    pub broken: u32,
-    /// Not newer than the last one.
-    pub old: u32,
-    /// Of no known kind, or with content that makes no sense.
-    pub senseless: u32,
+    /// Accepted packets.
+    pub accepted: u32,
+    /// Corrupt packets: sync bytes, length or checksum wrong.
+    pub corrupt: u32,
+    /// Packets not newer than the last one.
+    pub outdated: u32,
+    /// Invalid packets: unknown kind, or invalid content.
+    pub invalid: u32,
 }
 
-/// The largest lean, rad, rate of yaw, rad/s, and rate of climb, m/s, that sticks can ask for.
+/// Limits of the sticks: tilt, rad, yaw rate, rad/s, and climb rate, m/s.
 #[data]
 const STICK_LIMITS: [f64; 3] = [0.35, 2.0, 0.5];
 
@@ -212,27 +213,27 @@ const STICK_LIMITS: [f64; 3] = [0.35, 2.0, 0.5];
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Receiver {
-    /// What is to be done.
+    /// Present commands.
     pub orders: Orders,
-    /// What is wanted of the settings in this period.
+    /// Request concerning the settings in this period.
     pub wish: Wish,
-    /// How the packets fared.
+    /// Numbers of packets by result.
     pub tally: Tally,
-    /// The trajectory that is being collected.
+    /// Trajectory being collected.
     pub collected: Trajectory,
-    /// What the ground calls it.
+    /// Tag of the trajectory being collected.
     pub collecting: u8,
-    /// Which of its points have come: a bit for each.
+    /// Points received so far, one bit each.
     pub received: u32,
-    /// Number of the last packet that was taken.
+    /// Sequence number of the last accepted packet.
     pub last: u16,
-    /// Whether there was one.
-    pub heard: bool,
+    /// True if a packet has been accepted.
+    pub has_last: bool,
 }
 
 #[component]
 impl Receiver {
-    /// One period, s, with the packet that came in it, if one came.
+    /// Advances one period, s, and processes the packet received in it, if any.
     #[entry(infallible)]
     pub fn step(&mut self, period: f64, space: &Space, packet: &Packet) {
         self.orders.sticks_age += period;
@@ -242,30 +243,30 @@ impl Receiver {
         if packet.length == 0 {
             return;
         }
-        if packet.length > MOST_BYTES || !packet.is_sound() {
-            self.tally.broken = self.tally.broken.saturating_add(1);
+        if packet.length > MAX_BYTES || !packet.is_sound() {
+            self.tally.corrupt = self.tally.corrupt.saturating_add(1);
             return;
         }
         let hello = packet.kind() == HELLO && packet.size() == 0;
         let stop = packet.kind() == STOP && packet.size() == 0;
         let newer = self.is_newer(packet.sequence());
         if !newer && !hello && !stop {
-            self.tally.old = self.tally.old.saturating_add(1);
+            self.tally.outdated = self.tally.outdated.saturating_add(1);
             return;
         }
         if !self.take(space, packet) {
-            self.tally.senseless = self.tally.senseless.saturating_add(1);
+            self.tally.invalid = self.tally.invalid.saturating_add(1);
             return;
         }
-        self.tally.taken = self.tally.taken.saturating_add(1);
+        self.tally.accepted = self.tally.accepted.saturating_add(1);
         self.orders.silence = 0.0;
         if newer || hello {
-            self.heard = true;
+            self.has_last = true;
             self.last = packet.sequence();
         }
     }
 
-    /// Makes ready for another flight: what was asked for is over.
+    /// Clears the commands before another flight.
     #[entry(infallible)]
     pub fn forget(&mut self) {
         self.orders.take_off = false;
@@ -273,18 +274,18 @@ impl Receiver {
         self.orders.stop = false;
     }
 
-    /// Whether a number is ahead of the last, by less than half of all numbers.
+    /// Returns true if a sequence number is ahead of the last one by less than half the range.
     fn is_newer(&self, number: u16) -> bool {
         let ahead = number.wrapping_sub(self.last);
-        !self.heard || (ahead > 0 && ahead < 0x8000)
+        !self.has_last || (ahead > 0 && ahead < 0x8000)
     }
 
-    /// Does what the packet asks for; whether it made sense.
+    /// Executes a packet; returns true if it is valid.
     fn take(&mut self, space: &Space, packet: &Packet) -> bool {
         let kind = packet.kind();
         let size = packet.size();
         if size == 0 {
-            return self.take_word(space, kind);
+            return self.take_bare(space, kind);
         }
         if kind == MODE && size == MODE_BYTES {
             return self.take_mode(packet.byte(0));
@@ -310,8 +311,8 @@ impl Receiver {
         false
     }
 
-    /// What needs no more than the kind of the packet.
-    fn take_word(&mut self, space: &Space, kind: u8) -> bool {
+    /// Executes a packet without payload; returns true if its kind is known.
+    fn take_bare(&mut self, space: &Space, kind: u8) -> bool {
         if kind == TAKE_OFF {
             let ready = self.orders.trajectory.is_sound(space);
             self.orders.take_off = self.orders.take_off || ready;
@@ -319,7 +320,7 @@ impl Receiver {
         }
         if kind == HELLO {
             self.orders.link = true;
-            // It may be another ground, with names of its own: what the last one left is in no trajectory.
+            // Another ground station may use the same tags: discard the points collected so far.
             self.received = 0;
         } else if kind == GOODBYE {
             self.orders.link = false;
@@ -328,7 +329,7 @@ impl Receiver {
             self.orders.land = true;
         } else if kind == STOP {
             self.orders.stop = true;
-        } else if kind == BEAT {
+        } else if kind == HEARTBEAT {
             self.orders.watched = true;
         } else if kind == ARM {
             self.orders.arm = true;
@@ -338,7 +339,7 @@ impl Receiver {
         true
     }
 
-    /// A mode by its number.
+    /// Sets the mode by its number; returns true if there is such a mode.
     fn take_mode(&mut self, number: u8) -> bool {
         match number {
             0 => self.orders.mode = Mode::ClosedLoop,
@@ -349,13 +350,14 @@ impl Receiver {
         true
     }
 
-    /// Puts a set point into the trajectory that is being collected: the first of another one empties it.
+    /// Stores a set point in the trajectory being collected; returns true if it is valid. A new tag starts a new
+    /// trajectory.
     fn collect(&mut self, space: &Space, packet: &Packet) -> bool {
         let name = packet.byte(0);
         let index = packet.byte(1) as usize;
         let place = Vector3::new(packet.number(10), packet.number(18), packet.number(26));
         let point = SetPoint { time: packet.number(2), position: place, yaw: packet.number(34) };
-        if index >= MOST_POINTS || !point.is_inside(space) {
+        if index >= MAX_POINTS || !point.is_inside(space) {
             return false;
         }
         if name != self.collecting {
@@ -367,8 +369,7 @@ impl Receiver {
         true
     }
 
-    /// Flies the collected trajectory from now on, if it is sound and all of it has come. The next one is
-    /// collected anew.
+    /// Activates the collected trajectory if it is valid and complete; returns true if so. The next one starts empty.
     fn commit(&mut self, space: &Space, packet: &Packet) -> bool {
         let count = packet.byte(0) as usize;
         let mut wanted = self.collected;
@@ -376,7 +377,7 @@ impl Receiver {
         if packet.byte(1) != self.collecting || !wanted.is_sound(space) {
             return false;
         }
-        for n in 0..MOST_POINTS {
+        for n in 0..MAX_POINTS {
             if n < count && self.received & (1 << n) == 0 {
                 return false;
             }
@@ -387,7 +388,7 @@ impl Receiver {
         true
     }
 
-    /// Sticks, within what they may ask for.
+    /// Stores the sticks, limited to their range; returns true if they are numbers.
     fn take_sticks(&mut self, packet: &Packet) -> bool {
         let roll = packet.number(0);
         let pitch = packet.number(8);
@@ -406,7 +407,7 @@ impl Receiver {
         true
     }
 
-    /// Asks for a parameter, or sets it: whoever holds the settings knows whether that can be.
+    /// Stores a query or a change of a parameter; the owner of the settings decides whether it is valid.
     fn wish_for(&mut self, request: Request, packet: &Packet) -> bool {
         self.wish.request = request;
         self.wish.number = packet.byte(0);
@@ -414,7 +415,7 @@ impl Receiver {
         true
     }
 
-    /// Asks for other signals to be written down.
+    /// Stores a selection of logged signals.
     fn choose(&mut self, packet: &Packet) -> bool {
         self.wish.request = Request::Choose;
         self.wish.choice.tag = packet.byte(0);
@@ -426,7 +427,7 @@ impl Receiver {
     }
 }
 
-/// The value, or the limit that it exceeds; 0 for what is no number.
+/// Limits a value to ±`limit`; returns 0 for NaN.
 #[function]
 pub fn within(value: f64, limit: f64) -> f64 {
     if value.is_nan() {

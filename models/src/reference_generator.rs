@@ -1,7 +1,6 @@
-//! Where the aircraft is to be at each moment (thesis, §6.1, reference generator): take-off, the
-//! trajectory or the sticks, landing.
+//! Target of the aircraft in each period (thesis, §6.1, reference generator): take-off, trajectory or sticks, landing.
 //!
-//! Knows what was asked for and where the aircraft is, not how it gets to where it is wanted.
+//! It knows commands and position, not the control law.
 
 use crate::geometry::wrapped;
 use crate::receiver::{Mode, Orders, Sticks};
@@ -9,79 +8,78 @@ use crate::signals::{Estimate, Target};
 use crate::trajectory::SetPoint;
 use bessemer::prelude::*;
 
-/// Height above which the aircraft has left the ground, m.
+/// Height above which the aircraft is airborne, m.
 #[data]
-const CLEAR: f64 = 0.1;
+const GROUND_CLEARANCE: f64 = 0.1;
 
-/// Which part of the flight it is.
+/// Phase of the flight.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Phase {
-    /// On the ground, the motors off.
+    /// On the ground with motors off.
     #[default]
     Ready,
-    /// Climbing without minding the height.
+    /// Climbing without height control.
     TakeOff,
     /// Following the trajectory or the sticks.
     Flight,
-    /// Sinking to the ground.
+    /// Descending to the ground.
     Landing,
-    /// On the ground again, or stopped: the motors stay off until `init`, or until it is armed again.
+    /// Landed or stopped: the motors stay off until `init` or the next arming.
     Over,
-    /// Staying where it was wanted last, since the ground is not heard any more.
+    /// Holding the last setpoint, since the link is lost.
     Hold,
 }
 
-/// How a flight begins and ends.
+/// Parameters of take-off, landing and timeouts.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Course {
     /// Control period, s.
     pub period: f64,
-    /// How long the take-off climbs, s.
-    pub burn: f64,
-    /// How fast the landing sinks (K_landing of the thesis' eq. (3.20)), m/s.
-    pub sink: f64,
-    /// How old the sticks may be before they count as let go, s.
-    pub patience: f64,
+    /// Duration of the take-off climb, s.
+    pub takeoff_duration: f64,
+    /// Landing rate (K_landing of the thesis' eq. (3.20)), m/s. (3.20)), m/s.
+    pub landing_rate: f64,
+    /// Age at which the sticks are treated as centred, s.
+    pub stick_timeout: f64,
     /// Largest height that sticks can ask for, m.
     pub ceiling: f64,
-    /// How fast the wanted yaw goes to that of a set point, rad/s: a step would take from the height what
-    /// the motors need for it.
-    pub turn: f64,
-    /// How long the ground may be silent, once it has said that it will not be, before the aircraft stays
-    /// where it is, s.
-    pub silence: f64,
-    /// The same before it lands, s.
-    pub farewell: f64,
+    /// Largest rate of the yaw setpoint, rad/s: a step would take thrust from the height control.
+    pub yaw_rate_limit: f64,
+    /// Time without the ground station's heartbeat after which the aircraft holds its position, s.
+    pub hold_timeout: f64,
+    /// Time without the ground station's heartbeat after which the aircraft lands, s.
+    pub landing_timeout: f64,
 }
 
 #[data]
 impl Course {
-    /// The Mambo's. The thesis takes the sample time for K_landing, which would take 200 s to land.
+    /// Returns the parameters of the Mambo. The thesis uses the sample time as K_landing, with which a landing takes
+    /// 200 s. The thesis takes the sample time for K_landing, which would take 200 s to land.
     pub fn mambo() -> Course {
         Course {
             period: 0.005,
-            burn: 1.0,
-            sink: 0.25,
-            patience: 0.5,
+            takeoff_duration: 1.0,
+            landing_rate: 0.25,
+            stick_timeout: 0.5,
             ceiling: 2.5,
-            turn: 1.0,
-            silence: 1.0,
-            farewell: 6.0,
+            yaw_rate_limit: 1.0,
+            hold_timeout: 1.0,
+            landing_timeout: 6.0,
         }
     }
 }
 
-/// What the reference generator says.
+/// Output of the reference generator.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reference {
-    /// Where the aircraft is wanted.
+    /// Target of the aircraft.
     pub target: Target,
-    /// Which part of the flight it is.
+    /// Phase of the flight.
     pub phase: Phase,
-    /// Whether the motors may turn.
+    /// True if the motors may turn.
     pub motors: bool,
     /// Time since take-off, s.
     pub time: f64,
@@ -91,24 +89,24 @@ pub struct Reference {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReferenceGenerator {
-    /// Which part of the flight it is.
+    /// Phase of the flight.
     pub phase: Phase,
     /// Time since the take-off began, s.
     pub time: f64,
     /// Time since the landing began, s.
     pub landing: f64,
-    /// Where the aircraft was wanted last.
+    /// Last setpoint.
     pub wanted: SetPoint,
-    /// The yaw on its way to the wanted one, rad.
+    /// Yaw setpoint after rate limiting, rad.
     pub yaw: f64,
-    /// Whether the aircraft has left the ground.
+    /// True if the aircraft has left the ground.
     pub airborne: bool,
 }
 
 #[component]
 impl ReferenceGenerator {
-    /// One period. `landed`: whether the landing aircraft has touched down; `limp`: whether it had better
-    /// land, whatever was ordered.
+    /// Advances one period and returns the reference. `landed`: touch-down was detected. `degraded`: the aircraft must
+    /// land, whatever was commanded.
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -116,13 +114,13 @@ impl ReferenceGenerator {
         orders: &Orders,
         estimate: &Estimate,
         landed: bool,
-        limp: bool,
+        degraded: bool,
     ) -> Reference {
         if self.phase == Phase::Ready {
             self.wanted = orders.trajectory.at(0.0);
         }
-        self.change_phase(course, orders, estimate, landed, limp);
-        self.airborne = self.airborne || estimate.position.z > CLEAR;
+        self.change_phase(course, orders, estimate, landed, degraded);
+        self.airborne = self.airborne || estimate.position.z > GROUND_CLEARANCE;
         let mut target = Target::idle();
         target.grounded = !self.airborne;
         match self.phase {
@@ -133,14 +131,14 @@ impl ReferenceGenerator {
             }
             Phase::Flight => self.wanted = orders.trajectory.at(self.time),
             Phase::Landing => {
-                // (3.20): from the last height that was wanted, down and on into the ground.
+                // (3.20): descends from the last height setpoint, continuing below the ground.
                 self.landing += course.period;
                 target.land = true;
-                target.velocity.z = -course.sink;
+                target.velocity.z = -course.landing_rate;
             }
         }
         target.position = self.wanted.position;
-        target.position.z -= course.sink * self.landing;
+        target.position.z -= course.landing_rate * self.landing;
         self.turn(course, estimate, &mut target);
 
         let motors = self.is_flying();
@@ -150,62 +148,62 @@ impl ReferenceGenerator {
         Reference { target, phase: self.phase, motors, time: self.time }
     }
 
-    /// Stops the motors for good.
+    /// Stops the motors permanently.
     #[entry(infallible)]
     pub fn end(&mut self) {
         self.phase = Phase::Over;
     }
 
-    /// Whether the motors turn.
+    /// Returns true if the motors turn.
     #[entry(infallible)]
     pub fn is_flying(&self) -> bool {
         self.phase != Phase::Ready && self.phase != Phase::Over
     }
 
-    /// From one part of the flight to the next.
+    /// Changes the phase of the flight.
     ///
     /// An aircraft that is lighter or stronger than it is believed to be takes off faster: the closed loop
-    /// takes over at half the height that is wanted, if that comes before the end of the burn.
+    /// takes over at half the height that is wanted, if that comes before the end of the takeoff_duration.
     fn change_phase(
         &mut self,
         course: &Course,
         orders: &Orders,
         estimate: &Estimate,
         landed: bool,
-        limp: bool,
+        degraded: bool,
     ) {
         let aloft = self.phase == Phase::Flight || self.phase == Phase::Hold;
-        if limp && (self.phase == Phase::TakeOff || aloft) {
+        if degraded && (self.phase == Phase::TakeOff || aloft) {
             self.wanted.position = estimate.position;
             self.wanted.yaw = self.yaw;
         }
-        let alone = orders.watched && orders.silence > course.silence;
-        let left = orders.watched && orders.silence > course.farewell;
-        let land = orders.land || limp || left;
+        let alone = orders.watched && orders.silence > course.hold_timeout;
+        let link_lost = orders.watched && orders.silence > course.landing_timeout;
+        let land = orders.land || degraded || link_lost;
         let off = estimate.position.z > 0.5 * self.wanted.position.z;
         self.phase = match self.phase {
             Phase::Ready if orders.take_off && !land => Phase::TakeOff,
             Phase::TakeOff | Phase::Flight | Phase::Hold if land => Phase::Landing,
             Phase::Flight if alone => Phase::Hold,
             Phase::Hold if !alone => Phase::Flight,
-            Phase::TakeOff if self.time >= course.burn || off => Phase::Flight,
+            Phase::TakeOff if self.time >= course.takeoff_duration || off => Phase::Flight,
             Phase::Landing if landed => Phase::Over,
             same => same,
         };
     }
 
-    /// Turns to the wanted yaw, from that in which the aircraft stands until it has left the ground.
+    /// Moves the yaw setpoint to the requested yaw; until the aircraft is airborne it is the measured yaw.
     fn turn(&mut self, course: &Course, estimate: &Estimate, target: &mut Target) {
         if !self.airborne {
             self.yaw = estimate.angles.z;
         }
-        // The short way round: the yaw itself goes on beyond half a turn.
+        // The shorter direction; the yaw itself may exceed half a turn.
         let left = wrapped(self.wanted.yaw - self.yaw);
-        let most = course.turn * course.period;
+        let most = course.yaw_rate_limit * course.period;
         if !self.airborne {
             target.yaw_rate = 0.0;
         } else if !target.manual && left.abs() > most {
-            target.yaw_rate = course.turn.copysign(left);
+            target.yaw_rate = course.yaw_rate_limit.copysign(left);
             self.yaw += most.copysign(left);
         } else {
             self.yaw += left;
@@ -213,7 +211,7 @@ impl ReferenceGenerator {
         target.yaw = self.yaw;
     }
 
-    /// Leans and turns as the sticks ask; the height and the yaw that they change are held.
+    /// Follows the sticks in tilt, yaw rate and climb rate, and integrates height and yaw.
     fn follow_sticks(
         &mut self,
         course: &Course,
@@ -222,7 +220,7 @@ impl ReferenceGenerator {
         target: &mut Target,
     ) {
         let mut sticks = orders.sticks;
-        if orders.sticks_age > course.patience {
+        if orders.sticks_age > course.stick_timeout {
             sticks = Sticks::centred();
         }
         target.manual = true;

@@ -1,75 +1,74 @@
-//! The downlink (thesis, §6.1, data sender): one packet a period, records in several packets.
+//! Downlink (thesis, §6.1, data sender): one packet per period; a record takes several packets.
 //!
-//! Payload of a part of a record: the record's period, four bytes; the choice of signals, one byte; which
-//! part, one byte; its twelve values, in single precision. Twice a second the state of the link goes down in
-//! between, and a parameter that was asked for goes before everything. Knows the link's packets, not what the
-//! values mean.
+//! Payload of a part of a record: the record's period, four bytes; tag of the selection, one byte; number of the
+//! part, one byte; twelve values in single precision. The state of the link is sent twice a second. A requested
+//! parameter has priority over everything.
 
 use crate::gate::Refused;
 use crate::logger::{Logger, Record, WIDTH};
-use crate::packet::{MOST_PAYLOAD, Packet};
+use crate::packet::{MAX_PAYLOAD, Packet};
 use crate::receiver::{Mode, Tally};
 use bessemer::prelude::*;
 
-/// A part of a record.
+/// Kind of a packet with a part of a record.
 #[data]
 pub const RECORD: u8 = 0x40;
 
-/// The state of the link: see [`Status`].
+/// Kind of a packet with the state of the link.
 #[data]
 pub const STATUS: u8 = 0x41;
 
-/// A parameter: its number, one byte; its value, or no number if there is no such parameter.
+/// Kind of a packet with a parameter: its number, one byte; its value, NaN if there is no such parameter.
 #[data]
 pub const PARAMETER: u8 = 0x42;
 
-/// Values in a packet.
+/// Number of values in a packet.
 #[data]
-const VALUES: usize = 12;
+const VALUES_PER_PACKET: usize = 12;
 
-/// Packets of a record.
+/// Number of packets of a record.
 #[data]
-const PARTS: usize = WIDTH / VALUES;
+const PACKETS_PER_RECORD: usize = WIDTH / VALUES_PER_PACKET;
 
-/// Bytes before the values.
+/// Size of the header before the values, bytes.
 #[data]
-const FRONT: usize = 6;
+const RECORD_HEADER_BYTES: usize = 6;
 
-/// Bytes of a part of a record.
+/// Payload of a part of a record, bytes.
 #[data]
 const RECORD_BYTES: usize = 54;
 
-/// Counts in the state of the link.
+/// Number of counters in the state of the link.
 #[data]
-const COUNTS: usize = 8;
+const STATUS_COUNTERS: usize = 8;
 
-/// Bytes of the state of the link.
+/// Payload of the state of the link, bytes.
 #[data]
 const STATUS_BYTES: usize = 35;
 
-/// Bytes of a parameter.
+/// Payload of a parameter, bytes.
 #[data]
 const PARAMETER_BYTES: usize = 9;
 
-/// The state of the link goes down every so many periods.
+/// Interval between two states of the link, in periods.
 #[data]
-const STATUS_EVERY: u32 = 100;
+const STATUS_INTERVAL: u32 = 100;
 
-/// How the link is: eight counts of four bytes, and what was asked for.
+/// State of the link: eight counters of four bytes, mode, tag and heartbeat.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Status {
-    /// How the packets fared.
+    /// Numbers of received packets by result.
     pub tally: Tally,
-    /// Which did not get that far.
+    /// Numbers of packets that the gate rejected.
     pub refused: Refused,
-    /// Records that were overwritten before they went down.
+    /// Number of records overwritten before they were sent.
     pub lost: u32,
-    /// The mode, one byte.
+    /// Mode, one byte.
     pub mode: Mode,
-    /// The trajectory, by the name that the ground gave it, one byte.
+    /// Tag of the trajectory, chosen by the ground station, one byte.
     pub tag: u8,
-    /// Whether the ground is missed when it is silent, one byte.
+    /// True if heartbeats of the ground station are expected, one byte.
     pub watched: bool,
 }
 
@@ -77,7 +76,7 @@ pub struct Status {
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reply {
-    /// Whether there is one.
+    /// True if a reply is due.
     pub wanted: bool,
     /// Its number.
     pub number: u8,
@@ -89,31 +88,31 @@ pub struct Reply {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sender {
-    /// The record that is being sent.
+    /// Record being sent.
     pub record: Record,
-    /// Which part of it is next; as many as it has when all are gone.
+    /// Index of its next part; the number of parts when all are sent.
     pub part: usize,
-    /// Whether a record is being sent.
+    /// True while a record is being sent.
     pub busy: bool,
     /// Number of the next packet.
     pub sequence: u16,
-    /// Periods since the state of the link went down.
-    pub since: u32,
+    /// Periods status_age the state of the link went down.
+    pub status_age: u32,
 }
 
 #[component]
 impl Sender {
-    /// One period: the packet to send, if there is something to send.
+    /// Advances one period and returns the packet to send, if any.
     #[entry(infallible)]
     pub fn step(&mut self, logger: &mut Logger, status: &Status, reply: &Reply) -> Packet {
-        self.since = self.since.saturating_add(1);
+        self.status_age = self.status_age.saturating_add(1);
         let sequence = self.sequence;
         if reply.wanted {
             self.sequence = sequence.wrapping_add(1);
             return parameter(sequence, reply);
         }
-        if self.since >= STATUS_EVERY {
-            self.since = 0;
+        if self.status_age >= STATUS_INTERVAL {
+            self.status_age = 0;
             self.sequence = sequence.wrapping_add(1);
             return state(sequence, status);
         }
@@ -125,55 +124,57 @@ impl Sender {
             self.part = 0;
             self.busy = true;
         }
-        let part = self.part.min(PARTS - 1);
+        let part = self.part.min(PACKETS_PER_RECORD - 1);
         let packet = self.packet(part);
         self.sequence = sequence.wrapping_add(1);
         self.part = part + 1;
-        self.busy = self.part < PARTS;
+        self.busy = self.part < PACKETS_PER_RECORD;
         packet
     }
 
-    /// A part of the record, framed.
+    /// Returns a packet with one part of the record.
     fn packet(&self, part: usize) -> Packet {
-        let mut payload = [0; MOST_PAYLOAD];
+        let mut payload = [0; MAX_PAYLOAD];
         put(&mut payload, 0, self.record.period);
         payload[4] = self.record.tag;
         payload[5] = part as u8;
-        for value in 0..VALUES {
-            let single = self.record.values[VALUES * part.min(PARTS - 1) + value] as f32;
-            put(&mut payload, FRONT + 4 * value, single.to_bits());
+        for value in 0..VALUES_PER_PACKET {
+            let single = self.record.values
+                [VALUES_PER_PACKET * part.min(PACKETS_PER_RECORD - 1) + value]
+                as f32;
+            put(&mut payload, RECORD_HEADER_BYTES + 4 * value, single.to_bits());
         }
         Packet::around(RECORD, self.sequence, &payload, RECORD_BYTES)
     }
 }
 
-/// The state of the link, framed.
+/// Returns a packet with the state of the link.
 #[function]
 fn state(sequence: u16, status: &Status) -> Packet {
     let counts = [
-        status.tally.taken,
-        status.tally.broken,
-        status.tally.old,
-        status.tally.senseless,
+        status.tally.accepted,
+        status.tally.corrupt,
+        status.tally.outdated,
+        status.tally.invalid,
         status.refused.unsealed,
         status.refused.forged,
         status.refused.replayed,
         status.lost,
     ];
-    let mut payload = [0; MOST_PAYLOAD];
-    for n in 0..COUNTS {
+    let mut payload = [0; MAX_PAYLOAD];
+    for n in 0..STATUS_COUNTERS {
         put(&mut payload, 4 * n, counts[n]);
     }
-    payload[4 * COUNTS] = status.mode as u8;
-    payload[4 * COUNTS + 1] = status.tag;
-    payload[4 * COUNTS + 2] = status.watched as u8;
+    payload[4 * STATUS_COUNTERS] = status.mode as u8;
+    payload[4 * STATUS_COUNTERS + 1] = status.tag;
+    payload[4 * STATUS_COUNTERS + 2] = status.watched as u8;
     Packet::around(STATUS, sequence, &payload, STATUS_BYTES)
 }
 
-/// A parameter, framed.
+/// Returns a packet with a parameter.
 #[function]
 fn parameter(sequence: u16, reply: &Reply) -> Packet {
-    let mut payload = [0; MOST_PAYLOAD];
+    let mut payload = [0; MAX_PAYLOAD];
     payload[0] = reply.number;
     let bytes = reply.value.to_le_bytes();
     for n in 0..8 {
@@ -182,10 +183,10 @@ fn parameter(sequence: u16, reply: &Reply) -> Packet {
     Packet::around(PARAMETER, sequence, &payload, PARAMETER_BYTES)
 }
 
-/// Puts a word at `at`, least significant byte first; at the end, if it would not fit behind that.
+/// Writes a word at `at`, least significant byte first; at the end of the payload if it does not fit.
 #[function]
-fn put(payload: &mut [u8; MOST_PAYLOAD], at: usize, word: u32) {
-    let start = at.min(MOST_PAYLOAD - 4);
+fn put(payload: &mut [u8; MAX_PAYLOAD], at: usize, word: u32) {
+    let start = at.min(MAX_PAYLOAD - 4);
     let bytes = word.to_le_bytes();
     for n in 0..4 {
         payload[start + n] = bytes[n];

@@ -1,11 +1,11 @@
 //! The inputs and outputs of a control period.
 //!
-//! Plain data only: nothing here knows who fills it in, or who acts on it.
+//! Plain data only: producers and consumers are unknown here.
 
-use crate::airframe::MOST_MOTORS;
+use crate::airframe::MAX_MOTORS;
 use bessemer::prelude::*;
 
-/// What is known of the aircraft (thesis, eq. (2.18)).
+/// State estimate of the aircraft (thesis, eq. (2.18)).
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
@@ -19,7 +19,7 @@ pub struct Estimate {
     pub rates: Vector3<f64>,
 }
 
-/// Where the aircraft is wanted, and in which part of the flight it is.
+/// Target of the aircraft, and the phase of the flight.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Target {
@@ -33,21 +33,21 @@ pub struct Target {
     pub yaw: f64,
     /// Rate of yaw, rad/s.
     pub yaw_rate: f64,
-    /// Set while the aircraft takes off: it then climbs without minding its height.
+    /// True during take-off: the height is not controlled.
     pub take_off: bool,
-    /// Set until the aircraft has left the ground: what it cannot turn or lift yet is no error to remember.
+    /// True until the aircraft has left the ground: integrals are frozen.
     pub grounded: bool,
-    /// Set while the aircraft lands: it then stops its motors on touch-down.
+    /// True during landing: touch-down stops the motors.
     pub land: bool,
-    /// Set while a pilot holds the sticks: `lean` then stands in for the place.
+    /// True while a pilot flies: `lean` replaces the position.
     pub manual: bool,
-    /// Roll and pitch that the pilot asks for, rad.
+    /// Roll and pitch setpoints of the pilot, rad.
     pub lean: Vector2<f64>,
 }
 
 #[data]
 impl Target {
-    /// On the ground where the flight began.
+    /// Returns the target on the ground at the start.
     pub fn idle() -> Target {
         Target {
             position: Vector3::zeros(),
@@ -64,23 +64,23 @@ impl Target {
     }
 }
 
-/// What the motors are told.
+/// Commands to the motors.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Command {
     /// Command to each motor, 0 to the largest command.
-    pub motors: SVector<f64, MOST_MOTORS>,
-    /// Speed that each motor is to take, with the sign of its rotation, rad/s.
-    pub speeds: SVector<f64, MOST_MOTORS>,
-    /// What of the speed the closed loop asks for, rad/s.
-    pub closed_loop: SVector<f64, MOST_MOTORS>,
-    /// What of the speed the feed-forward asks for, rad/s.
-    pub feed_forward: SVector<f64, MOST_MOTORS>,
+    pub motors: SVector<f64, MAX_MOTORS>,
+    /// Speed setpoint of each motor, with the sign of its rotation, rad/s.
+    pub speeds: SVector<f64, MAX_MOTORS>,
+    /// Part of the speed that the closed loop requests, rad/s.
+    pub closed_loop: SVector<f64, MAX_MOTORS>,
+    /// Part of the speed that the feed-forward requests, rad/s.
+    pub feed_forward: SVector<f64, MAX_MOTORS>,
 }
 
 #[data]
 impl Command {
-    /// All motors off.
+    /// Returns the command that stops all motors.
     pub fn still() -> Command {
         let zeros = SVector::zeros();
         Command { motors: zeros, speeds: zeros, closed_loop: zeros, feed_forward: zeros }

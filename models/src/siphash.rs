@@ -1,22 +1,22 @@
-//! SipHash-2-4: a short sum over a message that nobody can write without the key (Aumasson, Bernstein:
-//! "SipHash: a fast short-input PRF", INDOCRYPT 2012).
+//! SipHash-2-4, a short keyed hash of a message (Aumasson, Bernstein: "SipHash: a fast short-input PRF", INDOCRYPT
+//! 2012).
 //!
-//! Knows bytes and a key, not what they are for.
+//! The purpose of key and bytes is unknown here.
 
-use crate::packet::MOST_BYTES;
+use crate::packet::MAX_BYTES;
 use bessemer::prelude::*;
 
-/// A secret of 16 bytes, that the ground has as well.
+/// Secret key of 16 bytes, shared with the ground station.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Key {
-    /// Whether there is one.
-    pub given: bool,
-    /// Its first and its last eight bytes, least significant byte first.
+    /// True if a key is set.
+    pub is_set: bool,
+    /// First and last eight bytes of the key, least significant byte first.
     pub halves: [u64; 2],
 }
 
-/// The four words of the sum on its way.
+/// The four state words of the hash.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sip {
@@ -32,7 +32,7 @@ pub struct Sip {
 
 #[data]
 impl Sip {
-    /// The words before the message (paper, section 2.1).
+    /// Returns the initial state for a key (paper, section 2.1).
     pub fn keyed(key: &Key) -> Sip {
         Sip {
             v0: key.halves[0] ^ 0x736F_6D65_7073_6575,
@@ -42,7 +42,7 @@ impl Sip {
         }
     }
 
-    /// One SipRound (paper, figure 2.1).
+    /// Applies one SipRound (paper, figure 2.1).
     pub fn turn(&mut self) {
         self.v0 = self.v0.wrapping_add(self.v1);
         self.v2 = self.v2.wrapping_add(self.v3);
@@ -56,7 +56,7 @@ impl Sip {
         self.v2 = self.v2.rotate_left(32);
     }
 
-    /// Takes in eight bytes of the message: the two rounds of SipHash-2-4.
+    /// Absorbs eight bytes of the message: the two rounds of SipHash-2-4.
     pub fn take(&mut self, word: u64) {
         self.v3 ^= word;
         self.turn();
@@ -64,7 +64,7 @@ impl Sip {
         self.v0 ^= word;
     }
 
-    /// The sum behind the last word: the four rounds of SipHash-2-4.
+    /// Returns the hash after the last word: the four rounds of SipHash-2-4.
     pub fn sum(&self) -> u64 {
         let mut last = *self;
         last.v2 ^= 0xFF;
@@ -75,13 +75,13 @@ impl Sip {
     }
 }
 
-/// The sum over the bytes from `from` to before `end`.
+/// Returns the hash of the bytes from `from` to before `end`.
 #[function]
-pub fn sip_hash(key: &Key, bytes: &[u8; MOST_BYTES], from: usize, end: usize) -> u64 {
+pub fn sip_hash(key: &Key, bytes: &[u8; MAX_BYTES], from: usize, end: usize) -> u64 {
     let mut sip = Sip::keyed(key);
     let mut word: u64 = 0;
     let mut count: u64 = 0;
-    for n in 0..MOST_BYTES {
+    for n in 0..MAX_BYTES {
         if n >= from && n < end {
             word |= (bytes[n] as u64) << (8 * (count % 8));
             count = count.wrapping_add(1);
@@ -91,7 +91,7 @@ pub fn sip_hash(key: &Key, bytes: &[u8; MOST_BYTES], from: usize, end: usize) ->
             }
         }
     }
-    // What is left, and the length of the message in the highest byte.
+    // The remaining bytes, and the length of the message in the highest byte.
     sip.take(word | (count << 56));
     sip.sum()
 }

@@ -1,8 +1,8 @@
-//! A sensor that repeats itself to the last bit is dead: noise never does.
+//! Detection of a stuck sensor: noise never repeats a reading to the last bit.
 
 use bessemer::prelude::*;
 
-/// Watches three readings of one sensor.
+/// Stuck detection of a sensor with three readings.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stuck {
@@ -12,12 +12,12 @@ pub struct Stuck {
 
 #[component]
 impl Stuck {
-    /// Whether a reading is a new one. Two that are equal by chance cost one of them, which is no loss; a
-    /// sensor that sticks is not believed even once.
+    /// Returns true if a reading differs from the last one. Two readings equal by chance lose one of them; a stuck
+    /// sensor is not used even once.
     #[entry(infallible)]
-    pub fn says(&mut self, reading: &Vector3<f64>) -> bool {
-        let new = *reading != self.last;
+    pub fn is_new(&mut self, reading: &Vector3<f64>) -> bool {
+        let is_new = *reading != self.last;
         self.last = *reading;
-        new
+        is_new
     }
 }

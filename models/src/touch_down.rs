@@ -1,40 +1,40 @@
-//! When a landing aircraft has touched down.
+//! Touch-down detection of a landing aircraft.
 //!
-//! It has when it is near the ground and no longer sinks although it is asked to: the height alone
-//! would stop the motors in the air, and let the aircraft fall what the height is wrong by.
+//! An aircraft has touched down when it is near the ground and no longer descends although commanded to. The height
+//! alone would stop the motors in the air, and the aircraft would fall by the error of the height.
 
 use crate::signals::{Estimate, Target};
 use bessemer::prelude::*;
 
-/// Height below which the ground can be what holds the aircraft, m.
+/// Height below which the ground can carry the aircraft, m.
 #[data]
-const NEAR: f64 = 0.1;
+const CONTACT_HEIGHT: f64 = 0.1;
 
-/// Speed below which it no longer sinks, m/s: a fraction of any rate of descent.
+/// Vertical speed below which the aircraft is still, m/s: a fraction of any landing rate.
 #[data]
-const STILL: f64 = 0.08;
+const STILL_SPEED: f64 = 0.08;
 
-/// How long it has to stay still, s.
+/// Time for which the aircraft must be still, s.
 #[data]
-const LONG_ENOUGH: f64 = 0.15;
+const CONFIRMATION_TIME: f64 = 0.15;
 
-/// Height below the ground that the target reaches before it is believed, m.
+/// Depth below the ground that the target must reach first, m.
 #[data]
-const PUSHED: f64 = 0.02;
+const TARGET_DEPTH: f64 = 0.02;
 
-/// Tells touch-down from a slow descent.
+/// Touch-down detector.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TouchDown {
-    /// How long the aircraft has been still near the ground, s.
+    /// Time for which the aircraft has been still near the ground, s.
     pub still: f64,
-    /// Whether it has touched down.
+    /// True after touch-down.
     pub landed: bool,
 }
 
 #[component]
 impl TouchDown {
-    /// One period, s: whether the aircraft has landed. A bounce does not undo it, a new flight does.
+    /// Advances one period, s; returns true after touch-down. A bounce does not reset it; a new flight does.
     #[entry(infallible)]
     pub fn step(&mut self, period: f64, target: &Target, estimate: &Estimate) -> bool {
         if !target.land {
@@ -42,13 +42,13 @@ impl TouchDown {
             self.landed = false;
             return false;
         }
-        let near = estimate.position.z < NEAR && target.position.z < -PUSHED;
-        if near && estimate.velocity.z.abs() < STILL {
+        let near = estimate.position.z < CONTACT_HEIGHT && target.position.z < -TARGET_DEPTH;
+        if near && estimate.velocity.z.abs() < STILL_SPEED {
             self.still += period;
         } else {
             self.still = 0.0;
         }
-        self.landed = self.landed || self.still >= LONG_ENOUGH;
+        self.landed = self.landed || self.still >= CONFIRMATION_TIME;
         self.landed
     }
 }

@@ -1,41 +1,41 @@
-//! The parameters that the ground can ask for and set, each by a number.
+//! Parameters that the ground station can query and set, each by a number.
 //!
-//! A value out of its parameter's range is refused, and so is one that must not change in flight. Names and
-//! units are told on the ground; here is what the numbers mean and how far they go.
+//! A value outside its range is rejected, and so is a change that is forbidden in flight. Names and units are defined
+//! by the ground station.
 
 use crate::onboard::Settings;
 use crate::parameters::Candidate;
 use crate::receiver::{Request, Wish};
 use bessemer::prelude::*;
 
-/// How many parameters there are.
+/// Number of parameters.
 #[data]
-pub const TUNABLE: usize = 20;
+pub const PARAMETER_COUNT: usize = 20;
 
-/// From this number on they change on the ground only.
+/// Number of the first parameter that changes on the ground only.
 #[data]
-pub const GROUNDED: usize = 18;
+pub const FIRST_GROUND_ONLY: usize = 18;
 
-/// The least values, in the order of [`values`].
+/// Least value of each parameter.
 #[data]
-pub const LEAST: [f64; TUNABLE] = [
+pub const LEAST_VALUES: [f64; PARAMETER_COUNT] = [
     0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.2, -0.4, -0.2,
     0.0, -0.05, 0.1, 0.1, 0.0,
 ];
 
-/// The largest values.
+/// Largest value of each parameter.
 #[data]
-pub const MOST: [f64; TUNABLE] = [
+pub const LARGEST_VALUES: [f64; PARAMETER_COUNT] = [
     3.0, 0.2, 0.8, 0.02, 0.02, 0.005, 0.025, 0.02, 0.004, 0.01, 0.0025, -0.1, -0.04, -0.1, -0.04,
     0.8, 0.05, 0.5, 0.4, 2.0,
 ];
 
-/// What the parameters are now: P, I and D of the height (N/m, N/(m·s), N·s/m), of roll and of pitch
-/// (N·m/rad …), P and D of yaw, of x and of y (rad/m, rad·s/m); the final gain of the feed-forward, the
-/// friction that it takes away (N·s/m); the rate of the landing (m/s); and, on the ground only, the excess of the
-/// take-off's thrust and the number of the candidate.
+/// Returns the present values. P, I and D of the height (N/m, N/(m·s), N·s/m), of roll and of pitch (N·m/rad …); P and
+/// D of yaw, of x and of y (rad/m, rad·s/m). Then the final gain of the feed-forward, the friction that it cancels
+/// (N·s/m) and the landing rate (m/s). On the ground only: the excess thrust of the take-off and the number of the
+/// control law.
 #[function]
-pub fn values(settings: &Settings) -> [f64; TUNABLE] {
+pub fn values(settings: &Settings) -> [f64; PARAMETER_COUNT] {
     let all = &settings.parameters;
     [
         all.height.p,
@@ -55,7 +55,7 @@ pub fn values(settings: &Settings) -> [f64; TUNABLE] {
         all.y.d,
         settings.injection.most,
         settings.injection.friction,
-        settings.course.sink,
+        settings.course.landing_rate,
         all.takeoff_gain,
         all.candidate as u8 as f64,
     ]
@@ -63,16 +63,16 @@ pub fn values(settings: &Settings) -> [f64; TUNABLE] {
 
 #[data]
 impl Settings {
-    /// The value of a parameter; no number, if there is none of that number.
+    /// Returns the value of a parameter, or NaN if there is no such parameter.
     pub fn parameter(&self, number: u8) -> f64 {
         let n = number as usize;
-        if n >= TUNABLE {
+        if n >= PARAMETER_COUNT {
             return f64::NAN;
         }
         values(self)[n]
     }
 
-    /// Changes what the ground wants changed, if that can be: whether it was.
+    /// Applies a request of the ground station if it is valid; returns true if so.
     pub fn grant(&mut self, wish: &Wish, flying: bool) -> bool {
         match wish.request {
             Request::Set => self.set(wish.number, wish.value, flying),
@@ -84,13 +84,13 @@ impl Settings {
         }
     }
 
-    /// Sets a parameter: whether that can be.
+    /// Sets a parameter if the value is valid; returns true if so.
     pub fn set(&mut self, number: u8, value: f64, flying: bool) -> bool {
         let n = number as usize;
-        if n >= TUNABLE || (flying && n >= GROUNDED) {
+        if n >= PARAMETER_COUNT || (flying && n >= FIRST_GROUND_ONLY) {
             return false;
         }
-        let good = value >= LEAST[n] && value <= MOST[n];
+        let good = value >= LEAST_VALUES[n] && value <= LARGEST_VALUES[n];
         if !good {
             return false;
         }
@@ -99,14 +99,14 @@ impl Settings {
         self.take_gains(&all);
         self.injection.most = all[15];
         self.injection.friction = all[16];
-        self.course.sink = all[17];
+        self.course.landing_rate = all[17];
         self.parameters.takeoff_gain = all[18];
         self.parameters.candidate = candidate(all[19]);
         true
     }
 
-    /// The gains, in the order of [`values`].
-    fn take_gains(&mut self, all: &[f64; TUNABLE]) {
+    /// Sets the gains to the values of the parameters.
+    fn take_gains(&mut self, all: &[f64; PARAMETER_COUNT]) {
         let mine = &mut self.parameters;
         mine.height.p = all[0];
         mine.height.i = all[1];
@@ -126,7 +126,7 @@ impl Settings {
     }
 }
 
-/// The candidate of a number: see [`Candidate`].
+/// Returns the control law of a number.
 #[function]
 fn candidate(number: f64) -> Candidate {
     if number >= 1.5 {

@@ -5,7 +5,7 @@ use bessemer::nalgebra::Vector3;
 use models::calibration::{Calibration, Inertial, Readings, Vicon};
 use models::packet::Packet;
 use models::receiver::{
-    BEAT, COMMIT, HELLO, MODE, Mode, NEVER, POINT, Receiver, STICKS, STOP, TAKE_OFF, within,
+    COMMIT, HEARTBEAT, HELLO, MODE, Mode, NEVER, POINT, Receiver, STICKS, STOP, TAKE_OFF, within,
 };
 use models::trajectory::{SetPoint, Space, Trajectory};
 use models::{Alarm, Inputs, Onboard, Outputs, Phase, Settings};
@@ -59,16 +59,16 @@ fn what_is_no_packet_is_dropped_and_counted() {
 
     take(&mut receiver, &Packet { length: 64, bytes: [0xFF; 64] });
     take(&mut receiver, &Packet { length: usize::MAX, bytes: [0; 64] });
-    assert_eq!(receiver.tally.broken, 2);
+    assert_eq!(receiver.tally.corrupt, 2);
     take(&mut receiver, &packet(MODE, 1, &[1]));
     take(&mut receiver, &packet(MODE, 0, &[1]));
-    assert_eq!(receiver.tally.old, 2);
+    assert_eq!(receiver.tally.outdated, 2);
     take(&mut receiver, &packet(MODE, 2, &[3]));
     take(&mut receiver, &packet(MODE, 3, &[1, 1]));
     take(&mut receiver, &packet(200, 4, &[]));
     take(&mut receiver, &packet(TAKE_OFF, 5, &[]));
-    assert_eq!(receiver.tally.senseless, 4, "the last: there is no trajectory yet");
-    assert_eq!(receiver.tally.taken, 1);
+    assert_eq!(receiver.tally.invalid, 4, "the last: there is no trajectory yet");
+    assert_eq!(receiver.tally.accepted, 1);
     let models::receiver::Orders { sticks_age, silence, .. } = receiver.orders;
     assert_eq!(receiver.orders, models::receiver::Orders { sticks_age, silence, ..orders });
 }
@@ -89,7 +89,7 @@ fn sticks_are_numbers_within_their_limits() {
     };
     take(&mut receiver, &packet(STICKS, 1, &sticks([f64::NAN, 0.0, 0.0, 0.0])));
     take(&mut receiver, &packet(STICKS, 2, &sticks([0.0, 0.0, f64::INFINITY, 0.0])));
-    assert_eq!(receiver.tally.senseless, 2);
+    assert_eq!(receiver.tally.invalid, 2);
     take(&mut receiver, &packet(STICKS, 3, &sticks([9.0, -9.0, 99.0, -99.0])));
     let taken = receiver.orders.sticks;
     assert_eq!((taken.lean.x, taken.lean.y, taken.yaw_rate, taken.climb), (0.35, -0.35, 2.0, -0.5));
@@ -137,7 +137,7 @@ fn a_refused_trajectory_leaves_the_one_that_is_flown() {
     take(&mut receiver, &packet(POINT, 7, &set_point(16, [0.0, 0.0, 0.0, 1.5, 0.0])));
     take(&mut receiver, &packet(POINT, 8, &set_point(0, [0.0, 99.0, 0.0, 1.5, 0.0])));
     assert_eq!(receiver.orders.trajectory, flown);
-    assert_eq!(receiver.tally.senseless, 5);
+    assert_eq!(receiver.tally.invalid, 5);
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn to_stop_a_packet_is_never_too_old() {
     // And it does not bring the numbers back, at which old packets would be new.
     assert_eq!(receiver.last, 900);
     take(&mut receiver, &packet(MODE, 2, &[2]));
-    assert_eq!((receiver.orders.mode, receiver.tally.old), (Mode::FeedForward, 1));
+    assert_eq!((receiver.orders.mode, receiver.tally.outdated), (Mode::FeedForward, 1));
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn what_makes_no_sense_moves_no_number() {
     take(&mut receiver, &packet(MODE, 900, &[1]));
     take(&mut receiver, &packet(HELLO, 5, &[1]));
     take(&mut receiver, &packet(MODE, 5000, &[9]));
-    assert_eq!((receiver.last, receiver.tally.old, receiver.tally.senseless), (900, 1, 1));
+    assert_eq!((receiver.last, receiver.tally.outdated, receiver.tally.invalid), (900, 1, 1));
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn points_of_an_earlier_trajectory_are_in_no_later_one() {
     take(&mut receiver, &packet(POINT, 6, &at(9, 0, 2.0)));
     take(&mut receiver, &packet(COMMIT, 7, &[2, 9]));
     take(&mut receiver, &packet(COMMIT, 8, &[1, 8]));
-    assert_eq!((receiver.orders.tag, receiver.tally.senseless), (7, 3));
+    assert_eq!((receiver.orders.tag, receiver.tally.invalid), (7, 3));
     take(&mut receiver, &packet(POINT, 9, &at(9, 1, 2.0)));
     take(&mut receiver, &packet(COMMIT, 10, &[2, 9]));
     let heights = [0, 1].map(|n| receiver.orders.trajectory.points[n].position.z);
@@ -193,7 +193,7 @@ fn points_of_an_earlier_ground_are_in_no_trajectory() {
     take(&mut receiver, &packet(HELLO, 1, &[]));
     take(&mut receiver, &packet(POINT, 2, &named_point(1, 0, [0.0, 0.0, 0.0, 2.0, 0.0])));
     take(&mut receiver, &packet(COMMIT, 3, &[2, 1]));
-    assert_eq!((receiver.orders.trajectory.count, receiver.tally.senseless), (0, 1));
+    assert_eq!((receiver.orders.trajectory.count, receiver.tally.invalid), (0, 1));
 }
 
 #[test]
@@ -214,7 +214,7 @@ fn the_ground_is_missed_once_it_has_beaten() {
     let mut receiver = Receiver::default();
     take(&mut receiver, &packet(HELLO, 1, &[]));
     assert!(!receiver.orders.watched);
-    take(&mut receiver, &packet(BEAT, 2, &[]));
+    take(&mut receiver, &packet(HEARTBEAT, 2, &[]));
     assert!(receiver.orders.watched && receiver.orders.silence == 0.0);
     for _ in 0..200 {
         take(&mut receiver, &Packet::none());
@@ -297,7 +297,7 @@ fn angles_without_numbers_alone_do_no_harm() {
     assert!(last(&outputs).estimate.angles.norm() < 0.1, "{:?}", last(&outputs).estimate);
 }
 
-/// What happens to the inertial sensors from the period 600 on.
+/// Failures of the inertial sensors from period 600 on.
 const GYROSCOPE_LOST: [fn(usize, &mut Inputs); 3] = [
     |n, inputs| {
         if n >= 600 {
@@ -330,7 +330,7 @@ fn with_nothing_that_shows_how_it_leans_it_stops() {
             lost(n, inputs);
             inputs.readings.vicon.fresh &= n < 600;
         });
-        let raised = outputs.iter().position(|out| out.alarm == Alarm::Blind).expect("an alarm");
+        let raised = outputs.iter().position(|out| out.alarm == Alarm::Unmeasured).expect("an alarm");
         assert!((620..630).contains(&raised), "{raised}");
         assert!(outputs[raised..].iter().all(|out| out.command.motors.amax() == 0.0));
     }

@@ -67,13 +67,13 @@ fn a_silent_ground_is_waited_for_then_left() {
     flown(&mut generator, &orders, 3.0);
     assert_eq!(generator.phase, Phase::Flight);
     // It stays where it was wanted, although the trajectory goes on.
-    orders.silence = course.silence + 0.01;
+    orders.silence = course.hold_timeout + 0.01;
     flown(&mut generator, &orders, 3.0);
     assert_eq!((generator.phase, generator.wanted.yaw), (Phase::Hold, 0.0));
     orders.silence = 0.0;
     flown(&mut generator, &orders, 0.01);
     assert_eq!((generator.phase, generator.wanted.yaw), (Phase::Flight, 1.0));
-    orders.silence = course.farewell + 0.01;
+    orders.silence = course.landing_timeout + 0.01;
     flown(&mut generator, &orders, 0.01);
     assert_eq!(generator.phase, Phase::Landing);
     // A ground that never said that it would be heard of again is not missed.

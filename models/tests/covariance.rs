@@ -1,16 +1,17 @@
-//! The filters' belief of their errors stays a covariance: symmetric, without negative variances, for a million
-//! periods; and where nothing is uncertain, nothing is divided by it.
+//! The filters' covariances stay symmetric, without negative variances, for a million periods. Where nothing is
+//! uncertain, nothing is divided by it.
 
 use bessemer::nalgebra::{Matrix6, Vector3, Vector6};
 use models::attitude_filter::AttitudeFilter;
 use models::axis_filter::AxisFilter;
-use models::geometry::{Orientation, STEEP};
+use models::geometry::{LEAST_PITCH_COSINE, Orientation};
 use std::f64::consts::FRAC_PI_2;
 
 /// An hour and a half of flight at 200 Hz.
 const PERIODS: u32 = 1_000_000;
 
-/// Whether a symmetric matrix has no eigenvalue below 0: Cholesky's elimination meets no pivot that is not positive.
+/// Returns true if a symmetric matrix has no negative eigenvalue: Cholesky's elimination meets no pivot that is not
+/// positive.
 fn is_covariance(matrix: &Matrix6<f64>) -> bool {
     *matrix == matrix.transpose() && matrix.cholesky().is_some()
 }
@@ -77,9 +78,9 @@ fn from_what_can_be_anything_nothing_is_learnt() {
 fn nothing_is_divided_by_a_cosine_of_zero() {
     for pitch in [FRAC_PI_2, -FRAC_PI_2, 1.57, FRAC_PI_2 + 4e-6, 3.0 * FRAC_PI_2] {
         let orientation = Orientation::of(&Vector3::new(0.3, pitch, -0.2));
-        assert!(orientation.divisor().abs() >= STEEP);
+        assert!(orientation.divisor().abs() >= LEAST_PITCH_COSINE);
         let rates = orientation.angle_rates(&Vector3::new(12.0, 12.0, 12.0));
-        assert!(rates.norm() < 17.0 / STEEP + 50.0, "{rates}");
+        assert!(rates.norm() < 17.0 / LEAST_PITCH_COSINE + 50.0, "{rates}");
         let mut filter = AttitudeFilter {
             angles: Vector3::new(0.3, pitch, -0.2),
             ..AttitudeFilter::level(1.0, 0.05)

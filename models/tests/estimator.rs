@@ -138,21 +138,25 @@ fn gains_grow_as_the_thesis_has_them() {
 fn what_the_motors_do_stands_in_for_silent_sensors() {
     // Propellers that push 5 % less than is believed, and unevenly: what the sensors show besides is learnt.
     let mut expectation = Expectation::default();
-    let told = Push { force: 10.3, turn: Vector3::new(4.0, -2.0, 0.5) };
+    let commanded = Push { force: 10.3, turn: Vector3::new(4.0, -2.0, 0.5) };
     let mut rates = Vector3::zeros();
     let force = Vector3::new(0.1, -0.05, 9.80665);
     for _ in 0..2000 {
-        expectation.step(0.005, &told);
-        expectation.turned(&rates);
-        expectation.felt(&force);
+        expectation.step(0.005, &commanded);
+        expectation.correct_rates(&rates);
+        expectation.correct_force(&force);
     }
-    // From now on both are silent, and twice the torque is told.
-    let more = Push { turn: told.turn * 2.0, ..told };
+    // From now on both are silent, and twice the torque is commanded.
+    let more = Push { turn: commanded.turn * 2.0, ..commanded };
     for _ in 0..40 {
         expectation.step(0.005, &more);
-        rates += told.turn * 0.005;
+        rates += commanded.turn * 0.005;
     }
-    assert!((expectation.felt_force() - force).amax() < 1e-3, "{}", expectation.felt_force());
+    assert!(
+        (expectation.predicted_force() - force).amax() < 1e-3,
+        "{}",
+        expectation.predicted_force()
+    );
     // The motors follow within 17 ms.
     assert!((expectation.rates - rates).amax() < 0.1, "{} {rates}", expectation.rates);
 }
@@ -160,9 +164,9 @@ fn what_the_motors_do_stands_in_for_silent_sensors() {
 #[test]
 fn a_sensor_that_repeats_itself_is_not_believed_once() {
     let mut stuck = Stuck::default();
-    assert!(stuck.says(&Vector3::new(0.1, 0.2, 0.3)));
-    assert!(!stuck.says(&Vector3::new(0.1, 0.2, 0.3)));
-    assert!(stuck.says(&Vector3::new(0.1, 0.2, 0.300_001)));
+    assert!(stuck.is_new(&Vector3::new(0.1, 0.2, 0.3)));
+    assert!(!stuck.is_new(&Vector3::new(0.1, 0.2, 0.3)));
+    assert!(stuck.is_new(&Vector3::new(0.1, 0.2, 0.300_001)));
 }
 
 #[test]

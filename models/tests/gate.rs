@@ -1,14 +1,14 @@
 //! SipHash-2-4 against its paper and against another implementation, and what the gate keeps out.
 
-use models::gate::{Gate, Refused, SEAL};
-use models::packet::{HEADER, Packet, START};
+use models::gate::{Gate, Refused, SEAL_BYTES};
+use models::packet::{CHECKSUM_START, HEADER_BYTES, Packet};
 use models::receiver::{LAND, MODE, POINT, STOP};
 use models::siphash::{Key, sip_hash};
 use siphasher::sip::SipHasher24;
 
 fn key() -> Key {
     let half = |from: u8| u64::from_le_bytes(std::array::from_fn(|n| from + n as u8));
-    Key { given: true, halves: [half(0), half(8)] }
+    Key { is_set: true, halves: [half(0), half(8)] }
 }
 
 fn bytes_of(key: &Key) -> [u8; 16] {
@@ -46,7 +46,7 @@ fn the_reference_vectors_come_out() {
 fn every_length_and_place_is_as_in_another_implementation() {
     let message: [u8; 64] = std::array::from_fn(|n| (n * n * 7 + 13) as u8);
     for halves in [[0, 0], [u64::MAX, 1], key().halves] {
-        let key = Key { given: true, halves };
+        let key = Key { is_set: true, halves };
         let other = SipHasher24::new_with_key(&bytes_of(&key));
         for from in [0, 2, 7] {
             for end in from..=64 {
@@ -64,7 +64,7 @@ fn sealed(key: &Key, kind: u8, sequence: u16, payload: &[u8], counter: u64) -> P
     bytes[..size].copy_from_slice(payload);
     bytes[size..size + 6].copy_from_slice(&counter.to_le_bytes()[..6]);
     let unsummed = Packet::around(kind, sequence, &bytes, size + 14);
-    let sum = sip_hash(key, &unsummed.bytes, START, HEADER + size + 6);
+    let sum = sip_hash(key, &unsummed.bytes, CHECKSUM_START, HEADER_BYTES + size + 6);
     bytes[size + 6..size + 14].copy_from_slice(&sum.to_le_bytes());
     Packet::around(kind, sequence, &bytes, size + 14)
 }
@@ -89,20 +89,20 @@ fn what_is_sealed_comes_through_without_its_seal() {
 #[test]
 fn without_a_key_everything_comes_through() {
     let mut gate = Gate::default();
-    let open = Key { given: false, ..key() };
+    let open = Key { is_set: false, ..key() };
     assert_eq!(gate.step(&open, &plain(LAND, 1, &[])), plain(LAND, 1, &[]));
 }
 
 #[test]
 fn one_wrong_bit_keeps_a_packet_out() {
     let good = sealed(&key(), MODE, 3, &[1], 1000);
-    for at in START..good.length - 2 {
+    for at in CHECKSUM_START..good.length - 2 {
         for bit in 0..8 {
             let mut bytes = good.bytes;
             bytes[at] ^= 1 << bit;
             // A forger puts the checksum right.
             let size = usize::from(bytes[5]).min(56);
-            let payload: [u8; 56] = std::array::from_fn(|n| bytes[HEADER + n]);
+            let payload: [u8; 56] = std::array::from_fn(|n| bytes[HEADER_BYTES + n]);
             let sequence = u16::from_le_bytes([bytes[3], bytes[4]]);
             let forged = Packet::around(bytes[2], sequence, &payload, size);
             let mut gate = Gate::default();
@@ -115,7 +115,7 @@ fn one_wrong_bit_keeps_a_packet_out() {
 #[test]
 fn forged_replayed_and_unsealed_packets_are_counted() {
     let mut gate = Gate::default();
-    let other = Key { given: true, halves: [1, 2] };
+    let other = Key { is_set: true, halves: [1, 2] };
     let first = sealed(&key(), MODE, 1, &[1], 5000);
     let mut refused = |packet: &Packet, passes: bool| {
         assert_eq!(gate.step(&key(), packet).length != 0, passes);
@@ -141,8 +141,8 @@ fn no_part_of_a_sealed_packet_passes() {
         cut.bytes[..length].copy_from_slice(&whole.bytes[..length]);
         assert_eq!(gate.step(&key(), &cut), Packet::none(), "{length} bytes");
         // Nor a shorter packet around what is left, with a checksum of its own.
-        let kept = length.saturating_sub(HEADER).min(SEAL - 1);
-        let around = plain(STOP, 3, &whole.bytes[HEADER..HEADER + kept]);
+        let kept = length.saturating_sub(HEADER_BYTES).min(SEAL_BYTES - 1);
+        let around = plain(STOP, 3, &whole.bytes[HEADER_BYTES..HEADER_BYTES + kept]);
         assert_eq!(gate.step(&key(), &around), Packet::none(), "{kept} bytes of its payload");
     }
     let cut = 2 * (whole.length as u32 - 1);

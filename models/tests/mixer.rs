@@ -9,7 +9,7 @@ fn mixed(parameters: &Parameters, thrust: f64, torque: Vector3<f64>) -> Command 
     parameters.mixer.mix(&Wrench { thrust, torque }, &SVector::zeros())
 }
 
-/// What the motors of an airframe do at these commands: thrust, roll, pitch, yaw.
+/// Returns thrust, roll, pitch and yaw torque of an airframe's motors at these commands.
 fn loads(airframe: &Airframe, parameters: &Parameters, command: &Command) -> Vector4<f64> {
     airframe.effectiveness() * command.motors * parameters.mixer.square_per_command
 }

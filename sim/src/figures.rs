@@ -166,7 +166,7 @@ const SETTLED: f64 = 6.0;
 const LEGEND: u32 = 130;
 
 /// Most points of a curve.
-const MOST_POINTS: usize = 900;
+const MAX_POINTS: usize = 900;
 
 /// Blue, orange, green, purple: told apart by people who do not see all colours, too.
 const COLOURS: [RGBColor; 4] =
@@ -233,7 +233,7 @@ impl Curve {
 /// Every so many moments: where there are more than can be seen, the least and the largest of each group,
 /// so that no peak is lost.
 fn thinned(voyage: &Voyage, value: impl Fn(&Moment) -> f64) -> Vec<(f64, f64)> {
-    let size = (2 * voyage.moments.len()).div_ceil(MOST_POINTS).max(1);
+    let size = (2 * voyage.moments.len()).div_ceil(MAX_POINTS).max(1);
     let mut points = Vec::new();
     for group in voyage.moments.chunks(size) {
         let all: Vec<(f64, f64)> =

@@ -12,7 +12,7 @@ use crate::measure::hover_speed;
 use crate::plant::State;
 use crate::scenario::{Failure, Scenario, point};
 use crate::voyage::Voyage;
-use models::airframe::MOST_MOTORS;
+use models::airframe::MAX_MOTORS;
 use models::receiver::Sticks;
 use models::{Airframe, Alarm, Candidate, Injection, Mode, Parameters, Phase, Settings};
 use nalgebra::{Vector2, Vector3};
@@ -359,7 +359,7 @@ fn hexacopter() -> Scenario {
 fn hexacopter_checks(_: &Scenario, voyage: &Voyage) -> Vec<Check> {
     let six = |moment: &crate::voyage::Moment| {
         let motors = moment.outputs.command.motors;
-        (0..MOST_MOTORS).all(|n| (motors[n] > 0.0) == (n < 6))
+        (0..MAX_MOTORS).all(|n| (motors[n] > 0.0) == (n < 6))
     };
     vec![
         Check::at_most("height error, 12–14 s", voyage.height_error(12.0, 14.0), 0.05, "m"),

@@ -6,8 +6,8 @@
 
 use models::packet::Packet;
 use models::receiver::{
-    ARM, ASK, BEAT, CHOOSE, COMMIT, GOODBYE, HELLO, LAND, MODE, Mode, POINT, SET, STICKS, STOP,
-    Sticks, TAKE_OFF,
+    ARM, ASK, CHOOSE, COMMIT, GOODBYE, HEARTBEAT, HELLO, LAND, MODE, Mode, POINT, SET, STICKS,
+    STOP, Sticks, TAKE_OFF,
 };
 use models::sender::{PARAMETER, RECORD, STATUS};
 use models::trajectory::SetPoint;
@@ -69,7 +69,7 @@ impl Framer {
                 let Sticks { lean, yaw_rate, climb } = sticks;
                 vec![self.packet(STICKS, &numbers(&[lean.x, lean.y, *yaw_rate, *climb]))]
             }
-            Order::Beat => vec![self.packet(BEAT, &[])],
+            Order::Beat => vec![self.packet(HEARTBEAT, &[])],
             Order::Arm => vec![self.packet(ARM, &[])],
             Order::Ask(number) => vec![self.packet(ASK, &[*number])],
             Order::Set(number, value) => {

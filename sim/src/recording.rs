@@ -231,10 +231,13 @@ fn words(name: &str) -> Option<Vec<String>> {
         }),
         "alarm" => all(11, |n| {
             use models::Alarm::{
-                Asked, Blind, Clear, Clock, Height, Impact, Place, Speed, Spin, Tilt, Undefined,
+                Clear, Clock, Commanded, Height, Impact, Position, Speed, Spin, Tilt, Undefined,
+                Unmeasured,
             };
-            let named =
-                [Clear, Asked, Undefined, Clock, Blind, Tilt, Spin, Speed, Height, Place, Impact];
+            let named = [
+                Clear, Commanded, Undefined, Clock, Unmeasured, Tilt, Spin, Speed, Height,
+                Position, Impact,
+            ];
             format!("{:?}", named[usize::from(n)])
         }),
         _ => None,

@@ -1,4 +1,4 @@
-//! The constants by which an author says in a type how many elements there are: `[u8; MOST_BYTES]`.
+//! The constants by which an author says in a type how many elements there are: `[u8; MAX_BYTES]`.
 //!
 //! Only their names: whether a name is a constant's shows where its value is known. So a parameter of something generic is
 //! told here as well, and means nothing later.

@@ -68,7 +68,7 @@ static bool read_key(siphash_key_t *key)
         const char two[3] = {line[2U * n], line[2U * n + 1U], '\0'};
         key->halves[n / 8U] |= (uint64_t)strtoul(two, NULL, 16) << (8U * (n % 8U));
     }
-    key->given = true;
+    key->is_set = true;
     return true;
 }
 

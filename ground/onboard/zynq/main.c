@@ -32,7 +32,7 @@ typedef char longest_fits[(COMPUTER_MOST + (COMPUTER_MOST / 8U) + 64U <= LINK_MO
 static void begin(computer_t *computer)
 {
     siphash_key_t key;
-    key.given = link_get() != 0U;
+    key.is_set = link_get() != 0U;
     key.halves[0] = link_get();
     key.halves[1] = link_get();
     computer_begin(computer, &key);

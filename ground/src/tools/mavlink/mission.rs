@@ -7,7 +7,7 @@
 use super::telemetry::is_flying;
 use crate::messages::{Ask, Point};
 use ::mavlink::dialects::common::*;
-use models::trajectory::{MOST_POINTS, SetPoint};
+use models::trajectory::{MAX_POINTS, SetPoint};
 use models::{Phase, Settings};
 use nalgebra::Vector3;
 
@@ -261,7 +261,7 @@ impl Mission {
             MavMissionResult::MAV_MISSION_UNSUPPORTED
         } else if self.flight.is_some() || !may() {
             MavMissionResult::MAV_MISSION_DENIED
-        } else if count > MOST_POINTS + 1 {
+        } else if count > MAX_POINTS + 1 {
             // As many places as a trajectory has, and the landing.
             MavMissionResult::MAV_MISSION_NO_SPACE
         } else if count == 0 {
@@ -297,7 +297,7 @@ impl Mission {
         let landing = items.iter().position(|item| matches!(item.what, What::Land));
         let ends = landing.is_none_or(|at| at + 1 == items.len());
         let places = items.len() - usize::from(landing.is_some());
-        if !ends || !(1..=MOST_POINTS).contains(&places) {
+        if !ends || !(1..=MAX_POINTS).contains(&places) {
             return Some(ack(from, MavMissionResult::MAV_MISSION_INVALID, OURS));
         }
         (self.items, self.complete) = (items, false);

@@ -23,7 +23,7 @@ use ::mavlink::error::MessageReadError;
 use ::mavlink::{MAVLinkMessageRaw, MavHeader, MavlinkReader, MavlinkVersion, Message};
 use mission::{Mission, Peer, Seen};
 use models::receiver::Mode;
-use models::tuning::TUNABLE;
+use models::tuning::PARAMETER_COUNT;
 use parameters::{decimal, number_of, parameter};
 use sim::ground_station::News;
 use std::io;
@@ -44,7 +44,7 @@ const LOST: f64 = 3.0;
 const MOST: usize = 16;
 
 /// Heartbeats, battery, mission and phase go out every so many periods.
-const BEAT: u64 = 200;
+const HEARTBEAT: u64 = 200;
 const PHASE: u64 = 40;
 
 /// What sticks at their ends ask for: lean, rad, rate of yaw, rad/s, rate of climb, m/s. As on the page.
@@ -138,13 +138,14 @@ impl Mavlink {
                 asks.unwrap_or_default()
             }
             MavMessage::PARAM_REQUEST_LIST(_) => {
-                self.wanted.extend((0..TUNABLE).map(|n| parameter(testbed, n)));
+                self.wanted.extend((0..PARAMETER_COUNT).map(|n| parameter(testbed, n)));
                 Vec::new()
             }
             MavMessage::PARAM_REQUEST_READ(it) => {
                 let named = it.param_id.to_str().ok().and_then(number_of);
                 let number = usize::try_from(it.param_index).ok().or(named);
-                self.wanted.extend(number.filter(|n| *n < TUNABLE).map(|n| parameter(testbed, n)));
+                self.wanted
+                    .extend(number.filter(|n| *n < PARAMETER_COUNT).map(|n| parameter(testbed, n)));
                 Vec::new()
             }
             MavMessage::PARAM_SET(it) => {
@@ -246,7 +247,7 @@ impl Tool for Mavlink {
                     let told = telemetry::record(testbed, record, self.records);
                     told.iter().for_each(|message| self.send(message));
                 }
-                News::Parameter(number, _) if usize::from(*number) < TUNABLE => {
+                News::Parameter(number, _) if usize::from(*number) < PARAMETER_COUNT => {
                     self.send(&parameter(testbed, usize::from(*number)));
                 }
                 News::Parameter(..) | News::Status(_) => {}
@@ -257,7 +258,7 @@ impl Tool for Mavlink {
         if heard && done.number.is_multiple_of(PHASE) {
             self.send(&telemetry::landed(testbed));
         }
-        if heard && done.number.is_multiple_of(BEAT) {
+        if heard && done.number.is_multiple_of(HEARTBEAT) {
             self.send(&telemetry::heartbeat(testbed));
             self.send(&telemetry::battery(testbed));
             self.send(&self.mission.current());

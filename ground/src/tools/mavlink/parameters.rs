@@ -2,10 +2,10 @@
 
 use crate::testbed::Testbed;
 use ::mavlink::dialects::common::*;
-use models::tuning::TUNABLE;
+use models::tuning::PARAMETER_COUNT;
 
 /// What the parameters are called, at most 16 letters, in the order of `models::tuning`.
-const NAMES: [&str; TUNABLE] = [
+const NAMES: [&str; PARAMETER_COUNT] = [
     "HEIGHT_P",
     "HEIGHT_I",
     "HEIGHT_D",
@@ -37,7 +37,7 @@ pub fn number_of(name: &str) -> Option<usize> {
 pub fn parameter(testbed: &Testbed, number: usize) -> MavMessage {
     MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
         param_value: testbed.station.parameters[number].map_or(f32::NAN, |value| value as f32),
-        param_count: TUNABLE as u16,
+        param_count: PARAMETER_COUNT as u16,
         param_index: number as u16,
         param_id: NAMES[number].into(),
         param_type: MavParamType::MAV_PARAM_TYPE_REAL32,
