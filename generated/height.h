@@ -30,9 +30,7 @@ typedef struct {
 /** Sets the initial state; call it before anything else. */
 void height_init(height_t *self);
 
-/**
- * Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N. (3.14)), N.
- */
+/** Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N. */
 double height_step(height_t *self, const parameters_t *parameters, const target_t *target,
     double height, double climb);
 

@@ -46,7 +46,7 @@ typedef struct {
     double period;
     /** Duration of the take-off climb, s. */
     double takeoff_duration;
-    /** Landing rate (K_landing of the thesis' eq. (3.20)), m/s. (3.20)), m/s. */
+    /** Landing rate (K_landing of the thesis' eq. (3.20)), m/s. */
     double landing_rate;
     /** Age at which the sticks are treated as centred, s. */
     double stick_timeout;

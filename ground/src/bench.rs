@@ -29,28 +29,28 @@ use std::time::{Duration, Instant};
 const FAILSAFE: u64 = 20;
 
 /// How long a period that is no real time waits for a software that runs: it only ends a wait that would never end.
-const PATIENCE: Duration = Duration::from_secs(60);
+const ANSWER_TIMEOUT: Duration = Duration::from_secs(60);
 
 /// How often it is looked whether the software still runs.
 const LOOK: Duration = Duration::from_millis(500);
 
-/// What can be done to the aircraft.
+/// Fault injections.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "what", rename_all = "snake_case")]
 pub enum Injection {
     /// A motor stops, or turns again.
     Motor {
-        /// Which one, from 0 on; none for all well.
+        /// Index of the stopped motor; none if all run.
         number: Option<usize>,
     },
     /// The gyroscope sticks.
     Gyroscope {
-        /// Whether it does.
+        /// True if the sensor is stuck.
         stuck: bool,
     },
     /// Vicon does not see the aircraft.
     Vicon {
-        /// Whether that is so.
+        /// True if the source is absent.
         away: bool,
     },
     /// A wind blows.
@@ -64,7 +64,7 @@ pub enum Injection {
     Back,
 }
 
-/// What a period came to.
+/// Result of a period.
 #[derive(Clone, Debug)]
 pub struct Period {
     /// Periods since the bench began.
@@ -84,9 +84,9 @@ pub struct Period {
 pub struct Worked {
     /// Steps since it began.
     pub count: u64,
-    /// What it took.
+    /// Inputs of the software.
     pub inputs: Inputs,
-    /// What it said.
+    /// Outputs of the software.
     pub outputs: Outputs,
 }
 
@@ -99,7 +99,7 @@ impl Period {
     }
 }
 
-/// How well the periods were kept.
+/// Statistics of the period's timing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Timing {
     /// Periods begun.
@@ -123,7 +123,7 @@ pub struct Bench {
     start: State,
     period: f64,
     open: VecDeque<(u64, Inputs)>,
-    /// How well the periods were kept.
+    /// Statistics of the period's timing.
     pub timing: Timing,
 }
 
@@ -163,7 +163,7 @@ impl Bench {
         })
     }
 
-    /// Where the computer reaches the bus.
+    /// Returns the port of the bus.
     ///
     /// # Errors
     /// An error of the system.
@@ -185,12 +185,12 @@ impl Bench {
         Ok(true)
     }
 
-    /// Where the computer that was there last listens to the ground.
+    /// Returns the address at which the last computer receives commands.
     pub fn link(&self) -> Option<SocketAddr> {
         self.link
     }
 
-    /// Where the aircraft is.
+    /// Returns the state of the aircraft.
     pub fn state(&self) -> &State {
         &self.world.state
     }
@@ -251,7 +251,7 @@ impl Bench {
             // One that was started anew says so.
             self.hear(deadline, |_| ())?;
         }
-        let until = deadline.unwrap_or(begun + PATIENCE);
+        let until = deadline.unwrap_or(begun + ANSWER_TIMEOUT);
         while self.computer.is_some() && count.is_none() {
             let mut heard = None;
             let look = if deadline.is_some() { until } else { until.min(Instant::now() + LOOK) };
@@ -298,7 +298,7 @@ impl Bench {
         Ok(Period { number, count, moment, told, late })
     }
 
-    /// Whether the software has answered lately.
+    /// Returns true if the software has answered lately.
     pub fn is_answered(&self) -> bool {
         self.computer.is_some() && self.silent < FAILSAFE
     }
@@ -371,9 +371,9 @@ pub struct Answer {
     pub station: u64,
     /// The packet that it took from the ground in this period.
     pub uplink: Packet,
-    /// What its gate had kept out.
+    /// Packets that its gate has rejected.
     pub refused: Refused,
-    /// What it said.
+    /// Outputs of the software.
     pub outputs: Outputs,
 }
 

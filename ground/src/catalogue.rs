@@ -45,9 +45,9 @@ pub const SIGNALS: &[Signal] = signals! {
     54 "variance roll" "rad²"; 55 "variance pitch" "rad²"; 56 "variance yaw" "rad²";
 };
 
-/// What the page shows: the state, what is wanted, closed loop and feed-forward of four motors, the variances,
-/// and how old Vicon and the height are.
-pub const SHOWN: [u8; 36] = [
+/// Signals shown on the page: state, target, closed loop and feed-forward of four motors, variances, and the ages of
+/// Vicon and height.
+pub const PAGE_SIGNALS: [u8; 36] = [
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 26, 27, 28, 29,
     34, 35, 48, 49, 51, 52, 53, 54, 55, 56,
 ];
@@ -65,9 +65,9 @@ pub struct Parameter {
     pub least: f64,
     /// Its largest value.
     pub most: f64,
-    /// Whether it changes in flight.
+    /// True if it changes in flight.
     pub in_flight: bool,
-    /// What its values are called, if they are names: 0, 1 …
+    /// Names of its values 0, 1 …; empty if the values are numbers.
     pub choices: &'static [&'static str],
 }
 

@@ -1,4 +1,4 @@
-//! Who commands: one at a time, pages and tools of others alike.
+//! The right to command: one client at a time has it, page or external tool.
 //!
 //! Knows nobody's rights to it: whoever asks for the command has shown them.
 
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// The command.
 #[derive(Debug, Default)]
 pub struct Command {
-    /// Who has it; 0 for nobody.
+    /// Client that has the right; 0 for nobody.
     holder: AtomicU64,
     seats: AtomicU64,
 }
@@ -19,7 +19,7 @@ impl Command {
         Seat { number: 1 + self.seats.fetch_add(1, Ordering::Relaxed), command: self.clone() }
     }
 
-    /// Whether anybody has it.
+    /// Returns true if any client has the right.
     pub fn is_held(&self) -> bool {
         self.holder.load(Ordering::Relaxed) != 0
     }
@@ -47,12 +47,12 @@ impl Seat {
         self.change(self.number, 0);
     }
 
-    /// Whether the command is held.
+    /// Returns true if this client has the right.
     pub fn holds(&self) -> bool {
         self.command.holder.load(Ordering::Relaxed) == self.number
     }
 
-    /// Whether somebody else holds it.
+    /// Returns true if another client has the right.
     pub fn is_taken(&self) -> bool {
         self.command.is_held() && !self.holds()
     }

@@ -38,7 +38,7 @@ pub enum Error {
     Content {
         /// The file.
         path: PathBuf,
-        /// How long a key is.
+        /// Length of the key, bytes.
         bytes: usize,
     },
 }

@@ -4,7 +4,7 @@
 //! is handed over and forgotten; a recording has a thread of its own.
 
 use crate::bench::{Period, Timing};
-use crate::catalogue::{SHOWN, SIGNALS, parameters};
+use crate::catalogue::{PAGE_SIGNALS, SIGNALS, parameters};
 use crate::command::Seat;
 use crate::messages::{Ask, Point, Recording, State, Tell};
 use crate::radio::Quality;
@@ -21,8 +21,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 
-/// What pages ask for that waits: half a second of a lively pilot.
-const WAITING: usize = 64;
+/// Capacity of the queue of requests: half a second of busy sticks.
+const QUEUE_LENGTH: usize = 64;
 
 /// The state goes out every so many periods.
 const STATE_EVERY: u64 = 50;
@@ -42,10 +42,10 @@ pub struct Live {
 
 /// A queue for what pages ask for.
 pub fn queue() -> (SyncSender<Ask>, Receiver<Ask>) {
-    sync_channel(WAITING)
+    sync_channel(QUEUE_LENGTH)
 }
 
-/// What a page is told first.
+/// Returns the first message to a page.
 pub fn hello(authenticated: bool) -> Tell {
     let space = Settings::mambo().space;
     Tell::Hello {
@@ -168,7 +168,7 @@ impl Live {
         }
     }
 
-    /// How well the periods were kept.
+    /// Returns the statistics of the period's timing.
     pub fn timing(&self) -> Timing {
         self.testbed.bench.timing
     }
@@ -236,7 +236,7 @@ impl Live {
             }
             Ask::Set { number, value } => station.order(now, Order::Set(number, value)),
             Ask::Choose { every, signals } => {
-                let mut chosen = SHOWN;
+                let mut chosen = PAGE_SIGNALS;
                 chosen.fill(63);
                 for (place, number) in chosen.iter_mut().zip(&signals) {
                     *place = *number % 64;

@@ -14,11 +14,11 @@ use serde::{Deserialize, Serialize};
 pub struct Point {
     /// From when, in seconds since the take-off.
     pub time: f64,
-    /// Where, m.
+    /// Position along x, m.
     pub x: f64,
-    /// Where, m.
+    /// Position along y, m.
     pub y: f64,
-    /// Where, m.
+    /// Height, m.
     pub z: f64,
     /// Yaw, rad.
     pub yaw: f64,
@@ -46,7 +46,7 @@ impl From<Flown> for Mode {
     }
 }
 
-/// What the page asks for.
+/// Requests of the page.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Ask {
@@ -54,7 +54,7 @@ pub enum Ask {
     Claim {
         /// The token of the address that the program printed.
         token: String,
-        /// Whether to take the command away from whoever has it.
+        /// True to take the right from another client.
         #[serde(default)]
         force: bool,
     },
@@ -110,7 +110,7 @@ pub enum Ask {
     },
     /// Does something to the simulated aircraft.
     Inject {
-        /// What.
+        /// Fault to inject.
         injection: Injection,
     },
     /// Kills the onboard software, which is then started anew.
@@ -132,7 +132,7 @@ pub enum Ask {
     Save,
     /// Shows a flight that is over so many times as fast; 0 stands still.
     Play {
-        /// How fast.
+        /// Speed, in seconds of the recording per second.
         speed: f64,
     },
     /// Goes to a time of it.
@@ -143,17 +143,17 @@ pub enum Ask {
 }
 
 impl Ask {
-    /// Whether it needs no right to command.
+    /// Returns true if the request needs no right to command.
     pub fn is_free(&self) -> bool {
         matches!(self, Self::Claim { .. } | Self::Release | Self::Ping { .. })
     }
 }
 
-/// What the page is told.
+/// Messages to the page.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Tell {
-    /// What does not change: first of all.
+    /// Constants of the session, sent first.
     Hello {
         /// The signals that there are.
         signals: &'static [Signal],
@@ -163,9 +163,9 @@ pub enum Tell {
         phases: Vec<String>,
         /// The alarms, by their numbers.
         alarms: Vec<String>,
-        /// Whether commands are sealed.
+        /// True if commands are sealed.
         authenticated: bool,
-        /// Where trajectories may lead: along x and y, and the heights, m.
+        /// Limits of trajectories: along x and y, and of the height, m.
         space: [f64; 3],
         /// The control period, s.
         period: f64,
@@ -178,28 +178,28 @@ pub enum Tell {
         signals: Vec<u8>,
         /// Their values.
         values: Vec<f32>,
-        /// Where the simulated aircraft is, in truth: x, y, z, roll, pitch, yaw.
+        /// True state of the simulated aircraft: x, y, z, roll, pitch, yaw.
         truth: [f32; 6],
     },
-    /// How everything is.
+    /// State of the testbed.
     State(Box<State>),
-    /// Where the player of a flight that is over is.
+    /// Position of the player in a recorded flight.
     Playing(Playing),
-    /// Whether this page commands.
+    /// Right of this page to command.
     Command {
-        /// Whether it does.
+        /// True if this page has the right.
         granted: bool,
         /// Why not.
         reason: &'static str,
     },
-    /// What became of an order.
+    /// Result of a command.
     Outcome {
         /// The order.
         order: String,
-        /// What became of it.
+        /// Result of the command.
         outcome: Outcome,
     },
-    /// What the page asked for was not understood, or not allowed.
+    /// A request of the page was malformed or not allowed.
     Refused {
         /// Why.
         reason: String,
@@ -211,39 +211,39 @@ pub enum Tell {
     },
 }
 
-/// Where the player of a flight that is over is.
+/// Position of the player in a recorded flight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Playing {
     /// The beginning of the recording, s.
     pub from: f64,
     /// Its end, s.
     pub to: f64,
-    /// What is shown, s.
+    /// Time in the recording, s.
     pub time: f64,
-    /// How fast; 0 while it stands still.
+    /// Speed of the player; 0 while paused.
     pub speed: f64,
 }
 
-/// How everything is, four times a second.
+/// State of the testbed, sent four times a second.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct State {
     /// Time since the testbed began, s.
     pub time: f64,
-    /// Whether the onboard software answers its bus.
+    /// True if the onboard software answers its bus.
     pub alive: bool,
-    /// How often it was started anew.
+    /// Number of restarts of the onboard software.
     pub restarts: u64,
-    /// How long nothing has come down, s.
+    /// Time since the last packet of the downlink, s.
     pub silence: Option<f64>,
-    /// How well the periods were kept.
+    /// Statistics of the period's timing.
     pub timing: Timing,
-    /// What the link did to what went up.
+    /// Fate of the uplink's datagrams.
     pub up: Counts,
-    /// What it did to what came down.
+    /// Fate of the downlink's datagrams.
     pub down: Counts,
-    /// What the station made of it.
+    /// Statistics of the downlink in the station.
     pub heard: Down,
-    /// How the packets fared on board: taken, broken, old, senseless, unsealed, forged, replayed; records lost.
+    /// Numbers of packets on board: accepted, corrupt, outdated, invalid, unsealed, forged, replayed; records lost.
     pub counts: Option<[u32; 8]>,
     /// The mode's number.
     pub mode: Option<u8>,
@@ -251,25 +251,25 @@ pub struct State {
     pub parameters: Vec<Option<f64>>,
     /// Pages that look on.
     pub pages: usize,
-    /// Whether any of them commands.
+    /// True if any client has the right to command.
     pub commanded: bool,
     /// Messages that were left out for pages that read too slowly.
     pub skipped: u64,
     /// Messages that tools kept out: over MAVLink, unsigned, forged, or said once more.
     pub refused: u64,
-    /// How the recording goes.
+    /// State of the recording.
     pub recording: Recording,
 }
 
-/// How a recording goes.
+/// State of a recording.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Recording {
-    /// Whether one is made.
+    /// True while recording.
     pub running: bool,
     /// Periods in it.
     pub periods: u64,
-    /// What ended it.
+    /// Error that ended the recording.
     pub error: Option<String>,
-    /// Whether there is one to be downloaded.
+    /// True if a recording can be downloaded.
     pub ready: bool,
 }

@@ -17,7 +17,7 @@ use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 
 /// One frame in so many periods: at 50 Hz.
-const SHOWN: u64 = 4;
+const DECIMATION: u64 = 4;
 
 /// The page is told where the player is every so often, s of the clock on the wall.
 const TOLD: f64 = 0.25;
@@ -38,7 +38,7 @@ pub struct Player {
     frames: Vec<Frame>,
     hub: Arc<Hub>,
     asked: Receiver<Ask>,
-    /// Where it is, s.
+    /// Time in the recording, s.
     time: f64,
     speed: f64,
     /// The first frame that has not been shown.
@@ -58,7 +58,7 @@ impl Player {
         Ok(Self { frames, hub, asked, time, speed: 1.0, next: 0, untold: TOLD })
     }
 
-    /// Where it is, s, and whether it goes on.
+    /// Returns the time in the recording, s, and the speed.
     pub fn playing(&self) -> Playing {
         let from = self.frames.first().map_or(0.0, |frame| frame.time);
         let to = self.frames.last().map_or(0.0, |frame| frame.time);
@@ -115,7 +115,7 @@ fn read(path: &Path) -> Result<Vec<Frame>, Error> {
             STEPS => {
                 let worked =
                     step(&message.data).ok_or_else(|| Error::Empty { path: path.to_owned() })?;
-                if worked.count.is_multiple_of(SHOWN) {
+                if worked.count.is_multiple_of(DECIMATION) {
                     let time = message.log_time as f64 * 1e-9 - LEAD;
                     frames.push(Frame { time, tell: frame(&worked, truth) });
                 }
@@ -126,7 +126,7 @@ fn read(path: &Path) -> Result<Vec<Frame>, Error> {
     Ok(frames)
 }
 
-/// What the page is told of a step: every signal.
+/// Returns the message of a step with every signal.
 fn frame(worked: &Worked, truth: [f32; 6]) -> Tell {
     let all = signals(&worked.outputs);
     let numbers = SIGNALS.iter().map(|signal| signal.number);
@@ -135,7 +135,7 @@ fn frame(worked: &Worked, truth: [f32; 6]) -> Tell {
     Tell::Frame { period, signals: numbers.collect(), values, truth }
 }
 
-/// Where the aircraft was; no numbers, if that is not said.
+/// Returns the true position of the aircraft; NaN if it is not recorded.
 fn seen(message: &[u8]) -> [f32; 6] {
     let truth: Value = serde_json::from_slice(message).unwrap_or_default();
     ["x", "y", "z", "roll", "pitch", "yaw"]

@@ -1,4 +1,4 @@
-//! What keeps the period comes before all other work of the machine, where the system allows it.
+//! Priority of the thread that keeps the period over all other work of the machine, where the system allows it.
 //!
 //! Pages, recordings and whatever else runs must not make a period late. Without the right to it (on Linux `CAP_SYS_NICE` or a limit
 //! of real-time priorities) everything runs as it did: the period is then kept as far as the machine is free.
@@ -38,8 +38,8 @@ pub fn raise() -> bool {
 #[cfg(not(unix))]
 pub fn lower() {}
 
-/// Keeps the processors from sleeping until it is dropped, where the system allows it (Linux' quality of service of power management: it
-/// takes back what a file asked for when that is closed).
+/// Guard that keeps the processors from sleeping, where the system allows it. Linux' power-management quality of service
+/// withdraws the request when its file is closed.
 ///
 /// A processor that sleeps wakes late; that of a virtual machine is given away meanwhile, and comes back after milliseconds.
 pub struct Awake {

@@ -1,5 +1,5 @@
-//! The onboard software as a program: the emitted C around its sockets, compiled once and started as a process
-//! of its own; or as the firmware of an emulated machine, which a [`Relay`] gives sockets.
+//! The onboard software as a program. The emitted C is compiled with its sockets and started as a process, or runs as
+//! firmware of an emulated machine, for which a [`Relay`] opens sockets.
 //!
 //! Knows compilers and processes, not what the software does. The key goes to its standard input: arguments
 //! and the environment can be read by others.
@@ -16,9 +16,9 @@ use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
 /// How long the board's line may be silent: emulated, on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(30);
+const ANSWER_TIMEOUT: Duration = Duration::from_secs(30);
 
-/// Where the software runs.
+/// Target that runs the software.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Target {
     /// This machine.
@@ -64,7 +64,7 @@ pub enum Program {
     Process {
         /// The program.
         path: PathBuf,
-        /// What runs it.
+        /// Toolchain of the target.
         toolchain: Toolchain,
     },
     /// At the other end of a serial line.
@@ -137,7 +137,7 @@ impl Program {
                     program: "the emulated Zynq".to_owned(),
                     source: why,
                 };
-                let started = firmware.start(PATIENCE);
+                let started = firmware.start(ANSWER_TIMEOUT);
                 let (process, line) =
                     started.map_err(|error| failed(std::io::Error::other(error)))?;
                 let relay = Relay::start(line, bus, key).map_err(failed)?;
@@ -206,7 +206,7 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     Ok(found)
 }
 
-/// Whether a program was made after its sources were written.
+/// Returns true if a program is newer than its sources.
 fn is_newer(program: &Path, sources: &[PathBuf]) -> bool {
     let written = |path: &Path| path.metadata().and_then(|it| it.modified()).ok();
     let Some(made) = written(program) else { return false };

@@ -7,10 +7,10 @@ use serde::Serialize;
 use sim::noise::{Purpose, Stream};
 use std::collections::VecDeque;
 
-/// How much later a datagram comes that others overtake, s.
-const BEHIND: f64 = 0.03;
+/// Delay of a datagram that is overtaken, s.
+const OVERTAKEN_DELAY: f64 = 0.03;
 
-/// How bad a link is: probabilities for each datagram, and a delay for all.
+/// Quality of a link: probabilities for each datagram, and a delay for all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
     /// It is lost.
@@ -19,11 +19,11 @@ pub struct Quality {
     pub duplication: f64,
     /// Others overtake it.
     pub reordering: f64,
-    /// How late it is, s.
+    /// Delay, s.
     pub delay: f64,
 }
 
-/// What became of the datagrams.
+/// Counters of the datagrams by their fate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
     /// Handed in.
@@ -39,9 +39,9 @@ pub struct Counts {
 /// One direction of a link.
 #[derive(Clone, Debug)]
 pub struct Way {
-    /// How bad it is.
+    /// Quality of the link.
     pub quality: Quality,
-    /// What became of the datagrams.
+    /// Fate of the datagrams.
     pub counts: Counts,
     waiting: VecDeque<(f64, Vec<u8>)>,
     stream: Stream,
@@ -68,7 +68,7 @@ impl Way {
             self.counts.lost += 1;
             return;
         }
-        let due = now + delay + if overtaken { BEHIND } else { 0.0 };
+        let due = now + delay + if overtaken { OVERTAKEN_DELAY } else { 0.0 };
         self.counts.overtaken += u64::from(overtaken);
         self.insert(due, bytes);
         if doubled {

@@ -30,8 +30,8 @@ pub const IMAGE: &str = "/image";
 /// Periods that may wait for the disk: five seconds.
 const WAITING: usize = 1000;
 
-/// Of so many periods one goes to the topics for people.
-const SHOWN: u64 = 4;
+/// Number of periods of which one is recorded in the human-readable topics.
+const DECIMATION: u64 = 4;
 
 /// A recording cannot begin.
 #[derive(Debug, thiserror::Error)]
@@ -82,7 +82,7 @@ impl Recorder {
         Ok(Self { path, pages, writer, error, broken, periods: 0, waits })
     }
 
-    /// Where it goes.
+    /// Returns the path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -107,7 +107,7 @@ impl Recorder {
         }
     }
 
-    /// How it goes.
+    /// Returns the state of the recording.
     pub fn state(&self) -> Recording {
         let error = self.error.lock().ok().and_then(|error| error.clone());
         let running = self.pages.is_some() && !self.broken.load(Ordering::Relaxed);
@@ -140,10 +140,10 @@ fn created(path: &Path) -> Result<File, Unwritable> {
 
 /// Whether a period goes to the topics for people.
 pub fn is_shown(done: &Period) -> bool {
-    done.number.is_multiple_of(SHOWN)
+    done.number.is_multiple_of(DECIMATION)
 }
 
-/// What went wrong, with what lies behind it.
+/// Returns an error with its causes.
 fn whole(error: &dyn std::error::Error) -> String {
     match error.source() {
         Some(source) => format!("{error}: {}", whole(source)),

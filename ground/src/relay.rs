@@ -23,7 +23,7 @@ const LOOK: Duration = Duration::from_millis(500);
 /// The longest datagram: the software's memory.
 const MOST: usize = 1 << 16;
 
-/// What a frame is, its first word.
+/// Kinds of frames: their first word.
 mod kind {
     pub const READY: u64 = 1;
     pub const BEGIN: u64 = 2;
@@ -82,13 +82,13 @@ impl Relay {
         Ok(Self(wrong))
     }
 
-    /// What ended it, if something is wrong.
+    /// Returns the error that ended the relay, if any.
     pub fn wrong(&self) -> Option<&Error> {
         self.0.get()
     }
 }
 
-/// What is relayed between.
+/// Endpoints of the relay.
 struct Ends<L> {
     board: Serial<L>,
     bus: UdpSocket,
@@ -221,7 +221,7 @@ mod tests {
         assert_eq!(heard(&station).0, b"down");
     }
 
-    /// What is said of a board that answers the first datagram so, and is gone then.
+    /// Returns the error for a board that answers the first datagram thus and then disconnects.
     fn told(answer: &[u64]) -> String {
         let (bus, relay, mut board) = started(None);
         board.send(&[kind::READY]).expect("a line");

@@ -13,8 +13,8 @@ use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// How long an answer may take.
-const PATIENCE: Duration = Duration::from_secs(30);
+/// Timeout of an answer.
+const ANSWER_TIMEOUT: Duration = Duration::from_secs(30);
 
 /// Why a recording cannot be run again.
 #[derive(Debug, thiserror::Error)]
@@ -32,7 +32,7 @@ pub enum Error {
     Mcap {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Error of the file.
         source: mcap::McapError,
     },
     /// It holds no steps of the software.
@@ -59,7 +59,7 @@ pub enum Error {
     Silent(io::Error),
 }
 
-/// Where a replay differs from its recording first.
+/// First difference between a replay and its recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// Steps since the software began.
@@ -68,11 +68,11 @@ pub struct Difference {
     pub time: f64,
     /// The signal.
     pub signal: String,
-    /// What was recorded, and what came now, as words.
+    /// Recorded and replayed value, as words.
     pub words: (u64, u64),
 }
 
-/// What a replay came to.
+/// Result of a replay.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     /// Steps that were run again.
@@ -132,7 +132,7 @@ pub fn replay(program: &Program, path: &Path) -> Result<Report, Error> {
 
 /// What comes over the bus.
 fn heard(bus: &UdpSocket, buffer: &mut [u8]) -> Result<(usize, SocketAddr), Error> {
-    let heard = wait::receive(bus, buffer, Instant::now() + PATIENCE).map_err(Error::Silent)?;
+    let heard = wait::receive(bus, buffer, Instant::now() + ANSWER_TIMEOUT).map_err(Error::Silent)?;
     heard.ok_or_else(|| Error::Silent(io::ErrorKind::TimedOut.into()))
 }
 
@@ -181,7 +181,7 @@ fn difference(recorded: &Worked, now: &Outputs, time: f64) -> Option<Difference>
     })
 }
 
-/// What the word at a place of the outputs is.
+/// Returns the name of the output at a word's index.
 fn signal(place: usize) -> String {
     const PARTS: &[(&str, usize)] = &[
         ("command.motors", 8),

@@ -28,7 +28,7 @@ use tokio::net::TcpListener;
 use tokio::sync::broadcast::{self, error::RecvError};
 
 /// Messages that a slow page may be behind: two seconds of frames.
-const BEHIND: usize = 128;
+const QUEUE_LENGTH: usize = 128;
 
 /// The most connections at once: half of the files that a process may open on most systems.
 const MOST_CONNECTIONS: usize = 512;
@@ -39,20 +39,20 @@ const MOST_PAGES: usize = 256;
 /// The longest message that a page may send, bytes.
 const LONGEST: usize = 16 * 1024;
 
-/// What server and testbed share.
+/// State shared by server and testbed.
 #[derive(Debug)]
 pub struct Hub {
-    /// What every page is told.
+    /// Channel to every page.
     told: broadcast::Sender<Utf8Bytes>,
-    /// What pages asked for: who, and what.
+    /// Queue of the pages' requests, each with its client.
     asked: SyncSender<Ask>,
-    /// What a page is told first.
+    /// First message to a page.
     hello: String,
     token: String,
     command: Arc<Command>,
     pages: AtomicUsize,
     skipped: AtomicU64,
-    /// Whether somebody wants the motors to stop: never refused, however much is asked for.
+    /// True if a client commands the motors to stop. It is never rejected, however long the queue is.
     stop: AtomicBool,
     /// The last recording.
     recording: Mutex<Option<PathBuf>>,
@@ -67,7 +67,7 @@ impl Hub {
         let mut bytes = [0; 16];
         getrandom::fill(&mut bytes)?;
         Ok(Arc::new(Self {
-            told: broadcast::channel(BEHIND).0,
+            told: broadcast::channel(QUEUE_LENGTH).0,
             asked,
             hello: text(hello),
             token: bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
@@ -102,7 +102,7 @@ impl Hub {
         self.skipped.load(Ordering::Relaxed)
     }
 
-    /// Whether anybody commands.
+    /// Returns true if any client has the right to command.
     pub fn is_commanded(&self) -> bool {
         self.command.is_held()
     }
@@ -112,7 +112,7 @@ impl Hub {
         self.command.seat()
     }
 
-    /// Whether somebody has wanted the motors to stop since this was asked last.
+    /// Returns true if a client has commanded the motors to stop since the last call.
     pub fn take_stop(&self) -> bool {
         self.stop.swap(false, Ordering::Relaxed)
     }
@@ -217,7 +217,7 @@ async fn live(
         })
 }
 
-/// Whether a browser says that the page comes from this server, or the client is no browser.
+/// Returns true if the page comes from this server, or the client is no browser.
 fn is_ours(headers: &HeaderMap) -> bool {
     let Some(origin) = headers.get(header::ORIGIN) else { return true };
     let host = headers.get(header::HOST).and_then(|host| host.to_str().ok());
@@ -226,7 +226,7 @@ fn is_ours(headers: &HeaderMap) -> bool {
     from.is_some() && from == host && host.is_some_and(is_local_name)
 }
 
-/// Whether a host is an address or `localhost`: a name of somebody else's that leads here is not ours.
+/// Returns true if a host is an address or `localhost`. A foreign name that resolves to this machine is rejected.
 fn is_local_name(host: &str) -> bool {
     let name = host.rsplit_once(':').map_or(host, |(name, _)| name);
     let plain = name.trim_start_matches('[').trim_end_matches(']');
@@ -267,7 +267,7 @@ async fn attend(mut socket: WebSocket, hub: &Hub) {
     }
 }
 
-/// What a page is answered; what it asks for goes to the testbed, if it may.
+/// Answers a page's request, or queues it for the testbed if the page may make it.
 fn answer(hub: &Hub, seat: &Seat, trusted: &mut bool, asked: &str) -> Option<Tell> {
     let ask: Ask = match serde_json::from_str(asked) {
         Ok(ask) => ask,
@@ -307,7 +307,7 @@ fn answer(hub: &Hub, seat: &Seat, trusted: &mut bool, asked: &str) -> Option<Tel
     }
 }
 
-/// Whether two tokens are the same, in a time that tells nothing of where they differ.
+/// Compares two tokens in a time that does not depend on their difference.
 fn is_same(one: &str, other: &str) -> bool {
     let differing = one.bytes().zip(other.bytes()).fold(0, |all, (a, b)| all | (a ^ b));
     one.len() == other.len() && differing == 0

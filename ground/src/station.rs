@@ -4,7 +4,7 @@
 //! changes the flight, until that has taken too long. Beats go up ten times a second, so that the aircraft knows that somebody is there.
 //! Knows time only as it is told, and no socket.
 
-use crate::catalogue::SHOWN;
+use crate::catalogue::PAGE_SIGNALS;
 use crate::key::Key;
 use models::packet::Packet;
 use models::tuning::PARAMETER_COUNT;
@@ -13,22 +13,22 @@ use serde::Serialize;
 use sim::ground_station::{Collector, Framer, News, Order, Record, Status};
 use std::collections::VecDeque;
 
-/// A beat every so often, s.
-const HEARTBEAT: f64 = 0.1;
+/// Period of the heartbeat, s.
+const HEARTBEAT_PERIOD: f64 = 0.1;
 
-/// An order is repeated every so often, s: twice as often as the state of the link comes down.
-const AGAIN: f64 = 0.25;
+/// Period after which a command is repeated, s: half of that of the state of the link.
+const RETRY_PERIOD: f64 = 0.25;
 
-/// And given up after so long, s.
-const ENOUGH: f64 = 5.0;
+/// Time after which a command that is not confirmed fails, s.
+const RETRY_TIMEOUT: f64 = 5.0;
 
-/// After so long without a word, s, it may be another software that is there, which has never heard of us.
-const STRANGE: f64 = 1.0;
+/// Silence after which the peer may be a restarted software that does not know this station, s.
+const PEER_RESET_SILENCE: f64 = 1.0;
 
-/// Signals come down every so many periods: at 50 Hz.
-const EVERY: u8 = 4;
+/// Period of the logged signals, in control periods: 50 Hz.
+const SIGNAL_DECIMATION: u8 = 4;
 
-/// What became of an order.
+/// Result of a command.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
@@ -48,7 +48,7 @@ struct Pending {
     until: f64,
 }
 
-/// How the way down is.
+/// Statistics of the downlink.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Down {
     /// Packets that came.
@@ -75,13 +75,13 @@ pub struct Station {
     signals: Vec<(u8, [u8; 36])>,
     values: [f32; 64],
     record: Option<Record>,
-    /// How the aircraft sees the link.
+    /// State of the uplink as the aircraft reports it.
     pub status: Option<Status>,
     /// The parameters, as far as they are known.
     pub parameters: [Option<f64>; PARAMETER_COUNT],
-    /// How the way down is.
+    /// Statistics of the downlink.
     pub down: Down,
-    /// What became of orders, for people.
+    /// Results of commands, for display.
     pub outcomes: VecDeque<(String, Outcome)>,
 }
 
@@ -115,35 +115,35 @@ impl Station {
     /// Opens the link to an aircraft that may know nothing of us: at the beginning, and when it was silent.
     fn meet(&mut self, now: f64) {
         self.order(now, Order::Hello);
-        self.choose(now, EVERY, SHOWN);
+        self.choose(now, SIGNAL_DECIMATION, PAGE_SIGNALS);
         for number in 0..PARAMETER_COUNT {
             self.order(now, Order::Ask(number as u8));
         }
     }
 
-    /// Whether commands are sealed.
+    /// Returns true if commands are sealed.
     pub fn is_authenticated(&self) -> bool {
         self.key.is_some()
     }
 
-    /// How long nothing has come down, s.
+    /// Returns the time since the last packet of the downlink, s.
     pub fn silence(&self, now: f64) -> Option<f64> {
         self.heard_at.map(|at| now - at)
     }
 
     fn is_strange(&self, now: f64) -> bool {
-        self.silence(now).is_some_and(|silence| silence > STRANGE)
+        self.silence(now).is_some_and(|silence| silence > PEER_RESET_SILENCE)
     }
 
-    /// What a signal was when it came down last.
+    /// Returns the last received value of a signal.
     pub fn signal(&self, number: u8) -> f32 {
         self.values.get(usize::from(number)).copied().unwrap_or(f32::NAN)
     }
 
-    /// Which signals come down, in their order.
+    /// Returns the numbers of the received signals, in order.
     pub fn chosen(&self) -> &[u8; 36] {
         let tag = self.record.as_ref().map_or(0, |record| record.tag);
-        self.layout(tag).unwrap_or(&SHOWN)
+        self.layout(tag).unwrap_or(&PAGE_SIGNALS)
     }
 
     /// The last record.
@@ -191,14 +191,14 @@ impl Station {
         }
         self.pending.retain(|it| !replaces(&order, &it.order));
         self.send(&order);
-        let until = if is_lasting(&order) { f64::INFINITY } else { now + ENOUGH };
-        self.pending.push(Pending { order, again: now + AGAIN, until });
+        let until = if is_lasting(&order) { f64::INFINITY } else { now + RETRY_TIMEOUT };
+        self.pending.push(Pending { order, again: now + RETRY_PERIOD, until });
     }
 
     /// The datagrams that go up now; `clock`: milliseconds since 1970.
     pub fn tick(&mut self, now: f64, clock: u64) -> Option<Vec<u8>> {
         if now >= self.next_beat {
-            self.next_beat = now + HEARTBEAT;
+            self.next_beat = now + HEARTBEAT_PERIOD;
             self.send(&Order::Beat);
         }
         if self.is_strange(now) && !self.pending.iter().any(|it| it.order == Order::Hello) {
@@ -207,7 +207,7 @@ impl Station {
         let mut due = Vec::new();
         for waiting in &mut self.pending {
             if now >= waiting.again {
-                waiting.again = now + AGAIN;
+                waiting.again = now + RETRY_PERIOD;
                 due.push(waiting.order.clone());
             }
         }
@@ -281,7 +281,7 @@ impl Station {
         }
     }
 
-    /// Whether the news show that an order was carried out.
+    /// Returns true if a message confirms a command.
     fn is_done(&self, order: &Order, news: &News) -> bool {
         let phase = self.phase();
         match (order, news) {
@@ -340,17 +340,17 @@ impl Station {
     }
 }
 
-/// Whether an order changes the course of the flight.
+/// Returns true if a command changes the course of the flight.
 fn is_course(order: &Order) -> bool {
     matches!(order, Order::TakeOff | Order::Land | Order::Arm | Order::Stop)
 }
 
-/// Whether an order is meant whenever it arrives: a take-off that comes through after minutes is not.
+/// Returns true if a command stays valid until it arrives. A take-off that arrives after minutes does not.
 fn is_lasting(order: &Order) -> bool {
     matches!(order, Order::Hello | Order::Ask(_) | Order::Choose(..) | Order::Land | Order::Stop)
 }
 
-/// Whether a new order stands for an old one.
+/// Returns true if a new command replaces an old one.
 fn replaces(new: &Order, old: &Order) -> bool {
     match (new, old) {
         (Order::Ask(new) | Order::Set(new, _), Order::Ask(old) | Order::Set(old, _)) => new == old,

@@ -17,11 +17,11 @@ use std::io;
 use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-/// How long a program may take to start: emulated, on a busy machine.
-const START: Duration = Duration::from_secs(30);
+/// Timeout of a program's start, emulated on a busy machine.
+const START_TIMEOUT: Duration = Duration::from_secs(30);
 
 /// How late a datagram may be on loopback: it only ends a wait for one that was lost.
-const DELIVERED: Duration = Duration::from_secs(10);
+const DELIVERY_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// How long the software's memory may take in real time; otherwise as long as a datagram.
 const IMAGE: Duration = Duration::from_secs(2);
@@ -42,11 +42,11 @@ pub enum Error {
     #[error("the onboard software ended at its start: {0}")]
     Ended(String),
     /// The onboard software said nothing.
-    #[error("the onboard software does not answer: it was started, and sent nothing for {} s", START.as_secs())]
+    #[error("the onboard software does not answer: it was started, and sent nothing for {} s", START_TIMEOUT.as_secs())]
     Silent,
 }
 
-/// How time passes.
+/// Time base of the testbed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pace {
     /// As on the wall.
@@ -58,18 +58,18 @@ pub enum Pace {
     Virtual,
 }
 
-/// What a testbed is made of.
+/// Configuration of a testbed.
 #[derive(Clone, Debug, Default)]
 pub struct Wanted {
-    /// How time passes.
+    /// Time base.
     pub pace: Pace,
     /// The link.
     pub quality: Quality,
-    /// Who may command.
+    /// Key of those who may command.
     pub key: Option<Key>,
     /// The key of the software, if it is to differ: to see what happens.
     pub other_key: Option<Key>,
-    /// Where chance begins.
+    /// Seed of all randomness.
     pub seed: u64,
 }
 
@@ -92,7 +92,7 @@ pub struct Testbed {
     _awake: Option<Awake>,
     begun: Instant,
     periods: u32,
-    /// How often the software was started anew.
+    /// Number of restarts of the software.
     pub restarts: u64,
     /// Why that was so the last time.
     pub ended: Option<String>,
@@ -138,12 +138,12 @@ impl Testbed {
         self.bench.timing.periods as f64 * period()
     }
 
-    /// What became of the datagrams, up and down.
+    /// Returns the fate of the datagrams of uplink and downlink.
     pub fn counts(&self) -> (Counts, Counts) {
         (self.up.counts, self.down.counts)
     }
 
-    /// Where the aircraft listens to the ground.
+    /// Returns the address at which the aircraft receives commands.
     pub fn link(&self) -> Option<SocketAddr> {
         self.bench.link()
     }
@@ -163,7 +163,7 @@ impl Testbed {
     /// # Errors
     /// An error of the system.
     pub fn image(&mut self) -> io::Result<Option<Vec<u8>>> {
-        self.bench.image(if self.pace == Pace::Real { IMAGE } else { DELIVERED })
+        self.bench.image(if self.pace == Pace::Real { IMAGE } else { DELIVERY_TIMEOUT })
     }
 
     /// Whether time waits for the software, and so for whoever listens to it.
@@ -227,7 +227,7 @@ impl Testbed {
     /// went to another socket; in virtual time it belongs to the period.
     fn await_datagram(&self) -> io::Result<()> {
         self.socket.set_nonblocking(false)?;
-        let _ = wait::is_there(&self.socket, Instant::now() + DELIVERED);
+        let _ = wait::is_there(&self.socket, Instant::now() + DELIVERY_TIMEOUT);
         self.socket.set_nonblocking(true)
     }
 
@@ -275,7 +275,7 @@ impl Testbed {
 
 /// Waits until the software is there, as long as it runs.
 fn meet(bench: &mut Bench, running: &mut Running) -> Result<(), Error> {
-    for _ in 0..START.as_secs() {
+    for _ in 0..START_TIMEOUT.as_secs() {
         if bench.wait(Duration::from_secs(1))? {
             return Ok(());
         }

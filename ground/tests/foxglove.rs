@@ -18,7 +18,7 @@ use tungstenite::{Message, WebSocket};
 const LIMIT: Duration = Duration::from_secs(120);
 
 /// So many messages are looked at.
-const ENOUGH: usize = 200;
+const MESSAGES: usize = 200;
 
 /// A message of a topic at a time, ns.
 type Heard = (String, u64, Vec<u8>);
@@ -47,10 +47,10 @@ fn client(address: SocketAddr) -> (WebSocket<TcpStream>, BTreeMap<u64, Value>) {
 
 /// Reads until there is enough, beside the test.
 fn heard(mut socket: WebSocket<TcpStream>, topics: BTreeMap<u64, Value>) -> Receiver<Heard> {
-    let (sender, receiver) = sync_channel(ENOUGH);
+    let (sender, receiver) = sync_channel(MESSAGES);
     std::thread::spawn(move || {
         let mut count = 0;
-        while count < ENOUGH {
+        while count < MESSAGES {
             let Message::Binary(bytes) = socket.read().expect("the server speaks") else {
                 continue;
             };
@@ -106,5 +106,5 @@ fn foxglove_sees_what_a_recording_holds() {
             Err(TryRecvError::Disconnected) => break,
         }
     }
-    assert_eq!(checked, ENOUGH);
+    assert_eq!(checked, MESSAGES);
 }

@@ -12,10 +12,10 @@ use std::process::{Child, ChildStdout, Command, Stdio};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
-/// Where `cargo xtask test --full --install` puts it.
+/// Path at which `cargo xtask test --full --install` installs it.
 const PYTHON: &str = "target/python/bin/python";
 
-/// What both ends sign with.
+/// Key with which both ends sign.
 const SECRET: [u8; 32] = *b"a secret of thirty-two bytes, eh";
 
 fn flown(seed: u64) -> (Live, Arc<Hub>) {
@@ -46,7 +46,7 @@ fn pymavlink(root: &Path) -> Option<(Child, u16, Lines<BufReader<ChildStdout>>)>
     Some((child, port.expect("it says where it listens"), lines))
 }
 
-/// What is said, line by line, without waiting for it.
+/// Returns a channel of the printed lines.
 fn said(lines: Lines<BufReader<ChildStdout>>) -> Receiver<String> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {

@@ -61,7 +61,7 @@ impl Drop for Running {
     }
 }
 
-/// Whether the run leaves nothing out, and there is a browser.
+/// Returns true if the run is complete and a browser is installed.
 fn is_asked_for() -> bool {
     if !std::env::var("BESSEMER_FULL").is_ok_and(|value| value == "1") {
         println!("left out: it takes a browser; BESSEMER_FULL=1 brings it in");
@@ -137,7 +137,7 @@ fn the_page_flies_the_aircraft() {
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
 }
 
-/// What the tabulator should come to.
+/// Selector of everything that the tabulator must reach.
 const CONTROLS: &str = "[...document.querySelectorAll('button, input, select, summary, a[href], [tabindex]')]\
     .filter((it) => !it.disabled && it.checkVisibility())";
 
@@ -242,8 +242,8 @@ const COUNT: &str = "
         it.seconds[second] = (it.seconds[second] ?? 0) + 1;
     }).observe(document.body, { attributeFilter: ['data-pictures'] })";
 
-/// What became of it: seconds, messages, pictures, the fewest in a whole second, those that stood longer than 0.1 s, the longest, ms,
-/// and the memory at its beginning and now, MB.
+/// Measurements of the page. Seconds, messages and pictures; fewest pictures in a second; pictures shown longer than
+/// 0.1 s; the longest, ms; memory at the start and now, MB.
 const COUNTED: &str = "(() => {
     const it = window.smooth, whole = Object.entries(it.seconds).filter(([second]) => Number(second) < Math.floor((it.last - it.begun) / 1000));
     return [(performance.now() - it.begun) / 1000, Number(document.body.dataset.frames) - it.frames, it.pictures,

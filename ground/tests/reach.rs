@@ -1,4 +1,4 @@
-//! How far the ground station reaches, measured in real time: only where `BESSEMER_REACH` says for how many seconds.
+//! Capacity of the ground station in real time, measured only if `BESSEMER_REACH` sets a number of seconds.
 //!
 //! `BESSEMER_REACH=600 cargo test --release -p ground --test reach -- --nocapture`, on a machine that does nothing else, writes
 //! `docs/results/reach.md`. A page moves the sticks twenty times a second, each time to another place, by which the
@@ -21,8 +21,8 @@ use std::sync::mpsc::{Sender, channel};
 use std::time::{Duration, Instant};
 use tungstenite::Message;
 
-/// How far apart two places of the sticks are, rad.
-const APART: f64 = 1e-6;
+/// Distance between two positions of the sticks, rad.
+const STICK_STEP: f64 = 1e-6;
 
 /// A page that moves the sticks until nobody listens: which place, and when it was sent there.
 fn pilot(address: SocketAddr, token: &str, sent: &Sender<(u64, Instant)>) {
@@ -39,7 +39,7 @@ fn pilot(address: SocketAddr, token: &str, sent: &Sender<(u64, Instant)>) {
             continue;
         }
         next += 1;
-        let roll = APART * next as f64;
+        let roll = STICK_STEP * next as f64;
         let sticks =
             json!({ "type": "sticks", "roll": roll, "pitch": 0, "yaw_rate": 0, "climb": 0 });
         let now = Instant::now();
@@ -95,7 +95,7 @@ fn the_reach_is_measured() {
         }
         let now = Instant::now();
         waiting.extend(sent.try_iter());
-        let place = (packet.number(0) / APART).round() as u64;
+        let place = (packet.number(0) / STICK_STEP).round() as u64;
         took.extend(waiting.remove(&place).map(|at: Instant| now.saturating_duration_since(at)));
     }
     let share = (spent() - before) / begun.elapsed().as_secs_f64();

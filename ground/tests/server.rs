@@ -252,18 +252,18 @@ fn a_page_that_reads_nothing_holds_nobody_up() {
     assert!(last.hear("state")["pages"].as_u64().is_some_and(|pages| pages >= 101));
 }
 
-/// How many come at once.
-const CROWD: usize = 1000;
+/// Number of simultaneous clients.
+const CLIENTS: usize = 1000;
 
-/// Where the crowd goes; only for the process that is it.
-const THERE: &str = "GROUND_CROWD";
+/// Address of the server, set only for the process that plays the clients.
+const SERVER_ADDRESS: &str = "GROUND_CROWD";
 
 /// A crowd of its own files: this program once more, in which only this test runs.
 fn crowd(address: SocketAddr) -> std::process::Child {
     let here = std::env::current_exe().expect("this program");
     std::process::Command::new(here)
         .args(["--exact", "a_thousand_connections_keep_nobody_from_flying", "--nocapture"])
-        .env(THERE, address.to_string())
+        .env(SERVER_ADDRESS, address.to_string())
         .stdin(std::process::Stdio::piped())
         .stdout(std::process::Stdio::piped())
         .spawn()
@@ -274,7 +274,7 @@ fn crowd(address: SocketAddr) -> std::process::Child {
 fn be_a_crowd(address: &str) {
     let address: SocketAddr = address.parse().expect("an address");
     let mut waiting = Vec::new();
-    for n in 0..CROWD {
+    for n in 0..CLIENTS {
         let mut stream = TcpStream::connect(address).expect("it is let in, or turned away");
         if n % 2 == 0 {
             let opening = format!(
@@ -292,7 +292,7 @@ fn be_a_crowd(address: &str) {
 
 #[test]
 fn a_thousand_connections_keep_nobody_from_flying() {
-    if let Ok(address) = std::env::var(THERE) {
+    if let Ok(address) = std::env::var(SERVER_ADDRESS) {
         return be_a_crowd(&address);
     }
     let mut served = served();

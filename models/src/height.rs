@@ -21,7 +21,7 @@ pub struct Height {
 
 #[component]
 impl Height {
-    /// Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N. (3.14)), N.
+    /// Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N.
     #[entry(infallible)]
     pub fn step(
         &mut self,

@@ -39,7 +39,7 @@ pub struct Course {
     pub period: f64,
     /// Duration of the take-off climb, s.
     pub takeoff_duration: f64,
-    /// Landing rate (K_landing of the thesis' eq. (3.20)), m/s. (3.20)), m/s.
+    /// Landing rate (K_landing of the thesis' eq. (3.20)), m/s.
     pub landing_rate: f64,
     /// Age at which the sticks are treated as centred, s.
     pub stick_timeout: f64,

@@ -11,7 +11,7 @@ pub const SAMPLES: usize = 8;
 pub struct Average {
     /// The samples, of which the oldest is replaced next.
     samples: [f32; SAMPLES],
-    /// Which that is.
+    /// Index of the oldest value, which is replaced next.
     next: u32,
 }
 

@@ -38,7 +38,7 @@ pub struct Currents {
     pub quadrature: f32,
 }
 
-/// What is set once.
+/// Settings of the drive.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings {
@@ -60,13 +60,13 @@ pub struct Settings {
     pub weakening: [f32; POINTS],
 }
 
-/// What a period sees.
+/// Inputs of a period.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inputs {
-    /// Whether to run.
+    /// True to run.
     pub run: bool,
-    /// Whether a trip is acknowledged.
+    /// True to acknowledge a trip.
     pub acknowledge: bool,
     /// The wanted speed, rad/s.
     pub target: f32,
@@ -80,11 +80,11 @@ pub struct Inputs {
     pub supply: f32,
 }
 
-/// What a period sets.
+/// Outputs of a period.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Outputs {
-    /// Whether the half bridges switch at all.
+    /// True if the half bridges switch.
     pub enabled: bool,
     /// The share of the period in which each upper switch is on.
     pub duties: [f32; PHASES],
@@ -149,7 +149,7 @@ impl Drive {
         Outputs { enabled: true, duties: duties(alpha, beta, inputs.supply), currents }
     }
 
-    /// What the inputs make of the mode.
+    /// Updates the mode from the inputs.
     fn change_mode(&mut self, settings: &Settings, inputs: &Inputs) {
         let third = -inputs.currents[0] - inputs.currents[1];
         let most = settings.trip_current;

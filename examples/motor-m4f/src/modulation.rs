@@ -8,8 +8,8 @@ pub const PHASES: usize = 3;
 /// √3/2.
 const HALF_ROOT_3: f32 = 0.866_025_4;
 
-/// The shares of a period in which the upper switches are on, for a voltage in the plane, V: what is common to the phases is
-/// laid in the middle, which is what space vectors do.
+/// Returns the duty cycles of the upper switches for a voltage in the stator plane, V. The common mode is centred, as
+/// in space-vector modulation.
 #[function]
 pub fn duties(alpha: f32, beta: f32, supply: f32) -> [f32; PHASES] {
     let half = 0.5 * alpha;

@@ -6,9 +6,9 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gains {
-    /// Of the error.
+    /// Gain of the error.
     pub proportional: f32,
-    /// Of the error, each period, in the integral.
+    /// Gain of the error per period in the integral.
     pub integral: f32,
 }
 

@@ -42,7 +42,7 @@ pub struct Fly {
     /// Address that the page is served at: others than loopback can be reached from outside
     #[arg(long, default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST))]
     pub bind: IpAddr,
-    /// Where the onboard software runs
+    /// Machine that runs the onboard software
     #[arg(long, value_enum, default_value_t = Machine::Native)]
     pub target: Machine,
     /// Share of the datagrams that is lost, such as 5%
@@ -72,7 +72,7 @@ pub struct Fly {
     /// File with the key that signs MAVLink: 64 hexadecimal digits; what is not signed with it is kept out
     #[arg(long, value_name = "FILE", requires = "mavlink")]
     pub mavlink_key: Option<PathBuf>,
-    /// Where chance begins
+    /// Seed of all randomness
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// End after so many seconds
@@ -94,7 +94,7 @@ pub struct Replay {
     /// Port of the page; 0 for any that is free
     #[arg(long, default_value_t = 8080, requires = "page")]
     pub port: u16,
-    /// Where the onboard software runs
+    /// Machine that runs the onboard software
     #[arg(long, value_enum, default_value_t = Machine::Native)]
     pub target: Machine,
 }
@@ -112,7 +112,7 @@ impl Task {
     }
 }
 
-/// Where the onboard software runs.
+/// Machine that runs the onboard software.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Machine {
     /// This machine

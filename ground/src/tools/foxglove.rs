@@ -15,11 +15,11 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 
 /// Messages that a slow Foxglove may be behind before it misses the oldest: two seconds.
-const BEHIND: usize = 1024;
+const QUEUE_LENGTH: usize = 1024;
 
 /// The server for Foxglove.
 pub struct Foxglove {
-    /// What ties channels to the server, neither of which keeps it.
+    /// Context that connects channels and server; neither of them owns it.
     _context: Arc<Context>,
     channels: Vec<Arc<RawChannel>>,
     /// The server ends with it.
@@ -43,13 +43,13 @@ impl Foxglove {
             .websocket_server()
             .name("bessemer")
             .bind(address.ip().to_string(), address.port())
-            .message_backlog_size(BEHIND)
+            .message_backlog_size(QUEUE_LENGTH)
             .start_blocking()?;
         let address = SocketAddr::new(address.ip(), server.port());
         Ok(Self { _context: context, channels, server: Some(server), address })
     }
 
-    /// Where it listens.
+    /// Returns the address of the server.
     pub fn address(&self) -> SocketAddr {
         self.address
     }

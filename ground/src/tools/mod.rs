@@ -16,12 +16,13 @@ use sim::ground_station::News;
 
 /// A tool at the testbed's side.
 pub trait Tool {
-    /// What it asks for since it was listened to last; what needs the command is asked for only by whoever has it.
+    /// Returns the requests since the last call. Those that need the right to command are made only by the client that
+    /// has it.
     fn listen(&mut self, _testbed: &Testbed, _seat: &Seat) -> Vec<Ask> {
         Vec::new()
     }
 
-    /// How many messages it has kept out.
+    /// Returns the number of rejected messages.
     fn refused(&self) -> u64 {
         0
     }

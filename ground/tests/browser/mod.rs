@@ -44,7 +44,7 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// Whether there is one here.
+    /// Returns true if a browser is installed.
     pub fn is_there() -> bool {
         let asked = Command::new("chromium").arg("--version").stdout(Stdio::null()).status();
         asked.is_ok_and(|status| status.success())
@@ -107,7 +107,7 @@ impl Browser {
         self.ask("Emulation.setEmulatedMedia", &json!({ "features": feature }));
     }
 
-    /// What an expression is on the page.
+    /// Returns the value of an expression on the page.
     pub fn see(&mut self, expression: &str) -> Value {
         let asked = json!({ "expression": expression, "returnByValue": true });
         self.ask("Runtime.evaluate", &asked)["result"]["value"].clone()

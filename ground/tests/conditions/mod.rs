@@ -6,7 +6,7 @@ pub struct Conditions {
     before: Times,
 }
 
-/// What the processors did since the machine began, hundredths of a second.
+/// Time of the processors by state since boot, hundredths of a second.
 #[derive(Clone, Copy, Default)]
 struct Times {
     busy: u64,
@@ -37,7 +37,8 @@ impl Conditions {
         Self { load, before: Times::now() }
     }
 
-    /// How many processors there are, how many programs wanted one in the minute before, and what became of the processors meanwhile.
+    /// Describes the load: number of processors, runnable programs in the last minute, and the use of the processors
+    /// meanwhile.
     pub fn told(&self) -> String {
         let processors = std::thread::available_parallelism().map_or(0, usize::from);
         let build = if cfg!(debug_assertions) { "debug" } else { "release" };

@@ -1,4 +1,4 @@
-//! What the machine itself keeps of a period: a datagram goes to another thread and back in each, and nothing is computed.
+//! Timing of the machine alone: in each period a datagram goes to another thread and back, and nothing is computed.
 //!
 //! Both threads have the priority of what keeps the period of a flight, so that what an echo misses no program keeps.
 
@@ -64,7 +64,7 @@ fn counted(goes_on: &AtomicBool) -> io::Result<Echoed> {
     Ok(echoed)
 }
 
-/// Whether this number comes back in time; older ones are late.
+/// Returns true if this number comes back in time; older ones are late.
 fn answered(here: &UdpSocket, number: u64, until: Instant) -> io::Result<bool> {
     let mut heard = [0; 8];
     while wait::receive(here, &mut heard, until)?.is_some() {

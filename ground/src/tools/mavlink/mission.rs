@@ -11,26 +11,26 @@ use models::trajectory::{MAX_POINTS, SetPoint};
 use models::{Phase, Settings};
 use nalgebra::Vector3;
 
-/// How fast the way from place to place is reckoned, m/s.
-const SPEED: f64 = 0.5;
+/// Speed assumed between two waypoints, m/s.
+const CRUISE_SPEED: f64 = 0.5;
 
-/// How long a place takes besides, s: to stop there.
-const SETTLE: f64 = 4.0;
+/// Time to stop at a waypoint, s.
+const STOP_TIME: f64 = 4.0;
 
-/// So near a place, m, it is reached.
-const NEAR: f64 = 0.2;
+/// Distance at which a waypoint is reached, m.
+const WAYPOINT_RADIUS: f64 = 0.2;
 
-/// An item is asked for again after so long, s, and given up after so many times: the protocol's.
-const AGAIN: f64 = 0.25;
-const TRIES: u32 = 5;
+/// Period after which an item is requested again, s, and number of requests: as in the protocol.
+const RETRY_PERIOD: f64 = 0.25;
+const REQUEST_LIMIT: u32 = 5;
 
-/// An aircraft that has not taken off after so long, s, does not: its station has given up.
-const ENOUGH: f64 = 6.0;
+/// Time after which a take-off has failed, s: the station has given up.
+const TAKEOFF_TIMEOUT: f64 = 6.0;
 
 /// Local coordinates of items are whole numbers of 0.1 mm.
 const UNITS: f64 = 1e4;
 
-/// What an item is.
+/// Meaning of a mission item.
 #[derive(Clone, Copy, Debug)]
 enum What {
     /// A place, m, with a yaw, rad, unless it is to stay, and a time for which to stay there, s.
@@ -70,17 +70,17 @@ struct Flight {
     lands: bool,
 }
 
-/// Who is at the other end: its system and component.
+/// Address of a peer: its system and component.
 pub type Peer = (u8, u8);
 
-/// What is known of the flight.
+/// State of the flight that a mission depends on.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
     /// The part of the flight.
     pub phase: u8,
     /// Time since the take-off, s, if it comes down.
     pub time: Option<f64>,
-    /// Where the aircraft is, m, if that comes down.
+    /// Position of the aircraft, m, if it is received.
     pub place: Option<Vector3<f64>>,
 }
 
@@ -94,7 +94,7 @@ pub struct Mission {
 }
 
 impl Mission {
-    /// What a message of the protocol is answered; `may` says whether its sender may change the mission.
+    /// Answers a message of the mission protocol. `may` returns true if the sender may change the mission.
     pub fn take(
         &mut self,
         now: f64,
@@ -134,9 +134,9 @@ impl Mission {
 
     /// Asks once more for an item that does not come.
     pub fn tick(&mut self, now: f64) -> Option<MavMessage> {
-        let upload = self.upload.as_mut().filter(|it| now - it.asked >= AGAIN)?;
+        let upload = self.upload.as_mut().filter(|it| now - it.asked >= RETRY_PERIOD)?;
         (upload.asked, upload.tries) = (now, upload.tries + 1);
-        if upload.tries <= TRIES {
+        if upload.tries <= REQUEST_LIMIT {
             return Some(request(upload));
         }
         let from = upload.from;
@@ -166,7 +166,7 @@ impl Mission {
                 heading = yaw.unwrap_or(heading);
                 let [x, y, z] = place.into();
                 points.push(Point { time: at, x, y, z, yaw: heading });
-                at += (place - last).norm() / SPEED + SETTLE + hold;
+                at += (place - last).norm() / CRUISE_SPEED + STOP_TIME + hold;
                 last = place;
             }
         }
@@ -190,7 +190,7 @@ impl Mission {
         self.flight = None;
     }
 
-    /// How far it is: what is told of it, and whether it is time to land.
+    /// Returns the messages on the mission's progress, and true if it is time to land.
     pub fn watch(&mut self, now: f64, seen: &Seen) -> (Vec<MavMessage>, bool) {
         let mut told = Vec::new();
         let Some(flight) = &mut self.flight else { return (told, false) };
@@ -206,7 +206,7 @@ impl Mission {
         let what = self.items[current].what;
         let there = match what {
             What::Place { place, .. } => {
-                seen.place.is_some_and(|it| flying && (it - place).norm() < NEAR)
+                seen.place.is_some_and(|it| flying && (it - place).norm() < WAYPOINT_RADIUS)
             }
             What::Land => flight.airborne && !flying,
         };
@@ -221,7 +221,7 @@ impl Mission {
         flight.lands |= land;
         // It is over with its last item, when the motors stop before, or if they never turned.
         let last = flight.reached == Some(self.items.len() - 1);
-        let missed = !flight.airborne && now - flight.started > ENOUGH;
+        let missed = !flight.airborne && now - flight.started > TAKEOFF_TIMEOUT;
         let over = !flying && (flight.airborne || missed);
         flight.airborne |= flying;
         if last || over {
@@ -233,7 +233,7 @@ impl Mission {
         (told, land)
     }
 
-    /// Which item it is.
+    /// Returns the message with the current item.
     pub fn current(&self) -> MavMessage {
         let mission_state = match &self.flight {
             Some(_) => MissionState::MISSION_STATE_ACTIVE,
@@ -320,7 +320,7 @@ impl Mission {
 /// The kind of mission that there is: no fences, no rally points.
 const OURS: MavMissionType = MavMissionType::MAV_MISSION_TYPE_MISSION;
 
-/// What an item means, or why it cannot be flown.
+/// Returns the meaning of an item, or the reason why it cannot be flown.
 fn meant(it: &MISSION_ITEM_INT_DATA) -> Result<What, MavMissionResult> {
     use MavMissionResult as Refused;
     let hold = match it.command {

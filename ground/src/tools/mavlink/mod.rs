@@ -43,14 +43,14 @@ const LOST: f64 = 3.0;
 /// Datagrams that are taken in a period: more wait in the socket, and are lost there.
 const MOST: usize = 16;
 
-/// Heartbeats, battery, mission and phase go out every so many periods.
-const HEARTBEAT: u64 = 200;
-const PHASE: u64 = 40;
+/// Periods of heartbeat (with battery and mission) and of phase messages, in control periods.
+const HEARTBEAT_PERIODS: u64 = 200;
+const PHASE_PERIODS: u64 = 40;
 
-/// What sticks at their ends ask for: lean, rad, rate of yaw, rad/s, rate of climb, m/s. As on the page.
-const LEAN: f64 = 0.12;
-const TURN: f64 = 1.0;
-const RISE: f64 = 0.4;
+/// Setpoints at the sticks' limits: tilt, rad, yaw rate, rad/s, climb rate, m/s. The page has the same.
+const STICK_TILT: f64 = 0.12;
+const STICK_YAW_RATE: f64 = 1.0;
+const STICK_CLIMB: f64 = 0.4;
 
 /// With this, a disarming in the air is meant (MAV_CMD_COMPONENT_ARM_DISARM).
 const FORCE: f32 = 21196.0;
@@ -67,7 +67,7 @@ pub struct Mavlink {
     signature: Signature,
 }
 
-/// What a command comes to.
+/// Result of a command: requests, or the reason to reject it.
 type Verdict = Result<Vec<Ask>, MavResult>;
 
 impl Mavlink {
@@ -107,7 +107,7 @@ impl Mavlink {
         let _ = self.socket.send(raw.raw_bytes());
     }
 
-    /// What a message asks for.
+    /// Returns the requests of a message.
     fn take(
         &mut self,
         testbed: &Testbed,
@@ -167,7 +167,7 @@ impl Mavlink {
         }
     }
 
-    /// What a command asks for.
+    /// Returns the requests of a command.
     fn command(&mut self, testbed: &Testbed, seat: &Seat, it: &COMMAND_LONG_DATA) -> Verdict {
         if it.command != MavCmd::MAV_CMD_MISSION_START {
             let asks = command(testbed, it).and_then(|asks| allowed(seat, asks));
@@ -179,7 +179,7 @@ impl Mavlink {
         self.mission.start(testbed.now(), &seen(testbed))
     }
 
-    /// What is asked for in place of the mission, if one is being flown.
+    /// Returns the requests that replace those of a running mission.
     fn instead(&mut self, asks: Verdict) -> Verdict {
         if asks.as_ref().is_ok_and(|asks| !asks.is_empty()) {
             self.mission.leave();
@@ -255,10 +255,10 @@ impl Tool for Mavlink {
         }
         // What has not been heard of does not live.
         let heard = testbed.station.silence(testbed.now()).is_some_and(|since| since < LOST);
-        if heard && done.number.is_multiple_of(PHASE) {
+        if heard && done.number.is_multiple_of(PHASE_PERIODS) {
             self.send(&telemetry::landed(testbed));
         }
-        if heard && done.number.is_multiple_of(HEARTBEAT) {
+        if heard && done.number.is_multiple_of(HEARTBEAT_PERIODS) {
             self.send(&telemetry::heartbeat(testbed));
             self.send(&telemetry::battery(testbed));
             self.send(&self.mission.current());
@@ -284,12 +284,12 @@ fn addressed(message: &MavMessage) -> Option<Peer> {
     })
 }
 
-/// Whether a message goes to us; 0 stands for all.
+/// Returns true if a message is addressed to this system; 0 addresses all.
 fn is_ours((system, component): Peer) -> bool {
     [0, SYSTEM].contains(&system) && [0, COMPONENT].contains(&component)
 }
 
-/// What the mission has to know.
+/// Returns the state of the flight that a mission depends on.
 fn seen(testbed: &Testbed) -> Seen {
     Seen {
         phase: testbed.station.phase(),
@@ -307,11 +307,11 @@ fn sticks(it: &MANUAL_CONTROL_DATA) -> Ask {
     };
     Ask::Sticks {
         // A positive roll flies along y, to the left, and a negative pitch along x: the angles are passive.
-        roll: -LEAN * axis(it.y, 0),
-        pitch: -LEAN * axis(it.x, 0),
+        roll: -STICK_TILT * axis(it.y, 0),
+        pitch: -STICK_TILT * axis(it.x, 0),
         // Counter-clockwise is positive here and negative there.
-        yaw_rate: -TURN * axis(it.r, 0),
-        climb: RISE * (2.0 * axis(it.z, 500)).clamp(-1.0, 1.0),
+        yaw_rate: -STICK_YAW_RATE * axis(it.r, 0),
+        climb: STICK_CLIMB * (2.0 * axis(it.z, 500)).clamp(-1.0, 1.0),
     }
 }
 
@@ -324,7 +324,7 @@ fn allowed(seat: &Seat, asks: Vec<Ask>) -> Verdict {
     }
 }
 
-/// What a command asks for.
+/// Returns the requests of a command.
 fn command(testbed: &Testbed, it: &COMMAND_LONG_DATA) -> Verdict {
     let flying = is_flying(testbed.station.phase());
     match it.command {

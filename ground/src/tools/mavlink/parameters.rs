@@ -4,7 +4,7 @@ use crate::testbed::Testbed;
 use ::mavlink::dialects::common::*;
 use models::tuning::PARAMETER_COUNT;
 
-/// What the parameters are called, at most 16 letters, in the order of `models::tuning`.
+/// Names of the parameters, at most 16 letters, in the order of `models::tuning`.
 const NAMES: [&str; PARAMETER_COUNT] = [
     "HEIGHT_P",
     "HEIGHT_I",

@@ -15,7 +15,7 @@ const LINK: u8 = 0;
 #[derive(Default)]
 pub struct Signature {
     signing: Option<SigningData>,
-    /// How many messages were kept out.
+    /// Number of rejected messages.
     pub refused: u64,
 }
 
@@ -53,7 +53,7 @@ impl Signature {
         raw
     }
 
-    /// Whether a message that came in is let through.
+    /// Returns true if a received message is accepted.
     pub fn admits(&mut self, raw: &MAVLinkV2MessageRaw) -> bool {
         let good = self.signing.as_ref().is_none_or(|signing| signing.verify_signature(raw));
         self.refused += u64::from(!good);

@@ -45,7 +45,7 @@ pub fn record(testbed: &Testbed, record: &Record, count: u32) -> Vec<MavMessage>
     told
 }
 
-/// Where the aircraft is in the room, m, if that comes down.
+/// Returns the position of the aircraft in the room, m, if it is received.
 pub fn place(testbed: &Testbed) -> Option<Vector3<f64>> {
     read(testbed, [0, 1, 2])
 }
@@ -66,7 +66,7 @@ fn turned(angles: &Vector3<f64>) -> (f64, f64, f64) {
     Rotation3::from_matrix_unchecked(flipped * rotation(angles) * flipped).euler_angles()
 }
 
-/// Whether the motors turn in a part of the flight.
+/// Returns true if the motors turn in a phase of the flight.
 pub fn is_flying(phase: u8) -> bool {
     phase != Phase::Ready as u8 && phase != Phase::Over as u8
 }
@@ -97,7 +97,7 @@ pub fn heartbeat(testbed: &Testbed) -> MavMessage {
     })
 }
 
-/// Which part of the flight it is.
+/// Returns the message with the phase of the flight.
 pub fn landed(testbed: &Testbed) -> MavMessage {
     let phase = testbed.station.phase();
     let landed_state = if phase == Phase::TakeOff as u8 {
