@@ -1,5 +1,5 @@
-//! The elementary functions on the very points on which their accuracy is measured: the same bits in
-//! Rust, in the C of each compiler, and in the C on the emulated Cortex-A9.
+//! Equality of the elementary functions at the points of the accuracy measurement: Rust, the C of each compiler, and
+//! the C on the emulated Cortex-A9.
 //!
 //! The points of a function are written into a file, which every leg reads; what they say is folded.
 //! [`crate::equality`] draws points of its own, in the models.
@@ -23,7 +23,7 @@ use serde_json::{Value, json};
 
 use crate::elementary::{self, Emission};
 
-/// What one leg came to.
+/// Result of one leg.
 #[derive(Clone, Debug)]
 pub struct Leg {
     /// `Rust`, `gcc -O2`.
@@ -161,7 +161,7 @@ fn write(domain: &Domain, count: u64, file: &Path) -> io::Result<u64> {
     Ok(folded)
 }
 
-/// What each program says, as many at once as there are processors.
+/// Runs the programs in parallel, one per processor, and returns their outputs.
 fn ran(programs: &[(Toolchain, PathBuf)], which: usize, file: &Path) -> Vec<Result<u64, String>> {
     let at_once = thread::available_parallelism().map_or(1, usize::from);
     let mut all = Vec::new();

@@ -11,7 +11,7 @@ use std::process::Command;
 use bessemer_tests::workspace::Workspace;
 use serde_json::{Value, json};
 
-/// How many functions, and how often they are checked.
+/// Number of functions, and number of repetitions.
 #[derive(Clone, Copy, Debug)]
 pub struct Size {
     /// Functions in the package.
@@ -23,7 +23,7 @@ pub struct Size {
 /// Processor seconds of each variant: smallest, median, largest; and the ratio of the medians.
 #[derive(Clone, Debug)]
 pub struct Cost {
-    /// What was measured.
+    /// Size that was measured.
     pub size: Size,
     /// Without attributes.
     pub plain: [f64; 3],
@@ -116,7 +116,7 @@ pub(crate) fn children_seconds() -> Result<f64, String> {
     seconds(&[13, 14])
 }
 
-/// The same, and those of this process itself (`utime` and `stime`).
+/// Returns the processor time of the children plus that of this process (`utime` and `stime`).
 pub(crate) fn all_seconds() -> Result<f64, String> {
     seconds(&[11, 12, 13, 14])
 }

@@ -18,7 +18,7 @@ pub fn count(program: &Path, folder: &Path) -> Result<Vec<u64>, String> {
     Ok(fed(program, folder, &[], Stdio::null())?.0)
 }
 
-/// The same for a program with arguments, or one that reads: its counts, and what it wrote.
+/// Counts the instructions of a program with arguments or input; returns the counts and its output.
 ///
 /// # Errors
 /// What the compiler or QEMU said.

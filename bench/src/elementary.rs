@@ -1,5 +1,5 @@
-//! The elementary functions against the C libraries: time on this machine against glibc, executed
-//! instructions on the emulated Cortex-A9 against glibc and newlib, and bytes of code.
+//! Cost of the elementary functions against C libraries. It compares time with glibc on this machine, instructions with
+//! glibc and newlib on the emulated Cortex-A9, and code size.
 //!
 //! Same compiler, same flags, same arguments, in turn within one run. newlib's `libm` is linked under
 //! names of its own beside glibc's.
@@ -25,7 +25,7 @@ struct Subject {
     c: &'static str,
     x: [f64; 2],
     y: Option<[f64; 2]>,
-    /// How many arguments it takes; the third is the first again.
+    /// Number of arguments; the third is the first again.
     takes: usize,
 }
 
@@ -66,7 +66,7 @@ const SUBJECTS: &[Subject] = &[
     three("mul_add", "fma", [-10.0, 10.0], [-10.0, 10.0]),
 ];
 
-/// How a function is computed.
+/// Implementations of a function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Form {
     /// On `f64`.
@@ -170,7 +170,7 @@ pub fn table(rows: &[Row]) -> String {
 
 /// The flags of both sides.
 const FLAGS: &[&str] = &["-O2", "-ffp-contract=off", "-std=gnu99"];
-/// The same on this machine: glibc asks the processor for its fused instruction by itself.
+/// Flags of this machine's compiler: glibc selects fused instructions by itself.
 const HOST_FLAGS: &[&str] = if cfg!(target_arch = "x86_64") {
     &["-O2", "-ffp-contract=off", "-std=gnu99", "-mfma"]
 } else {
@@ -278,7 +278,7 @@ pub fn emission() -> Result<Emission, String> {
 }
 
 impl Emission {
-    /// Where the C is.
+    /// Returns the folder of the C.
     pub fn folder(&self) -> &Path {
         self.folder.path()
     }

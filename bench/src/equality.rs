@@ -1,5 +1,5 @@
-//! The elementary functions on millions of points: the same bits in Rust, in the C of each compiler,
-//! and in the C on the emulated Cortex-A9.
+//! Equality of the elementary functions at millions of points: Rust, the C of each compiler, and the C on the emulated
+//! Cortex-A9.
 //!
 //! Each leg folds the bits of its results, a thousand points at a time (`tests/mathematics/probe.rs`,
 //! which every leg runs), so nothing but the folded words is compared.
@@ -18,10 +18,10 @@ use bessemer_tests::workspace::Workspace;
 use probe::{POINTS, Probe};
 use serde_json::{Value, json};
 
-/// How many functions the probe knows.
+/// Number of functions that the probe knows.
 const FUNCTIONS: u32 = 23;
 
-/// What one leg came to.
+/// Result of one leg.
 #[derive(Clone, Debug)]
 pub struct Leg {
     /// `Rust`, `gcc -O2`.

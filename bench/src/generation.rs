@@ -1,4 +1,4 @@
-//! How long a generation takes, by the number of functions, and for the corpus.
+//! Duration of a generation, by number of functions, and for the corpus.
 //!
 //! Everything is built before; what is timed is what `cargo xtask gen` does after cargo has nothing left
 //! to do: running the package's program for its tree, and making C of it. The time is the clock's, the
@@ -18,10 +18,10 @@ use crate::check_cost::{hundredths, source};
 /// Packages of so many functions.
 const SIZES: [usize; 3] = [10, 100, 1000];
 
-/// What was measured.
+/// Measured durations.
 #[derive(Clone, Debug)]
 pub struct Generation {
-    /// How often each was run.
+    /// Number of runs of each.
     pub runs: usize,
     /// Functions of a package, and milliseconds for its tree and for its C.
     pub synthetic: Vec<(usize, f64, f64)>,

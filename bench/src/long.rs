@@ -1,5 +1,5 @@
-//! The cost of generating one long function, by the number of its operations: rustc's part of it must grow with the
-//! length, not with its square.
+//! Cost of generating one long function by its number of operations: rustc's part must grow linearly, not
+//! quadratically.
 //!
 //! All of it is measured, cargo, rustc, the linker and the C, as in `cargo xtask gen`; what the package depends on is built before. Each
 //! time every line of the function is another, so that rustc's notes of the build before help it as little as they can. The time is
@@ -20,7 +20,7 @@ const SIZES: [usize; 3] = [500, 1000, 2000];
 /// The times that were measured.
 #[derive(Clone, Debug)]
 pub struct Long {
-    /// How often each was generated.
+    /// Number of generations of each.
     pub runs: usize,
     /// Operations, and processor seconds: smallest, median, largest.
     pub rows: Vec<(usize, [f64; 3])>,

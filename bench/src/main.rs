@@ -37,20 +37,20 @@ struct Arguments {
     points: u32,
 }
 
-/// What there is to measure.
+/// The measurements.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Part {
     /// The generated linear algebra against handwritten C, libraries and nalgebra
     Kernels,
     /// The elementary functions against glibc and newlib
     Elementary,
-    /// What the attributes cost in a check of a model
+    /// Cost of the attributes in a check of a model
     CheckCost,
-    /// What they cost in a rebuild of the corpus
+    /// Cost of the attributes in a rebuild of the corpus
     Rebuild,
-    /// How long a generation takes, by the number of functions
+    /// Duration of a generation, by number of functions
     Generation,
-    /// How long the generation of one long function takes, by the number of its operations
+    /// Duration of the generation of one long function, by number of operations
     Long,
     /// Instructions of a control period of the onboard software on the Cortex-A9
     Onboard,
@@ -58,7 +58,7 @@ enum Part {
     Threads,
     /// The elementary functions on ten million points each, on every leg: a quarter of an hour
     Equality,
-    /// The same on the very points of their accuracy
+    /// Equality at the points of the accuracy measurement
     AccuracyPoints,
 }
 
@@ -73,7 +73,7 @@ const MACHINES: [&str; machine::ALL.len()] = {
     names
 };
 
-/// What the results call the command of those that were measured later than the rest.
+/// Name in the results of the command for cases that were measured later.
 const AGAIN: &str = "measured again";
 
 /// A measurement: prints its table, and writes its results unless it is a short run.

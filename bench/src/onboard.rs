@@ -19,7 +19,7 @@ use crate::count::fed;
 /// The flights: of each candidate, of each airframe, with and without feed-forward.
 const FLIGHTS: [&str; 5] = ["hover", "gravity-64", "vicon-lost", "geometric", "hexacopter"];
 
-/// What a millisecond of a Cortex-A9 is at the clock of a Zynq-7020, cycles.
+/// Cycles in a millisecond of a Cortex-A9 at the clock of a Zynq-7020.
 const CYCLES: f64 = 667_000.0;
 
 /// A flight's control periods.
@@ -106,7 +106,7 @@ fn bytes(words: &[u64]) -> Vec<u8> {
     words.iter().flat_map(|word| word.to_le_bytes()).collect()
 }
 
-/// Whether the bits are the same, any NaN counting as any other.
+/// Returns true if the bits are equal; any two NaN are equal.
 fn same(words: &[u64], written: &[u8]) -> bool {
     let plain = |word: u64| if f64::from_bits(word).is_nan() { u64::MAX } else { word };
     let (there, rest) = written.as_chunks::<8>();

@@ -18,7 +18,7 @@ use crate::check_cost::{children_seconds, hundredths, spread};
 /// Processor seconds of each variant: smallest, median, largest.
 #[derive(Clone, Debug)]
 pub struct Rebuild {
-    /// How often each was built.
+    /// Number of builds of each.
     pub runs: usize,
     /// Lines of the sources.
     pub lines: usize,

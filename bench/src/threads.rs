@@ -19,7 +19,7 @@ const ROUNDS: usize = 11;
 /// A kernel's times in µs: the smallest, the median and the largest, on one thread and on two.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Which kernel.
+    /// Name of the kernel.
     pub name: String,
     /// On one.
     pub one: [f64; 3],
@@ -109,7 +109,7 @@ fn compile(
     }
 }
 
-/// What a program says of a kernel.
+/// Output of a program for a kernel.
 struct Found {
     name: String,
     result: String,

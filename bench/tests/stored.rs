@@ -50,8 +50,8 @@ fn reasons() -> Reasons {
     Reasons::committed().expect("reasons are committed")
 }
 
-/// A goal or a case that is newly missed is to be kept again, or to be looked at and listed in `bench/results/reasons.json`; what is kept again
-/// is to be taken from there.
+/// Checks that each missed goal and case has a reason in `bench/results/reasons.json`, and that no reason is
+/// superfluous.
 #[test]
 fn what_is_missed_has_its_reason_and_nothing_else_has_one() {
     assert_eq!(unsettled(&committed().0, &reasons()), [""; 0]);

@@ -75,7 +75,7 @@ pub enum Task {
     Doctor(Doctor),
 }
 
-/// Which package is meant.
+/// Selection of the package.
 #[derive(Args, Debug, Default)]
 pub struct Package {
     /// The package of models, where the workspace has several
@@ -117,7 +117,7 @@ Examples:
 
 Needs Rust, nothing else. The output is written whole or not at all.")]
 pub struct Gen {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
     /// Compare instead of writing
@@ -126,7 +126,7 @@ pub struct Gen {
     /// Also list the checks that are left in each entry point, and why
     #[arg(long)]
     pub explain: bool,
-    /// How errors and warnings are told: for people, or one JSON object a line, as rustc writes them, for editors
+    /// Format of errors and warnings: for people, or one JSON object per line for editors, as rustc writes it
     #[arg(long, value_enum, default_value_t = MessageFormat::Human, value_name = "FORMAT")]
     pub message_format: MessageFormat,
 }
@@ -158,10 +158,10 @@ Examples:
 
 The C is compiled by gcc and clang at -O0, -O2 and -O3, whichever are there. Exit code 1 if a word differs.")]
 pub struct Verify {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
-    /// Which values
+    /// Seed of the values
     #[arg(long, value_name = "S", default_value_t = 0)]
     pub seed: u64,
     /// Also on this processor, emulated by QEMU
@@ -176,8 +176,8 @@ pub struct Verify {
     /// The speed of the port, bits a second
     #[arg(long, value_name = "SPEED", default_value_t = 115_200, requires = "serial")]
     pub baud: u32,
-    /// Recorded inputs in place of made ones: CSV with a column for each number that goes in, such as `gains.p`, or MCAP with
-    /// messages in JSON
+    /// Recorded inputs in place of generated ones: CSV with a column for each input number, such as `gains.p`, or MCAP
+    /// with messages in JSON
     #[arg(long, value_name = "FILE")]
     pub inputs: Option<PathBuf>,
     /// The entry point that was recorded, where there are several: `Motor::step`
@@ -195,7 +195,7 @@ Examples:
 An entry point brings what it calls; two of them share what both bring. The C library is not in it. Stack and state are
 the bounds that `gen` reports.")]
 pub struct Sizes {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
     /// For this processor, in place of this machine's
@@ -231,7 +231,7 @@ Examples:
   cargo bessemer explain              Each entry point
   cargo bessemer explain motor_step   One, by its name in the C or in the Rust")]
 pub struct Explain {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
     /// An entry point: `motor_step` or `Motor::step`
@@ -247,7 +247,7 @@ Examples:
 
 Needs gcc or clang; the module needs NumPy.")]
 pub struct Python {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
     /// The folder that the module's own is made in
@@ -266,7 +266,7 @@ Examples:
 
 The folder is whole by itself: copy it to where the system looks for it.")]
 pub struct Pack {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
     /// The system
@@ -301,7 +301,7 @@ Examples:
 It has the C and a library for this machine. Data with a `…_defaults()` becomes parameters, what else goes in inputs; a
 step of the simulation is a whole number of periods. Needs gcc or clang.")]
 pub struct Fmu {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
     /// The entry point, where there are several: `Motor::step`
@@ -323,7 +323,7 @@ Example:
 
 The fields of components become measurements, those of other data characteristics, with the limits that `#[range(…)]` sets.")]
 pub struct A2l {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
     /// The linked firmware, an ELF with its symbols
@@ -336,7 +336,7 @@ pub struct A2l {
 /// Arguments of `doctor`.
 #[derive(Args, Debug)]
 pub struct Doctor {
-    /// Which package
+    /// Selection of the package
     #[command(flatten)]
     pub package: Package,
 }

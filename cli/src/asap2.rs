@@ -76,9 +76,10 @@ fn variable<'f>(
     Ok(Variable { name, ty, address: symbol.address(), bytes })
 }
 
-/// Whether enums of the firmware are as short as their values allow: the ELF has `Tag_ABI_enum_size` of ARM's ABI for that.
+/// Returns true if enums of the firmware are as short as their values allow: ARM's ABI stores that in
+/// `Tag_ABI_enum_size`.
 fn has_short_enums(elf: &object::File<'_>) -> bool {
-    /// Of ARM's ABI: enums of the smallest size.
+    /// Attribute of ARM's ABI for enums of the smallest size.
     const ENUM_SIZE: (u64, u64) = (26, 1);
     let object::File::Elf32(elf) = elf else { return false };
     let attribute = || -> object::Result<bool> {

@@ -58,9 +58,9 @@ pub enum Error {
     Words {
         /// The entry point.
         name: String,
-        /// How many an input has.
+        /// Number of words in the input.
         found: usize,
-        /// How many it should have.
+        /// Number of words expected.
         wanted: usize,
     },
     /// There is no compiler of C to compare with.

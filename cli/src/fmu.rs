@@ -28,7 +28,7 @@ const GLUE: &str = include_str!("../templates/fmu/fmi3.c");
 const STATE: &str = "fmu_state";
 const RESULT: &str = "fmu_result";
 
-/// Who sets a variable, as FMI's causality says it: the simulation sets inputs and parameters, the unit the others.
+/// Causality of a variable in FMI: the simulation sets inputs and parameters, the unit sets the others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Causality {
     Input,

@@ -140,7 +140,7 @@ fn write(path: &Path, text: &str) -> std::io::Result<()> {
     fs::write(path, text)
 }
 
-/// Whether Rust and C can both use the name.
+/// Checks that Rust and C can both use the name.
 fn named(name: &str) -> Result<(), Error> {
     let wrong = |why| Err(Error::Name { name: name.to_owned(), why });
     let small = |it: char| it.is_ascii_lowercase() || it.is_ascii_digit() || it == '_' || it == '-';

@@ -1,5 +1,5 @@
-//! `cargo bessemer pack`: the C as a module of Zephyr, a module of PX4, a library of Arduino or with tasks of FreeRTOS, each a
-//! folder of its own with an example of each entry point.
+//! `cargo bessemer pack`: writes the C as a Zephyr module, a PX4 module, an Arduino library or FreeRTOS tasks. Each is
+//! a folder with an example of each entry point.
 //!
 //! Invariants: the folder is whole by itself; the same C gives the same folder. It must not know what the C computes.
 

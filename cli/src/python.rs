@@ -51,7 +51,7 @@ fn library(name: &str) -> String {
     format!("lib{name}.so")
 }
 
-/// What stands before the types.
+/// Text before the types.
 const HEAD: &str = r#"
 import ctypes
 import operator

@@ -30,7 +30,7 @@ pub fn same_bits<C, I: Plain>(entry: &str, inputs: impl IntoIterator<Item = I>) 
     same_bits_at::<C, I>(Path::new(&folder), entry, inputs);
 }
 
-/// The same for the package in this folder.
+/// Compares the legs for the package in this folder.
 ///
 /// # Panics
 /// As [`same_bits`] does.

@@ -1,5 +1,5 @@
-//! `cargo bessemer sizes`: what each entry point brings into a firmware, on this machine or another one: instructions and
-//! constants, memory with and without a first value, stack and state.
+//! `cargo bessemer sizes`: prints what each entry point adds to a firmware on this machine or another one. Columns:
+//! instructions and constants, initialised and zeroed memory, stack, state.
 //!
 //! An entry point brings what it calls, so that two of them share what both bring. What it calls of the C library's is not in it.
 //! Stack and state are what `gen` reports: bounds, of which `verify --target` says how much is used.

@@ -1,5 +1,5 @@
-//! A generation that is cut off while it writes, by a full disk or by a kill, and two at once: the folder of the C is whole at each
-//! moment, and the next run takes up what was left.
+//! Interrupted and concurrent generations: a full disk, a kill, and two at once. The folder of the C is complete at
+//! each moment, and the next run recovers.
 //!
 //! The system does the cutting, at the same byte each time: a limit on the size of files (`ulimit -f`) makes the write beyond it fail
 //! as on a full disk, or, where nobody ignores its signal, kills the process there. Who writes is this program again, as a process of
@@ -18,7 +18,7 @@ use bessemer_frontend::source::Sources;
 use bessemer_ir::tree::Package;
 use tempfile::TempDir;
 
-/// Where a process of this program's own finds its workspace, and what it writes there.
+/// Environment variable with the workspace of a child process.
 const WORKSPACE: &str = "BESSEMER_TEST_WORKSPACE";
 const VERSION: &str = "BESSEMER_TEST_VERSION";
 
@@ -91,7 +91,7 @@ fn written(mut command: Command) -> Output {
     command.output().expect("there is a shell")
 }
 
-/// What a process that [`writer`] gives does; as a test there is nothing to do.
+/// Runs the work of a child process that [`writer`] starts; does nothing as a test.
 #[test]
 fn in_a_process_of_its_own() {
     let (Some(workspace), Ok(text)) = (std::env::var_os(WORKSPACE), std::env::var(VERSION)) else {

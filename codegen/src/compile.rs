@@ -27,7 +27,7 @@ pub struct Compiled {
     /// The IR that the C is printed from: faults explicit, one step a statement, large temporaries
     /// the caller's.
     pub explicit: Module,
-    /// How many types were computed, and how many of them rustc was asked about.
+    /// Number of computed types, and of those for which rustc was queried.
     pub typed: Typed,
     /// The C.
     pub files: Vec<CFile>,
@@ -171,7 +171,7 @@ fn unproved(module: &Module, error: &passes::Error) -> Diagnostic {
     Diagnostic { help, ..place(module, check.span, &message) }
 }
 
-/// What an entry point of `#[entry(single)]` reaches all the same.
+/// Returns a diagnostic for each operation in double or 64 bits that an entry point of `#[entry(single)]` reaches.
 fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {
     let function = &module.functions[entry.function.index()];
     if !function.attributes.single {
@@ -205,7 +205,7 @@ fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {
     sites.into_iter().map(told).collect()
 }
 
-/// How an author rules a fault out.
+/// Returns a way for the author to rule a fault out.
 fn ruled_out(fault: Fault, reason: &str) -> String {
     let operations = [(" + ", "add"), (" - ", "sub"), (" * ", "mul")];
     let operation = operations.iter().find(|(sign, _)| reason.contains(sign));

@@ -13,8 +13,8 @@ thread_local! {
     static IS_DEEP: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Does the work on a stack of its own, unless it is on one: that of a thread, since what grows the stack of this one takes
-/// longer to build than most of the compiler's dependencies.
+/// Runs the work on a large stack of its own, unless it already runs on one. The stack is a thread's, since a crate
+/// that grows stacks takes longer to build than most dependencies.
 ///
 /// # Panics
 /// If the machine has no room for a thread; where the work does.

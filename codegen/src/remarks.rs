@@ -171,7 +171,7 @@ fn repeated(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
     })
 }
 
-/// Where a constant is read first.
+/// Returns the span of the first use of a constant.
 fn first_use(module: &Module, id: ConstId) -> Option<Span> {
     let mut spans = Vec::new();
     for function in &module.functions {
@@ -182,7 +182,7 @@ fn first_use(module: &Module, id: ConstId) -> Option<Span> {
     spans.into_iter().min_by_key(|span| (span.file, span.line, span.column))
 }
 
-/// Whether a function makes a value of its owner.
+/// Returns true if a function constructs its owner.
 fn makes(function: &Function, owner: bessemer_ir::StructId) -> bool {
     let has_receiver =
         function.locals.first().is_some_and(|it| it.name == "self") && function.params > 0;

@@ -1,5 +1,5 @@
-//! The elementary functions: special values as C99 Annex F has them, and how far they are from the
-//! truth, at points kept with it by `bench/accuracy`.
+//! The elementary functions: special values according to C99 Annex F, and errors at reference points stored by
+//! `bench/accuracy`.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 

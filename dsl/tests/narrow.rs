@@ -45,7 +45,7 @@ const TWO: &[Two] = &[
 /// 2¹²⁸: where the floats would go on.
 const BEYOND: f64 = 340_282_366_920_938_463_463_374_607_431_768_211_456.0;
 
-/// How far a float is from the truth, in units of its last place.
+/// Returns the error of a float in units of its last place.
 fn error(value: f32, truth: f64) -> f64 {
     if value.is_nan() || truth.is_nan() {
         return if value.is_nan() == truth.is_nan() { 0.0 } else { f64::INFINITY };
@@ -58,7 +58,7 @@ fn error(value: f32, truth: f64) -> f64 {
     (wide - truth).abs() / f64::from_bits((exponent - 23) << 52)
 }
 
-/// How many inputs are left out between two, and where to begin.
+/// Returns the stride between tested inputs, and the first input.
 fn stride() -> (usize, u32) {
     let turn = std::env::var("BESSEMER_TURN").ok().and_then(|it| it.parse().ok()).unwrap_or(0u32);
     match std::env::var_os("BESSEMER_FULL") {
@@ -91,7 +91,7 @@ fn record(name: &str, inputs: u64, most: f64, at: &str) {
     std::fs::write(&file, text).unwrap_or_else(|why| panic!("{}: {why}", file.display()));
 }
 
-/// Whether a function is looked at: one alone, where its name is asked for.
+/// Returns true if a function is tested: all are, unless one is requested by name.
 fn is_asked(name: &str) -> bool {
     std::env::var("BESSEMER_FULL").map_or(true, |only| only == "1" || only == name)
 }

@@ -42,7 +42,7 @@ pub fn singles(x: f32, y: f32) -> [f32; 4] {
     [x.sin(), f32::cos(x), x.tan(), y.atan2(x)]
 }
 
-/// What Rust leaves open.
+/// Returns results that Rust leaves open.
 #[function]
 pub fn edges(x: f64, y: f64) -> [f64; 4] {
     [x.min(y), f64::max(x, y), x.abs(), 1.0_f64.copysign(x)]
@@ -54,7 +54,7 @@ pub fn bits(x: f64, y: f32) -> [u64; 2] {
     [x.to_bits(), y.to_bits() as u64]
 }
 
-/// Of integers.
+/// Returns results of integers.
 #[function]
 pub fn integers(n: i32, m: u8) -> [i32; 4] {
     [n.abs(), n.min(3), m.max(7) as i32, i32::clamp(n, -1, 1)]

@@ -15,7 +15,7 @@ fn bits<T: Plain>(value: T) -> Vec<u64> {
     words
 }
 
-/// Whether the platform's sine and cosine of this angle are the DSL's.
+/// Returns true if the platform's sine and cosine of this angle equal the DSL's.
 fn agrees(angle: f64) -> bool {
     sin_cos(angle) == ComplexField::sin_cos(angle)
 }

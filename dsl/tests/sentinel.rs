@@ -76,7 +76,7 @@ sentinels! {
     whole_powers_f32: f32, powi(7), single::powif, [-20.0, 20.0];
 }
 
-/// Where std computes the same, there is no telling apart; but the same it must be.
+/// Returns results that std computes with the same bits.
 #[function]
 fn without_a_sentinel(x: f64, y: f32) -> [f64; 4] {
     let (sine, cosine) = x.sin_cos();

@@ -1,5 +1,5 @@
-//! Words to call a function with: from the edges of each type, small as sensors and set points are, or around the numbers that
-//! a program has itself: limits, thresholds, the entries of a table.
+//! Argument words for calls: from the edges of each type, small like sensor values and setpoints, or around the
+//! constants of the program.
 
 use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{ExprKind, Float, Form, FunctionId, Int, Module, Scalar, StmtKind, Type};

@@ -1,5 +1,5 @@
-//! Emitted C on a board, called over a serial line: the sources that its firmware is built with beside its own start and
-//! port, and the other end of the line.
+//! Emitted C on a board, called over a serial line. This module has the sources beside the board's own startup and
+//! port, and the host's end of the line.
 //!
 //! A frame asks: the place of an entry point, the words of the component and of the arguments. Its answer is marked as one; then comes the
 //! status, and if that is no fault the words of the result, of the component, and of each argument that the call may change. A place that is
@@ -27,13 +27,13 @@ const LINK: [(&str, &str); 5] = [
     ("wrong.h", include_str!("../c/link/wrong.h")),
 ];
 
-/// What the program itself is called.
+/// File name of the program.
 const PROGRAM: &str = "verify_main.c";
 
 /// No entry's place: it asks for the identity.
 const WHO: u64 = u64::MAX;
 
-/// How often a board is asked who it is: it may be starting.
+/// Number of times that a board is queried for its identity: it may be starting.
 const ASKED: usize = 3;
 
 /// Why a board cannot be asked.
@@ -76,7 +76,7 @@ pub fn sources(
     }
 }
 
-/// What tells this C from other C.
+/// Returns the identity that distinguishes this C from other C.
 pub fn identity(compiled: &Compiled) -> u64 {
     let texts = compiled.files.iter().flat_map(|it| it.name.bytes().chain(it.text.bytes()));
     digest(&texts.map(u64::from).collect::<Vec<_>>())
@@ -140,7 +140,7 @@ mod tests {
     use std::net::Shutdown;
     use std::os::unix::net::UnixStream;
 
-    /// What is said of a board that answers so, asked who it is and for one call.
+    /// Returns the error for a board that answers the identity query and one call thus.
     fn said(answers: &[&[u64]]) -> String {
         let (here, there) = UnixStream::pair().expect("a line");
         let mut board = Serial::new(there);

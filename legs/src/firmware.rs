@@ -1,5 +1,5 @@
-//! Emitted C as the firmware of a board: built around a program of the board's own, run by an emulator of the whole
-//! machine whose serial line is a socket of this process.
+//! Emitted C as the firmware of a board, built around the board's own program. An emulator of the machine runs it, and
+//! its serial line is a socket of this process.
 //!
 //! What it must not know: any model, any board; a board is folders with C, a start and a linker script.
 
@@ -26,7 +26,7 @@ pub struct Firmware {
 }
 
 impl Firmware {
-    /// Compiles the sources of a board's folders, sources made for it, and of the emitted files what these include; links
+    /// Compiles the sources of a board's folders, generated sources, and the emitted files that these include; links
     /// them by the folders' linker script.
     ///
     /// # Errors
@@ -82,7 +82,7 @@ impl Firmware {
         &self.program
     }
 
-    /// How large it is.
+    /// Returns its sizes.
     ///
     /// # Errors
     /// What the system said, or that the program which tells it said nothing.
@@ -121,7 +121,7 @@ impl Machine {
         self.0.id()
     }
 
-    /// How it ended; none while it runs.
+    /// Returns the exit status; none while it runs.
     pub fn ended(&mut self) -> Option<String> {
         match self.0.try_wait() {
             Ok(None) => None,

@@ -17,8 +17,8 @@ pub fn program(module: &Module, entry: FunctionId, params: u32) -> String {
     around(module, entry, params, "", "", "")
 }
 
-/// The same, with an empty function called before and after each call: `bench_begin` and `bench_end`, so that
-/// the instructions between them can be counted.
+/// Returns the program with calls of `bench_begin` and `bench_end` around each call, so that the instructions between
+/// them can be counted.
 pub fn marked(module: &Module, entry: FunctionId, params: u32) -> String {
     around(module, entry, params, MARKS, "        bench_begin();\n", "        bench_end();\n")
 }
@@ -44,20 +44,21 @@ fn around(
     )
 }
 
-/// The text of a program for many entry points and functions, each call on its own: it reads which one by
-/// its place in `entries`, the words of the state if it has one, those of the arguments; it writes the status, and if that is no
-/// fault the words of the result, of the state, and of each argument that the call may change. A place that is no entry's
-/// makes it hand over what it wrote: see [`Process::ask`](crate::process::Process::ask).
+/// Returns the text of a program for many entry points and functions, each call independent. It reads the index in
+/// `entries`, the words of the state if there is one, and those of the arguments. It writes the status and, without a
+/// fault, the words of the result, the state and each changed argument. An index out of range flushes the output: see
+/// [`Process::ask`](crate::process::Process::ask).
 pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
     programs_with(module, entries, &Options::default())
 }
 
-/// The same for C that was emitted with these options.
+/// Returns the program for C that was emitted with these options.
 pub fn programs_with(module: &Module, entries: &[(FunctionId, u32)], options: &Options) -> String {
     several(module, entries, options, &Carrier::Streams, alone)
 }
 
-/// The same on a board that is asked over a serial line, a frame for each call: see [`board`](crate::board).
+/// Returns the program for a board that is called over a serial line, a frame for each call: see
+/// [`board`](crate::board).
 pub fn answers(
     module: &Module,
     entries: &[(FunctionId, u32)],
@@ -80,7 +81,7 @@ fn alone(call: Call, index: usize) -> (String, String) {
 /// The first word of what a board answers to a call: what went wrong on it begins otherwise (`c/link/wrong.h`).
 pub const ANSWER: u64 = 1;
 
-/// How words come to a program and go from it.
+/// Transport of words to and from a program.
 enum Carrier {
     /// By standard input and output, until the input ends.
     Streams,
@@ -121,8 +122,8 @@ impl Carrier {
     }
 }
 
-/// The same, where each call is counted by its instructions, as in [`marked`], and the status is followed by the bytes of
-/// stack that it took. `bare`: for a machine without an operating system.
+/// Returns the program that also counts the instructions of each call, as [`marked`] does, and writes the used stack
+/// bytes after the status. `bare`: for a machine without an operating system.
 pub fn watched(
     module: &Module,
     entries: &[(FunctionId, u32)],
@@ -142,9 +143,9 @@ pub fn watched(
     })
 }
 
-/// The same where the calls are of components that live: it reads which entry point or function, whether its component
-/// begins anew, and the words of the arguments; it writes the status and, whatever that is, the words of the result, of the
-/// state, and of each argument that the call may change.
+/// Returns the program for components that keep their state between calls. It reads the entry point or function, a flag
+/// that restarts the component, and the words of the arguments. It writes the status and always the words of the
+/// result, the state and each changed argument.
 pub fn lives(module: &Module, entries: &[(FunctionId, u32)]) -> String {
     several(module, entries, &Options::default(), &Carrier::Streams, |call, index| {
         let Call { own, declarations, init, reads, call, writes, state, changed, .. } = call;
@@ -294,15 +295,15 @@ pub const SUPPORT: &str = concat!(include_str!("../c/stdio.c"), include_str!("..
 
 /// A function of C that moves a value of a struct's type word by word, by functions `get` and `put`.
 pub struct Mover {
-    /// What it is called.
+    /// Name of the parameter.
     pub name: &'static str,
     /// The struct, as its author called it.
     pub ty: &'static str,
-    /// Which way.
+    /// Direction of the parameter.
     pub way: Way,
 }
 
-/// Which way words move.
+/// Direction in which words move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// `get` gives them.
@@ -329,7 +330,7 @@ pub fn movers(module: &Module, head: &str, movers: &[Mover]) -> Option<String> {
     Some(text)
 }
 
-/// What tells the words of these structs from those of others. None, if the models lack one.
+/// Returns the identity of these structs' layout; none if the models lack one. None, if the models lack one.
 pub fn identity<'t>(module: &Module, types: impl Iterator<Item = &'t str>) -> Option<u64> {
     let mut letters = Vec::new();
     for ty in types {
@@ -373,8 +374,8 @@ impl Walk<'_> {
         item.is_numbered().then(|| item.variants.iter().map(|variant| variant.value).collect())
     }
 
-    /// Every word of a value, in order, numbers that lie one behind the other as one place and their count; what shares its
-    /// memory only if it is there, else `skip`.
+    /// Writes each word of a value in order; consecutive numbers become one place and their count. Variants that share
+    /// memory are written only if active, else `skip`.
     fn words(
         &self,
         ty: &Type,

@@ -1,5 +1,5 @@
-//! The ways in which a model can be carried out beside rustc's own: the interpreter of its IR, and its
-//! C as each compiler makes it, on the host and on the emulated Cortex-A9.
+//! Legs that execute a model beside rustc. They are the interpreter of its IR, and its C by each compiler on the host
+//! and on the emulated Cortex-A9.
 //!
 //! Invariants: words go in and come out (64 bits each, in the order of `Plain`), so that nothing here
 //! knows what a model means; C runs as a process of its own, so nothing needs `unsafe`.
@@ -43,7 +43,7 @@ use bessemer_frontend::diagnostic;
 use bessemer_frontend::source::Sources;
 use bessemer_ir::{FunctionId, Role};
 
-/// Whether this build panics on overflow, as the C faults; a build that wraps is another program.
+/// Returns true if this build panics on overflow, as the C faults; a wrapping build is another program.
 pub fn overflow_is_checked() -> bool {
     let largest = std::hint::black_box(u8::MAX);
     panics::caught(|| largest + std::hint::black_box(1)).is_err()
@@ -57,7 +57,7 @@ pub fn compiled(package: &str) -> Compiled {
     compiled_with(package, &compile::Options::default())
 }
 
-/// The same with options.
+/// Compiles a package with options.
 ///
 /// # Panics
 /// If it does not compile.
@@ -79,7 +79,7 @@ pub fn compiled_with(package: &str, options: &compile::Options) -> Compiled {
     compiled
 }
 
-/// What a check of some C depends on: the names and the texts of its files.
+/// Returns the names and texts of the files, on which a check of the C depends.
 pub fn texts(files: &[CFile]) -> Vec<(&str, &str)> {
     files.iter().map(|file| (file.name.as_str(), file.text.as_str())).collect()
 }

@@ -7,7 +7,7 @@ use std::io::{Read, Write};
 
 use crate::serial::{self, Serial};
 
-/// What a frame is, its first word.
+/// Kinds of frames: their first word.
 mod kind {
     pub const READY: u64 = 1;
     pub const BEGIN: u64 = 2;
@@ -16,10 +16,10 @@ mod kind {
     pub const REPORT: u64 = 5;
 }
 
-/// What a frame begins with that says what went wrong on the board.
+/// First word of a frame that reports an error on the board.
 const WRONG: u64 = 6;
 
-/// What went wrong on a board that sends these words; none if they say nothing of the kind.
+/// Returns the error that a board's words report, if any.
 pub fn complaint(words: &[u64]) -> Option<String> {
     match words {
         [WRONG, text @ ..] => Some(text.iter().map(|word| char::from(*word as u8)).collect()),
@@ -33,15 +33,15 @@ pub enum Error {
     /// The line failed.
     #[error("in period {periods}: {source}")]
     Line {
-        /// How many periods went well.
+        /// Number of successful periods.
         periods: u64,
-        /// What is wrong.
+        /// Error of the line.
         source: serial::Error,
     },
     /// The board says so.
     #[error("in period {periods} the board says: {said}")]
     Board {
-        /// How many periods went well.
+        /// Number of successful periods.
         periods: u64,
         /// Its words.
         said: String,
@@ -49,7 +49,7 @@ pub enum Error {
     /// An answer to something else.
     #[error("in period {periods} the board answers something else than it was asked")]
     Other {
-        /// How many periods went well.
+        /// Number of successful periods.
         periods: u64,
     },
     /// The board has other software.
@@ -57,14 +57,14 @@ pub enum Error {
     Models,
 }
 
-/// How deep the stack was used, bytes.
+/// Use of the stack, bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stack {
     /// By calls of the entry point, its callees with it.
     pub step: u64,
     /// By the whole program.
     pub all: u64,
-    /// How much there is.
+    /// Size of the stack.
     pub size: u64,
 }
 
@@ -125,7 +125,7 @@ impl<L: Read + Write> Lockstep<L> {
         Ok(outputs)
     }
 
-    /// How deep the stack was used so far.
+    /// Returns the use of the stack so far.
     ///
     /// # Errors
     /// What is wrong with line or board.
@@ -163,7 +163,7 @@ mod tests {
     use std::net::Shutdown;
     use std::os::unix::net::UnixStream;
 
-    /// What is said of a board that answers so.
+    /// Returns the error for a board that answers thus.
     fn said(answers: &[&[u64]]) -> String {
         let (here, there) = UnixStream::pair().expect("a line");
         let mut board = Serial::new(there);

@@ -15,14 +15,14 @@ use std::path::{Path, PathBuf};
 
 use crate::store;
 
-/// Where an object with this content lies, or would lie; none if nothing is to be stored.
+/// Returns the path of the stored object for this content; none if nothing is to be stored.
 ///
 /// `flags` are those of the command that makes it; `source` is the file that it compiles.
 pub fn place(compiler: &str, flags: &[String], source: &Path) -> Option<PathBuf> {
     store::place("objects", &content(compiler, flags, source)?)
 }
 
-/// What decides an object.
+/// Returns everything on which an object depends.
 fn content(
     compiler: &str,
     flags: &[String],

@@ -33,7 +33,7 @@ pub fn meant(module: &Module, types: &[Type], outcome: &Outcome) -> Outcome {
     })
 }
 
-/// Whether two outcomes are the same fault or the same bits.
+/// Returns true if two outcomes are the same fault or the same bits.
 pub fn same(one: &Outcome, other: &Outcome, leaves: &[Type]) -> bool {
     parted(one, other, leaves).is_empty()
 }

@@ -64,7 +64,7 @@ fn lay_out_files<'f>(files: impl IntoIterator<Item = &'f CFile>) -> Result<Folde
     Ok(Folder { folder, sources })
 }
 
-/// The same of the C that a program needs: hundreds of files take a file system longer than they take a compiler.
+/// Writes only the C that a program needs: writing hundreds of files takes longer than compiling.
 ///
 /// # Errors
 /// An error of the file system.
@@ -134,7 +134,7 @@ impl Process {
         Process::run_files(&compiled.files, main, toolchain, flags)
     }
 
-    /// The same of some files: of those that the program includes, and what these need.
+    /// Runs a program with the files that it includes, directly or not.
     ///
     /// # Errors
     /// An error of the compiler or of the system.
@@ -148,7 +148,7 @@ impl Process {
         Process::of(folder, &sources, main, toolchain, flags)
     }
 
-    /// The same as [`run`](Process::run), with several files in a translation unit: see [`units`].
+    /// Runs the program as [`run`](Process::run) does, with several files in a translation unit: see [`units`].
     ///
     /// # Errors
     /// An error of the compiler or of the system.
@@ -282,7 +282,7 @@ pub const HAND_OVER: u64 = u64::MAX;
 /// Words that a pipe takes before anybody reads: 32 KiB of Linux's 64.
 const HELD: usize = 4096;
 
-/// How many calls may be under way, of so many words each way at most.
+/// Returns the number of calls that may be in flight, with at most so many words each way.
 pub fn at_once(words: usize) -> usize {
     (HELD / words.max(1)).max(1)
 }

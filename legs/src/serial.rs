@@ -19,7 +19,7 @@ pub enum Error {
     /// It says nothing.
     #[error("nothing comes over the line: the other end does not run, or at another speed")]
     Silent,
-    /// What came is no frame.
+    /// The received bytes are no frame.
     #[error("what came over the line is garbled: {0}")]
     Garbled(&'static str),
     /// The system's word.
@@ -145,7 +145,7 @@ mod tests {
     use super::*;
     use crate::random::Random;
 
-    /// What is read from, and what was written to it.
+    /// Test line: bytes to read, and bytes written.
     struct Line(Vec<u8>, Vec<u8>);
 
     impl Read for Line {

@@ -31,7 +31,7 @@ pub struct Toolchain {
     pub machine: &'static [&'static str],
     /// The emulator that runs its programs, for another machine than this.
     pub emulator: Option<&'static [&'static str]>,
-    /// Whether that machine has no operating system: see `watch`.
+    /// True if that machine has no operating system: see `watch`.
     pub bare: bool,
     /// Further flags, such as one for an instruction that not every processor has.
     pub more: &'static [&'static str],
@@ -76,7 +76,7 @@ pub const ZYNQ: Toolchain = Toolchain {
     ..GCC
 };
 
-/// The same for a program that reads and writes its emulator's files (semihosting).
+/// Toolchain for bare programs that read and write the emulator's files (semihosting).
 pub const BARE_A9: Toolchain = Toolchain {
     machine: &[
         "-mcpu=cortex-a9",
@@ -209,7 +209,7 @@ impl Toolchain {
         std::iter::once(self.compiler).chain(self.emulator.map(|emulator| emulator[0])).collect()
     }
 
-    /// Whether programs can be made and run with it here.
+    /// Checks that programs can be built and run with it here.
     ///
     /// # Errors
     /// What is missing, and what installs it.
@@ -217,17 +217,17 @@ impl Toolchain {
         bessemer_tools::check(&self.programs())
     }
 
-    /// The same, without a reason.
+    /// Returns true if programs can be built and run with it here.
     pub fn is_there(&self) -> bool {
         self.check().is_ok()
     }
 
-    /// The same of an emulated machine, if the run says nothing of these.
+    /// Returns true if the run requires an emulated machine, or does not exclude it.
     fn is_asked_for(&self) -> bool {
         asked_for(|| self.is_there())
     }
 
-    /// The same for C of a standard: that of 1999 is among [`FLAGS`].
+    /// Returns the toolchain with another C standard; that of 1999 is among [`FLAGS`].
     #[must_use]
     pub fn of(self, standard: Standard) -> Toolchain {
         match standard {
@@ -369,7 +369,7 @@ impl Toolchain {
         self.runner_with(program, &[])
     }
 
-    /// The same, with more words for the emulator.
+    /// Returns the command that runs a program, with more arguments for the emulator.
     pub fn runner_with(&self, program: &Path, more: &[&str]) -> Command {
         match self.emulator {
             Some([emulator, arguments @ ..]) => {
@@ -381,8 +381,8 @@ impl Toolchain {
         }
     }
 
-    /// How large the part of `objects` is that `symbol` needs, itself included; `kept` is written with it. The objects are compiled
-    /// by sections (`-ffunction-sections -fdata-sections`).
+    /// Returns the size of the part of `objects` that `symbol` needs, itself included; `kept` is written with it. The
+    /// objects are compiled by sections (`-ffunction-sections -fdata-sections`).
     ///
     /// # Errors
     /// What linker or system said.
@@ -393,7 +393,7 @@ impl Toolchain {
         self.sizes(&[kept.to_owned()])
     }
 
-    /// How large programs or objects of this toolchain are together.
+    /// Returns the total size of programs or objects of this toolchain.
     ///
     /// # Errors
     /// What the system said, or that the program which tells it said nothing.
@@ -422,11 +422,11 @@ fn include(folder: &Path) -> [&OsStr; 2] {
 /// Bytes of programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sizes {
-    /// Of instructions and constants.
+    /// Size of instructions and constants.
     pub text: u64,
-    /// Of memory that begins with a value.
+    /// Size of initialised memory.
     pub data: u64,
-    /// Of memory that begins as zero, stacks included.
+    /// Size of zeroed memory, stacks included.
     pub bss: u64,
 }
 
@@ -440,7 +440,7 @@ pub fn run(command: &mut Command) -> Result<(), String> {
     said(command).map(drop)
 }
 
-/// The same, and what it complained of although it succeeded.
+/// Runs a command and returns its output and warnings.
 fn said(command: &mut Command) -> Result<String, String> {
     match command.output() {
         Ok(output) if output.status.success() => {
@@ -455,7 +455,7 @@ fn said(command: &mut Command) -> Result<String, String> {
     }
 }
 
-/// Which legs a run must have.
+/// Legs that a run must have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Legs {
     Present,
@@ -471,12 +471,12 @@ fn legs() -> Legs {
     }
 }
 
-/// Whether a program that is no compiler of the host takes part in this run.
+/// Returns true if the run uses a program that is no compiler of the host.
 pub fn is_asked_for(program: &str) -> bool {
     asked_for(|| bessemer_tools::version(program).is_some())
 }
 
-/// The same of what `is_there` looks for: not asked where `BESSEMER_LEGS` demands it, or leaves it out.
+/// Returns true if the run uses a leg: `BESSEMER_LEGS` demands it or leaves it out; otherwise `is_there` decides.
 pub fn asked_for(is_there: impl FnOnce() -> bool) -> bool {
     match legs() {
         Legs::All => true,
@@ -544,7 +544,7 @@ pub fn fusing() -> Vec<Toolchain> {
     optimised.flat_map(each).collect()
 }
 
-/// Whether this machine has vectors of four doubles.
+/// Returns true if this machine has vectors of four doubles.
 pub fn has_avx2() -> bool {
     #[cfg(target_arch = "x86_64")]
     let found = std::arch::is_x86_feature_detected!("avx2");

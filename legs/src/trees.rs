@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{root, store};
 
-/// What decides every tree, beside the package's own sources, from the root.
+/// Paths on which every tree depends beside the package's sources, from the root.
 const EVERY: [&str; 5] = [
     "dsl",
     "codegen/src/generate",
@@ -31,7 +31,7 @@ const EVERY: [&str; 5] = [
     "codegen/frontend/src/diagnostic",
 ];
 
-/// What became of a build; borrowed where it is written, since a tree nests too deep to be copied on any stack.
+/// Result of a build. It is borrowed where it is written, since a tree nests too deep to be copied on any stack.
 #[derive(Serialize, Deserialize)]
 enum Outcome<P, D> {
     Built { package: P, warnings: D },
@@ -75,7 +75,7 @@ pub fn folders() -> Vec<PathBuf> {
     all
 }
 
-/// What decides what is made of the sources in `folders`, in the workspace at `workspace`.
+/// Returns everything on which the results for the sources in `folders` depend, in the workspace at `workspace`.
 pub fn content(job: &Job, folders: &[PathBuf]) -> Option<impl Hash + use<>> {
     static SHARED: LazyLock<Option<Texts>> = LazyLock::new(|| {
         let mut texts = Texts::new();

@@ -1,5 +1,5 @@
-//! Emitted C in fewer translation units: a compiler that starts for every small file, and reads its headers anew, spends most
-//! of its time on that.
+//! Emitted C in fewer translation units: a compiler that starts for every small file spends most of its time on
+//! headers.
 //!
 //! A unit includes several files. None of them has a name of its own that another one of the unit speaks of: each means there
 //! what it means by itself. Kernels, which have macros and attributes of their own, stay by themselves.
@@ -60,7 +60,7 @@ pub fn write(folder: &Path, sources: &[PathBuf]) -> std::io::Result<Vec<PathBuf>
     Ok(all)
 }
 
-/// Whether a file has what would reach into those behind it.
+/// Returns true if a file defines nothing that affects the files after it.
 fn stands_alone(text: &str) -> bool {
     ["#define", "__attribute__", "\ntypedef"].iter().any(|it| text.contains(it))
 }

@@ -18,13 +18,13 @@ use crate::toolchain::{Toolchain, run};
 /// The plugin's source.
 const PLUGIN: &str = include_str!("../c/count.c");
 
-/// What begins a program without an operating system.
+/// Startup of a program without an operating system.
 const SEMIHOSTING: &str = include_str!("../c/semihosting.c");
 
-/// How long a program may run.
+/// Timeout of a program.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-/// What a program said.
+/// Output of a program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Watched {
     /// The words that it wrote.

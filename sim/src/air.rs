@@ -6,21 +6,21 @@
 use crate::noise::{Purpose, Stream};
 use nalgebra::Vector3;
 
-/// What air there is.
+/// Properties of the air.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Air {
     /// Steady force on the aircraft in the inertial frame, N.
     pub steady: Vector3<f64>,
     /// Standard deviation of the gusts along each axis, N.
     pub gusts: f64,
-    /// How long a gust is remembered, s.
+    /// Correlation time of gusts, s.
     pub memory: f64,
 }
 
 /// The air in motion.
 #[derive(Clone, Debug)]
 pub struct Wind {
-    /// What air there is.
+    /// Properties of the air.
     pub air: Air,
     gust: Vector3<f64>,
     stream: Stream,

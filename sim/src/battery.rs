@@ -14,11 +14,11 @@ const VOLTAGES: [f64; 2] = [4.2, 3.4];
 /// Resistance of cell and wires, Ω: assumed.
 const RESISTANCE: f64 = 0.05;
 
-/// What the propellers do to the air, as a share of what the motors draw: assumed, so that hovering empties the
-/// battery in about ten minutes, as the maker says.
+/// Power of the propellers as a fraction of the motors' power. It is assumed such that hovering empties the battery in
+/// about ten minutes, the maker's figure.
 const EFFICIENCY: f64 = 0.25;
 
-/// What the electronics draw, W: assumed.
+/// Power of the electronics, W: assumed.
 const ELECTRONICS: f64 = 0.5;
 
 /// A battery.
@@ -44,17 +44,17 @@ impl Battery {
         self.drawn = (self.drawn + self.current * period).min(CAPACITY);
     }
 
-    /// What flows, A.
+    /// Returns the current, A.
     pub fn current(&self) -> f64 {
         self.current
     }
 
-    /// What has flowed, A·s.
+    /// Returns the charge drawn, A·s.
     pub fn drawn(&self) -> f64 {
         self.drawn
     }
 
-    /// What is left, from 1 down to 0.
+    /// Returns the remaining charge, from 1 down to 0.
     pub fn left(&self) -> f64 {
         1.0 - self.drawn / CAPACITY
     }

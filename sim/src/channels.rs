@@ -18,7 +18,7 @@ pub struct Signal {
 pub struct Topic {
     /// Its name.
     pub name: &'static str,
-    /// What it is.
+    /// Description of the channel.
     pub about: &'static str,
     /// Its signals.
     pub signals: &'static [Signal],

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What a figure is held to.
+/// Limit of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
     /// At most this.
@@ -20,11 +20,11 @@ pub enum Limit {
 /// A figure of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What it is.
+    /// Name of the figure.
     pub what: String,
-    /// What it came to.
+    /// Value of the figure.
     pub value: f64,
-    /// What it is held to.
+    /// Limit of the figure.
     pub limit: Limit,
     /// Its unit.
     pub unit: &'static str,
@@ -57,7 +57,7 @@ impl Check {
         Self { what: what.to_owned(), value, limit: Limit::Holds, unit: "" }
     }
 
-    /// Whether it is as it should be; what is not a number never is.
+    /// Returns true if the value is within its limit; NaN never is.
     pub fn passes(&self) -> bool {
         match self.limit {
             Limit::AtMost(most) => self.value <= most,

@@ -10,8 +10,8 @@ pub trait Computer {
     /// One control period.
     fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs;
 
-    /// Everything that the software said in the last period and remembers after it, as a [`digest`] of the words in the
-    /// order in which the models declare them.
+    /// Returns the [`digest`] of all outputs of the last period and of the state after it, as words in the order of
+    /// declaration.
     fn digest(&self) -> u64;
 }
 

@@ -15,13 +15,13 @@ pub struct Curve {
     pub name: &'static str,
     /// The signal.
     pub of: (&'static str, &'static str),
-    /// What is taken away from it.
+    /// Signal that is subtracted.
     pub less: Option<(&'static str, &'static str)>,
 }
 
 /// One pair of axes.
 pub struct Panel {
-    /// What is drawn upwards, with its unit.
+    /// Label of the vertical axis, with its unit.
     pub label: &'static str,
     /// The curves.
     pub curves: &'static [Curve],
@@ -31,7 +31,7 @@ pub struct Panel {
 pub struct Figure {
     /// Its file, without its ending.
     pub file: &'static str,
-    /// What stands above it.
+    /// Title of the figure.
     pub title: &'static str,
     /// Its panels, from the top.
     pub panels: &'static [Panel],
@@ -148,15 +148,15 @@ const GRAVITY_FIGURE: Figure = Figure {
     ],
 };
 
-/// Of a flight that is about height.
+/// Figures of a flight about height.
 pub const HEIGHT: &[Figure] = &[ALTITUDE_FIGURE, MOTORS, PLANE_FIGURE];
-/// Of a flight that is about yaw.
+/// Figures of a flight about yaw.
 pub const YAW: &[Figure] = &[PLANE_FIGURE, ALTITUDE_FIGURE, MOTORS];
-/// Of a flight that is about the place.
+/// Figures of a flight about position.
 pub const PLANE: &[Figure] = &[PLANE_FIGURE, ALTITUDE_FIGURE];
-/// Of a flight that ends in a crash.
+/// Figures of a flight that ends in a crash.
 pub const TILT: &[Figure] = &[TILT_FIGURE, ALTITUDE_FIGURE];
-/// Of a flight under feed-forward.
+/// Figures of a flight under feed-forward.
 pub const GRAVITY: &[Figure] = &[GRAVITY_FIGURE, ALTITUDE_FIGURE, PLANE_FIGURE];
 
 /// Time since take-off after which errors are to scale, s: before, they are of the size of the flight.
@@ -172,7 +172,7 @@ const MAX_POINTS: usize = 900;
 const COLOURS: [RGBColor; 4] =
     [RGBColor(31, 119, 180), RGBColor(230, 110, 10), RGBColor(40, 140, 60), RGBColor(130, 80, 170)];
 
-/// What a picture could not be drawn for.
+/// Error that prevented a picture.
 #[derive(Debug, thiserror::Error)]
 #[error("the picture `{title}` cannot be drawn: {why}")]
 pub struct Error {
@@ -186,15 +186,15 @@ pub struct Line {
     pub name: String,
     /// The points.
     pub points: Vec<(f64, f64)>,
-    /// Whether they are dots rather than a line.
+    /// True to draw dots, not a line.
     pub dots: bool,
-    /// Whether it is an error, whose scale is that of a flight that has settled.
+    /// True for an error signal, whose scale is that of a settled flight.
     pub error: bool,
 }
 
 /// A panel that is ready to be drawn.
 pub struct Axes {
-    /// What is drawn upwards.
+    /// Label of the vertical axis.
     pub label: String,
     /// The lines.
     pub lines: Vec<Line>,
@@ -230,8 +230,7 @@ impl Curve {
     }
 }
 
-/// Every so many moments: where there are more than can be seen, the least and the largest of each group,
-/// so that no peak is lost.
+/// Returns a thinned signal: the least and the largest value of each group of moments, so that no peak is lost.
 fn thinned(voyage: &Voyage, value: impl Fn(&Moment) -> f64) -> Vec<(f64, f64)> {
     let size = (2 * voyage.moments.len()).div_ceil(MAX_POINTS).max(1);
     let mut points = Vec::new();

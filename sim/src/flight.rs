@@ -13,15 +13,15 @@ use models::{Command, Estimate, Parameters, Target};
 pub struct Step {
     /// Its beginning, s.
     pub time: f64,
-    /// Where the aircraft was.
+    /// True state of the aircraft.
     pub state: State,
-    /// What the pilot knew.
+    /// Estimate of the pilot.
     pub estimate: Estimate,
-    /// What was asked of the pilot.
+    /// Target of the pilot.
     pub target: Target,
-    /// What the pilot commanded.
+    /// Command of the pilot.
     pub command: Command,
-    /// What the pilot remembered afterwards, as words: see [`Pilot::state`].
+    /// State of the pilot afterwards, as words: see [`Pilot::state`].
     pub memory: Vec<u64>,
 }
 
@@ -30,7 +30,7 @@ pub struct Step {
 pub struct Flight {
     /// Every control period, in order.
     pub steps: Vec<Step>,
-    /// Where the aircraft ended.
+    /// Final state of the aircraft.
     pub end: State,
 }
 
@@ -64,7 +64,7 @@ pub fn fly(
     Flight { steps, end: state }
 }
 
-/// What a perfect estimator makes of a state.
+/// Returns the estimate of a perfect estimator.
 pub fn seen(state: &State) -> Estimate {
     Estimate {
         position: state.position,

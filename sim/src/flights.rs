@@ -22,13 +22,13 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub struct Flight {
     /// Its name on the command line.
     pub name: &'static str,
-    /// What it shows.
+    /// Description of the flight.
     pub about: &'static str,
-    /// What is flown under a seed.
+    /// Scenario for a seed.
     pub scenario: fn(u64) -> Scenario,
-    /// How it is judged.
+    /// Checks of the flight.
     pub checks: fn(&Scenario, &Voyage) -> Vec<Check>,
-    /// What is drawn of it.
+    /// Figures of the flight.
     pub figures: &'static [Figure],
 }
 

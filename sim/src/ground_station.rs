@@ -108,31 +108,31 @@ impl Framer {
 pub struct Record {
     /// When: periods since the software began.
     pub period: u32,
-    /// Which choice of signals it holds.
+    /// Tag of the selection of signals.
     pub tag: u8,
     /// The signals, in single precision.
     pub values: Vec<f32>,
 }
 
-/// How the link is, as the aircraft sees it.
+/// State of the link as the aircraft reports it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Status {
     /// Packets taken, broken, old, senseless; unsealed, forged, replayed; records lost.
     pub counts: [u32; 8],
     /// The mode's number.
     pub mode: u8,
-    /// Which trajectory is flown.
+    /// Tag of the active trajectory.
     pub tag: u8,
-    /// Whether the ground is missed when it is silent.
+    /// True if heartbeats of the ground station are expected.
     pub watched: bool,
 }
 
-/// What comes down.
+/// Contents of the downlink.
 #[derive(Clone, Debug, PartialEq)]
 pub enum News {
     /// A record that has come as a whole.
     Record(Record),
-    /// How the link is.
+    /// State of the link.
     Status(Status),
     /// A parameter's number and its value.
     Parameter(u8, f64),

@@ -7,7 +7,7 @@ use models::airframe::GRAVITY;
 use models::geometry::wrapped;
 use models::{Airframe, Alarm, Phase};
 
-/// How close counts as settled, m.
+/// Distance at which the height is settled, m.
 pub const CLOSE: f64 = 0.05;
 
 impl Voyage {
@@ -33,25 +33,25 @@ impl Voyage {
         })
     }
 
-    /// How far the height went beyond `goal` between two times, m.
+    /// Returns the overshoot of the height beyond `goal` between two times, m.
     pub fn overshoot(&self, from: f64, to: f64, goal: f64) -> f64 {
         self.between(from, to).map(|moment| moment.state.position.z - goal).fold(0.0, f64::max)
     }
 
-    /// How long after `from` the height is and stays within [`CLOSE`] of `goal` until `to`, s.
+    /// Returns the time after `from` from which on the height stays within [`CLOSE`] of `goal` until `to`, s.
     pub fn settling(&self, from: f64, to: f64, goal: f64) -> f64 {
         let away = |moment: &&Moment| (moment.state.position.z - goal).abs() > CLOSE;
         self.between(from, to).filter(away).last().map_or(0.0, |moment| moment.time - from)
     }
 
-    /// How fast the aircraft hit the ground at most, m/s; infinite if it is still in the air at the end.
+    /// Returns the largest speed of touch-down, m/s; infinite if the aircraft is still in the air at the end.
     pub fn touch_down(&self) -> f64 {
         let grounded = self.moments.last().is_some_and(|moment| moment.state.position.z <= 0.0);
         let hardest = self.moments.iter().map(|moment| moment.impact).fold(0.0, f64::max);
         if grounded { hardest } else { f64::INFINITY }
     }
 
-    /// Whether the flight ended on the ground with the motors off and no alarm.
+    /// Returns true if the flight ended on the ground with the motors off and no alarm.
     pub fn ended_well(&self) -> bool {
         self.moments.last().is_some_and(|moment| {
             let outputs = &moment.outputs;

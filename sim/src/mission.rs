@@ -7,12 +7,12 @@ use models::Target;
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 
-/// What is asked of the pilot.
+/// Commands to the pilot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
     /// Climb for `burn` seconds with the take-off flag set, then hold `height`, m.
     TakeOff {
-        /// How long the flag stays set, s.
+        /// Duration of the take-off flag, s.
         burn: f64,
         /// Height to hold afterwards, m.
         height: f64,
@@ -28,11 +28,11 @@ pub enum Action {
 /// An action and its time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Manoeuvre {
-    /// What to call it.
+    /// Name of the manoeuvre.
     pub name: &'static str,
     /// When it begins, s.
     pub begins: f64,
-    /// What is asked.
+    /// Command to the pilot.
     pub action: Action,
 }
 
@@ -42,11 +42,11 @@ pub struct Manoeuvre {
 /// if not, resisting the gust turns the aircraft about another axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gust {
-    /// What to call it.
+    /// Name of the gust.
     pub name: &'static str,
     /// When it begins, s.
     pub begins: f64,
-    /// How long it blows each way, s.
+    /// Duration of the gust in each direction, s.
     pub lasts: f64,
     /// Torque about the body's axes while it blows the first way, N·m.
     pub torque: Vector3<f64>,
@@ -74,11 +74,11 @@ impl Gust {
 /// A flight as it is planned.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mission {
-    /// How long it takes, s.
+    /// Duration of the mission, s.
     pub duration: f64,
-    /// Where the aircraft starts.
+    /// Initial state of the aircraft.
     pub start: State,
-    /// What is asked, in the order of time; the last is the landing.
+    /// Commands in order of time; the last is the landing.
     pub manoeuvres: Vec<Manoeuvre>,
     /// Steady force of the air in the inertial frame, N.
     pub wind: Vector3<f64>,
@@ -116,7 +116,7 @@ impl Mission {
         }
     }
 
-    /// What is asked of the pilot at a time, s.
+    /// Returns the target of the pilot at a time, s.
     pub fn target(&self, time: f64) -> Target {
         let mut target = Target::default();
         for manoeuvre in self.manoeuvres.iter().take_while(|m| m.begins <= time) {

@@ -9,7 +9,7 @@ pub struct Motors {
     pub speeds: SVector<f64, 8>,
     /// Time constant with which a motor follows its command, s.
     pub lag: f64,
-    /// Which one has stopped.
+    /// Index of the stopped motor.
     pub dead: Option<usize>,
 }
 
@@ -19,8 +19,8 @@ impl Motors {
         Self { speeds: SVector::zeros(), lag, dead: None }
     }
 
-    /// Their speeds `period` seconds later, when `wanted` is asked of them, rad/s; and the mean squares
-    /// of the speeds on the way, which are what thrust goes by.
+    /// Advances the speeds by `period` seconds towards `wanted`, rad/s, and returns their mean squares, to which thrust
+    /// is proportional.
     pub fn turn(&mut self, wanted: &SVector<f64, 8>, period: f64) -> SVector<f64, 8> {
         let kept = if self.lag > 0.0 { (-period / self.lag).exp() } else { 0.0 };
         let mut goal = wanted.abs();

@@ -8,7 +8,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
-/// What a stream is for.
+/// Purpose of a random stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// The inertial sensors.
@@ -21,11 +21,11 @@ pub enum Purpose {
     Vicon,
     /// The wind.
     Wind,
-    /// What differs from one flight of a campaign to the next.
+    /// Differences between the flights of a campaign.
     Dice,
     /// The particles of a swarm.
     Swarm,
-    /// What a link does to its datagrams.
+    /// Faults of a link.
     Radio,
 }
 

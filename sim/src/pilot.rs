@@ -12,8 +12,7 @@ pub trait Pilot {
     /// One control period.
     fn step(&mut self, estimate: &Estimate, target: &Target) -> Command;
 
-    /// Everything that the controller remembers, as words: an `f64` by its bits, a `bool` as 0 or
-    /// 1, in the order in which the model declares its fields.
+    /// Returns the controller's state as words in order of declaration: an `f64` by its bits, a `bool` as 0 or 1.
     fn state(&self) -> Vec<u64>;
 }
 

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, SVector, Vector3};
 /// Acceleration of gravity, m/s².
 pub const GRAVITY: f64 = 9.81;
 
-/// Where the aircraft is, and how it moves (thesis, eq. (2.18)).
+/// Position, attitude and their rates (thesis, eq. (2.18)).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
     /// Position in the inertial frame, z upwards, m.
@@ -20,7 +20,7 @@ pub struct State {
     pub rates: Vector3<f64>,
 }
 
-/// What acts on the aircraft, held over one step.
+/// Forces and torques on the aircraft, constant over one step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Loads {
     /// Thrust of the motors along the body's z, N.
@@ -64,7 +64,7 @@ pub fn angle_rates(angles: &Vector3<f64>, rates: &Vector3<f64>) -> Vector3<f64> 
 }
 
 impl State {
-    /// Whether every figure is finite.
+    /// Returns true if every figure is finite.
     pub fn is_finite(&self) -> bool {
         self.vector().iter().all(|value| value.is_finite())
     }

@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 use std::io::{Cursor, Read, Seek, Write};
 use std::path::Path;
 
-/// What went wrong with a file.
+/// Errors of a recording.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// It could not be read or written.
@@ -35,7 +35,7 @@ pub enum Error {
     Mcap {
         /// The file.
         path: String,
-        /// What is wrong with it.
+        /// Error of the file.
         source: mcap::McapError,
     },
     /// It does not hold what is looked for.
@@ -43,7 +43,7 @@ pub enum Error {
     Lacks {
         /// The file.
         path: String,
-        /// What is looked for.
+        /// The missing content.
         what: String,
     },
 }
@@ -204,7 +204,7 @@ const POSE: &str = r#"{"title":"foxglove.PoseInFrame","type":"object","propertie
 "position":{"title":"foxglove.Vector3","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},
 "orientation":{"title":"foxglove.Quaternion","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}}}}"#;
 
-/// Where the aircraft is in the room, as Foxglove has it; `time` in ns.
+/// Returns the pose of the aircraft in the room, in Foxglove's format; `time` in ns.
 fn pose(time: u64, position: &Vector3<f64>, angles: &Vector3<f64>) -> String {
     let turn = Rotation3::from_matrix_unchecked(rotation(angles));
     let turn = UnitQuaternion::from_rotation_matrix(&turn);
@@ -278,7 +278,7 @@ fn number(value: f64) -> Value {
 /// A flight as read back: a row of values for each period, by `topic.signal`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Log {
-    /// What flew.
+    /// Description of the flight.
     pub about: BTreeMap<String, String>,
     columns: BTreeMap<String, Vec<f64>>,
     path: String,

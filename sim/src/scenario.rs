@@ -41,7 +41,7 @@ pub enum Gain {
 /// A flight to be flown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// How long it takes from take-off on, s.
+    /// Duration from take-off on, s.
     pub duration: f64,
     /// The software's settings.
     pub settings: Settings,
@@ -49,17 +49,17 @@ pub struct Scenario {
     pub airframe: Airframe,
     /// Time constant of its motors, s.
     pub lag: f64,
-    /// Where it stands.
+    /// Initial state.
     pub start: State,
-    /// What the ground sends, in the order of time.
+    /// Commands of the ground station, in order of time.
     pub orders: Vec<(f64, Order)>,
     /// The air.
     pub air: Air,
     /// The sensors.
     pub senses: Senses,
-    /// What breaks, and when, s.
+    /// Failure and its time, s.
     pub failure: Option<(f64, Failure)>,
-    /// Where chance begins.
+    /// Seed of all randomness.
     pub seed: u64,
 }
 

@@ -8,12 +8,12 @@ use models::calibration::{Calibration, Echo, Flow, Inertial, Readings, Vicon};
 use nalgebra::Vector3;
 use std::collections::VecDeque;
 
-/// How good one sensor is.
+/// Quality of one sensor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
     /// A reading every so many control periods.
     pub every: usize,
-    /// How many control periods a reading takes to arrive.
+    /// Delay of a reading, in control periods.
     pub delay: usize,
     /// Standard deviation of the noise, in the sensor's unit.
     pub noise: f64,
@@ -25,7 +25,7 @@ pub struct Quality {
     pub nonsense: f64,
 }
 
-/// How good all sensors are.
+/// Quality of all sensors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Senses {
     /// The gyroscope, rad/s.
@@ -66,7 +66,7 @@ impl Senses {
         }
     }
 
-    /// The same, noise and biases `factor` times as large.
+    /// Returns the sensors with noise and biases multiplied by `factor`.
     pub fn scaled(&self, factor: f64) -> Self {
         let mut all = self.clone();
         for quality in [
@@ -109,7 +109,7 @@ pub struct Sensors {
     streams: [Stream; 4],
     last: Readings,
     before: State,
-    /// Whether Vicon sees nothing, whatever the outages say.
+    /// True if Vicon is covered, whatever the outages are.
     pub blind: bool,
 }
 
@@ -135,7 +135,7 @@ impl Sensors {
         }
     }
 
-    /// What the processor gets in the control period `n`, which begins at `time`, s.
+    /// Returns the readings in the control period `n`, which begins at `time`, s.
     pub fn read(
         &mut self,
         n: usize,

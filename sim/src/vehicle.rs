@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 /// One motor with its propeller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motor {
-    /// Where it sits in the body frame, m.
+    /// Position in the body frame, m.
     pub place: Vector3<f64>,
     /// Thrust per square of speed, N·s²/rad².
     pub thrust_factor: f64,

@@ -1,4 +1,4 @@
-//! Whether a flight settled after each manoeuvre, met its gusts squarely, and landed.
+//! Verdict on a flight: it settled after each manoeuvre, resisted its gusts, and landed.
 //!
 //! Knows targets and where the aircraft was: not who flew it.
 
@@ -6,7 +6,7 @@ use crate::flight::{Flight, Step};
 use crate::mission::{Gust, Mission};
 use std::fmt;
 
-/// How close to its target the aircraft has to be, and for how long before the next manoeuvre.
+/// Largest distance to the target, and the time for which it must hold before the next manoeuvre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Largest error of height, m.
@@ -15,7 +15,7 @@ pub struct Tolerance {
     pub place: f64,
     /// Largest error of yaw, rad.
     pub yaw: f64,
-    /// How long it has to stay this close, s.
+    /// Time for which the errors must stay within these limits, s.
     pub window: f64,
     /// Fastest turn about another axis than that of a gust, while it blows, rad/s.
     pub cross_rate: f64,
@@ -30,11 +30,11 @@ impl Default for Tolerance {
 /// Largest errors over a window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
-    /// Of height, m.
+    /// Error of height, m.
     pub height: f64,
     /// In the plane, m.
     pub place: f64,
-    /// Of yaw, rad.
+    /// Error of yaw, rad.
     pub yaw: f64,
 }
 
@@ -57,7 +57,7 @@ fn worst(so_far: f64, value: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { so_far.max(value.abs()) }
 }
 
-/// How a flight did just before the manoeuvre that follows.
+/// Errors just before the next manoeuvre.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
     /// The manoeuvre that was to settle.
@@ -68,7 +68,7 @@ pub struct Settled {
     pub errors: Errors,
 }
 
-/// What is wrong with a flight.
+/// Fault of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fault {
     /// A manoeuvre did not settle in time.
@@ -77,7 +77,7 @@ pub enum Fault {
     Turned {
         /// The gust.
         gust: &'static str,
-        /// How fast it turned about another axis, rad/s.
+        /// Rate about another axis, rad/s.
         rate: f64,
     },
     /// The aircraft did not land where it was to land, or its motors still turn.
@@ -166,7 +166,7 @@ fn landing_fault(flight: &Flight, tolerance: &Tolerance) -> Option<Fault> {
 }
 
 impl Tolerance {
-    /// Whether the errors are small enough.
+    /// Returns true if the errors are within the tolerance.
     pub fn allows(&self, errors: &Errors) -> bool {
         errors.height < self.height && errors.place < self.place && errors.yaw < self.yaw
     }
@@ -175,17 +175,17 @@ impl Tolerance {
 /// A motor at one of its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saturation {
-    /// Which motor, counted from 0.
+    /// Index of the motor, counted from 0.
     pub motor: usize,
-    /// Whether at its upper limit, not at its lower.
+    /// True at its upper limit, false at its lower.
     pub upper: bool,
     /// The first time, s.
     pub first: f64,
-    /// How many control periods in all.
+    /// Total number of control periods.
     pub periods: usize,
 }
 
-/// Which motors came to which limits before the landing.
+/// Returns the motors that reached their limits before the landing.
 pub fn saturations(flight: &Flight, largest_command: f64) -> Vec<Saturation> {
     let mut found = Vec::new();
     for motor in 0..4 {

@@ -16,15 +16,15 @@ use nalgebra::SVector;
 pub struct Moment {
     /// Its beginning, from take-off on, s.
     pub time: f64,
-    /// Where the aircraft was.
+    /// True state of the aircraft.
     pub state: State,
-    /// What the software got.
+    /// Inputs of the software.
     pub inputs: Inputs,
-    /// What it said.
+    /// Outputs of the software.
     pub outputs: Outputs,
-    /// How fast the motors turned at the end of it, rad/s.
+    /// Speeds of the motors at the end of the period, rad/s.
     pub speeds: SVector<f64, 8>,
-    /// How fast the aircraft hit the ground in it, m/s; 0 if it did not.
+    /// Speed at which the aircraft hit the ground in the period, m/s; 0 if it did not.
     pub impact: f64,
 }
 

@@ -18,7 +18,7 @@ const SUBSTEPS: usize = 2;
 /// The world.
 #[derive(Clone, Debug)]
 pub struct World {
-    /// Where the aircraft is.
+    /// True state of the aircraft.
     pub state: State,
     /// Its motors.
     pub motors: Motors,
@@ -46,19 +46,19 @@ impl World {
         }
     }
 
-    /// The same in other air, with other sensors.
+    /// Returns this world with other air and sensors.
     #[must_use]
     pub fn with(self, air: Air, senses: &Senses, seed: u64) -> Self {
         Self { wind: Wind::new(air, seed), sensors: Sensors::new(senses, seed), ..self }
     }
 
-    /// What the sensors say in the period `n`, which begins at `time`, s.
+    /// Returns the readings of the sensors in the period `n`, which begins at `time`, s.
     pub fn sense(&mut self, n: usize, time: f64, stuck: Option<Stuck>) -> Readings {
         self.sensors.read(n, time, self.period, &self.state, stuck)
     }
 
-    /// One period at the speeds that are asked of the motors, rad/s: how fast the aircraft hit the ground
-    /// in it, m/s; 0 if it did not.
+    /// Advances one period with motor speed setpoints, rad/s. Returns the speed at which the aircraft hit the ground,
+    /// m/s; 0 if it did not.
     pub fn advance(&mut self, speeds: &SVector<f64, 8>) -> f64 {
         let mut impact = 0.0;
         let force = self.wind.blow(self.period);

@@ -93,7 +93,7 @@ fn every_figure_can_be_drawn() {
     }
 }
 
-/// Whether a label is a zero with a minus before it.
+/// Returns true if a label is a negative zero.
 fn is_minus_zero(label: &str) -> bool {
     label.strip_prefix('-').is_some_and(|rest| rest.parse() == Ok(0.0))
 }

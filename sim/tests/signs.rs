@@ -28,7 +28,7 @@ const GAINS: [Knob; 16] = [
     ("yaw D", |p| &mut p.yaw.d),
 ];
 
-/// What is wrong with the flight under these parameters.
+/// Returns the faults of the flight with these parameters.
 fn faults(parameters: Parameters) -> Vec<Fault> {
     let mission = Mission::every_channel();
     let mut pilot = Native::new(parameters);

@@ -81,7 +81,7 @@ pub struct Gen {
     /// List the checks that are left in each entry point: line, fault, and why it could not be ruled out
     #[arg(long, conflicts_with = "check")]
     pub explain: bool,
-    /// How errors and warnings are told: for people, or one JSON object a line, as rustc writes them, for editors
+    /// Format of errors and warnings: for people, or one JSON object per line for editors, as rustc writes it
     #[arg(long, value_enum, default_value_t = MessageFormat::Human, value_name = "FORMAT")]
     pub message_format: MessageFormat,
 }
@@ -95,7 +95,7 @@ pub enum MessageFormat {
     Json,
 }
 
-/// Whether generation writes or only compares.
+/// Mode of the generation: write or compare.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Bring the output up to date.
@@ -171,7 +171,7 @@ pub struct Mutate {
     /// One part of them, from 1
     #[arg(long, value_name = "N", requires = "of")]
     pub turn: Option<NonZeroUsize>,
-    /// How many parts there are
+    /// Number of parts
     #[arg(long, value_name = "M", requires = "turn")]
     pub of: Option<NonZeroUsize>,
     /// Print JSON instead of lines
@@ -191,7 +191,7 @@ checks that were left out, and the C of gcc and clang must agree to the bit. Aft
 and how fast; at the end stands how often each rule of the proofs decided something. A program that differs is made
 small and written to tests/found/, from where every run of the tests takes it. Exit code 1 if one differs.")]
 pub struct Fuzz {
-    /// How many programs
+    /// Number of programs
     #[arg(long, value_name = "N", default_value_t = 1000)]
     pub programs: u64,
     /// The first seed; a batch has one

@@ -67,7 +67,8 @@ fn copy(root: &Path, to: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Where a page goes: the book's own stand at the top, since the first of them is the front page.
+/// Returns the path of a page in the book. The book's own pages are at the top, since the first of them is the front
+/// page.
 fn placed(page: &str) -> &str {
     page.strip_prefix("book/").unwrap_or(page)
 }

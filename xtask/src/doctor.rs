@@ -77,7 +77,7 @@ fn conclusion(findings: &[Finding], plan: Option<&Plan>) -> String {
     format!("Missing: {}.{host}\n{remedy}\n", names.join(", "))
 }
 
-/// The same for a program.
+/// Returns the findings as JSON.
 #[must_use]
 pub fn json(findings: &[Finding], plan: Option<&Plan>) -> Value {
     let tools: Vec<Value> = findings.iter().map(entry).collect();

@@ -7,7 +7,7 @@ use anstyle::{AnsiColor, Style};
 use std::path::PathBuf;
 use std::process::ExitStatus;
 
-/// How a command that ran to its end came out.
+/// Outcome of a command that ran to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// Exit code 0.
@@ -54,13 +54,13 @@ pub enum Error {
     Install {
         /// The command that was run.
         step: String,
-        /// How it ended.
+        /// Exit status.
         status: ExitStatus,
     },
     /// The compiler or its lints warned of something; it has been printed.
     #[error("{count} {} of the compiler or its lints: each is an error here", if *count == 1 { "warning" } else { "warnings" })]
     Lints {
-        /// How many.
+        /// Number of failures.
         count: usize,
     },
     /// A stage of `test` failed; its output has been printed.
@@ -68,7 +68,7 @@ pub enum Error {
     Stage {
         /// The stage's name.
         stage: &'static str,
-        /// How its program ended.
+        /// Exit status of its program.
         status: ExitStatus,
         /// A line that puts it right, if there is one.
         remedy: Option<&'static str>,
@@ -97,7 +97,7 @@ pub enum Error {
     NoTurn {
         /// As it was asked for.
         turn: usize,
-        /// How many there are.
+        /// Total number.
         of: usize,
     },
     /// Another run has what this one needs for itself.

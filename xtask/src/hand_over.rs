@@ -14,8 +14,8 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::process::ExitStatus;
 
-/// Builds the program of a package, with these of its features, in sight, and runs it with the words of the command
-/// line, which have been parsed.
+/// Builds the program of a package with these features, showing progress, and runs it with the command line's
+/// arguments, already parsed.
 ///
 /// # Errors
 /// [`Error::Spawn`] if cargo does not start, [`Error::Stage`] if the program does not build.

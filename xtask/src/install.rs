@@ -1,4 +1,4 @@
-//! How what is missing is installed: the plan, the one line that shows it, and carrying it out.
+//! Installation of missing tools: the plan, the line that shows it, and its execution.
 //!
 //! Invariants:
 //! - the line printed and the steps run are made of the same words;
@@ -17,7 +17,7 @@ use crate::tools::{self, Machine, Source, Tool};
 use std::process::{Command, ExitStatus};
 use std::thread::JoinHandle;
 
-/// How root's rights are got.
+/// Ways to get root's rights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Rights {
     /// We are root.
@@ -48,7 +48,7 @@ struct Step {
 const WAIT: &str = "DPkg::Lock::Timeout=900";
 
 impl Plan {
-    /// How to install `tools` on this machine; none if there is nothing to do or apt-get is needed and absent.
+    /// Returns the plan to install `tools` on this machine; none if nothing is needed, or apt-get is needed and absent.
     #[must_use]
     pub fn of(tools: &[&'static Tool], machine: &dyn Machine) -> Option<Self> {
         let (mut components, mut packages, mut python) = (Vec::new(), Vec::new(), Vec::new());

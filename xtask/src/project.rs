@@ -1,4 +1,4 @@
-//! Where the project lies, and how its own cargo is called.
+//! Root of the project, and calls of its own cargo.
 //!
 //! Invariant: a nested cargo sees none of the variables that `cargo run` sets for this program; they would describe
 //! the wrong package to it, and could make it rebuild.
@@ -32,13 +32,13 @@ pub fn cargo(root: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-/// Lets cargo build the packages of the workspace with the compiler that lints: what it has checked it also builds, where
-/// `cargo clippy` would check all of it, and all that it rests on, beside the build.
+/// Makes cargo build the workspace's packages with the compiler that lints. What it has checked it also builds; `cargo
+/// clippy` would check everything a second time beside the build.
 pub fn lint(cargo: &mut Command) -> &mut Command {
     cargo.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver")
 }
 
-/// Whether cargo sets the variable for the package that it runs, rather than for itself.
+/// Returns true if cargo sets the variable for the package that it runs, not for itself.
 fn describes_this_package(variable: &str) -> bool {
     variable.starts_with("CARGO_PKG_")
         || matches!(variable, "CARGO_MANIFEST_DIR" | "CARGO_MANIFEST_PATH")

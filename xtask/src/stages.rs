@@ -61,7 +61,7 @@ impl Progress {
         outcome
     }
 
-    /// The same for work that tells of its end itself.
+    /// Runs work that reports its own end.
     ///
     /// # Errors
     /// Those of `work`.

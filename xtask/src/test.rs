@@ -26,7 +26,7 @@ use std::process::{Command, ExitStatus};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Where the times of a run are stored: by them tests are put in order or left out, and growth is seen.
+/// File with the times of a run, which order the tests, select some of them and show growth.
 const TIMES: &str = "xtask/times.tsv";
 
 /// A quick run leaves out the tests that used more of the processors in the stored run.
@@ -38,10 +38,10 @@ const TOOLS: &str = "foxglove,mavlink";
 /// The stage in which the workspace is linted and built at once.
 const BUILD: &str = "lints and build of the tests";
 
-/// How many mutants a run tries.
+/// Number of mutants that a run tries.
 const MUTANTS: NonZeroUsize = NonZeroUsize::new(2).unwrap();
 
-/// How many of the slowest tests are listed.
+/// Number of slowest tests to list.
 const SLOWEST: usize = 20;
 
 /// Runs everything that must pass.
@@ -100,8 +100,8 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
     Ok(if done.iter().all(|test| test.passed) { Outcome::Good } else { Outcome::Bad })
 }
 
-/// Builds the tests: those of the workspace, those of what a generation build alone has, and in a full run those of the
-/// ground station's tools. Tells, too, which packages have examples in their documentation.
+/// Builds the tests of the workspace, those of generation builds, and in a full run those of the ground station's
+/// tools. Also returns the packages whose documentation has examples.
 fn programs(
     root: &Path,
     wanted: &Test,
@@ -152,7 +152,7 @@ fn documented(messages: &str) -> BTreeSet<String> {
     messages.filter_map(|message| own(&message)).collect()
 }
 
-/// What the compiler and its lints said in cargo's messages, each as a person reads it.
+/// Returns the messages of the compiler and its lints as text.
 fn said(messages: &str) -> Vec<String> {
     let messages = messages.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
     let said = messages.filter(|message| message["reason"] == "compiler-message");
@@ -243,8 +243,8 @@ fn turn(root: &Path) -> u32 {
     u32::from_str_radix(text.unwrap_or_default().trim(), 16).unwrap_or_default()
 }
 
-/// Sees to it that every tool will be there when the tests begin, or says what to do; gives the installation that goes on
-/// beside the build, if there is one.
+/// Ensures that every tool will be available when the tests begin, or describes the remedy. Returns the installation
+/// that runs beside the build, if any.
 ///
 /// # Errors
 /// [`Error::Missing`] without `--install`; with it, what went wrong while installing.
@@ -271,7 +271,7 @@ pub fn prepare(
     Ok(installation)
 }
 
-/// Whether what was installed is of use.
+/// Checks that the installed tools work.
 fn installed(wanted: &Test, machine: &dyn Machine) -> Result<(), Error> {
     let left = lacking(wanted, machine);
     if left.is_empty() { Ok(()) } else { Err(Error::StillMissing { tools: names(&left) }) }

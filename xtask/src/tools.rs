@@ -43,7 +43,7 @@ impl Need {
     }
 }
 
-/// How to see whether the tool is there.
+/// Detection of a tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Probe {
     /// The program answers `--version`.
@@ -65,7 +65,7 @@ pub enum Probe {
     },
 }
 
-/// Where the tool comes from.
+/// Source of a tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
     /// Rust itself, without which this program would not run.
@@ -87,9 +87,9 @@ pub struct Tool {
     pub purpose: &'static str,
     /// The commands that need it.
     pub need: Need,
-    /// How to see whether it is there.
+    /// Detection of the tool.
     pub probe: Probe,
-    /// Where it comes from.
+    /// Source of the tool.
     pub source: Source,
 }
 
@@ -99,7 +99,7 @@ const fn program(program: Program, purpose: &'static str, need: Need) -> Tool {
     Tool { name: program.name, purpose, need, probe: Probe::Version(program.name), source }
 }
 
-/// What a compiler cannot do its work without, by its second package.
+/// Describes the headers without which a compiler does not work, by its second package.
 const fn headers(name: &'static str, compiler: Program, need: Need) -> Tool {
     let source = Source::Package(compiler.packages[1]);
     let purpose = "headers and libraries for the above";
@@ -295,13 +295,13 @@ pub fn python() -> PathBuf {
 pub trait Machine {
     /// The program's answer to `--version`; none if it is absent or does not work.
     fn version(&self, program: &str) -> Option<String>;
-    /// Whether the compiler can preprocess a file that includes headers of the C library.
+    /// Returns true if the compiler can preprocess a file that includes headers of the C library.
     fn finds_headers(&self, compiler: &str) -> bool;
-    /// Whether the compiler, one like clang, has the libraries that its sanitizers link.
+    /// Returns true if the compiler, one like clang, has the libraries that its sanitizers link.
     fn has_sanitizers(&self, compiler: &str) -> bool;
-    /// Whether we may do anything here.
+    /// Returns true if we have root's rights.
     fn is_root(&self) -> bool;
-    /// Whether the file exists.
+    /// Returns true if the file exists.
     fn has_file(&self, path: &str) -> bool {
         std::path::Path::new(path).exists()
     }
@@ -365,7 +365,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// Whether the tool is not there.
+    /// Returns true if the tool is not there.
     #[must_use]
     pub fn is_missing(&self) -> bool {
         self.found.is_none()
@@ -402,8 +402,8 @@ pub fn missing(findings: &[Finding], needs: &[Need]) -> Vec<&'static Tool> {
     findings.iter().filter(wanted).map(|finding| finding.tool).collect()
 }
 
-/// The version number in what a program says about itself: the first word made of digits and points, or else the
-/// first that begins with a digit, or else the whole line.
+/// Returns the version number in a program's output. It is the first word of digits and points, else the first word
+/// that begins with a digit, else the line.
 fn number(answer: &str) -> String {
     let line = answer.lines().next().unwrap_or_default().trim();
     let starts = |word: &&str| word.starts_with(|letter: char| letter.is_ascii_digit());

@@ -15,7 +15,7 @@ struct Fake {
     programs: BTreeMap<&'static str, &'static str>,
     headers: BTreeSet<&'static str>,
     root: bool,
-    /// Whether clang came without the libraries of its sanitizers, as apt leaves it unless asked.
+    /// True if clang lacks the libraries of its sanitizers, as apt leaves it by default.
     bare: bool,
 }
 
@@ -62,14 +62,14 @@ impl Fake {
         Self { programs: programs.into(), headers: ["gcc"].into(), root: false, bare: false }
     }
 
-    /// The same with the host compilers.
+    /// Returns a machine with the host compilers.
     fn host() -> Self {
         Self::fresh()
             .with("g++", "g++ (Debian 12.2.0-14+deb12u1) 12.2.0")
             .with("clang", "Debian clang version 14.0.6")
     }
 
-    /// The same with everything.
+    /// Returns a machine with everything.
     fn full() -> Self {
         let mut fake = Self::host()
             .with("arm-linux-gnueabihf-gcc", "arm-linux-gnueabihf-gcc (Debian 12.2.0-14) 12.2.0")

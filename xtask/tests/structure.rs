@@ -1,6 +1,5 @@
-//! The compiler's structure in figures, each of which may only fall: files that import each other in a circle, and
-//! names of methods in the front half, which decides by name what a method of std or nalgebra means. And what two parts
-//! may share that have to be independent.
+//! The compiler's structure in figures, each of which may only fall. They count files in circular imports, names of
+//! methods in the front half, and what independent parts share.
 //!
 //! A bound is met exactly: who improves a figure lowers its bound, so that nothing grows back into the gap.
 
@@ -61,8 +60,8 @@ fn names_of_methods_only_go() {
     hold("names of methods", &figures);
 }
 
-/// What the second proof may name of the compiler: where an operation stands. All else would be shared with the analysis
-/// that it verifies.
+/// Modules of the compiler that the second proof may name: the sites of operations. Anything else would be shared with
+/// the analysis that it verifies.
 const KNOWN_TO_THE_PROOF: [&str; 1] = ["passes::sites"];
 
 /// Nor may it name what stages ask of the IR.
@@ -238,9 +237,8 @@ fn constants(text: &str) -> Vec<String> {
     items.map(name).collect()
 }
 
-/// The words in quotation marks that a method could be called, and by which something could be decided: all but those
-/// that are handed straight to what names a temporary, and the roles of operands; and what is compared with a constant
-/// of the table.
+/// Returns the quoted words that could name a method and decide something. Excluded are names of temporaries, roles of
+/// operands, and words compared with a constant of the table.
 fn deciding(text: &str, table: &[String]) -> Vec<String> {
     let mut words = Words { found: Vec::new(), table };
     words.visit_file(&syn::parse_file(text).expect("Rust"));

@@ -116,8 +116,8 @@ fn packages_that_tell() -> BTreeSet<String> {
     texts.filter_map(package).collect()
 }
 
-/// What macros rest on has features of its own for cargo: with those of the tests' build, the tree is built once for both.
-/// What only their tests rest on, `cargo tree` does not tell of.
+/// Checks that macros and tests' builds share one set of features for the crates below both, so that cargo builds them
+/// once. `cargo tree` does not show dev-dependencies of them.
 #[test]
 fn what_macros_share_is_built_once() {
     let name = |built: &str| built.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
@@ -144,7 +144,8 @@ fn built(chosen: &[&str]) -> BTreeSet<String> {
     String::from_utf8_lossy(&output.stdout).lines().map(line).collect()
 }
 
-/// What is published packs: its dependencies have versions, its licences and what its sources include come with it. Nothing is built.
+/// Checks that published packages pack: dependencies have versions, and licences and included files are packed. Nothing
+/// is built.
 #[test]
 fn what_is_published_packs() {
     let published: Vec<Value> =
@@ -240,8 +241,7 @@ fn what_is_not_built_as_a_test_has_none() {
     none("what says `test = false` has no tests", &offences);
 }
 
-/// Libraries whose documentation has no example say `doctest = false`, which saves reading them for one; none says it that
-/// has some: they would not be run.
+/// Checks that `doctest = false` is set exactly for libraries without examples in their documentation.
 #[test]
 fn what_is_not_read_for_examples_has_none() {
     let root = root();
@@ -266,7 +266,7 @@ fn what_is_not_read_for_examples_has_none() {
     none("`doctest = false` says that a library has no example", &offences);
 }
 
-/// Whether the documentation in a source has a block of Rust: every other fence opens one.
+/// Returns true if the documentation in a source has a block of Rust: every other fence opens one.
 fn has_example(text: &str) -> bool {
     let comments = text.lines().map(str::trim);
     let comments = comments.filter_map(|it| it.strip_prefix("///").or(it.strip_prefix("//!")));

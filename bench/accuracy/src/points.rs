@@ -1,4 +1,4 @@
-//! Where the functions are measured: easy points, every magnitude, and the hard cases.
+//! Points at which the functions are measured: easy points, every magnitude, and the hard cases.
 //!
 //! Needs no more than the standard library: `bench` compares the bits of every leg on the same points.
 
@@ -6,7 +6,7 @@
 pub struct Domain {
     /// The Rust name in double precision.
     pub name: &'static str,
-    /// Where most points lie, of each argument.
+    /// Range of most points, for each argument.
     pub range: [(f64, f64); 2],
 }
 
@@ -45,13 +45,13 @@ pub const DOMAINS: &[Domain] = &[
 ];
 
 impl Domain {
-    /// Whether multiples of π/2 are hard.
+    /// Returns true if multiples of π/2 are hard.
     fn is_periodic(&self) -> bool {
         self.range[0].1 == TURNS
     }
 }
 
-/// Of so many sequences, each with its seed from 0 on, are the points of one function.
+/// Number of sequences, seeded from 0 on, that form the points of one function.
 pub const SEQUENCES: u64 = 2;
 
 /// A repeatable sequence of points.

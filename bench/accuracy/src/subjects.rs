@@ -22,7 +22,7 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// Where it is measured.
+    /// Returns the domain on which the function is measured.
     ///
     /// # Panics
     /// For a function that `DOMAINS` lacks.

@@ -21,9 +21,9 @@ struct Case {
 trait Prepared {
     /// Not measured, before each run.
     fn load(&mut self);
-    /// Whether `load` has to come before each run.
+    /// Returns true if `load` must precede each run.
     fn destroys(&self) -> bool;
-    /// What is measured.
+    /// Runs the measured work.
     fn run(&mut self);
     /// The words of the result.
     fn words(&self) -> Vec<u64>;

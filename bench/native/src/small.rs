@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::{Case, Element, Numbers, Prepared};
 
-/// What a model calls.
+/// Function that a model calls.
 type Call<T, const N: usize, R> =
     fn(&SMatrix<T, N, N>, &SMatrix<T, N, N>, &SVector<T, N>) -> Option<R>;
 

@@ -1,4 +1,4 @@
-//! Where the generated C takes more than it should beside the best of the others.
+//! List of cases in which the generated C is slower than its limit relative to the best of the others.
 //!
 //! The report lists every such case of a run, with the reason that somebody found for it. A case without a reason is one that somebody
 //! has to look at.
@@ -76,7 +76,7 @@ fn above(results: &Results) -> Vec<Above<'_>> {
     list
 }
 
-/// How many cases above their limit have no reason.
+/// Returns the number of cases above their limit without a reason.
 pub fn without_reason(results: &Results, reasons: &Reasons) -> usize {
     above(results).iter().filter(|it| reasons.of_case(&it.place()).is_none()).count()
 }

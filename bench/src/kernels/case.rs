@@ -61,7 +61,7 @@ impl Element {
 /// A case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Case {
-    /// What.
+    /// Routine that is measured.
     pub routine: Routine,
     /// In which numbers.
     pub element: Element,
@@ -105,7 +105,7 @@ pub struct Numbers {
 }
 
 impl Numbers {
-    /// Of a case.
+    /// Returns the numbers of a case.
     pub fn of(case: &Case) -> Numbers {
         let n = case.size;
         let fill = |count, seed: u64| fill(count, seed.wrapping_add(n as u64), case.element);

@@ -1,4 +1,4 @@
-//! Whether a result may be measured at all.
+//! Validity check of a result before it is measured.
 //!
 //! The generated code has to have the bits of the model as rustc compiles it; everybody else a residual
 //! that fits the numbers they compute with.
@@ -14,15 +14,15 @@ pub fn numbers(case: &Case, words: &[u64]) -> Vec<f64> {
     words.iter().map(number).collect()
 }
 
-/// Whether two results have the same bits; any NaN is as good as another.
+/// Returns true if two results have the same bits; any two NaN are equal.
 pub fn same(case: &Case, ours: &[u64], theirs: &[u64]) -> bool {
     let pairs = numbers(case, ours).into_iter().zip(numbers(case, theirs));
     ours.len() == theirs.len()
         && pairs.into_iter().all(|(a, b)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan()))
 }
 
-/// The residual of a result, in units of the type's rounding of the largest numbers that meet in it:
-/// `|a x - b| / (n · ε · (|a| |x| + |b|))`, norms by the largest element.
+/// Returns the residual of a result in units of rounding. It is `|a x - b| / (n · ε · (|a| |x| + |b|))`, with norms by
+/// the largest element.
 pub fn residual(case: &Case, words: &[u64]) -> f64 {
     let n = case.size;
     let given = Numbers::of(case);

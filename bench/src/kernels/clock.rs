@@ -1,5 +1,5 @@
-//! Times: each program runs a case by turns, round by round, so that what disturbs one disturbs all; what disturbs them unequally, a
-//! neighbour on the processor, is seen beside them.
+//! Time measurement: programs run a case alternately, round by round, so that a disturbance affects all of them.
+//! Unequal disturbances, such as a neighbour on the processor, are detected.
 
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -87,7 +87,7 @@ impl Drop for Server {
     }
 }
 
-/// What the rounds gave: quartiles of the times, and the median of the ratios to the first program.
+/// Summary of the rounds: quartiles of the times, and the median of the ratios to the first program.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {
     /// Lower quartile, nanoseconds.
@@ -116,7 +116,7 @@ impl Default for Reference {
 }
 
 impl Reference {
-    /// How much longer than ever the work takes now.
+    /// Returns the present duration of the reference work relative to the shortest ever.
     fn disturbance(&mut self) -> f64 {
         // More sums than wait for each other: as dense as the processor takes them.
         let mut sums = [0.0f64; 24];
@@ -133,7 +133,7 @@ impl Reference {
         time / self.least
     }
 
-    /// How many rounds were kept, and how many of them were disturbed.
+    /// Returns the number of rounds kept, and how many of them were disturbed.
     pub fn rounds(&self) -> [u32; 2] {
         [self.rounds, self.disturbed]
     }
@@ -152,7 +152,7 @@ pub fn race(
 ) -> Result<Vec<Vec<f64>>, String> {
     /// Long enough for the clock, short enough to be undisturbed, nanoseconds.
     const SAMPLE: f64 = 200_000.0;
-    /// What runs differ by without a neighbour.
+    /// Ratio by which runs differ without a neighbour.
     const CALM: f64 = 1.1;
     let mut repetitions = Vec::new();
     for server in servers.iter_mut() {
@@ -179,7 +179,7 @@ pub fn race(
     Ok((0..servers.len()).map(of).collect())
 }
 
-/// What the rounds of each program gave, the first program's first.
+/// Returns the summary of each program's rounds, the first program's first.
 pub fn summary(times: &[Vec<f64>]) -> Vec<Times> {
     let ratio = |own: &[f64]| {
         let ratios = times[0].iter().zip(own).map(|(first, own)| first / own).collect();

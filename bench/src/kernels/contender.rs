@@ -1,4 +1,4 @@
-//! Who takes part, and how each becomes a program.
+//! The contenders, and the way each becomes a program.
 //!
 //! A program is compiled anew only if its sources or its command changed.
 
@@ -71,7 +71,7 @@ impl Contender {
         }
     }
 
-    /// Those of the Chapter 6 job.
+    /// Returns the contenders of the Chapter 6 job.
     pub fn of_chapter_6(machine: &Machine) -> Vec<Contender> {
         use Contender::{Careful, Eigen, Fast, Generated, Lapack, Native, OpenBlas, Thesis};
         match machine.target {
@@ -80,11 +80,11 @@ impl Contender {
         }
     }
 
-    /// Those of the small sizes.
+    /// Contenders of the small sizes.
     pub const SMALL: [Contender; 4] =
         [Contender::Generated, Contender::Naive, Contender::Eigen, Contender::Native];
 
-    /// What its process needs around it.
+    /// Returns the environment variables that its process needs.
     pub fn environment(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Contender::OpenBlas => &[("OPENBLAS_NUM_THREADS", "1")],

@@ -1,5 +1,5 @@
-//! The generated C as a contender: the kernels as the back end emits them, called as a
-//! model calls them: what is changed in place is copied before. The parts of Chapter 6 after their loader.
+//! The generated C as a contender: kernels as the back end emits them, called as a model calls them. Operands that
+//! change are copied first. The parts of Chapter 6 follow their loader.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

@@ -11,11 +11,11 @@ use super::results::{Cell, Results, Size, Table};
 /// A figure, and its bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
-    /// Of what, in words.
+    /// Description of the goal.
     pub what: String,
     /// At most so much.
     pub most: f64,
-    /// What the run has; none if it did not measure it.
+    /// Measured value; none if the run did not measure it.
     pub reached: Option<f64>,
 }
 
@@ -24,7 +24,7 @@ impl Goal {
         Goal { what: what.into(), most, reached }
     }
 
-    /// Whether it was measured, and is no more than it may be.
+    /// Returns true if it was measured and is within its limit.
     pub fn holds(&self) -> bool {
         self.reached.is_some_and(|reached| reached <= self.most)
     }

@@ -1,4 +1,4 @@
-//! Where programs run, and the flags that all of them get.
+//! Machines that run the programs, and the flags of all of them.
 
 /// A machine with flags.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -7,7 +7,7 @@ pub struct Machine {
     pub name: &'static str,
     /// As a table names it.
     pub title: &'static str,
-    /// Whether it is the emulated Cortex-A9.
+    /// True for the emulated Cortex-A9.
     pub target: bool,
     /// For C and C++, the same for all.
     pub flags: &'static [&'static str],
@@ -119,7 +119,7 @@ impl Machine {
     }
 }
 
-/// What makes times comparable: the processor's name does not tell generations apart whose vectors differ.
+/// Returns the processor's name and vector extensions, without which times are not comparable.
 pub fn processor() -> Option<String> {
     let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
     let said = |wanted: &str| {

@@ -105,7 +105,8 @@ impl Reasons {
     }
 }
 
-/// A line for each case above its limit and each missed goal that somebody has to look at, and for each that is listed without need.
+/// Returns a line for each case above its limit and each missed goal without a reason, and for each reason that is not
+/// needed.
 pub fn unsettled(results: &Results, reasons: &Reasons) -> Vec<String> {
     let mut lines = above::unsettled(results, reasons);
     lines.extend(goals::unsettled(results, reasons));

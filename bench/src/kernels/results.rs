@@ -9,11 +9,11 @@ use super::machine::{ALL, Machine};
 
 /// Instructions or times of the cases on one machine.
 pub struct Table {
-    /// Where.
+    /// Machine of the run.
     pub machine: Machine,
-    /// Who, in order; the generated C first.
+    /// Contenders in order; the generated C first.
     pub contenders: Vec<Contender>,
-    /// Of each case, in order of the contenders; none where one has no such case.
+    /// Results of each case, in order of the contenders; none where one has no such case.
     pub rows: Vec<Row>,
     /// Whose times these are; counts are the same on any.
     pub processor: Option<String>,
@@ -21,7 +21,7 @@ pub struct Table {
 
 /// A case.
 pub struct Row {
-    /// Which.
+    /// Case of the row.
     pub case: Case,
     /// One of each contender.
     pub cells: Vec<Option<Cell>>,
@@ -57,7 +57,7 @@ pub struct Results {
     pub small: Vec<Table>,
     /// Sizes of the generated kernels.
     pub sizes: Vec<Size>,
-    /// What was left out, and why.
+    /// Contenders and cases left out, with reasons.
     pub left_out: Vec<String>,
 }
 
@@ -100,8 +100,8 @@ impl Results {
         self.left_out.extend(again.left_out);
     }
 
-    /// As `kernels.json` has it: a table for each machine, with a row for each case; sizes in the order of the machines, so that a later
-    /// run on some of them changes no other's rows.
+    /// Returns the content of `kernels.json`: a table for each machine, a row for each case. Sizes follow the machines,
+    /// so that a later run of some machines leaves other rows unchanged.
     pub fn json(&self, about: &Value) -> Value {
         let tables = |tables: &[Table]| tables.iter().map(Table::json).collect::<Vec<_>>();
         let sizes = ALL.iter().filter_map(|machine| {

@@ -11,7 +11,7 @@ use super::machine::{
 use super::results::{Cell, Results, Row, Size, Table};
 use super::{check, count, generated};
 
-/// How much is measured.
+/// Extent of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
     /// The small sizes.
@@ -82,8 +82,8 @@ pub fn run(plan: &Plan<'_>, say: &dyn Fn(&str)) -> Result<Results, String> {
     Ok(results)
 }
 
-/// How often programs start anew for their times: where a system puts their stacks and data makes up to half of the time of a
-/// small kernel.
+/// Number of restarts of the programs for their times: the placement of stacks and data changes a small kernel's time
+/// by up to half.
 const STARTS: usize = 9;
 
 struct Bench<'a> {

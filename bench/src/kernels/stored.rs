@@ -1,5 +1,5 @@
-//! The results of a run as a file: a line for each row, so that a difference shows which cases changed; and read again, so that
-//! what is written about them can change without another run.
+//! Results of a run as a file with one line per row, so that a difference shows the changed cases. Stored results are
+//! read again to update the text about them without another run.
 
 use serde_json::{Value, json};
 
@@ -42,7 +42,7 @@ fn put(value: &Value, before: &str, text: &mut String) {
 }
 
 impl Results {
-    /// What [`Results::json`] gave; none if this is something else.
+    /// Parses the output of [`Results::json`]; none if it is something else.
     pub fn from_json(json: &Value) -> Option<Results> {
         let tables = |name: &str| json[name].as_array()?.iter().map(table).collect::<Option<_>>();
         let left_out = json["left_out"].as_array()?.iter();

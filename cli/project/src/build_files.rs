@@ -1,5 +1,5 @@
-//! Files for builds of firmware around the C: a library for CMake that carries its flags, a fragment for make, and a program
-//! around each component to begin with.
+//! Build files for firmware around the C. They are a library for CMake with its flags, a fragment for make, and a
+//! sample program for each component.
 //!
 //! Invariant: the same C gives the same files. Each source is named, so that nothing else in the folder is built.
 //!

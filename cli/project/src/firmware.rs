@@ -117,7 +117,7 @@ impl Call<'_> {
     }
 }
 
-/// Whether a value is one number, and no enum or struct.
+/// Returns true if a value is one number, and no enum or struct.
 fn is_number(value: &Value) -> bool {
     let known = ["bool", "float", "double"].contains(&value.ty.as_str());
     value.dimensions.is_empty() && (known || value.ty.contains("int"))

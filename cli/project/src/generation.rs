@@ -154,9 +154,9 @@ pub struct Figure {
     pub limit: Option<Limit>,
     /// The function or the C that the figure is of, in the form that begins a sentence: `` `motor_step` ``.
     pub whose: String,
-    /// How much.
+    /// Amount found.
     pub found: u64,
-    /// Of what: `bytes of stack`.
+    /// Unit of the amount: `bytes of stack`.
     pub what: &'static str,
 }
 

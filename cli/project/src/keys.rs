@@ -64,7 +64,7 @@ impl Form {
         }
     }
 
-    /// The same as a regular expression.
+    /// Returns the values of the key as a regular expression.
     pub fn pattern(self) -> &'static str {
         match self {
             Form::Folder => r"^.*[^./].*$",

@@ -19,7 +19,7 @@ pub struct Row {
     pub name: String,
     /// The C type of an element.
     pub ty: &'static str,
-    /// How many elements there are.
+    /// Number of elements.
     pub count: u32,
     /// Its unit.
     pub unit: Option<String>,
@@ -27,7 +27,7 @@ pub struct Row {
     pub low: f64,
     /// The greatest.
     pub high: f64,
-    /// Where it begins in the struct.
+    /// Offset in the struct.
     pub offset: Bytes,
     /// Bytes of an element.
     pub size: u32,

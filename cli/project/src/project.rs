@@ -1,4 +1,4 @@
-//! Which package is meant, and what its user decided about the C.
+//! Selection of the package, and its user's settings for the C.
 
 use std::path::{Path, PathBuf};
 

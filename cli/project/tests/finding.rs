@@ -1,4 +1,4 @@
-//! Which package and which `bessemer.toml` a user in a folder means.
+//! Selection of the package and its `bessemer.toml` from a user's current folder.
 
 use std::fs;
 

@@ -1,5 +1,5 @@
-//! `cargo bessemer verify`: each entry point called with edge values, with a life of small numbers, and with lives around the
-//! numbers in its own code, on each leg; Rust, interpreter and C have to give the same words.
+//! `cargo bessemer verify`: calls each entry point on each leg and compares the words of Rust, interpreter and C.
+//! Inputs are edge values, sequences of small numbers, and sequences around the constants of the code.
 //!
 //! Invariant: a leg that is missing is named; what was not called is named, and so are lines that no call ran.
 
@@ -40,7 +40,7 @@ const LIFE: usize = 20;
 struct Case {
     id: FunctionId,
     name: String,
-    /// Of the result, the component and what else changes.
+    /// Types of the result, the component and the changed arguments.
     types: Vec<Type>,
     leaves: Vec<Type>,
     /// The words of each argument.
@@ -61,7 +61,8 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     })
 }
 
-/// The same of one entry point, with these inputs: the words of all arguments but the component, for each call of its life.
+/// Verifies one entry point with these inputs: for each call of its sequence, the words of all arguments except the
+/// component.
 ///
 /// # Errors
 /// Errors of the models or the system; [`Error::Words`] if the inputs are not what the entry point takes.
@@ -183,7 +184,7 @@ fn compared(
     Ok((text, all && !cases.is_empty()))
 }
 
-/// Whether C lies there already, and is not this.
+/// Returns true if the folder has other C.
 fn is_stale(output: &Path, compiled: &Compiled) -> bool {
     let differs = |file: &CFile| {
         !std::fs::read(output.join(&file.name)).is_ok_and(|is| is == file.text.as_bytes())
@@ -191,7 +192,7 @@ fn is_stale(output: &Path, compiled: &Compiled) -> bool {
     output.is_dir() && compiled.files.iter().any(differs)
 }
 
-/// What goes in.
+/// Sources of inputs.
 enum Inputs {
     /// Edge values, and a life of small numbers, of each entry point.
     Made { seed: u64 },
@@ -302,8 +303,8 @@ fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
     cases
 }
 
-/// The words of a component before its first call: those that its constructor gives, or else zeros, which C gives to what
-/// it keeps for a program's whole life.
+/// Returns the words of a component before its first call: those of its constructor, or zeros, to which C initialises
+/// static objects.
 fn initial(module: &Module, component: &Type) -> Vec<u64> {
     let built = match component {
         Type::Struct(id) => module.structs[id.index()].initial.clone(),
@@ -483,7 +484,7 @@ struct Differing {
 }
 
 impl Differing {
-    /// What went in, and the first word that came out otherwise.
+    /// Describes the inputs, and the first word of the output that differs.
     fn told(&self, cases: &[Case], outcomes: &[Vec<Outcome>]) -> String {
         let case = &cases[self.case];
         let (expected, got) = (&case.expected[self.call], &outcomes[self.case][self.call]);

@@ -82,7 +82,7 @@ fn call(module: &Module, function: &Function) -> String {
     format!("{loads}if call(|| {path}({})).is_some() {{ {stores}}}", arguments.join(", "))
 }
 
-/// Whether such a program can call it: with a component, and nothing borrowed whose length is open.
+/// Returns true if such a program can call the function: it has a component and no borrowed slice.
 pub fn can_call(function: &Function) -> bool {
     let parameters = function.parameters();
     let slice = parameters.iter().any(|local| matches!(local.ty, Type::Slice(_)));

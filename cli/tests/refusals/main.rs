@@ -1,5 +1,5 @@
-//! A user's mistakes, each through the command itself: it ends with an error and, where one is known, what to do; what was generated
-//! before, and all else, is as it was.
+//! Mistakes of users through the command itself. Each ends with an error and, where known, a remedy; files are
+//! unchanged.
 //!
 //! None of them gets as far as a build, so that a hundred take seconds. What rustc or the compiler says of models is in
 //! `tests/refused/`, `tests/diagnosed/` and `tests/newcomers/`; a full disk, a kill and two runs at once are in `interrupted.rs`.
@@ -17,8 +17,8 @@ use tempfile::TempDir;
 use crate::settings::{NAMES, SETTINGS};
 use crate::workspaces::{CASES, PACKAGE};
 
-/// A file of the workspace: its path and its text; a folder where the path ends with `/`, a link to the text where it
-/// ends with `@`.
+/// A file of the workspace: its path and its text. A path that ends with `/` is a folder; one that ends with `@` is a
+/// link to the text.
 type File = (&'static str, &'static str);
 
 struct Case<'a> {
@@ -26,9 +26,9 @@ struct Case<'a> {
     files: &'a [File],
     /// The words behind `cargo bessemer`.
     words: &'a [&'a str],
-    /// Where the user is.
+    /// Current folder of the user.
     folder: &'a str,
-    /// Whether any program but cargo and rustc is found.
+    /// True if only cargo and rustc are found.
     bare: bool,
     /// The place that it is told at, if it is one.
     place: &'a str,

@@ -50,11 +50,11 @@ pub const S390X_GCC: Program =
     program("s390x-linux-gnu-gcc", &["gcc-s390x-linux-gnu", "libc6-dev-s390x-cross"]);
 /// Runs programs of ARM of 32 bits; with it come the emulators of other processors under Linux.
 pub const QEMU_ARM: Program = program("qemu-arm", &["qemu-user"]);
-/// The same of ARM of 64 bits.
+/// QEMU for user programs of 64-bit ARM.
 pub const QEMU_AARCH64: Program = program("qemu-aarch64", &["qemu-user"]);
-/// The same of RISC-V of 64 bits.
+/// QEMU for user programs of 64-bit RISC-V.
 pub const QEMU_RISCV64: Program = program("qemu-riscv64", &["qemu-user"]);
-/// The same of the big-endian machine.
+/// QEMU for user programs of big-endian s390x.
 pub const QEMU_S390X: Program = program("qemu-s390x", &["qemu-user"]);
 /// Runs whole machines with an ARM.
 pub const QEMU_SYSTEM_ARM: Program = program("qemu-system-arm", &["qemu-system-arm"]);
@@ -84,7 +84,7 @@ pub const ALL: &[Program] = &[
 /// A program that is needed does not run here.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Missing {
-    /// Which.
+    /// The missing program.
     pub program: &'static str,
     /// The line that installs it on Debian, with what it works together with.
     pub install: String,
@@ -98,7 +98,7 @@ impl std::fmt::Display for Missing {
 
 impl std::error::Error for Missing {}
 
-/// Whether programs that work together run here.
+/// Checks that all of these programs run here.
 ///
 /// # Errors
 /// The first that does not.
@@ -113,7 +113,7 @@ pub fn check(programs: &[&'static str]) -> Result<(), Missing> {
 }
 
 impl Program {
-    /// What it says of its version; none if it does not run here.
+    /// Returns its version; none if it does not run here.
     pub fn version(&self) -> Option<String> {
         version(self.name)
     }
@@ -124,7 +124,7 @@ impl Program {
     }
 }
 
-/// What a program says of its version; none if it does not run here.
+/// Returns the version that a program prints; none if it does not run here.
 pub fn version(program: &str) -> Option<String> {
     let output = Command::new(program).arg("--version").stdin(Stdio::null()).output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())

@@ -1,4 +1,4 @@
-//! Where values lie in the interpreter's memory: sizes and offsets in words.
+//! Memory layout of values in the interpreter: sizes and offsets in words.
 //!
 //! Invariants: a value lies in the order of [`Module::leaves`]; a local of mode `Value` lies in its
 //! frame, a reference is one word, the address of what it refers to.
@@ -13,7 +13,7 @@ pub(super) struct Layout {
 
 /// The parts of a struct or a frame.
 pub(super) struct Extent {
-    /// Where each part starts.
+    /// Offset of each part.
     pub offsets: Vec<usize>,
     /// Words in all.
     pub size: usize,

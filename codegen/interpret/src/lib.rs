@@ -54,7 +54,7 @@ pub enum Stop {
     /// An argument is no value of its parameter's type.
     #[error("argument {index}: {problem}")]
     Argument {
-        /// Which one.
+        /// Index of the word.
         index: usize,
         /// The mistake in it.
         problem: WordsError,
@@ -91,7 +91,7 @@ impl<'m> Interpreter<'m> {
         self.ran = Some(BTreeSet::new());
     }
 
-    /// Where the statements stand that ran since [`Interpreter::watch`].
+    /// Returns the spans of the statements executed since [`Interpreter::watch`].
     pub fn ran(&mut self) -> BTreeSet<Span> {
         self.ran.take().unwrap_or_default()
     }

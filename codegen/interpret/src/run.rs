@@ -23,9 +23,9 @@ pub(super) struct Run<'m, 'r> {
     layout: &'r Layout,
     memory: &'r mut Vec<u64>,
     top: usize,
-    /// How many statements may still be executed.
+    /// Number of statements that may still be executed.
     left: u64,
-    /// Where the statements stand that ran, if somebody asks.
+    /// Spans of the executed statements, if they are recorded.
     pub ran: Option<&'r mut BTreeSet<Span>>,
 }
 
@@ -34,10 +34,10 @@ pub(super) struct Run<'m, 'r> {
 struct Frame<'m, 'r> {
     id: FunctionId,
     function: &'m Function,
-    /// Where each local lies, from `base`.
+    /// Offset of each local from `base`.
     offsets: &'r [usize],
     base: usize,
-    /// Where the result goes.
+    /// Address of the result.
     result: usize,
 }
 
@@ -238,7 +238,7 @@ impl<'m, 'r> Run<'m, 'r> {
         Ok(Flow::Next)
     }
 
-    /// Where a place lies; its indices are evaluated and checked in order.
+    /// Returns the address of a place; its indices are evaluated and checked in order.
     fn address(&mut self, frame: Frame<'m, 'r>, place: &'m Place) -> Result<usize, Stop> {
         let local = frame.function.local(place.root);
         let slot = frame.base + frame.offsets[place.root.index()];
@@ -461,7 +461,7 @@ impl<'m, 'r> Run<'m, 'r> {
     }
 }
 
-/// Whether evaluating `expr` certainly writes nothing.
+/// Returns true if evaluating `expr` certainly writes nothing.
 fn is_plain(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Literal(_) | ExprKind::Const(_) => true,

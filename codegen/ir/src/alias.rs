@@ -1,4 +1,4 @@
-//! Whether what a call lends overlaps.
+//! Overlap of the borrows that a call passes.
 //!
 //! Distinct parameters never refer to the same memory (this check, in every caller, sees to that), so
 //! places overlap only under one root. Of one array, two slices do not of which one begins where the other ends, or behind
@@ -45,7 +45,7 @@ pub fn conflicts(arguments: &[Argument]) -> Vec<usize> {
     conflicts
 }
 
-/// What an argument lends, and the next one: of a slice, how many elements.
+/// Place that an argument borrows, and the next argument: the length of a slice.
 struct Lent<'a> {
     place: &'a Place,
     length: Option<&'a Expr>,
@@ -67,7 +67,7 @@ impl<'a> Lent<'a> {
     }
 }
 
-/// Whether two slices of one array have no element in common.
+/// Returns true if two slices of one array have no element in common.
 fn apart(one: &Lent, other: &Lent) -> bool {
     let (Some((base, from, length)), Some((same, other_from, other_length))) =
         (one.slice(), other.slice())
@@ -78,7 +78,7 @@ fn apart(one: &Lent, other: &Lent) -> bool {
         && (ends_before(from, length, other_from) || ends_before(other_from, other_length, from))
 }
 
-/// Whether `from + length` is no more than where another slice begins.
+/// Returns true if `from + length` is no more than the beginning of another slice.
 fn ends_before(from: Option<&Expr>, length: &Expr, begin: Option<&Expr>) -> bool {
     let mut between = Sum::default();
     begin.into_iter().for_each(|it| between.add(it, 1));
@@ -115,7 +115,7 @@ impl<'a> Sum<'a> {
     }
 }
 
-/// Whether two expressions are one as they are written, wherever that is.
+/// Returns true if two expressions are written identically, wherever they are.
 fn alike(one: &Expr, other: &Expr) -> bool {
     match (&one.kind, &other.kind) {
         (ExprKind::Literal(one), ExprKind::Literal(other)) => one == other,

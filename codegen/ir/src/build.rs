@@ -100,12 +100,12 @@ impl Expr {
         Expr { kind, ty, span }
     }
 
-    /// Whether it is a literal, or a named constant.
+    /// Returns true for a literal or a named constant.
     pub fn is_literal(&self) -> bool {
         matches!(self.kind, ExprKind::Literal(_) | ExprKind::Const(_))
     }
 
-    /// The same expression at another place in the source; its operands stay where they are.
+    /// Returns the expression with another span; its operands keep theirs.
     #[must_use]
     pub fn at(self, span: Span) -> Expr {
         Expr { span, ..self }
@@ -151,7 +151,7 @@ impl StmtKind {
         StmtKind::for_way(variable, [from, to], (false, false), body)
     }
 
-    /// The same, `inclusive` of the end or not, and from the last on where it is `reversed`.
+    /// Builds a `for` statement: `inclusive` of the end or not, and from the last on if it is `reversed`.
     pub fn for_way(
         variable: LocalId,
         [from, to]: [Expr; 2],

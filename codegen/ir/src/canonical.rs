@@ -3,8 +3,9 @@
 use crate::ir::{Form, Module, Struct, Type};
 
 impl Module {
-    /// Sets the words of a value of type `ty` that mean nothing (what a [`Choice`](Form::Choice) did not
-    /// choose, what lies behind the end of a [`Sequence`](Form::Sequence)) to zero; gives the words behind.
+    /// Sets the words of a value of type `ty` that mean nothing to zero, and returns the words behind the value. They
+    /// are the fields that a [`Choice`](Form::Choice) did not choose, and those behind the end of a
+    /// [`Sequence`](Form::Sequence).
     pub fn canonical<'w>(&self, ty: &Type, words: &'w mut [u64]) -> &'w mut [u64] {
         match ty {
             Type::Array { element, len } => {

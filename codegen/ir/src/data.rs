@@ -17,7 +17,7 @@ pub struct Struct {
     pub docs: Vec<String>,
     /// Fields, in the author's order.
     pub fields: Vec<Field>,
-    /// Which of them hold a value, and when.
+    /// Fields that hold a value, by condition.
     pub form: Form,
     /// For a component: its initial state as words, in the order of [`Module::leaves`].
     pub initial: Option<Vec<u64>>,
@@ -25,11 +25,11 @@ pub struct Struct {
     pub defaults: Option<Vec<u64>>,
     /// The author's wishes for its C.
     pub given: Given,
-    /// Where its name stands.
+    /// Span of the name.
     pub span: Span,
 }
 
-/// Which fields of a [`Struct`] hold a value.
+/// Rule for the fields of a [`Struct`] that hold a value.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Form {
     /// Each of them.
@@ -42,7 +42,7 @@ pub enum Form {
     Sequence,
     /// Memory that is lent to a call: what its fields hold before it means nothing.
     Lent,
-    /// The same, and no two of its fields are in use at one time; no word says which.
+    /// Fields as above of which at most one is in use at a time; no word says which.
     Shared,
 }
 
@@ -72,7 +72,7 @@ pub struct Enum {
     pub variants: Vec<Variant>,
     /// The author's wishes for its C.
     pub given: Given,
-    /// Where its name stands.
+    /// Span of the name.
     pub span: Span,
 }
 
@@ -97,7 +97,7 @@ impl Struct {
         matches!(self.form, Form::Choice(_)) && tagged && self.fields.len() > 2
     }
 
-    /// Whether a field holds a value where the first is `word`.
+    /// Returns true if a field holds a value when the first word is `word`.
     pub fn holds(&self, field: usize, word: u64) -> bool {
         match &self.form {
             Form::Choice(chosen) if field > 0 => {

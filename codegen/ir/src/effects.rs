@@ -10,13 +10,12 @@ use alloc::vec::Vec;
 use crate::visit::{Access, Visit, Walk, walk_place, walk_stmt};
 use crate::{BinaryOp, Expr, ExprKind, LocalId, Place, Span, Step, Stmt, StmtKind, Type};
 
-/// Whether two places may share memory: they do not where they part at different fields, or at indices that are
-/// different literals.
+/// Returns true if two places may share memory: they do not differ in a field or in a literal index.
 pub fn overlap(a: &Place, b: &Place) -> bool {
     a.root == b.root && !a.steps.iter().zip(&b.steps).any(|(a, b)| parts(a, b))
 }
 
-/// Whether two steps out of one place surely lead to different parts.
+/// Returns true if two steps out of one place surely lead to different parts.
 fn parts(a: &Step, b: &Step) -> bool {
     match (a, b) {
         (Step::Field(a), Step::Field(b)) => a != b,
@@ -28,7 +27,7 @@ fn parts(a: &Step, b: &Step) -> bool {
     }
 }
 
-/// Whether two indices are known to differ.
+/// Returns true if two indices are known to differ.
 fn differ(a: &Expr, b: &Expr) -> bool {
     match (&a.kind, &b.kind) {
         (ExprKind::Literal(word_a), ExprKind::Literal(word_b)) => {
@@ -39,7 +38,7 @@ fn differ(a: &Expr, b: &Expr) -> bool {
     }
 }
 
-/// Whether two places are one as they are written, wherever that is.
+/// Returns true if two places are written identically, wherever they are.
 pub fn same_place(one: &Place, other: &Place) -> bool {
     let steps = || one.steps.iter().zip(&other.steps);
     one.root == other.root
@@ -70,32 +69,32 @@ pub fn whole(local: LocalId) -> Place {
     Place::local(local, Type::Unit, Span::default())
 }
 
-/// Whether a local is read or written.
+/// Returns true if a local is read or written.
 pub fn mentions(node: &(impl Walk + ?Sized), local: LocalId) -> bool {
     node.any_place(|place, _| place.root == local)
 }
 
-/// Whether a local, or a part of it, is written or lent to a call that may write it.
+/// Returns true if a local, or a part of it, is written or borrowed by a call that may write it.
 pub fn writes_local(node: &(impl Walk + ?Sized), local: LocalId) -> bool {
     node.any_place(|place, access| access != Access::Read && place.root == local)
 }
 
-/// Whether an expression calls a function.
+/// Returns true if an expression calls a function.
 pub fn calls(expr: &Expr) -> bool {
     expr.any_expr(|expr| matches!(expr.kind, ExprKind::Call(..)))
 }
 
-/// Whether the value of `expr` may change when `written` are written.
+/// Returns true if the value of `expr` may change when `written` are written.
 pub fn reads(expr: &Expr, written: &[Place]) -> bool {
     expr.any_place(|place, _| written.iter().any(|written| overlap(place, written)))
 }
 
-/// Whether an expression reads a place, or lends it.
+/// Returns true if an expression reads or borrows a place.
 pub fn reads_place(expr: &Expr, place: &Place) -> bool {
     expr.any_place(|read, _| overlap(read, place))
 }
 
-/// Whether `place` may become another place when `written` are written.
+/// Returns true if `place` may become another place when `written` are written.
 pub fn moves(place: &Place, written: &[Place]) -> bool {
     place.any_place(|place, _| written.iter().any(|written| overlap(place, written)))
 }
@@ -144,12 +143,13 @@ pub fn lent_by_step(step: &Step) -> Vec<Place> {
     step.indices().flat_map(lent).collect()
 }
 
-/// Whether a statement gives a place its own value.
+/// Returns true if a statement assigns a place its own value.
 fn is_idle(stmt: &Stmt) -> bool {
     matches!(&stmt.kind, StmtKind::Assign { place, value } if is_own(value, place))
 }
 
-/// Whether an assignment of `value` leaves `place` as it is: `x = x`, `x = x | x`, or `x = x as u8` of a `u8`.
+/// Returns true if an assignment of `value` leaves `place` unchanged. Examples: `x = x`, `x = x | x`, or `x = x as u8`
+/// of a `u8`.
 pub fn is_own(value: &Expr, place: &Place) -> bool {
     match &value.kind {
         ExprKind::Load(from) => same_place(from, place),

@@ -18,7 +18,7 @@ impl Enum {
         Some((numbers.clone().min()?, numbers.max()?))
     }
 
-    /// Whether the author numbered the variants otherwise than from 0 upwards.
+    /// Returns true if the author's numbers of the variants differ from 0, 1, 2 …
     pub fn is_numbered(&self) -> bool {
         (0..).zip(&self.variants).any(|(index, variant)| variant.value != index)
     }

@@ -47,7 +47,8 @@ handles! {
     LocalId,
 }
 
-/// Where a node stands in the author's source. Lines and columns count from 1; line 0: nowhere.
+/// Position of a node in the author's source. Lines and columns count from 1; line 0 means no position. Lines and
+/// columns count from 1; line 0: nowhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
     /// Index into [`Module::files`].
@@ -65,7 +66,7 @@ pub struct Module {
     pub name: String,
     /// Source files, relative to the workspace, with forward slashes.
     pub files: Vec<String>,
-    /// What the author says of a source file, as of a module: by its path, a line each.
+    /// Module comments of each source file, by its path, one entry per line.
     pub about: BTreeMap<String, Vec<String>>,
     /// Structs; fields refer to earlier ones.
     pub structs: Vec<Struct>,
@@ -95,7 +96,7 @@ pub struct Const {
     pub docs: Vec<String>,
     /// The author's wishes for its C.
     pub given: Given,
-    /// Where its name stands, if the DSL sees it.
+    /// Span of the name, if the DSL sees it.
     pub span: Span,
 }
 
@@ -117,7 +118,7 @@ pub enum Type {
     Array {
         /// The type of each element.
         element: Box<Type>,
-        /// How many.
+        /// Number of elements.
         len: u32,
     },
     /// nalgebra's `SMatrix<element, rows, cols>`; a vector has one column. Stored by columns.
@@ -155,7 +156,7 @@ pub struct Function {
     pub docs: Vec<String>,
     /// Every local; the first [`Function::params`] of them are the parameters.
     pub locals: Vec<Local>,
-    /// How many of the locals are parameters.
+    /// Number of locals that are parameters.
     pub params: u32,
     /// The type of the result; never a reference.
     pub result: Type,
@@ -165,7 +166,7 @@ pub struct Function {
     pub body: Block,
     /// For a function without a body of its own: what it computes (see [`Kernel::function`]).
     pub kernel: Option<Kernel>,
-    /// Where its name stands.
+    /// Span of the name.
     pub span: Span,
 }
 
@@ -203,13 +204,13 @@ pub struct Local {
     pub name: String,
     /// The type of the value, of the pointee for a reference.
     pub ty: Type,
-    /// How it is held.
+    /// Passing mode of the local.
     pub mode: Mode,
-    /// Where it is declared.
+    /// Span of the declaration.
     pub span: Span,
 }
 
-/// How a local is held.
+/// Passing mode of a local.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// A parameter by value (the callee's own copy), or a variable.
@@ -229,7 +230,7 @@ pub struct Block(pub Vec<Stmt>);
 pub struct Stmt {
     /// Its kind.
     pub kind: StmtKind,
-    /// Where it starts.
+    /// Span of the start.
     pub span: Span,
     /// The author's `//` comment lines right above it, without the slashes.
     pub comments: Vec<String>,
@@ -247,9 +248,9 @@ pub enum StmtKind {
     },
     /// Writes `value` to `place`: the value is evaluated first, then the indices of the place.
     Assign {
-        /// Where to.
+        /// Place that is written.
         place: Place,
-        /// What.
+        /// Value that is written.
         value: Expr,
     },
     /// Calls for effect, or any expression whose value is not wanted.
@@ -280,15 +281,15 @@ pub enum StmtKind {
         from: Expr,
         /// The last value, plus one unless `inclusive`.
         to: Expr,
-        /// Whether `to` itself is run.
+        /// True if the end itself is included.
         inclusive: bool,
         /// Counts down from the last to the first (`.rev()`).
         reversed: bool,
-        /// How many passes its author asks compilers to write out at once; 1: to keep the loop.
+        /// Number of passes that compilers are asked to unroll; 1 keeps the loop.
         unroll: Option<u32>,
-        /// Its body ends it within the range by itself, so that nothing has to count: a `while` of its
-        /// author's whose passes are bounded by what it counts. Its first pass begins even if the range is
-        /// empty, and comes to the condition.
+        /// True if the body itself ends the loop within the range, so that no counter is needed. An example is a
+        /// `while` of the author's whose passes are bounded by what it counts. The first pass begins even if the range
+        /// is empty, and evaluates the condition.
         ended: bool,
         /// The body.
         body: Block,
@@ -352,7 +353,7 @@ pub struct Expr {
     pub kind: ExprKind,
     /// The type of its value.
     pub ty: Type,
-    /// Where it stands.
+    /// Span of the expression.
     pub span: Span,
 }
 
@@ -402,7 +403,7 @@ pub enum Argument {
     RefMut(Place),
 }
 
-/// Where a value is held: a local, then steps into it.
+/// Place that holds a value: a local, followed by steps into it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
     /// A parameter or variable.
@@ -411,7 +412,7 @@ pub struct Place {
     pub steps: Vec<Step>,
     /// The type of what is there.
     pub ty: Type,
-    /// Where it stands.
+    /// Span of the place.
     pub span: Span,
 }
 
@@ -424,8 +425,8 @@ pub enum Step {
     Index(Expr),
     /// An element of a matrix by row and column, each checked.
     Element(Expr, Expr),
-    /// The elements of an array (of a matrix: by columns) or a slice from an index on, checked; the last
-    /// step of what is passed as a slice.
+    /// The elements of an array or a slice from an index on, checked (of a matrix by columns). It is the last step of a
+    /// slice argument.
     From(Expr),
 }
 
@@ -439,17 +440,17 @@ impl Type {
     /// `usize`.
     pub const USIZE: Type = Type::Scalar(Scalar::Int(Int::Usize));
 
-    /// Whether a value is one word: a scalar or an enum.
+    /// Returns true if a value is one word: a scalar or an enum.
     pub fn is_word(&self) -> bool {
         matches!(self, Type::Scalar(_) | Type::Enum(_))
     }
 
-    /// Whether values have parts: arrays, matrices, structs, slices.
+    /// Returns true if values have parts: arrays, matrices, structs, slices.
     pub fn is_aggregate(&self) -> bool {
         matches!(self, Type::Array { .. } | Type::Matrix { .. } | Type::Struct(_) | Type::Slice(_))
     }
 
-    /// Whether C writes it as an array, which is its own address.
+    /// Returns true if the type is an array in C, which is its own address.
     pub fn is_array(&self) -> bool {
         matches!(self, Type::Array { .. } | Type::Matrix { .. } | Type::Slice(_))
     }
@@ -472,7 +473,7 @@ impl Type {
 }
 
 impl Module {
-    /// How many words a value of type `ty` travels as: the number of its [`leaves`](Self::leaves).
+    /// Returns the number of words of a value of type `ty`: the number of its [`leaves`](Self::leaves).
     pub fn width(&self, ty: &Type) -> usize {
         match ty {
             Type::Unit | Type::Slice(_) => 0,
@@ -486,8 +487,8 @@ impl Module {
         }
     }
 
-    /// The one-word types that a value of type `ty` is made of, in the order in which its words
-    /// travel: fields in order, elements in order, matrices by columns.
+    /// Returns the one-word types of which a value of type `ty` consists, in the order of its words. Fields and
+    /// elements are in order, matrices by columns.
     pub fn leaves(&self, ty: &Type) -> Vec<Type> {
         match ty {
             Type::Unit | Type::Slice(_) => Vec::new(),

@@ -64,8 +64,8 @@ impl Kernel {
         format!("{}_{}_{shape}", self.routine.name(), Scalar::Float(self.element).name())
     }
 
-    /// Whether it is a function of its own; else it is written out where it stands, as is a column times
-    /// a row, which may be part of a loop over elements.
+    /// Returns true if it is a function of its own. Otherwise it is expanded at its call, as a column times a row is,
+    /// which may be part of a loop over elements.
     pub fn is_function(&self) -> bool {
         let multiplications: u64 = self.dims.iter().map(|dim| u64::from(*dim)).product();
         match (self.routine, self.dims.as_slice()) {
@@ -103,7 +103,7 @@ impl Kernel {
         }
     }
 
-    /// The same for matrices that lie in memory otherwise than by columns: it takes arrays of their elements.
+    /// Returns the kernel for matrices that are not stored by columns: it takes arrays of their elements.
     pub fn flat_function(&self) -> Function {
         let mut function = self.function();
         function.result = flat(&function.result);
@@ -265,8 +265,8 @@ impl Kernel {
 /// Six products of three elements, each with its sign.
 pub type Products = [(i8, [usize; 3]); 6];
 
-/// The sixteen cofactors of a 4×4 matrix by columns, transposed: the element of the inverse that each
-/// makes, and its six products in the order in which nalgebra sums them, each with its sign.
+/// The sixteen cofactors of a 4×4 matrix by columns, transposed. Each has its element of the inverse and its six
+/// products with signs, in the order in which nalgebra sums them.
 ///
 /// The determinant is the sum of the elements 0 to 3 of the matrix times the first four of these.
 pub const COFACTORS: [(usize, Products); 16] = {

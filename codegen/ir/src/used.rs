@@ -1,4 +1,4 @@
-//! How often each rule of the proofs decided something, for whoever asks what programs have reached.
+//! Counters of the proofs' rules, which show the coverage of programs.
 //!
 //! Counters of the process. Nothing that decides reads them.
 
@@ -53,7 +53,7 @@ impl Rule {
         COUNTS[self as usize].fetch_add(1, Ordering::Relaxed);
     }
 
-    /// The same if it did.
+    /// Counts the rule if it decided, and returns the argument.
     pub fn told(self, decided: bool) -> bool {
         if decided {
             self.used();

@@ -169,7 +169,7 @@ impl Stmt {
         pair.into_iter().flatten().chain(arms.iter().map(|arm| &arm.body)).chain(otherwise)
     }
 
-    /// Whether this holds of it, or of a statement in its branches.
+    /// Returns true if the test is true of the statement, or of one in its branches.
     pub fn any_branch(&self, test: &impl Fn(&StmtKind) -> bool) -> bool {
         let any = |block: &Block| block.0.iter().any(|stmt| stmt.any_branch(test));
         test(&self.kind) || self.branches().any(any)
@@ -187,7 +187,7 @@ impl Step {
         first.into_iter().chain(second)
     }
 
-    /// The same, to change them.
+    /// Returns the indices, mutably.
     pub fn indices_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         let (first, second) = match self {
             Step::Field(_) => (None, None),
@@ -220,21 +220,21 @@ pub trait Walk {
         self.walk(&mut Places(see));
     }
 
-    /// Whether this holds of a statement.
+    /// Returns true if the test is true of any statement.
     fn any_stmt(&self, mut test: impl FnMut(&Stmt) -> bool) -> bool {
         let mut found = false;
         self.each_stmt(|stmt| found = found || test(stmt));
         found
     }
 
-    /// Whether this holds of an expression.
+    /// Returns true if the test is true of any expression.
     fn any_expr(&self, mut test: impl FnMut(&Expr) -> bool) -> bool {
         let mut found = false;
         self.each_expr(|expr| found = found || test(expr));
         found
     }
 
-    /// Whether this holds of a place.
+    /// Returns true if the test is true of any place.
     fn any_place(&self, mut test: impl FnMut(&Place, Access) -> bool) -> bool {
         let mut found = false;
         self.each_place(|place, access| found = found || test(place, access));

@@ -1,4 +1,4 @@
-//! Whether words are values of a type: the form in which values cross every border.
+//! Validity of words as values of a type: values cross every border in this form.
 //!
 //! Absent: allocation. A value is checked where it lies, so that the interpreter can check what it is
 //! given at every call.
@@ -19,7 +19,7 @@ pub enum WordsError {
     },
     /// One of them is no value of its leaf's type.
     Value {
-        /// Which one.
+        /// Index of the word.
         index: usize,
         /// The word.
         word: u64,
@@ -41,7 +41,7 @@ impl fmt::Display for WordsError {
     }
 }
 
-/// Whether `word` is a value of `ty`, a scalar or an enum.
+/// Returns true if `word` is a value of `ty`, a scalar or an enum.
 pub fn word_fits(module: &Module, ty: &Type, word: u64) -> bool {
     match ty {
         Type::Scalar(Scalar::Bool) => word <= 1,
@@ -57,7 +57,7 @@ pub fn word_fits(module: &Module, ty: &Type, word: u64) -> bool {
     }
 }
 
-/// Whether `words` are a value of `ty`, a type that the validation accepts.
+/// Checks that `words` are a value of `ty`, a type that the validation accepts.
 pub fn words_fit(module: &Module, ty: &Type, words: &[u64]) -> Result<(), WordsError> {
     let expected = words_in(module, ty);
     if words.len() != expected {
@@ -69,7 +69,7 @@ pub fn words_fit(module: &Module, ty: &Type, words: &[u64]) -> Result<(), WordsE
     }
 }
 
-/// How many words a value of `ty` takes.
+/// Returns the number of words of a value of `ty`.
 pub fn words_in(module: &Module, ty: &Type) -> usize {
     match ty {
         Type::Unit | Type::Slice(_) => 0,

@@ -25,10 +25,10 @@ pub enum Error {
         /// The first such file.
         file: String,
     },
-    /// Where the folder should be is a file.
+    /// The output folder is a file.
     #[error("`{path}` is a file, not a folder")]
     NotAFolder {
-        /// Where.
+        /// Path of the file.
         path: PathBuf,
     },
     /// The folder holds the C of another package.
@@ -42,7 +42,7 @@ pub enum Error {
     /// There is no workspace, or cargo cannot read it.
     #[error("`{folder}`: {said}")]
     Workspace {
-        /// Where it was looked for.
+        /// Folder of the search.
         folder: PathBuf,
         /// cargo's message.
         said: String,
@@ -58,19 +58,19 @@ pub enum Error {
     /// The package has no library.
     #[error("the package `{package}` has no library")]
     NoLibrary {
-        /// Which.
+        /// Name of the package.
         package: String,
     },
     /// No Rust can be linked with the package's library.
     #[error("nothing can be linked with the library of `{package}`")]
     NotLinked {
-        /// Which.
+        /// Name of the package.
         package: String,
     },
     /// The package does not name the DSL among its dependencies.
     #[error("the package `{package}` does not depend on `bessemer`")]
     NotOfTheDsl {
-        /// Which.
+        /// Name of the package.
         package: String,
     },
     /// Members of one workspace ask for different mathematics of `f32`.
@@ -86,13 +86,13 @@ pub enum Error {
     /// The package has no licence to write into the C.
     #[error("the package `{package}` names no licence, which stands in each file of the C")]
     NoLicense {
-        /// Which.
+        /// Name of the package.
         package: String,
     },
     /// The licence is no line of a comment of C.
     #[error("the licence of the package `{package}` cannot stand in a comment of C: {license:?}")]
     License {
-        /// Which.
+        /// Name of the package.
         package: String,
         /// As it is written.
         license: String,
@@ -100,13 +100,13 @@ pub enum Error {
     /// Nothing in the package is marked.
     #[error("nothing in the package `{package}` is marked for C")]
     NoModels {
-        /// Which.
+        /// Name of the package.
         package: String,
     },
     /// A program could not be run.
     #[error("cannot run `{program}`: {source}")]
     Run {
-        /// Which.
+        /// Name of the program.
         program: String,
         /// Why.
         source: std::io::Error,
@@ -122,7 +122,7 @@ pub enum Error {
     /// A file could not be read or written.
     #[error("`{path}`: {source}")]
     File {
-        /// Which.
+        /// Path of the file.
         path: PathBuf,
         /// Why.
         source: std::io::Error,

@@ -57,7 +57,7 @@ pub fn generate(job: &Job) -> Result<Summary, Error> {
     Ok(Summary { compiled, changed, remarks })
 }
 
-/// Whether the job's folder may be replaced, as far as what is in it tells: to know before a build of a minute.
+/// Checks before a long build that the job's folder may be replaced, judging by its contents.
 ///
 /// # Errors
 /// [`Error::Foreign`], [`Error::Other`], [`Error::NotAFolder`] or [`Error::File`].

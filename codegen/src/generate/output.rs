@@ -66,8 +66,8 @@ fn diff(name: &str, old: Option<&String>, new: Option<&String>, colour: bool, ou
     }
 }
 
-/// Whether the folder could be replaced by the C of `package`, as far as what is in it tells, and whether there is a place for
-/// its stage.
+/// Checks that the folder could be replaced by the C of `package`, judging by its contents, and that the staging folder
+/// can be created.
 pub(super) fn ready(folder: &Path, package: &str) -> Result<(), Error> {
     let folder = &followed(folder);
     let present = read(folder)?;

@@ -21,7 +21,7 @@ use bessemer_frontend::source::Sources;
 /// The lock that is held while something is built: the build must still be there when it is linked.
 const BUILDS: &str = ".bessemer-lock";
 
-/// How often what was built may turn out to be another workspace's.
+/// Number of attempts when a build turns out to be another workspace's.
 const TRIES: usize = 10;
 
 /// A package as its author wrote it.
@@ -82,8 +82,8 @@ pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Resul
     Err(failed(why))
 }
 
-/// A panic of the author's Rust that runs when the C is written, told at its line: `thread 'main' panicked at src/pid.rs:3:9:`,
-/// and what it says below.
+/// Returns a diagnostic for a panic of the author's Rust at generation, at its line: `thread 'main' panicked at
+/// src/pid.rs:3:9:`, with the message below it.
 fn panicked(error: &str, sources: &Sources) -> Option<Diagnostic> {
     let (_, at) = error.split_once(" panicked at ")?;
     let (place, said) = at.split_once(":\n")?;

@@ -39,13 +39,13 @@ struct Artifact {
     source: PathBuf,
     /// The library, if other Rust can be linked with it.
     library: Option<PathBuf>,
-    /// Whether cargo found it built already.
+    /// True if cargo found it already built.
     found: bool,
 }
 
 /// The output of the program.
 pub(super) struct Printed {
-    /// Whether it came to its end.
+    /// True if it succeeded.
     pub success: bool,
     /// The tree.
     pub tree: String,
@@ -53,7 +53,8 @@ pub(super) struct Printed {
     pub error: String,
     /// The first source files of the crates that were compiled in another workspace instead.
     pub strangers: Vec<PathBuf>,
-    /// That of the package's library, if nothing in it is marked: it does not say where it was compiled.
+    /// Source of the package's library if nothing in it is marked: such a library does not report where it was
+    /// compiled.
     pub silent: Option<PathBuf>,
 }
 
@@ -63,8 +64,8 @@ impl Built {
         Built { artifacts: messages.iter().filter_map(Artifact::of).collect() }
     }
 
-    /// The first source files of the libraries that cargo found built already, of packages that lie in the folder `root`: whether
-    /// they were built from these sources, or from another workspace's, does not show.
+    /// Returns the first source files of the libraries in the folder `root` that cargo found already built. It is
+    /// unknown whether they were built from these sources or from another workspace's.
     pub fn found_in(&self, root: &Path) -> Vec<PathBuf> {
         let real = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let root = real(root);
@@ -120,7 +121,7 @@ impl Built {
 }
 
 impl Program {
-    /// Where it is.
+    /// Returns the path.
     pub fn path(&self) -> PathBuf {
         self.folder.path().join("program")
     }
@@ -179,7 +180,7 @@ impl Artifact {
     }
 }
 
-/// Whether two paths lead to one folder.
+/// Returns true if two paths lead to one folder.
 fn is_same(one: &Path, other: &Path) -> bool {
     let real = |path: &Path| path.canonicalize().ok();
     one == other || real(one).is_some_and(|one| real(other) == Some(one))

@@ -101,8 +101,8 @@ fn externals(compiled: &Compiled) -> String {
     )
 }
 
-/// The checks that are left in each entry point and in each function that it calls: the author's line, the
-/// fault, and why it could not be ruled out; below them the lines that compute in double or in 64 bits.
+/// Lists the checks that are left in each entry point and its callees: the author's line, the fault, and the reason.
+/// Lines that compute in double or in 64 bits follow.
 pub fn explanation(compiled: &Compiled) -> String {
     let mut text = String::new();
     let functions = &compiled.module.functions;

@@ -21,7 +21,7 @@ const SINGLE: &str = "single";
 pub struct Workspace {
     /// Its root.
     pub root: PathBuf,
-    /// Where cargo builds.
+    /// Target folder of cargo.
     pub target: PathBuf,
     /// Its packages.
     pub members: Vec<Member>,
@@ -38,11 +38,11 @@ pub struct Member {
     pub license: Option<String>,
     /// The name of its library in Rust, if it has one.
     pub library: Option<String>,
-    /// Whether other Rust can be linked with that library.
+    /// True if other Rust can be linked with that library.
     pub linked: bool,
-    /// Whether it is written in the DSL, as far as its dependencies tell.
+    /// True if it is written in the DSL, judging by its dependencies.
     pub uses_dsl: bool,
-    /// Whether it asks the DSL for functions of `f32` that compute in `f32` alone.
+    /// True if it requests functions of `f32` that compute in `f32` only.
     pub single: bool,
 }
 
@@ -72,8 +72,8 @@ impl Workspace {
         Ok(Workspace { root, target, members: packages.filter_map(Member::of).collect() })
     }
 
-    /// The member of this name, unless another one would change its bits: cargo builds the DSL once for all that it builds
-    /// together, with the features that any of them asks for.
+    /// Returns the member of this name, unless another member would change its bits. Cargo builds the DSL once for all
+    /// members, with the features that any of them requests.
     ///
     /// # Errors
     /// [`Error::NoPackage`] if there is none; [`Error::Singles`] if the members do not compute their `f32` alike.
@@ -99,7 +99,7 @@ impl Workspace {
         locked.map_err(|source| Error::File { path, source })
     }
 
-    /// Whether other workspaces may build into the target folder, which lies outside of this one.
+    /// Returns true if other workspaces may build into the target folder, which is outside of this one.
     pub(super) fn may_share(&self) -> bool {
         let real = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
         !real(&self.target).starts_with(real(&self.root))
@@ -157,8 +157,8 @@ impl Member {
     }
 }
 
-/// The cargo that runs this, or the one on the path, without what `cargo run` sets for its caller: that would describe
-/// the wrong package to it, and make it rebuild.
+/// Returns the running cargo, or the one on the path, without the variables that `cargo run` sets for its caller. They
+/// describe another package and would cause rebuilds.
 pub(super) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(program());
     command.args(arguments);

@@ -21,18 +21,17 @@ pub struct Given {
     pub range: Option<Range>,
     /// The section of the object file in which it stands.
     pub section: Option<String>,
-    /// Of a constant: whether it is `pub`.
+    /// True if a constant is `pub`.
     pub public: bool,
-    /// Of a constant: whether its author writes it in base sixteen.
+    /// True if the author writes a constant in hexadecimal.
     pub hexadecimal: bool,
-    /// Of a constant, and of a field where its type's `Default` is written out: how its author computes it, where that is more
-    /// than its value.
+    /// Expression of a constant, or of a field in a `Default`, if it is more than a literal.
     pub expression: Option<String>,
-    /// Of a field, a parameter or a result: the constants by which the author says how many elements it has, from the
-    /// outside in, rows before columns; empty where there is a number. In the tree their names, in the IR with their modules
-    /// before them.
+    /// Constants by which the author writes the lengths of a field, a parameter or a result. They are ordered from the
+    /// outside in, rows before columns; a length that is a number has none. In the tree they are names, in the IR
+    /// paths.
     pub sizes: Vec<String>,
-    /// Where the name stands, in the file of the item; without a name, the range.
+    /// Site of the name in the item's file; without a name, the range.
     pub site: Site,
 }
 
@@ -70,7 +69,7 @@ pub struct Attributes {
     pub name: Option<String>,
     /// The section of the object file in which it stands.
     pub section: Option<String>,
-    /// Whether compilers may put it where it is called.
+    /// Inlining that compilers may do.
     pub inlining: Inlining,
     /// An entry point that leaves everything as it was if it faults.
     pub atomic: bool,
@@ -94,7 +93,7 @@ impl Attributes {
     }
 }
 
-/// Whether compilers may put a function where it is called.
+/// Inlining of a function by compilers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Inlining {
     /// As they like.

@@ -10,7 +10,7 @@ impl Expr {
         Expr { kind, site, slot: None }
     }
 
-    /// What a name means.
+    /// Builds the expression of a name.
     pub fn local(name: &str, site: Site) -> Expr {
         Expr::plain(ExprKind::Local(name.into()), site)
     }

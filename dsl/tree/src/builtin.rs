@@ -42,7 +42,7 @@ builtins! {
         Matrix(MatrixMethod),
         /// A routine of linear algebra that is a function of its own.
         Kernel(KernelRoutine),
-        /// What rotations and poses need no function for.
+        /// Methods of rotations and poses that need no function.
         Spatial(SpatialMethod),
         /// A struct of the library from its parts, in the order of the arguments.
         Parts(Parts),
@@ -65,7 +65,7 @@ builtins! {
         WrappingShl, WrappingShr, RotateLeft, RotateRight,
     }
 
-    /// Which byte of a number stands first.
+    /// Order of the bytes of a number.
     ByteOrder {
         /// The least significant.
         Little,
@@ -85,7 +85,7 @@ builtins! {
         /// The unit vector along an axis.
         Axis(u32),
         Rows, Cols,
-        /// How many elements there are.
+        /// Number of elements.
         Elements,
         /// The vector of these components; as many as the second says.
         Swizzle([u8; 3], u8),
@@ -93,22 +93,22 @@ builtins! {
         Part(MatrixPart),
     }
 
-    /// Which index says where a part of a matrix begins.
+    /// Index at which a part of a matrix begins.
     MatrixPart {
-        /// That of its first row: it has all columns.
+        /// Index of the first row: the part has all columns.
         Rows,
-        /// That of its first column.
+        /// Index of the first column.
         Columns,
         /// Both.
         Block,
     }
 
-    /// What rotations and poses need no function for.
+    /// Methods of rotations and poses that need no function.
     SpatialMethod {
         /// A method of nalgebra's that asks the platform for its sine, cosine or root: it is refused.
         PlatformAngles,
         QuaternionIdentity, QuaternionCoords,
-        /// The same parts in another struct, or the same struct.
+        /// Conversion to another struct with equal parts, or to the struct itself.
         SameParts,
         /// A matrix by another, transposed.
         TimesTransposed,
@@ -156,7 +156,7 @@ builtins! {
         Together(Together),
     }
 
-    /// What becomes of numbers or matrices together.
+    /// Combination of numbers or matrices.
     Together { Sum, Product, Tried, }
 }
 

@@ -21,7 +21,7 @@ pub struct Alias {
     pub docs: Vec<String>,
     /// The source file, as rustc names it.
     pub file: String,
-    /// Where the name stands.
+    /// Site of the name.
     pub site: Site,
     /// The author's wishes for its C.
     #[serde(default)]
@@ -39,11 +39,11 @@ pub struct Table {
     pub docs: Vec<String>,
     /// The source file, as rustc names it.
     pub file: String,
-    /// Where the name stands.
+    /// Site of the name.
     pub site: Site,
     /// Its type and its value.
     pub value: Constant,
-    /// Whether other modules may read it.
+    /// True if other modules may read it.
     pub public: bool,
     /// The author's wishes for its C.
     pub given: Given,
@@ -64,20 +64,20 @@ pub struct Definition {
     pub docs: Vec<String>,
     /// The source file, as rustc names it.
     pub file: String,
-    /// Where its name stands.
+    /// Site of the name.
     pub site: Site,
-    /// Whether it derives `PartialEq`, so that `==` compares part by part.
+    /// True if it derives `PartialEq`, so that `==` compares part by part.
     pub equal: bool,
-    /// Whether it derives `PartialOrd`, so that `<` compares the variants of an enum, the parts of a struct.
+    /// True if it derives `PartialOrd`, so that `<` compares the variants of an enum, the parts of a struct.
     #[serde(default)]
     pub ordered: bool,
-    /// Whether it derives `Copy`.
+    /// True if it derives `Copy`.
     #[serde(default)]
     pub copied: bool,
     /// The author's wishes for its C.
     #[serde(default)]
     pub given: Given,
-    /// Which of the two.
+    /// Kind of the definition: struct or enum.
     pub kind: DefinitionKind,
 }
 

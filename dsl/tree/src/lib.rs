@@ -39,8 +39,8 @@ pub use data::*;
 pub use package::*;
 pub use way::*;
 
-/// Reads a part of the tree that was written as JSON, which nests as deep as the author's expressions: the caller runs on a
-/// stack that is large enough.
+/// Reads a part of the tree from JSON, which nests as deep as the author's expressions. The caller provides a large
+/// stack.
 ///
 /// # Errors
 /// Anything that is no such part.
@@ -111,7 +111,7 @@ pub struct Function {
     pub interface: Option<String>,
     /// The suffix that tells it from other functions of its name and owner.
     pub suffix: Vec<Argument>,
-    /// Whether it stands in the body of another, whose name its own has as a part.
+    /// True if it is declared in the body of another, whose name is a part of its own.
     #[serde(default)]
     pub inner: bool,
     /// The author's text.
@@ -150,7 +150,7 @@ pub struct Constant {
 pub struct FunctionTree {
     /// The author's name.
     pub name: String,
-    /// Where the name stands.
+    /// Site of the name.
     pub site: Site,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
@@ -206,15 +206,15 @@ pub struct Param {
     pub name: String,
     /// Its type.
     pub slot: u32,
-    /// Where it stands.
+    /// Site of the parameter.
     pub site: Site,
-    /// Whether it takes a closure: then the slot says nothing.
+    /// True if it takes a closure: then the slot has no information.
     #[serde(default)]
     pub closure: bool,
-    /// Whether it takes an iterator: then it is a closure that hands each item to [`EACH`].
+    /// True if it takes an iterator: it is then a closure that passes each item to [`EACH`].
     #[serde(default)]
     pub items: bool,
-    /// Whether its author may assign it.
+    /// True if its author may assign it.
     #[serde(default)]
     pub mutable: bool,
 }
@@ -239,9 +239,9 @@ pub enum Stmt {
         slot: u32,
         /// Its first value.
         value: Option<Expr>,
-        /// Where the statement starts.
+        /// Site of the start of the statement.
         site: Site,
-        /// Whether its author may assign it.
+        /// True if its author may assign it.
         #[serde(default)]
         mutable: bool,
     },
@@ -253,7 +253,7 @@ pub enum Stmt {
         value: Expr,
         /// `else`: what is done if the pattern does not take the value; it never comes to its end.
         otherwise: Option<Block>,
-        /// Where the statement starts.
+        /// Site of the start of the statement.
         site: Site,
     },
     /// An expression for its effect.
@@ -265,14 +265,14 @@ pub enum Stmt {
 pub struct Expr {
     /// Its kind.
     pub kind: ExprKind,
-    /// Where it stands.
+    /// Site of the expression.
     pub site: Site,
     /// The slot that holds its type, where rustc had something to decide.
     pub slot: Option<u32>,
 }
 
 impl Expr {
-    /// Whether a number stands there whose type does not.
+    /// Returns true if it is a number without a type suffix.
     pub fn is_unsuffixed(&self) -> bool {
         match &self.kind {
             ExprKind::Int(_, suffix) | ExprKind::Float(_, suffix) => suffix.is_none(),
@@ -350,9 +350,9 @@ pub enum ExprKind {
         label: Option<String>,
         /// The part that is taken from each item.
         pattern: Box<Pattern>,
-        /// What it goes through.
+        /// Sequence that it iterates over.
         source: Box<Source>,
-        /// Of an iterator of the author's own, how many passes there may be: a literal, or a constant.
+        /// Largest number of passes of the author's own iterator: a literal or a constant.
         bound: Option<Box<Expr>>,
         /// The body.
         body: Block,
@@ -372,7 +372,8 @@ pub enum ExprKind {
         label: Option<String>,
         /// The condition for another pass.
         condition: Option<Box<Expr>>,
-        /// How many passes there may be: a literal, or a constant. Without one it has to show.
+        /// Largest number of passes: a literal or a constant. Without one it must be evident. Without one it has to
+        /// show.
         bound: Option<Box<Expr>>,
         /// The body.
         body: Block,
@@ -405,13 +406,13 @@ pub enum Start {
 /// An arm of a `match`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Arm {
-    /// Which values it takes.
+    /// Values that it matches.
     pub pattern: Pattern,
     /// A further condition.
     pub guard: Option<Expr>,
     /// Its value.
     pub body: Expr,
-    /// Where its pattern stands.
+    /// Site of its pattern.
     pub site: Site,
 }
 
@@ -432,8 +433,8 @@ pub const NO_SLOT: u32 = u32::MAX;
 /// The variant that `?` goes on with, in a pattern: `Some`, or `Ok`.
 pub const GOES_ON: &str = "?";
 
-/// The parameter of a function that gives an iterator, and of what stands for an iterator that is an argument: the closure
-/// that it hands each item to.
+/// Name of the parameter of a function that returns an iterator, and of an iterator argument: the closure to which it
+/// passes each item.
 pub const EACH: &str = "__each";
 
 /// The method of a type that gives an iterator of what it holds, `set.iter()`: the macro leaves it to whom it stands before.
@@ -458,7 +459,7 @@ pub enum Pattern {
         name: String,
         /// Its type.
         slot: u32,
-        /// Whether it may be assigned.
+        /// True if it may be assigned.
         mutable: bool,
         /// The pattern behind `@`, if there is one.
         inner: Option<Box<Pattern>>,
@@ -471,7 +472,7 @@ pub enum Pattern {
         from: Option<Expr>,
         /// The last value, plus one unless `inclusive`.
         to: Option<Expr>,
-        /// Whether `to` itself is taken.
+        /// True if `to` itself is included.
         inclusive: bool,
     },
     /// `a | b`.

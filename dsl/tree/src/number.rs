@@ -46,7 +46,7 @@ impl Int {
         }
     }
 
-    /// Whether values below zero exist.
+    /// Returns true if values below zero exist.
     pub const fn signed(self) -> bool {
         matches!(self, Int::I8 | Int::I16 | Int::I32 | Int::I64 | Int::Isize)
     }

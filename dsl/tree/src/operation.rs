@@ -56,11 +56,11 @@ pub enum Intrinsic {
     UnsignedAbs,
     /// `|x - y|` of integers as the unsigned integer of their width.
     AbsDiff,
-    /// How many bits of an unsigned integer are set, as `u32`.
+    /// Number of bits set in an unsigned integer, as `u32`.
     CountOnes,
-    /// How many bits of an unsigned integer stand above the highest that is set, as `u32`.
+    /// Number of zero bits above the highest bit set in an unsigned integer, as `u32`.
     LeadingZeros,
-    /// How many bits of an unsigned integer stand below the lowest that is set, as `u32`.
+    /// Number of zero bits below the lowest bit set in an unsigned integer, as `u32`.
     TrailingZeros,
     /// The bytes of an unsigned integer of 16 bits or more, turned round.
     SwapBytes,
@@ -72,11 +72,11 @@ pub enum Intrinsic {
     Round,
     /// 1 with the sign of a float, its zero included; NaN for a NaN.
     Signum,
-    /// Whether a float is a NaN.
+    /// True if a float is NaN.
     IsNan,
-    /// Whether a float is neither infinite nor a NaN.
+    /// True if a float is neither infinite nor NaN.
     IsFinite,
-    /// Whether a float is infinite.
+    /// True if a float is infinite.
     IsInfinite,
     /// An enum as it is, or its last variant for what is none of them: a byte from outside may be either.
     Variant,
@@ -117,7 +117,7 @@ impl Intrinsic {
         }
     }
 
-    /// How many operands it takes, all of one type.
+    /// Returns the number of operands, which are all of one type.
     pub const fn operands(self) -> usize {
         use Intrinsic::*;
         match self {

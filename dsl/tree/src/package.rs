@@ -43,12 +43,12 @@ pub struct Template {
     pub name: String,
     /// The source file, as rustc names it.
     pub file: String,
-    /// Where its name stands.
+    /// Site of the name.
     pub site: Site,
 }
 
-/// An implementation of a trait that something else than its name calls: `PartialEq` by `==`, also of what the type
-/// is part of; `From` by `?`.
+/// Implementation of a trait that is called other than by name: `PartialEq` by `==`, also on types that contain it;
+/// `From` by `?`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Implied {
     /// The name of the trait.
@@ -66,7 +66,7 @@ pub struct Implied {
 pub struct Refusal {
     /// The source file, as rustc names it.
     pub file: String,
-    /// Where.
+    /// Site of the implementation.
     pub site: Site,
     /// The mistake.
     pub message: String,

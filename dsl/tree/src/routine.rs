@@ -19,9 +19,9 @@ pub enum KernelRoutine {
     TrProduct,
     /// `a.tr_mul(&b)`; rows of both, columns of `a`, columns of `b`. Per output the `dot` of two columns.
     TrMul,
-    /// Solves `a x = b` by elimination with row pivots, in place: `a` becomes its factors as nalgebra
-    /// packs them, `b` the solution, and the result is `true`. A singular `a` gives `false`, and NaN in
-    /// every element of both. The size, the columns of `b`.
+    /// Solves `a x = b` in place by elimination with row pivots. `a` becomes its factors as nalgebra packs them, `b`
+    /// the solution, and the result is `true`. If `a` is singular, the result is `false`, and both are NaN in every
+    /// element. Dimensions: the size, the columns of `b`.
     LuSolve,
     /// Solves `a x = b` in place of `b` in the same way; `a` stays as it is. `false`, and NaN in `b`, where `a` is
     /// singular. The size, the columns of `b`.
@@ -34,19 +34,19 @@ pub enum KernelRoutine {
     /// Factors a symmetric `a` in place: its lower triangle becomes L, what is above stays. `false`, and
     /// NaN in the lower triangle, unless it is positive definite. The size.
     Cholesky,
-    /// The same beside `a`, which stays: L in the lower triangle, above it what `a` has there; NaN in the lower
-    /// triangle unless `a` is positive definite. The size.
+    /// Computes the Cholesky factor L into the lower triangle of a copy of `a`. The upper part stays; the lower
+    /// triangle is NaN unless `a` is positive definite. Dimension: the size.
     CholeskyLower,
     /// Solves `l lᵀ x = b` in place of `b`, of `l` the lower triangle. The size, the columns of `b`.
     CholeskySolve,
-    /// Solves `a x = b` in place of `b`, of `a` the lower triangle; `false`, and NaN in `b`, where an
-    /// element of the diagonal is zero. The size, the columns of `b`.
+    /// Solves `a x = b` in place of `b` with the lower triangle of `a`. If an element of the diagonal is zero, the
+    /// result is `false`, and `b` is NaN. Dimensions: the size, the columns of `b`.
     SolveLower,
-    /// The same of the upper triangle.
+    /// Solves with the upper triangle.
     SolveUpper,
-    /// The same with the transpose of the lower triangle.
+    /// Solves with the transpose of the lower triangle.
     TrSolveLower,
-    /// The same with the transpose of the upper triangle.
+    /// Solves with the transpose of the upper triangle.
     TrSolveUpper,
 }
 
@@ -115,7 +115,7 @@ impl KernelRoutine {
         }
     }
 
-    /// How many dimensions it has.
+    /// Returns the number of dimensions.
     pub const fn dims(self) -> usize {
         match self {
             KernelRoutine::Product

@@ -34,7 +34,7 @@ macro_rules! visitor {
             fn pattern(&mut self, pattern: &$($mutable)? Pattern) {
                 $walk_pattern(self, pattern);
             }
-            /// What a loop goes through.
+            /// Visits the sequence that a loop iterates over.
             fn source(&mut self, source: &$($mutable)? Source) {
                 $walk_source(self, source);
             }
@@ -270,7 +270,7 @@ pub trait Walk {
         self.walk(&mut Exprs(see));
     }
 
-    /// Whether this holds of an expression.
+    /// Returns true if the test is true of any expression.
     fn any_expr(&self, mut test: impl FnMut(&Expr) -> bool) -> bool {
         let mut found = false;
         self.each_expr(|expr| found = found || test(expr));

@@ -1,4 +1,4 @@
-//! What loops go through, and the claims of assertions.
+//! Sequences that loops iterate over, and the claims of assertions.
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Expr;
 
-/// What a loop goes through: a sequence, made of others by what stands behind them.
+/// Sequence that a loop iterates over, composed of others by adapters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Source {
     /// The elements of an array, or what a function gives; whether the loop goes through a copy.
@@ -36,7 +36,7 @@ pub enum Source {
 }
 
 impl Source {
-    /// What its items are made of, pair by pair.
+    /// Returns the sources of its items, pair by pair.
     pub fn leaves(&self) -> Vec<&Source> {
         match self {
             Source::Zip(one, other, _) => {
@@ -64,13 +64,13 @@ pub struct Range {
     pub from: Expr,
     /// The last, plus one unless `inclusive`. Without one, a step from the last number of its type is a fault.
     pub to: Option<Expr>,
-    /// Whether `to` itself is one of them.
+    /// True if `to` itself is included.
     pub inclusive: bool,
     /// Their type.
     pub slot: u32,
 }
 
-/// How elements are taken several at a time.
+/// Grouping of elements taken several at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Grouping {
     /// `.windows(n)`: each begins one further.

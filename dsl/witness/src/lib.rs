@@ -1,2 +1,2 @@
-//! Tests of the witness technique, in a package of their own: they need the generation build of `bessemer`, and with the
-//! dependencies of its other tests cargo would build nalgebra once more for them.
+//! Tests of the witness technique. They are a package of their own because they need the generation build of
+//! `bessemer`; otherwise cargo would build nalgebra twice.

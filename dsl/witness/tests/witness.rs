@@ -21,7 +21,7 @@ fn int(int: Int) -> Ty {
     Ty::Scalar(Scalar::Int(int))
 }
 
-/// What the items of this crate registered.
+/// Returns the registered items of this crate.
 fn package() -> Package {
     let package: Package =
         serde_json::from_str(&bessemer::generate::package("witness", "witness", "MIT"))
@@ -65,7 +65,7 @@ fn shared(ty: Ty) -> Ty {
     Ty::Ref(Box::new(ty), false)
 }
 
-/// What a function calls, without this crate's name.
+/// Returns the callees of a function, without this crate's name.
 fn callees(function: &Function) -> Vec<String> {
     let name = |callee: &Callee| match callee {
         Callee::Function(path) => path.trim_start_matches("witness::").to_owned(),

@@ -1,4 +1,4 @@
-//! What compilers made, and which checks passed, by all that decides it: the same is not made twice.
+//! Store of compiled objects and passed checks, keyed by everything on which they depend.
 //!
 //! A key is a hash of everything that decides what is made; so what is found is what would be made. Where nothing may be
 //! left out (`BESSEMER_FULL`) nothing is found, and nothing stored. `BESSEMER_STORE` names another folder than the workspace's
@@ -24,7 +24,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// Where that which this content decides lies, or would lie, among others of its kind; none if nothing is to be stored.
+/// Returns the path of the entry for this content among others of its kind; none if nothing is to be stored.
 pub fn place(kind: &str, content: &impl Hash) -> Option<PathBuf> {
     // Installed from a registry, this package stands in nobody's workspace.
     if std::env::var_os("BESSEMER_FULL").is_some() || !root().join("Cargo.toml").exists() {

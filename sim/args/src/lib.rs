@@ -37,7 +37,7 @@ pub struct Fly {
     /// List the flights
     #[arg(long)]
     pub list: bool,
-    /// Where chance begins
+    /// Seed of all randomness
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// Write CSV, MCAP and SVG into this folder
@@ -46,12 +46,12 @@ pub struct Fly {
     /// Also fly the emitted C (gcc), and compare every output and every state by its bits
     #[arg(long)]
     pub c: bool,
-    /// Where the C runs
+    /// Machine that runs the C
     #[arg(long, value_enum, default_value_t = Machine::Native, requires = "c")]
     pub target: Machine,
 }
 
-/// Where the C runs.
+/// Machine that runs the C.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Machine {
     /// This machine
@@ -77,7 +77,7 @@ pub struct Identify {
     /// A flight, as `cargo xtask sim FLIGHT --out FOLDER` writes it
     #[arg(required_unless_present = "study")]
     pub flight: Option<PathBuf>,
-    /// Where chance begins, for the swarm
+    /// Seed of the swarm
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// Write the pictures into this folder
@@ -92,7 +92,7 @@ pub struct Identify {
     /// Identify so many simulated flights whose coefficients are known
     #[arg(long, conflicts_with = "flight")]
     pub study: Option<u64>,
-    /// Where the study is written down
+    /// File that stores the study
     #[arg(long, requires = "study")]
     pub file: Option<PathBuf>,
 }
@@ -111,12 +111,12 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = CAMPAIGN)]
 pub struct Campaign {
-    /// What it is about
+    /// Subject of the campaign
     pub kind: Subject,
     /// The seeds, from .. to (without the last)
     #[arg(long, default_value = "0..1000", value_parser = range)]
     pub seeds: (u64, u64),
-    /// Where the flights are written down, a line each
+    /// File that stores the flights, one per line
     #[arg(long, required_unless_present = "merge")]
     pub file: Option<PathBuf>,
     /// Fly nothing: tell what the flights in these files come to
@@ -124,7 +124,7 @@ pub struct Campaign {
     pub merge: Vec<PathBuf>,
 }
 
-/// What a campaign is about.
+/// Subject of a campaign.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub enum Subject {
     /// Parameters, noise, wind and outages by chance: no flight may end badly

@@ -19,10 +19,10 @@ use bessemer_legs::{root, value, words};
 use models::{Inputs, Outputs, Settings};
 use sim::computer::Computer;
 
-/// How long an answer may take: emulated, on a busy machine.
+/// Timeout of an answer, emulated on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// What begins the C that moves values over the line.
+/// Start of the C that moves values over the line.
 const WORDS: &str = "\
 /* Written from the models: see words.h. */
 #include \"words.h\"
@@ -37,7 +37,7 @@ const WORDS: &str = "\
 
 ";
 
-/// What begins the C that adds up the state.
+/// Start of the C that adds up the state.
 const DIGESTS: &str = "\
 /* Written from the models: see words.h. */
 #include \"words.h\"
@@ -92,7 +92,7 @@ impl Loaded {
         Ok(Self { firmware, identity })
     }
 
-    /// How large the firmware is.
+    /// Returns the sizes of the firmware.
     ///
     /// # Errors
     /// What the system said.
@@ -126,7 +126,7 @@ pub struct Board<L> {
 }
 
 impl<L: Read + Write> Board<L> {
-    /// What ended the lockstep, if something did.
+    /// Returns the error that ended the lockstep, if any.
     pub fn failure(&self) -> Option<&lockstep::Error> {
         self.failure.as_ref()
     }
@@ -136,7 +136,7 @@ impl<L: Read + Write> Board<L> {
         self.lockstep.line()
     }
 
-    /// How deep the stack was used.
+    /// Returns the use of the stack.
     ///
     /// # Errors
     /// What is wrong with line or board.

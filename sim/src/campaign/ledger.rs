@@ -12,7 +12,7 @@ use std::path::Path;
 #[derive(Debug)]
 pub struct Ledger {
     file: File,
-    /// What was there already.
+    /// Outcomes found in the file.
     pub known: Vec<Outcome>,
 }
 

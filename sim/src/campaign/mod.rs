@@ -18,7 +18,7 @@ pub mod tally;
 use outcome::Outcome;
 use rayon::prelude::*;
 
-/// What a campaign is about.
+/// Subject of a campaign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Nothing breaks: no flight may end badly.

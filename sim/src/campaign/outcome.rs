@@ -1,4 +1,4 @@
-//! How one flight went, as figures that fit into a line.
+//! Outcome of one flight, as figures in one line.
 //!
 //! The envelope is the truth's, not the software's: it is left when the aircraft leans, moves, goes or
 //! hits the ground as no flight should.
@@ -18,16 +18,16 @@ const REACH: f64 = 4.5;
 /// Fastest touch-down, m/s.
 const IMPACT: f64 = 0.8;
 
-/// How one flight went.
+/// Outcome of one flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Its seed.
     pub seed: u64,
-    /// What broke; `nothing`.
+    /// Failure that was injected; `nothing` without one.
     pub failure: String,
     /// When it broke, s; infinite if nothing did.
     pub broke: f64,
-    /// What stopped the motors.
+    /// Alarm that stopped the motors.
     pub alarm: String,
     /// When, s; infinite if nothing did.
     pub stopped: f64,
@@ -40,7 +40,7 @@ pub struct Outcome {
     pub place: f64,
     /// Hardest touch-down, m/s.
     pub impact: f64,
-    /// Whether it ended on the ground with the motors off and no alarm.
+    /// True if it ended on the ground with the motors off and no alarm.
     pub well: bool,
 }
 
@@ -111,12 +111,12 @@ impl Outcome {
         self.well = over && outputs.alarm == Alarm::Clear && outputs.command.motors.amax() == 0.0;
     }
 
-    /// Whether the motors were stopped although the aircraft would have flown on for a second.
+    /// Returns true if the motors were stopped although the aircraft would have flown on for a second.
     pub fn stopped_for_nothing(&self) -> bool {
         self.stopped.is_finite() && self.left > self.stopped + 1.0
     }
 
-    /// Whether the aircraft left the envelope before anything stopped the motors.
+    /// Returns true if the aircraft left the envelope before the motors were stopped.
     pub fn missed(&self) -> bool {
         self.left.is_finite() && self.stopped > self.left
     }

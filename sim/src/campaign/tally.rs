@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 /// Fastest touch-down of a flight in which nothing breaks, m/s.
 const SOFT: f64 = 0.5;
 
-/// What is wrong with a flight.
+/// Returns the fault of a flight.
 pub fn fault(kind: Kind, outcome: &Outcome) -> Option<&'static str> {
     match kind {
         Kind::Spread if outcome.left.is_finite() => Some("left the envelope"),

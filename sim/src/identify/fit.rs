@@ -12,7 +12,7 @@ use argmin::solver::neldermead::NelderMead;
 use nalgebra::{Matrix4, Vector4};
 use std::cell::Cell;
 
-/// What a fit found.
+/// Result of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// The coefficients.
@@ -23,7 +23,7 @@ pub struct Fit {
     pub cost: f64,
     /// The best cost after each iteration.
     pub history: Vec<f64>,
-    /// How often the cost was computed.
+    /// Number of evaluations of the cost.
     pub evaluations: u64,
 }
 
@@ -31,7 +31,7 @@ pub struct Fit {
 struct Problem<'a> {
     segments: &'a Segments<'a>,
     sheet: &'a [f64],
-    /// How often the cost was computed.
+    /// Number of evaluations of the cost.
     evaluations: &'a Cell<u64>,
 }
 

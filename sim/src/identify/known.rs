@@ -39,8 +39,8 @@ pub fn log_of(scenario: &Scenario) -> Result<Logged, Box<dyn Error>> {
     Ok(Logged::of(&log, LAG)?)
 }
 
-/// What the software should take an aircraft for after a logged hover: the data sheet with the
-/// coefficients that the hover speaks for.
+/// Returns the airframe that the software should assume after a logged hover: the data sheet with coefficients fitted
+/// to the hover.
 ///
 /// # Errors
 /// What the optimiser said.

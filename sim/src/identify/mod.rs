@@ -1,4 +1,4 @@
-//! Which thrust coefficients a logged flight speaks for (thesis, ch. 5).
+//! Identification of the thrust coefficients from a logged flight (thesis, ch. 5).
 //!
 //! | module | what it says |
 //! |---|---|

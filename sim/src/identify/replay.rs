@@ -14,8 +14,8 @@ const HEIGHTS: (f64, f64) = (0.0, 10.0);
 /// The weight of the lengths' difference (thesis, eq. (5.8)).
 const TIME_WEIGHT: f64 = 3.0;
 
-/// The flight of the model with the logged motor speeds, from the row at which the real one flies; it ends
-/// where the model leaves the heights.
+/// Simulates the flight with the logged motor speeds, from the first row in flight until the model leaves the range of
+/// heights.
 pub fn flown(logged: &Logged, airframe: &Airframe) -> Vec<State> {
     let (first, last) = logged.airborne;
     let effect = airframe.effectiveness();

@@ -44,7 +44,7 @@ impl<'a> Segments<'a> {
         Self { logged, airframe, steps, starts, ranges }
     }
 
-    /// How many there are.
+    /// Returns the number of segments.
     pub fn count(&self) -> usize {
         self.starts.len()
     }

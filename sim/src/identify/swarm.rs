@@ -5,18 +5,18 @@
 use crate::noise::{Purpose, Stream};
 use rayon::prelude::*;
 
-/// How a swarm searches.
+/// Parameters of a particle swarm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swarm {
-    /// How many coefficients there are to find.
+    /// Number of coefficients to find.
     pub dimensions: usize,
-    /// How many particles.
+    /// Number of particles.
     pub particles: usize,
-    /// How many iterations.
+    /// Number of iterations.
     pub iterations: usize,
-    /// Where they begin: between these.
+    /// Range of the initial positions.
     pub range: (f64, f64),
-    /// Where chance begins.
+    /// Seed of all randomness.
     pub seed: u64,
 }
 
@@ -26,13 +26,13 @@ impl Swarm {
         Self { dimensions, particles: 100, iterations: 40, range: (0.001, 0.1), seed }
     }
 
-    /// How often it computes the cost.
+    /// Returns the number of evaluations of the cost.
     pub fn evaluations(&self) -> usize {
         self.particles * (self.iterations + 1)
     }
 }
 
-/// What a swarm found.
+/// Result of a swarm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// The best place.

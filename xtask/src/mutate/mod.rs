@@ -121,10 +121,10 @@ pub fn run(root: &Path, wanted: &Mutate) -> Result<Outcome, Error> {
     Ok(if are_found(&fates) { Outcome::Good } else { Outcome::Bad })
 }
 
-/// What became of each mutant, and after how long.
+/// Fate of each mutant, and the time it took.
 pub type Fates = Vec<(Fate, Duration)>;
 
-/// Whether a test found each.
+/// Returns true if a test detected each mutant.
 #[must_use]
 pub fn are_found(fates: &Fates) -> bool {
     fates.iter().all(|(fate, _)| fate.is_good())
@@ -139,8 +139,8 @@ pub struct Trials {
 }
 
 impl Trials {
-    /// Those of the mutants that are asked for. What was built of the registry's packages is linked into the copy here, so
-    /// nothing may be built at the time.
+    /// Returns the trials of the requested mutants. Built registry packages are hard-linked into the copy, so no build
+    /// may run meanwhile.
     ///
     /// # Errors
     /// If there is no such mutant, or no copy.

@@ -12,7 +12,7 @@ use std::process::Command;
 
 use crate::error::Error;
 
-/// Where the patches lie, from the root of the project.
+/// Folder of the patches, from the root of the project.
 pub const FOLDER: &str = "tests/mutants";
 
 const KILLED_BY: &str = "killed-by:";
@@ -84,7 +84,7 @@ impl Mutant {
         Ok(Mutant { name, patch: patch.to_owned(), what: what.to_owned(), killed_by, changed })
     }
 
-    /// Whether the test that finds it compiles the tests' packages.
+    /// Returns true if the test that detects it compiles the tests' packages.
     #[must_use]
     pub fn needs_trees(&self) -> bool {
         self.killed_by.as_ref().is_some_and(|command| command.contains("--test all"))

@@ -25,7 +25,7 @@ pub const UNIFIED: [&str; 4] = ["-p", "unified", "--features", "unified/tests"];
 #[derive(Debug)]
 pub struct Sandbox {
     root: PathBuf,
-    /// Where the copy lies.
+    /// Folder of the copy.
     pub tree: PathBuf,
     target: PathBuf,
     _lock: File,

@@ -52,8 +52,8 @@ pub fn age(from: &Path, to: &Path) -> io::Result<()> {
     fs::File::open(to)?.set_modified(fs::metadata(from)?.modified()?)
 }
 
-/// Whether a build of the workspace's is a library that does not know where it was built: rustc says which variables it
-/// was made of. A build script's folder is one that cargo itself finds again.
+/// Returns true if a build of the workspace's is independent of its folder: rustc lists the variables on which it
+/// depends. Cargo itself finds a build script's folder again.
 fn is_movable(path: &Path, root: &Path) -> io::Result<bool> {
     if !path.extension().is_some_and(|ending| LIBRARIES.iter().any(|it| ending == *it)) {
         return Ok(false);

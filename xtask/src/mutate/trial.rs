@@ -13,7 +13,8 @@ use std::time::Duration;
 use crate::error::Error;
 use crate::stages::{self, Voice};
 
-/// How long a command may print nothing. The slowest test, or the longest compilation, takes less on a busy machine.
+/// Longest time without output of a command. The slowest test, or the longest compilation, takes less on a busy
+/// machine.
 const SILENCE: Duration = Duration::from_secs(600);
 
 /// The finding of a command.

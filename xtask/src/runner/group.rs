@@ -35,12 +35,12 @@ impl<'p> Group<'p> {
         groups.into_values().map(move |names| Self { program, names })
     }
 
-    /// How many tests it has.
+    /// Returns the number of tests.
     pub(super) fn len(&self) -> usize {
         self.names.len()
     }
 
-    /// How much it used of the processors before.
+    /// Returns the processor time that it used before.
     pub(super) fn known(&self, times: &Times) -> Duration {
         self.names.iter().map(|name| times.of(&self.program.title_of(name))).sum()
     }

@@ -38,9 +38,9 @@ const LONG: Duration = Duration::from_secs(5);
 pub struct Done {
     /// `package/program::test`.
     pub title: String,
-    /// Whether it passed.
+    /// True if it passed.
     pub passed: bool,
-    /// What it took.
+    /// Time that it took.
     pub spent: Spent,
 }
 

@@ -1,4 +1,4 @@
-//! What stages took by the clock, and tests of the processors: the slowest, and which grew beside a stored run.
+//! Wall-clock times of stages and processor times of tests: the slowest, and those that grew since a stored run.
 //!
 //! A machine may be faster or busier than the one of the stored run. So what is compared is each part's time over
 //! its stored time, beside the median of these ratios.
@@ -15,7 +15,7 @@ const GROWTH: f64 = 4.0 / 3.0;
 /// Shorter ones vary by themselves.
 const SHORT: Duration = Duration::from_secs(4);
 
-/// What takes less is not stored: next to nothing.
+/// Shortest time that is stored.
 const STORED: Duration = Duration::from_millis(300);
 
 /// Times by the name of a stage or a test.

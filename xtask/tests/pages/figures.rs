@@ -28,7 +28,7 @@ const NO_RESULT: &str = "<!-- no result: ";
 /// The pages in which no line shows a measurement without its source.
 const HELD: [&str; 3] = ["README.md", "docs/results.md", "docs/identification.md"];
 
-/// What makes a number a measurement.
+/// Units that make a number a measurement.
 const UNITS: [&str; 14] = [
     "%",
     "°",
@@ -87,7 +87,7 @@ fn first_number(text: &str) -> Option<f64> {
     text[start..end].replace('_', "").trim_end_matches('.').parse().ok()
 }
 
-/// Whether a page may show a result so.
+/// Returns true if a page may show a result in this form.
 fn is_rounded(shown: &Shown, result: f64) -> bool {
     (shown.value - result).abs() <= 0.5 * 10_f64.powi(-shown.digits) * (1.0 + 1e-9)
 }
@@ -167,7 +167,7 @@ fn of_json(text: &str, keys: &[&str]) -> Result<Vec<f64>, String> {
     Ok(here.into_iter().filter_map(Value::as_f64).collect())
 }
 
-/// Whether a value of JSON is the one that a mark names.
+/// Returns true if a value of JSON is the one that a mark names.
 fn is(value: &Value, wanted: &str) -> bool {
     value == wanted || value.is_number() && value.as_f64() == wanted.parse().ok()
 }
@@ -233,7 +233,7 @@ fn every_figure_is_that_of_its_result_file() {
     none("a figure is that of its result file", &offences);
 }
 
-/// Whether a line shows a number with a unit, or one with digits behind its point.
+/// Returns true if a line shows a number with a unit, or with decimals.
 fn is_measurement(line: &str) -> bool {
     let mut visible = String::new();
     for (index, part) in line.split("<!--").enumerate() {

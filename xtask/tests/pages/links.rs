@@ -86,7 +86,7 @@ fn every_page_that_is_named_is_there() {
     none("a page that is named is there", &offences);
 }
 
-/// What the book has and its contents do not list is found by nobody.
+/// Checks that the contents of the book list every page, since others are not found.
 #[test]
 fn the_contents_of_the_book_list_every_page() {
     let pages = pages();

@@ -1,4 +1,4 @@
-//! What the doc comments of the elementary functions say of accuracy, and with them the headers of the C, is what was measured.
+//! Accuracies in the doc comments of the elementary functions, and so in the headers of the C, equal the measurements.
 
 use serde_json::Value;
 

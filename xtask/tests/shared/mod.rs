@@ -16,7 +16,7 @@ impl File {
         self.path.ends_with(".rs") && !self.path.starts_with("generated/")
     }
 
-    /// Whether it is part of a crate's own code, not of its tests, examples or benchmarks.
+    /// Returns true for a crate's own code; false for tests, examples and benchmarks.
     pub fn is_source(&self) -> bool {
         self.is_rust() && self.path.split('/').any(|folder| folder == "src")
     }
@@ -41,7 +41,7 @@ pub fn files() -> Vec<File> {
     files
 }
 
-/// What git knows or would add; none if this is no git checkout.
+/// Returns the paths that git knows or would add; none outside a git checkout.
 fn listed(root: &Path) -> Option<Vec<String>> {
     let arguments = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"];
     let output = Command::new("git").args(arguments).current_dir(root).output().ok()?;

@@ -1,5 +1,5 @@
-//! The style of docs/style.md in figures, for each folder: openings of documentation comments against the rule, first
-//! sentences that are too long, and words of our own in place of the field's. The figures only fall.
+//! The style of docs/style.md in figures for each folder. They count bad openings and long first sentences of
+//! documentation comments, and words of our own. The figures only fall.
 //!
 //! `UPDATE_WORDS=1` writes the figures of today to `figures.tsv`; it refuses to raise one.
 //! `BESSEMER_SAMPLE=7 cargo test -p xtask --test words sample -- --nocapture` prints 100 comments, drawn by that seed.

@@ -1,4 +1,4 @@
-//! How good the solutions of linear algebra are, beside LAPACK's, against references of eighty digits.
+//! Accuracy of the linear-algebra solutions, compared with LAPACK's, against references of eighty digits.
 //!
 //! `cargo run --release --manifest-path bench/accuracy/Cargo.toml --bin quality` writes
 //! `bench/results/quality.json` and `bench/results/quality.md`. What runs is the DSL's own Rust, whose bits
@@ -34,7 +34,7 @@ const FAST_INVERSE: &str = "inverse, fast mode";
 /// An inverse as the solution of `A X = I`: the way of four rows that is as good as LAPACK's.
 const BY_SOLVING: &str = "solve with I";
 
-/// What the matrices are like.
+/// Classes of matrices.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Random,
@@ -160,8 +160,8 @@ fn truth(n: usize, a: &[f64], b: &[f64]) -> Vec<Float> {
     b
 }
 
-/// The largest residual of a system over `ε (‖A‖ ‖x‖ + ‖b‖)`, and the error of its solution over the norm of
-/// the true one, both in eighty digits.
+/// Returns the largest residual of a system over `ε (‖A‖ ‖x‖ + ‖b‖)`, and the relative error of its solution. Both are
+/// computed in eighty digits.
 fn errors(n: usize, a: &[f64], b: &[f64], x: &[f64], truth: &[Float]) -> [f64; 2] {
     let mut residual: f64 = 0.0;
     for row in 0..n {
@@ -189,7 +189,7 @@ struct Findings {
     theirs: Vec<[f64; 2]>,
 }
 
-/// What else computes: LAPACK, and the C of the fast mode, unless this processor has none.
+/// Other implementations: LAPACK, and the C of the fast mode, unless this processor has none.
 struct Others {
     lapack: Lapack,
     fast: Option<Program>,

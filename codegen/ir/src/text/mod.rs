@@ -62,8 +62,8 @@ pub use names::{FAULTS, INTRINSICS, ROUTINES};
 pub use parse::parse;
 pub use print::print;
 
-/// How deep parentheses, blocks and types may nest in the text.
+/// Largest nesting of parentheses, blocks and types in the text.
 pub const MAX_NESTING: u32 = 128;
 
-/// How many levels of operands an expression may have.
+/// Largest number of operand levels of an expression.
 pub const MAX_HEIGHT: u32 = 512;

@@ -46,7 +46,7 @@ const WORDS: [&str; 36] = [
     "_",
 ];
 
-/// Whether `name` is a word of the language.
+/// Returns true if `name` is a word of the language.
 pub(super) fn is_word(name: &str) -> bool {
     WORDS.contains(&name) || Scalar::from_name(name).is_some()
 }

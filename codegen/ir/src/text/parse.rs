@@ -21,7 +21,7 @@ use super::names::is_word;
 use super::print::{TypeId, owner_id};
 use super::scope::Scope;
 
-/// How many equal words one `word * count` may stand for.
+/// Largest count of one `word * count`.
 pub(super) const LONGEST_RUN: usize = 1 << 16;
 
 pub(super) type Parsed<T> = Result<T, ParseError>;

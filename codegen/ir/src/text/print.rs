@@ -33,7 +33,7 @@ pub(super) enum TypeId {
     Enum(EnumId),
 }
 
-/// How often each name is defined.
+/// Number of definitions of each name.
 struct Uses<'m> {
     types: BTreeMap<&'m str, u32>,
     consts: BTreeMap<&'m str, u32>,

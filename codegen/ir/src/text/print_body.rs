@@ -6,7 +6,7 @@ use crate::visit::{Visit, walk_block};
 use super::names::{fault_name, shown};
 use super::print::{Printer, relative};
 
-/// Which locals the statements declare.
+/// Set of locals that the statements declare.
 struct Declared(alloc::vec::Vec<bool>);
 
 impl Visit for Declared {

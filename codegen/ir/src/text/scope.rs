@@ -1,5 +1,4 @@
-//! The type that an expression has by its operands, the same for the printer and the parser: the
-//! printer states a type only where it differs.
+//! Type of an expression by its operands, for printer and parser alike: the printer states a type only if it differs.
 //!
 //! Invariant: nothing that the parser has not yet read is looked at.
 //!
@@ -13,7 +12,7 @@ use crate::ir::{ExprKind, Intrinsic, Module, Place, Routine, Type};
 /// The definitions above the current place.
 pub(super) struct Scope<'a> {
     pub module: &'a Module,
-    /// How many functions are complete.
+    /// Number of complete functions.
     pub functions: usize,
 }
 

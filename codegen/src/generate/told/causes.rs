@@ -92,7 +92,7 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
     told
 }
 
-/// Whether it is told once for its file. rustc gives these in no certain order: the uppermost is told.
+/// Returns true if an error is reported once for its file. rustc's order of these is unstable; the topmost is reported.
 fn is_of_file((_, words): &Worded<'_, '_>) -> bool {
     words.as_ref().is_some_and(|words| matches!(words.once, Once::File))
 }
@@ -101,8 +101,8 @@ fn position((message, _): &Worded<'_, '_>) -> Option<(u32, u32)> {
     message.mark().map(|mark| mark.start)
 }
 
-/// Keeps one of rustc's own errors a line, since the witness copy repeats them, with other words at times;
-/// of ours one in an item, since a type that is not there is not there in each line.
+/// Returns a key by which duplicates are dropped. It keeps one of rustc's errors per line, since the witness copy
+/// repeats them in other words, and one of ours per item, since a missing type is missing in each line.
 fn key(one: &Worded<'_, '_>, sources: &Sources) -> (String, u32, String) {
     let Some(mark) = one.0.mark() else { return (String::new(), 0, one.0.title.to_owned()) };
     let file = mark.file.to_owned();
@@ -127,7 +127,7 @@ fn is_refusal((_, words): &Worded<'_, '_>) -> bool {
     words.as_ref().is_some_and(|words| words.is_refusal)
 }
 
-/// Whether of two refusals in one line `one` is the nearer reason.
+/// Returns true if `one` is the more specific of two refusals in one line.
 fn is_nearer(one: &Message<'_>, other: &Message<'_>) -> bool {
     let (Some(one), Some(other)) = (one.mark(), other.mark()) else { return false };
     if (one.file, one.start.0) != (other.file, other.start.0) {
@@ -152,7 +152,7 @@ fn line<'a>(message: &Message<'a>) -> Option<(&'a str, u32)> {
 struct Causes {
     /// Files that are no Rust: what an attribute makes of their rest means nothing.
     unread: BTreeSet<String>,
-    /// Where an attribute refused something.
+    /// Places that an attribute refused.
     refused: BTreeSet<(String, u32, u32)>,
     /// The files of that.
     files: BTreeSet<String>,
@@ -207,7 +207,7 @@ impl Causes {
         causes
     }
 
-    /// Whether a message follows from another one.
+    /// Returns true if a message is a consequence of another one.
     fn follows(&self, one: &Worded<'_, '_>, sources: &Sources) -> bool {
         let (message, words) = one;
         let Some(mark) = message.mark() else { return false };
@@ -268,7 +268,7 @@ fn mark_of_macro(message: &Message<'_>) -> bool {
     message.marks.iter().any(|it| it.label.contains("through this procedural macro"))
 }
 
-/// Whether rustc could not read the file: such errors have no number.
+/// Returns true if rustc could not parse the file: such errors have no number.
 fn is_syntax(message: &Message<'_>) -> bool {
     const OTHERS: [&str; 3] = ["cannot find ", "unexpected token", "unexpected end of input"];
     message.is_error

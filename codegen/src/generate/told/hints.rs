@@ -1,5 +1,5 @@
-//! Remedies for what rustc says of plain Rust, where the usual one does not fit a model, or where rustc has none for
-//! who comes from another language.
+//! Remedies for rustc's errors about plain Rust, where its own remedy does not fit a model, or it has none for users of
+//! other languages.
 
 use super::rustc::Message;
 use super::types;

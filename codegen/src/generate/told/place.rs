@@ -1,13 +1,13 @@
-//! Where a type that the DSL does not take is told: rustc tells it at the attribute, or at the variable that has it, and
-//! its author wrote its name near there.
+//! Place of an error about a type that the DSL does not support. rustc reports the attribute or a variable, and the
+//! type's name is near there.
 
 use super::causes::Item;
 use super::rustc::Mark;
 use bessemer_frontend::diagnostic::{Diagnostic, Place};
 use bessemer_frontend::source::Sources;
 
-/// A diagnostic about the type `name`, told at `mark`, at the name; with the place where it is declared, if that is in the
-/// same file.
+/// Moves a diagnostic about the type `name` from `mark` to the name. A declaration in the same file is added as a
+/// second place.
 pub fn of_type(told: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sources) -> Diagnostic {
     let lines = match mark.is_attribute() {
         true => Item::below(mark, sources).lines(),
@@ -30,7 +30,7 @@ pub fn of_type(told: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sources)
     told
 }
 
-/// Where a struct or an enum of this name is declared in a file.
+/// Returns the place where a struct or an enum of this name is declared in a file.
 fn declaration(name: &str, file: &str, sources: &Sources) -> Option<Place> {
     let lines = (1..).map_while(|line| Some((line, sources.line(file, line)?)));
     let is_declaration = |text: &str| {

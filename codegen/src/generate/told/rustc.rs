@@ -12,7 +12,7 @@ pub struct Message<'a> {
     pub title: &'a str,
     /// `E0599`, or the name of a lint; empty for an attribute macro's.
     pub code: &'a str,
-    /// Whether it is an error; else it is a warning.
+    /// True for an error, false for a warning.
     pub is_error: bool,
     /// The places that it marks, the primary ones first.
     pub marks: Vec<Mark<'a>>,
@@ -29,7 +29,7 @@ pub struct Mark<'a> {
     pub start: (u32, u32),
     /// Those behind it.
     pub end: (u32, u32),
-    /// Whether the message is about this place.
+    /// True for the primary span of the message.
     pub is_primary: bool,
     /// rustc's label; empty if there is none.
     pub label: &'a str,
@@ -84,7 +84,8 @@ impl<'a> Message<'a> {
         self.value["children"].as_array().into_iter().flatten()
     }
 
-    /// Whether it shows what no author of a model has written: sources of libraries, and lists of their types.
+    /// Returns true if the message shows code that no author of a model has written: sources of libraries, and lists of
+    /// their types.
     pub fn shows_internals(&self) -> bool {
         let foreign = |mark: &Mark<'_>| !mark.is_authors();
         let lists = |text: &str| {
@@ -150,18 +151,18 @@ impl<'a> Mark<'a> {
         }
     }
 
-    /// Whether it is in the author's own workspace, as rustc names files; the DSL's sources and those of
+    /// Returns true if the file is in the author's workspace, by rustc's path; the DSL's sources and those of
     /// dependencies are not.
     pub fn is_authors(&self) -> bool {
         !self.file.starts_with(['/', '<']) && !self.file.starts_with("dsl/")
     }
 
-    /// Whether it is a part of a line of `file`.
+    /// Returns true if it is a part of a line of `file`.
     pub fn is_short_in(&self, file: &str) -> bool {
         self.file == file && self.start.0 == self.end.0
     }
 
-    /// Whether it is an attribute, which stands for code that no author wrote.
+    /// Returns true if it is an attribute, which represents code that no author wrote.
     pub fn is_attribute(&self) -> bool {
         self.line.trim_start().starts_with("#[")
     }

@@ -25,7 +25,7 @@ pub fn innermost(ty: &str) -> &str {
     inner.map_or(ty, innermost)
 }
 
-/// Whether a type is the DSL's, nalgebra's or Rust's, whose methods no author marks.
+/// Returns true if a type is the DSL's, nalgebra's or Rust's, whose methods no author marks.
 pub fn is_known(ty: &str) -> bool {
     const KNOWN: [&str; 19] = [
         "SMatrix",
@@ -55,7 +55,7 @@ pub fn is_known(ty: &str) -> bool {
     !name.contains(char::is_uppercase) || KNOWN.contains(&name) || (ty.contains('<') && is_matrix())
 }
 
-/// Whether it is a parameter of something generic, by its name.
+/// Returns true if a type is a generic parameter, by its name.
 pub fn is_parameter(ty: &str) -> bool {
     !ty.is_empty() && !ty.contains(|it: char| !it.is_ascii_uppercase() && !it.is_ascii_digit())
 }
@@ -93,7 +93,7 @@ pub fn instead(ty: &str) -> Option<&'static str> {
     })
 }
 
-/// Where state goes that is kept outside of a component.
+/// Remedy for state that is kept outside of a component.
 pub const STATE: &str =
     "state belongs into the component: a field, which its methods change through `&mut self`";
 

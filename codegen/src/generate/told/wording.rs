@@ -15,7 +15,7 @@ pub struct Words {
     pub of_type: Option<String>,
     /// In what it is told once.
     pub once: Once,
-    /// Whether an attribute says it, of what it stands on; else the builders and the witness copy do.
+    /// True if an attribute reports it about its own item; false if the builders or the witness copy do.
     pub is_refusal: bool,
 }
 
@@ -128,7 +128,7 @@ fn global(message: &Message<'_>) -> Option<Words> {
     is_static.then(|| words(format!("`{name}` is a global that anybody changes"), types::STATE))?
 }
 
-/// What is said of something of which nothing is known.
+/// Message about an unknown item.
 pub const UNNAMED: &str = "this is not part of the DSL";
 
 /// Other messages with names that no author has written.
@@ -204,7 +204,7 @@ fn pattern(message: &Message<'_>) -> Option<Words> {
     None
 }
 
-/// Whether an error is told at a pattern of a `match`, as far as its line shows.
+/// Returns true if an error is at a pattern of a `match`, judging by its line.
 fn is_pattern(mark: &Mark<'_>) -> bool {
     ["=>", "|", "if "].iter().any(|next| mark.rest().trim_start().starts_with(next))
 }
@@ -221,7 +221,7 @@ const TAKEN_MACROS: [&str; 8] = [
     "unreachable",
 ];
 
-/// What stands before the name of a method that the DSL owns.
+/// Prefix of the methods that the DSL owns.
 const OWNED: &str = "dsl_";
 
 /// rustc's messages about the builders' own names.

@@ -7,7 +7,7 @@ use bessemer::prelude::*;
 
 use super::{callees, function, tail};
 
-/// Where the functions are.
+/// Module of the functions.
 pub mod near {
     use bessemer::prelude::*;
 
@@ -23,7 +23,7 @@ pub mod near {
         x / 2.0
     }
 
-    /// Where they are said to be.
+    /// Module that re-exports them.
     pub mod again {
         pub use super::half as halved;
         pub use super::twice;
@@ -58,7 +58,7 @@ type Real = f64;
 
 #[data]
 impl Gain {
-    /// Of a value.
+    /// Returns a gain of a value.
     pub fn of(value: f64) -> Gain {
         Gain { value }
     }

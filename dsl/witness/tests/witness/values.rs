@@ -9,7 +9,7 @@ use super::{BOOL, F32, F64, function, int, lets, named, shared, signature};
 use bessemer::generate::tree::{DefinitionKind, Ty};
 use bessemer_tree::number::{Float, Int, Scalar};
 
-/// What is inside.
+/// Inner struct.
 #[component]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inner {
@@ -35,7 +35,7 @@ pub enum Mode {
     Fast,
 }
 
-/// What is outside.
+/// Outer struct.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outer {
@@ -123,7 +123,7 @@ pub fn literals(n: u16, y: f32, table: &[i8; 2]) -> bool {
     n == like_n && y < like_y && fraction > 1.0 && local > 0 && element > 0 && later == from_const
 }
 
-/// The same name, four types.
+/// Binds one name to four types.
 #[function]
 pub fn shadowing(x: u32) -> f64 {
     let x = x as f32;

@@ -28,7 +28,7 @@ pub fn run(wanted: &Identify) -> Outcome {
     }
 }
 
-/// What the methods made of a flight.
+/// Results of the methods for a flight.
 struct Results {
     four: Option<Found>,
     one: Option<Found>,

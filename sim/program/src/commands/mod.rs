@@ -6,7 +6,7 @@ pub mod identify;
 
 use std::error::Error;
 
-/// Whether everything was as it should be; an error, if that could not be found out.
+/// True if everything was as expected; an error if that could not be determined.
 pub type Outcome = Result<bool, Box<dyn Error>>;
 
 /// Writes a file, and says which one it was if it cannot.
