@@ -28,10 +28,10 @@ use std::time::{Duration, Instant};
 /// After so many periods without a command the motors stop, as those of real aircraft do.
 const FAILSAFE: u64 = 20;
 
-/// How long a period that is no real time waits for a software that runs: it only ends a wait that would never end.
+/// Timeout of a running software in virtual time: it only ends a wait that would never end.
 const ANSWER_TIMEOUT: Duration = Duration::from_secs(60);
 
-/// How often it is looked whether the software still runs.
+/// Period of checks that the software is still running.
 const LOOK: Duration = Duration::from_millis(500);
 
 /// Fault injections.
@@ -75,7 +75,7 @@ pub struct Period {
     pub moment: Moment,
     /// The station to which something went down in it, as a number: see [`station`].
     pub told: Option<u64>,
-    /// What the software took and said in earlier periods, whose answers came only now.
+    /// Inputs and outputs of earlier periods whose answers arrived only now.
     pub late: Vec<Worked>,
 }
 
@@ -360,7 +360,7 @@ pub fn station(address: SocketAddr) -> Option<u64> {
     Some(u64::from(address.ip().to_bits()) << 16 | u64::from(address.port()))
 }
 
-/// What the computer answers.
+/// Answer of the computer.
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The period's number.

@@ -15,7 +15,7 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
-/// How long the board's line may be silent: emulated, on a busy machine.
+/// Timeout of the board's serial line, emulated on a busy machine.
 const ANSWER_TIMEOUT: Duration = Duration::from_secs(30);
 
 /// Target that runs the software.

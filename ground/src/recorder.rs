@@ -41,7 +41,7 @@ pub struct Unwritable {
     source: std::io::Error,
 }
 
-/// What goes to the writing thread.
+/// Item of the writing thread's queue.
 struct Page {
     shown: Option<Moment>,
     worked: Vec<(f64, Worked)>,
@@ -138,7 +138,7 @@ fn created(path: &Path) -> Result<File, Unwritable> {
     File::create(path).map_err(|source| Unwritable { path: path.to_owned(), source })
 }
 
-/// Whether a period goes to the topics for people.
+/// Returns true if a period is recorded in the human-readable topics.
 pub fn is_shown(done: &Period) -> bool {
     done.number.is_multiple_of(DECIMATION)
 }

@@ -130,9 +130,10 @@ pub fn replay(program: &Program, path: &Path) -> Result<Report, Error> {
     Ok(report)
 }
 
-/// What comes over the bus.
+/// Receives a datagram from the bus.
 fn heard(bus: &UdpSocket, buffer: &mut [u8]) -> Result<(usize, SocketAddr), Error> {
-    let heard = wait::receive(bus, buffer, Instant::now() + ANSWER_TIMEOUT).map_err(Error::Silent)?;
+    let heard =
+        wait::receive(bus, buffer, Instant::now() + ANSWER_TIMEOUT).map_err(Error::Silent)?;
     heard.ok_or_else(|| Error::Silent(io::ErrorKind::TimedOut.into()))
 }
 

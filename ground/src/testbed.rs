@@ -20,10 +20,10 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 /// Timeout of a program's start, emulated on a busy machine.
 const START_TIMEOUT: Duration = Duration::from_secs(30);
 
-/// How late a datagram may be on loopback: it only ends a wait for one that was lost.
+/// Timeout of a datagram on loopback: it only ends a wait for one that was lost.
 const DELIVERY_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// How long the software's memory may take in real time; otherwise as long as a datagram.
+/// Timeout of the software's memory image in real time; otherwise that of a datagram.
 const IMAGE: Duration = Duration::from_secs(2);
 
 /// So many periods behind, real time begins anew instead of catching up.
@@ -166,7 +166,7 @@ impl Testbed {
         self.bench.image(if self.pace == Pace::Real { IMAGE } else { DELIVERY_TIMEOUT })
     }
 
-    /// Whether time waits for the software, and so for whoever listens to it.
+    /// Returns true if time waits for the software, and so for its listeners.
     pub fn waits(&self) -> bool {
         self.pace != Pace::Real
     }

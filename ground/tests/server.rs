@@ -60,7 +60,7 @@ const LIMIT: Duration = Duration::from_secs(120);
 
 struct Page {
     socket: WebSocket<TcpStream>,
-    /// What it was told first: with that it hears whatever all pages are told from then on.
+    /// First message to it: with that it receives all later messages to every page.
     hello: Value,
 }
 

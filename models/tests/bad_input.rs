@@ -330,7 +330,8 @@ fn with_nothing_that_shows_how_it_leans_it_stops() {
             lost(n, inputs);
             inputs.readings.vicon.fresh &= n < 600;
         });
-        let raised = outputs.iter().position(|out| out.alarm == Alarm::Unmeasured).expect("an alarm");
+        let raised =
+            outputs.iter().position(|out| out.alarm == Alarm::Unmeasured).expect("an alarm");
         assert!((620..630).contains(&raised), "{raised}");
         assert!(outputs[raised..].iter().all(|out| out.command.motors.amax() == 0.0));
     }

@@ -285,7 +285,7 @@ pub fn requirements() -> impl Iterator<Item = &'static str> {
     })
 }
 
-/// Where the packages of Python's are.
+/// Returns the folder of the Python packages.
 #[must_use]
 pub fn python() -> PathBuf {
     project::root().join("target/python")
@@ -305,12 +305,12 @@ pub trait Machine {
     fn has_file(&self, path: &str) -> bool {
         std::path::Path::new(path).exists()
     }
-    /// Whether the system's Python finds the module.
+    /// Returns true if the system's Python finds the module.
     fn has_module(&self, module: &str) -> bool {
         answer(Command::new("python3").args(["-c", &format!("import {module}")])).is_some()
     }
-    /// Whether the environment below `target` has the module, of the version in `requirement`: `name==version`. What the
-    /// system's Python has does not count, since the tests run the environment's.
+    /// Returns true if the environment below `target` has the module, of the version in `requirement`: `name==version`.
+    /// The system's Python does not count, since the tests run the environment's.
     fn has_package(&self, module: &str, requirement: &str) -> bool {
         let (name, version) = requirement.split_once("==").unwrap_or((requirement, ""));
         let script = format!(

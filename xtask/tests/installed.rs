@@ -38,7 +38,7 @@ fn on_a_machine(test: &str, work: impl FnOnce(&Path)) {
     assert!(said.contains("1 passed"), "{test} is no test: {said}");
 }
 
-/// What a machine has.
+/// Installed programs and modules of a machine.
 #[derive(Clone, Debug, Default)]
 struct Has {
     /// Packages of Debian's.

@@ -14,8 +14,8 @@ use syn::visit::{self, Visit};
 
 use modules::{Module, circles, files, is_test, joined, read, root, shown};
 
-/// Files that stand in circles of imports: the root of a crate's modules, the folder within it (all of it where this
-/// is empty), and how many of its files do.
+/// Numbers of files in circular imports: the root of a crate's modules, the folder within it (everything if empty), and
+/// the number.
 const IN_CIRCLES: [(&str, &str, usize); 5] = [
     ("dsl/macros/src", "", 0),
     ("dsl/src", "generate", 0),
@@ -198,7 +198,7 @@ impl<'ast> Visit<'ast> for Uses<'_> {
     }
 }
 
-/// What takes the name of a temporary, or of a hidden local: the word decides nothing but how the C reads.
+/// Functions that name a temporary or a hidden local; the word changes only the text of the C.
 const NAMING: [&str; 22] = [
     "below",
     "below_unless_one",

@@ -48,7 +48,7 @@ pub fn read(module: &Module, function: &Function, bytes: &[u8]) -> Result<Record
 /// Rows as they were recorded.
 struct Table {
     rows: Vec<Row>,
-    /// Whether the rows have the columns of each parameter.
+    /// True for each parameter whose columns the rows have.
     present: Vec<bool>,
     notes: Vec<String>,
 }
@@ -99,7 +99,7 @@ impl<'m> Wanted<'m> {
         self.parameters.iter().flat_map(|it| &it.columns).filter(|it| has(&it.name)).count()
     }
 
-    /// Whether any cell is a value of its column.
+    /// Returns true if any cell is a value of its column.
     fn has_value(&self, present: &[bool], cells: &[String]) -> bool {
         self.columns(present)
             .zip(cells)
@@ -174,7 +174,7 @@ fn listed(names: &[String]) -> String {
 struct Column {
     name: String,
     ty: Type,
-    /// Of a list's length the most.
+    /// Largest length of a list.
     most: Option<u32>,
 }
 

@@ -128,7 +128,7 @@ fn without_unit(name: &str) -> &str {
     name
 }
 
-/// Whether no cell of a line is a number, and each is as short as a unit.
+/// Returns true if no cell of a line is a number, and each is as short as a unit.
 fn is_of_units(line: &csv::StringRecord) -> bool {
     let is_number = |cell: &str| cell.starts_with(|first: char| first.is_ascii_digit());
     let is_short = |cell: &str| cell.chars().count() <= 8 && cell.parse::<f64>().is_err();
