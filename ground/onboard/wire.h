@@ -27,13 +27,13 @@ void wire_read(const uint8_t bytes[WIRE_IN], uint64_t *number, inputs_t *inputs)
 /** Reads a recorded period. */
 void wire_read_again(const uint8_t bytes[WIRE_AGAIN], uint64_t *number, inputs_t *inputs);
 
-/** What an answer says beside inputs and outputs. */
+/** Head of an answer, before inputs and outputs. */
 typedef struct {
     /** The period's number. */
     uint64_t number;
     /** How many periods there were. */
     uint64_t count;
-    /** The station to which something goes down in this period; 0 if nothing does. */
+    /** The station to which a packet goes down in this period; 0 if no packet does. */
     uint64_t station;
 } wire_head_t;
 

@@ -73,8 +73,8 @@ pub struct Period {
     pub count: Option<u64>,
     /// The period, with the last outputs if no answer came.
     pub moment: Moment,
-    /// The station to which something went down in it, as a number: see [`station`].
-    pub told: Option<u64>,
+    /// Number of the [`station`] to which a packet went down in this period.
+    pub addressee: Option<u64>,
     /// Inputs and outputs of earlier periods whose answers arrived only now.
     pub late: Vec<Worked>,
 }
@@ -222,7 +222,7 @@ impl Bench {
         }
     }
 
-    /// One period, whose answer is waited for until `deadline`; without one, as long as the software `runs`.
+    /// Runs one period. Waits for the answer until `deadline`; without a deadline, as long as the software `runs`.
     ///
     /// # Errors
     /// An error of the system.
@@ -246,7 +246,7 @@ impl Bench {
         }
         let mut inputs = Inputs { time: clock, readings, ..Inputs::default() };
         self.open.push_back((number, inputs));
-        let (mut count, mut late, mut told) = (None, Vec::new(), None);
+        let (mut count, mut late, mut addressee) = (None, Vec::new(), None);
         if let (None, Some(deadline)) = (self.computer, deadline) {
             // One that was started anew says so.
             self.hear(deadline, |_| ())?;
@@ -270,7 +270,7 @@ impl Bench {
             let taken = Inputs { uplink, refused, ..taken };
             if answer.number == number {
                 (count, inputs, self.last) = (Some(theirs), taken, outputs);
-                told = (station != 0).then_some(station);
+                addressee = (station != 0).then_some(station);
             } else {
                 late.push(Worked { count: theirs, inputs: taken, outputs });
             }
@@ -295,7 +295,7 @@ impl Bench {
         let speeds = self.world.motors.speeds;
         self.battery.draw(&speeds, self.period);
         let moment = Moment { time, state, inputs, outputs: self.last, speeds, impact };
-        Ok(Period { number, count, moment, told, late })
+        Ok(Period { number, count, moment, addressee, late })
     }
 
     /// Returns true if the software has answered lately.
@@ -303,7 +303,7 @@ impl Bench {
         self.computer.is_some() && self.silent < FAILSAFE
     }
 
-    /// The software's memory between two periods: bytes for the same program only. None, if it does not answer for so long.
+    /// Returns the software's memory between two periods: bytes for the same program only. None if no answer comes in time.
     ///
     /// # Errors
     /// An error of the system.
@@ -354,7 +354,7 @@ impl Bench {
 /// Words of an answer before inputs and outputs: period, count, station.
 const HEAD: usize = 3;
 
-/// A station as the computer names it: its address above its port; none of an address that loopback has not.
+/// Returns the number of a station: its address above its port. An IPv6 address has no number.
 pub fn station(address: SocketAddr) -> Option<u64> {
     let SocketAddr::V4(address) = address else { return None };
     Some(u64::from(address.ip().to_bits()) << 16 | u64::from(address.port()))
@@ -367,7 +367,7 @@ pub struct Answer {
     pub number: u64,
     /// Periods since the software began.
     pub count: u64,
-    /// The station to which something went down, as a number; 0 if nothing did.
+    /// Number of the station to which a packet went down; 0 if no packet did.
     pub station: u64,
     /// The packet that it took from the ground in this period.
     pub uplink: Packet,

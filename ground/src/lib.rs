@@ -21,6 +21,7 @@
 pub mod bench;
 pub mod catalogue;
 pub mod command;
+pub mod ending;
 pub mod key;
 pub mod limited;
 pub mod live;
@@ -30,6 +31,7 @@ pub mod player;
 pub mod priority;
 pub mod program;
 pub mod radio;
+pub mod recorded;
 pub mod recorder;
 pub mod relay;
 pub mod replay;

@@ -35,6 +35,8 @@ pub struct Live {
     asked: Receiver<Ask>,
     recorder: Option<Recorder>,
     recorded: Recording,
+    /// The last failure that [`failure`](Self::failure) returned.
+    failed: Option<String>,
     folder: PathBuf,
     files: u32,
     tools: Vec<(Box<dyn Tool>, Seat)>,
@@ -99,7 +101,8 @@ impl Live {
     pub fn new(testbed: Testbed, hub: Arc<Hub>, asked: Receiver<Ask>, folder: PathBuf) -> Self {
         let recorded = Recording::default();
         let tools = Vec::new();
-        Self { testbed, hub, asked, recorder: None, recorded, folder, files: 0, tools }
+        let (recorder, failed) = (None, None);
+        Self { testbed, hub, asked, recorder, recorded, failed, folder, files: 0, tools }
     }
 
     /// Puts a tool at the testbed's side.
@@ -166,6 +169,17 @@ impl Live {
             self.hub.keep(path);
             self.recorded.ready = true;
         }
+    }
+
+    /// Returns the reason why a recording failed, once for each.
+    pub fn failure(&mut self) -> Option<String> {
+        let error = match &self.recorder {
+            Some(recorder) => recorder.state().error,
+            None => self.recorded.error.clone(),
+        };
+        let news = error.filter(|error| self.failed.as_ref() != Some(error))?;
+        self.failed = Some(news.clone());
+        Some(news)
     }
 
     /// Returns the statistics of the period's timing.

@@ -8,12 +8,28 @@ use ground::program::{Program, Target};
 use ground::radio::Quality;
 use ground::server::{self, Hub};
 use ground::testbed::{Pace, Testbed, Wanted};
-use ground::{replay, testbed};
+use ground::{ending, recorder, replay, testbed};
 use ground_args::{Fly, Machine, Replay, Task};
 use std::error::Error;
+use std::io::Write as _;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::process::{Command, ExitCode, Stdio};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
+
+/// Prints a line. A closed standard output is no failure.
+macro_rules! say {
+    ($($text:tt)*) => {{
+        let _ = writeln!(std::io::stdout(), $($text)*);
+    }};
+}
+
+/// Prints a line to standard error. A closed standard error is no failure.
+macro_rules! warn {
+    ($($text:tt)*) => {{
+        let _ = writeln!(std::io::stderr(), $($text)*);
+    }};
+}
 
 /// The ground station.
 #[derive(Parser)]
@@ -25,7 +41,7 @@ struct Arguments {
 
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().task {
-        Task::Fly(wanted) => fly(&wanted).map(|()| true),
+        Task::Fly(wanted) => fly(&wanted),
         Task::Replay(wanted) if wanted.page => play(&wanted).map(|()| true),
         Task::Replay(wanted) => run_again(&wanted),
     };
@@ -33,16 +49,21 @@ fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            eprintln!("error: {error}");
+            warn!("error: {error}");
             ExitCode::from(2)
         }
     }
 }
 
-fn fly(wanted: &Fly) -> Result<(), Box<dyn Error>> {
+/// Flies until a signal or `--seconds`. Returns false if a recording failed.
+fn fly(wanted: &Fly) -> Result<bool, Box<dyn Error>> {
+    let ending = ending::requested()?;
+    if let Some(path) = &wanted.record {
+        recorder::check(path)?;
+    }
     let key = wanted.key.as_deref().map(Key::read).transpose()?;
     let authenticated = key.is_some();
-    eprintln!("compiling the onboard software …");
+    warn!("compiling the onboard software …");
     let program = Program::build(&bessemer_legs::root(), target(wanted.target))?;
     let quality = Quality {
         loss: wanted.loss,
@@ -61,12 +82,12 @@ fn fly(wanted: &Fly) -> Result<(), Box<dyn Error>> {
     let address = server::start(wish, hub.clone())
         .map_err(|error| format!("`{wish}`: {error}; `--port 0` takes a port that is free"))?;
     let page = format!("http://{address}/#token={}", hub.token());
-    println!("{page}");
+    say!("{page}");
     if !authenticated {
-        eprintln!("commands are not sealed: `--key FILE` seals them");
+        warn!("commands are not sealed: `--key FILE` seals them");
     }
     if !wanted.bind.is_loopback() {
-        eprintln!("the page can be reached from outside, without encryption");
+        warn!("the page can be reached from outside, without encryption");
     }
     if !wanted.headless {
         show(&page);
@@ -79,26 +100,38 @@ fn fly(wanted: &Fly) -> Result<(), Box<dyn Error>> {
     if let Some(path) = &wanted.record {
         live.record(path.clone())?;
     }
-    let mut told = 0;
-    while wanted.seconds.is_none_or(|end| live.testbed.now() < end) {
-        live.step()?;
-        if let Some(why) = &live.testbed.ended
-            && live.testbed.restarts > told
-        {
-            told = live.testbed.restarts;
-            eprintln!("the onboard software is started anew: {why}");
+    let (mut restarts, mut recorded) = (0, true);
+    let mut report_failure = |live: &mut Live| {
+        if let Some(error) = live.failure() {
+            recorded = false;
+            warn!("the recording has ended: {error}");
         }
+    };
+    let mut flown = Ok(());
+    let goes_on =
+        |now: f64| !ending.load(Ordering::Relaxed) && wanted.seconds.is_none_or(|end| now < end);
+    while flown.is_ok() && goes_on(live.testbed.now()) {
+        flown = live.step().map(drop);
+        if let Some(why) = &live.testbed.ended
+            && live.testbed.restarts > restarts
+        {
+            restarts = live.testbed.restarts;
+            warn!("the onboard software is started anew: {why}");
+        }
+        report_failure(&mut live);
     }
     live.save();
+    report_failure(&mut live);
+    flown?;
     let timing = live.timing();
-    println!(
+    say!(
         "{} periods of {} ms, {} missed, slowest answer {} µs",
         timing.periods,
         1000.0 * testbed::period(),
         timing.missed,
         timing.slowest
     );
-    Ok(())
+    Ok(recorded)
 }
 
 /// Puts the tools that are asked for at the testbed's side.
@@ -108,7 +141,7 @@ fn add_tools(wanted: &Fly, live: &mut Live) -> Result<(), Box<dyn Error>> {
         {
             let tool = ground::tools::foxglove::Foxglove::start(address)
                 .map_err(|error| format!("Foxglove's port `{address}`: {error}"))?;
-            println!("foxglove: ws://{}", tool.address());
+            say!("foxglove: ws://{}", tool.address());
             live.add(tool);
         }
         #[cfg(not(feature = "foxglove"))]
@@ -120,10 +153,10 @@ fn add_tools(wanted: &Fly, live: &mut Live) -> Result<(), Box<dyn Error>> {
             use ground::tools::mavlink::{Mavlink, Signature};
             let signed = wanted.mavlink_key.as_deref().map(Signature::read).transpose()?;
             if signed.is_none() {
-                eprintln!("MAVLink is not signed: `--mavlink-key FILE` signs it");
+                warn!("MAVLink is not signed: `--mavlink-key FILE` signs it");
             }
             live.add(Mavlink::start(address, signed.unwrap_or_default())?);
-            println!("mavlink: udp to {address}");
+            say!("mavlink: udp to {address}");
         }
         #[cfg(not(feature = "mavlink"))]
         return Err(unbuilt(live, "mavlink", address));
@@ -142,11 +175,12 @@ fn play(wanted: &Replay) -> Result<(), Box<dyn Error>> {
     let (asked, asks) = live::queue();
     let hub = Hub::new(asked, &live::hello(false))?;
     let mut player = Player::open(&wanted.file, hub.clone(), asks)?;
+    report_missing(player.missing, player.playing().to);
     let wish = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), wanted.port);
     let address = server::start(wish, hub.clone())
         .map_err(|error| format!("`{wish}`: {error}; `--port 0` takes a port that is free"))?;
     let page = format!("http://{address}/#token={}", hub.token());
-    println!("{page}");
+    say!("{page}");
     if !wanted.headless {
         show(&page);
     }
@@ -162,15 +196,27 @@ fn play(wanted: &Replay) -> Result<(), Box<dyn Error>> {
 fn run_again(wanted: &Replay) -> Result<bool, Box<dyn Error>> {
     let program = Program::build(&bessemer_legs::root(), target(wanted.target))?;
     let report = replay::replay(&program, &wanted.file)?;
+    if report.difference.is_none() {
+        report_missing(report.missing, report.until);
+    }
     match &report.difference {
-        None => println!("{} steps, every output the same bits", report.steps),
-        Some(replay::Difference { count, time, signal, words: (then, now) }) => println!(
+        None => say!("{} steps, every output the same bits", report.steps),
+        Some(replay::Difference { count, time, signal, words: (then, now) }) => say!(
             "step {count}, at {time:.3} s: {signal} was {then:#018x} ({}), is {now:#018x} ({})",
             f64::from_bits(*then),
             f64::from_bits(*now)
         ),
     }
     Ok(report.difference.is_none())
+}
+
+/// Prints how much of a truncated recording is missing.
+fn report_missing(missing: Option<usize>, until: f64) {
+    if let Some(missing) = missing {
+        warn!(
+            "the recording was cut off: it ends at {until:.3} s, and {missing} bytes at its end are no whole chunk"
+        );
+    }
 }
 
 fn target(machine: Machine) -> Target {

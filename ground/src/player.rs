@@ -6,6 +6,7 @@
 use crate::bench::Worked;
 use crate::catalogue::SIGNALS;
 use crate::messages::{Ask, Playing, Tell};
+use crate::recorded::Recorded;
 use crate::recorder::{STEPS, step};
 use crate::replay::Error;
 use crate::server::Hub;
@@ -36,6 +37,8 @@ struct Frame {
 /// The player.
 pub struct Player {
     frames: Vec<Frame>,
+    /// Bytes without a whole chunk at the end of a truncated recording.
+    pub missing: Option<usize>,
     hub: Arc<Hub>,
     asked: Receiver<Ask>,
     /// Time in the recording, s.
@@ -52,10 +55,13 @@ impl Player {
     /// # Errors
     /// The recording cannot be read, or has nothing to show.
     pub fn open(path: &Path, hub: Arc<Hub>, asked: Receiver<Ask>) -> Result<Self, Error> {
-        let frames = read(path)?;
-        let first = frames.first().ok_or_else(|| Error::Empty { path: path.to_owned() })?;
-        let time = first.time;
-        Ok(Self { frames, hub, asked, time, speed: 1.0, next: 0, untold: TOLD })
+        let (frames, missing) = read(path)?;
+        let nothing = || match missing {
+            Some(_) => Error::Cut { path: path.to_owned() },
+            None => Error::Empty { path: path.to_owned() },
+        };
+        let time = frames.first().ok_or_else(nothing)?.time;
+        Ok(Self { frames, missing, hub, asked, time, speed: 1.0, next: 0, untold: TOLD })
     }
 
     /// Returns the time in the recording, s, and the speed.
@@ -102,13 +108,12 @@ impl Player {
     }
 }
 
-/// Every frame of a recording.
-fn read(path: &Path) -> Result<Vec<Frame>, Error> {
-    let file =
-        std::fs::read(path).map_err(|source| Error::File { path: path.to_owned(), source })?;
+/// Reads the frames of a recording, and the number of bytes that are missing from it.
+fn read(path: &Path) -> Result<(Vec<Frame>, Option<usize>), Error> {
+    let recorded = Recorded::read(path)?;
     let broken = |source| Error::Mcap { path: path.to_owned(), source };
     let (mut frames, mut truth) = (Vec::new(), [f32::NAN; 6]);
-    for message in mcap::MessageStream::new(&file).map_err(broken)? {
+    for message in recorded.messages().map_err(broken)? {
         let message = message.map_err(|source| Error::Mcap { path: path.to_owned(), source })?;
         match message.channel.topic.as_str() {
             "/truth" => truth = seen(&message.data),
@@ -123,7 +128,7 @@ fn read(path: &Path) -> Result<Vec<Frame>, Error> {
             _ => {}
         }
     }
-    Ok(frames)
+    Ok((frames, recorded.missing))
 }
 
 /// Returns the message of a step with every signal.

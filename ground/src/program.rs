@@ -123,6 +123,9 @@ impl Program {
             Self::Process { path, toolchain } => {
                 let mut command: Command = toolchain.runner(path);
                 command.arg(bus.to_string()).stdin(Stdio::piped());
+                // Ctrl-C at a terminal reaches the parent alone, which then ends the software.
+                #[cfg(unix)]
+                std::os::unix::process::CommandExt::process_group(&mut command, 0);
                 let failed = |source| Error::Start { program: path.display().to_string(), source };
                 let mut child = command.spawn().map_err(failed)?;
                 let line = key.map(Key::line).unwrap_or_default();

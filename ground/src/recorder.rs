@@ -3,7 +3,7 @@
 //! Two kinds of topics: the ones of `sim::recording`, JSON for Foxglove and PlotJuggler, at 50 Hz; and, for the
 //! software to be run again, `/image`, its memory at the beginning, and `/steps`, the words of everything that it
 //! took and said in each period. A thread writes; when it cannot, or in real time not fast enough, the recording ends and
-//! says why, and the flight goes on. Time that waits for the software waits for the disk, too.
+//! says why, and the flight goes on. In virtual time the flight waits for the disk.
 
 use crate::bench::{Period, Worked};
 use crate::messages::Recording;
@@ -33,7 +33,7 @@ const WAITING: usize = 1000;
 /// Number of periods of which one is recorded in the human-readable topics.
 const DECIMATION: u64 = 4;
 
-/// A recording cannot begin.
+/// Error: the file of a recording cannot be written.
 #[derive(Debug, thiserror::Error)]
 #[error("the recording `{path}` cannot be written: {source}")]
 pub struct Unwritable {
@@ -59,8 +59,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Begins to write a file; `image`: the software's memory, if it has begun already; `waits`: whether periods may wait
-    /// for the disk.
+    /// Begins to write a file. `image` is the memory of software that already runs; `waits` lets periods wait for the disk.
     ///
     /// # Errors
     /// The file cannot be written.
@@ -116,13 +115,18 @@ impl Recorder {
 
     /// Ends it: the file is whole, or the state says why not.
     pub fn finish(mut self) -> Recording {
+        self.end();
+        self.state()
+    }
+
+    /// Finishes the file, unless it is finished.
+    fn end(&mut self) {
         self.pages = None;
         if let Some(writer) = self.writer.take()
             && writer.join().is_err()
         {
             self.fail("the writer ended");
         }
-        self.state()
     }
 
     fn fail(&mut self, reason: &str) {
@@ -131,6 +135,21 @@ impl Recorder {
             error.get_or_insert_with(|| format!("`{}`: {reason}", self.path.display()));
         }
     }
+}
+
+impl Drop for Recorder {
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+/// Checks that a recording can be written to a file, whose contents stay.
+///
+/// # Errors
+/// It cannot.
+pub fn check(path: &Path) -> Result<(), Unwritable> {
+    let opened = File::options().write(true).create(true).truncate(false).open(path);
+    opened.map(drop).map_err(|source| Unwritable { path: path.to_owned(), source })
 }
 
 /// Creates the file of a recording, or empties it.

@@ -17,7 +17,7 @@ use std::net::{Ipv4Addr, SocketAddrV4, UdpSocket};
 use std::sync::{Arc, OnceLock, Weak};
 use std::time::Duration;
 
-/// After so long a silence of the bus it looks whether anybody is there any more.
+/// Interval between checks that the [`Relay`] still exists.
 const LOOK: Duration = Duration::from_millis(500);
 
 /// The longest datagram: the software's memory.
@@ -74,9 +74,9 @@ impl Relay {
         let there = Arc::downgrade(&wrong);
         std::thread::spawn(move || {
             if let Err(error) = ends.relay(&begin, &there)
-                && let Some(told) = there.upgrade()
+                && let Some(wrong) = there.upgrade()
             {
-                let _ = told.set(error);
+                let _ = wrong.set(error);
             }
         });
         Ok(Self(wrong))

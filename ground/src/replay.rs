@@ -4,6 +4,7 @@
 
 use crate::bench::{Answer, Worked, bytes};
 use crate::program::{self, Program, Running};
+use crate::recorded::Recorded;
 use crate::recorder::{IMAGE, STEPS, step};
 use crate::wait;
 use bessemer::Plain;
@@ -27,8 +28,8 @@ pub enum Error {
         /// An error of the system.
         source: io::Error,
     },
-    /// It is no MCAP file, or one that was cut off.
-    #[error("`{path}` is no whole MCAP file: {source}")]
+    /// It is no MCAP file, or a broken one.
+    #[error("`{path}` is no sound MCAP file: {source}")]
     Mcap {
         /// The file.
         path: PathBuf,
@@ -40,6 +41,14 @@ pub enum Error {
         "`{path}` holds nothing to run again; `cargo xtask fly --record FILE` records what can be"
     )]
     Empty {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It was cut off too early.
+    #[error(
+        "`{path}` was cut off before its first chunk was whole: there is nothing in it to run again"
+    )]
+    Cut {
         /// The file.
         path: PathBuf,
     },
@@ -77,6 +86,10 @@ pub struct Difference {
 pub struct Report {
     /// Steps that were run again.
     pub steps: u64,
+    /// Time of the last step, s.
+    pub until: f64,
+    /// Bytes without a whole chunk at the end of a truncated recording.
+    pub missing: Option<usize>,
     /// The first difference.
     pub difference: Option<Difference>,
 }
@@ -86,13 +99,12 @@ pub struct Report {
 /// # Errors
 /// The recording cannot be read, or the software does not run.
 pub fn replay(program: &Program, path: &Path) -> Result<Report, Error> {
-    let file =
-        std::fs::read(path).map_err(|source| Error::File { path: path.to_owned(), source })?;
+    let recorded = Recorded::read(path)?;
     let broken = |source| Error::Mcap { path: path.to_owned(), source };
-    let mut report = Report::default();
+    let mut report = Report { missing: recorded.missing, ..Report::default() };
     let mut runner: Option<Runner> = None;
     let mut image = None;
-    for message in mcap::MessageStream::new(&file).map_err(broken)? {
+    for message in recorded.messages().map_err(broken)? {
         let message = message.map_err(|source| Error::Mcap { path: path.to_owned(), source })?;
         if message.channel.topic == IMAGE {
             image = Some(message.data.to_vec());
@@ -119,15 +131,18 @@ pub fn replay(program: &Program, path: &Path) -> Result<Report, Error> {
         let outputs = running.step(&recorded)?;
         report.steps += 1;
         let time = message.log_time as f64 * 1e-9 - sim::scenario::LEAD;
+        report.until = time;
         report.difference = difference(&recorded, &outputs, time);
         if report.difference.is_some() {
             return Ok(report);
         }
     }
-    if report.steps == 0 {
-        return Err(Error::Empty { path: path.to_owned() });
+    let path = path.to_owned();
+    match (report.steps, report.missing) {
+        (0, Some(_)) => Err(Error::Cut { path }),
+        (0, None) => Err(Error::Empty { path }),
+        _ => Ok(report),
     }
-    Ok(report)
 }
 
 /// Receives a datagram from the bus.

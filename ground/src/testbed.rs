@@ -158,7 +158,7 @@ impl Testbed {
         self.running.kill();
     }
 
-    /// The software's memory between two periods; none, if it does not answer.
+    /// Returns the software's memory between two periods; none, if no answer comes.
     ///
     /// # Errors
     /// An error of the system.
@@ -196,7 +196,7 @@ impl Testbed {
         }
         let running = &mut self.running;
         let done = self.bench.step(deadline, || running.ended().is_none())?;
-        if self.pace == Pace::Virtual && done.told.is_some() && done.told == self.here {
+        if self.pace == Pace::Virtual && done.addressee.is_some() && done.addressee == self.here {
             self.await_datagram()?;
         }
         self.listen(now);
@@ -223,7 +223,7 @@ impl Testbed {
         Ok(())
     }
 
-    /// Waits for what was sent down to this station in this period. A system that is busy may deliver it behind the answer, which
+    /// Waits for the datagram that went down to this station in this period. A busy system may deliver it after the answer, which
     /// went to another socket; in virtual time it belongs to the period.
     fn await_datagram(&self) -> io::Result<()> {
         self.socket.set_nonblocking(false)?;

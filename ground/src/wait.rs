@@ -1,14 +1,14 @@
-//! Waits for a datagram until a time, however often the wait is interrupted.
+//! Waits for a datagram until a deadline, however often the wait is interrupted.
 //!
-//! A process that is stopped and goes on, or a machine that is frozen, ends a wait with a time limit early: that is neither
-//! silence nor a failure. Knows nothing of what is said.
+//! A wait with a time limit ends with `EINTR` when its process is stopped and continued, or its machine frozen. That is neither
+//! silence nor a failure. Must not know the contents of datagrams.
 
 use std::io::ErrorKind::{Interrupted, TimedOut, WouldBlock};
 use std::io::Result;
 use std::net::{SocketAddr, UdpSocket};
 use std::time::Instant;
 
-/// Takes a datagram: its length, and whom it comes from; none, if none comes in time.
+/// Receives a datagram: its length and its sender; none, if no datagram comes in time.
 ///
 /// # Errors
 /// An error of the system.
@@ -20,7 +20,7 @@ pub fn receive(
     wait(socket, until, |socket| socket.recv_from(buffer))
 }
 
-/// Waits until a datagram is there, and leaves it there; whether one came in time.
+/// Waits for a datagram, and leaves it in the socket. Returns whether one came in time.
 ///
 /// # Errors
 /// An error of the system.

@@ -128,7 +128,7 @@ for n in $(seq 100); do
     done
 done";
 
-/// A machine that is frozen, a debugger, a shell: whatever stops a process and lets it go on ends every wait with a time limit.
+/// Stops and continues the processes, as a frozen machine or a debugger does: each wait with a time limit then ends early.
 #[test]
 fn who_is_stopped_and_goes_on_flies_the_same_bits() {
     let flown = |disturbed: bool| {
@@ -320,7 +320,7 @@ fn the_software_ends_with_whoever_started_it() {
     let heard = ground::wait::receive(&bus, &mut ready, limit).expect("a socket");
     let (length, computer) = heard.expect("it says that it is there");
     assert!(ready[..length].starts_with(b"ready"));
-    // Its bus is never silent: that is not what it ends for.
+    // Its bus is never silent, so silence cannot be the reason for its end.
     drop(input);
     let begun = Instant::now();
     while software.try_wait().expect("it is ours").is_none() {

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
 
-/// It only ends a test that would never end.
+/// Time limit of a wait. Only a broken server exceeds it.
 const LIMIT: Duration = Duration::from_secs(120);
 
 /// So many messages are looked at.

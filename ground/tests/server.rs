@@ -55,7 +55,7 @@ fn served() -> Served {
     Served { live, hub, address, folder }
 }
 
-/// It only ends a test that would never end.
+/// Time limit of a wait. Only a broken server exceeds it.
 const LIMIT: Duration = Duration::from_secs(120);
 
 struct Page {

@@ -12,7 +12,7 @@ use crate::{project, stages};
 use std::ffi::OsString;
 use std::io::IsTerminal;
 use std::path::Path;
-use std::process::ExitStatus;
+use std::process::{Command, ExitStatus};
 
 /// Builds the program of a package with these features, showing progress, and runs it with the command line's
 /// arguments, already parsed.
@@ -45,6 +45,19 @@ pub fn run(
     }
     let mut command = project::cargo(root, &["run", "--quiet"]);
     command.args(program).arg("--").args(words);
+    replaced_by(command)
+}
+
+/// Replaces this process by the program, which then receives the signals and sets the exit code.
+#[cfg(unix)]
+fn replaced_by(mut command: Command) -> Result<Outcome, Error> {
+    let source = std::os::unix::process::CommandExt::exec(&mut command);
+    Err(stages::spawn_error(&command, source))
+}
+
+/// Runs the program and waits for it, on systems without `exec`.
+#[cfg(not(unix))]
+fn replaced_by(mut command: Command) -> Result<Outcome, Error> {
     let status = stages::attached(&mut command)?;
     Ok(if status.success() { Outcome::Good } else { Outcome::Bad })
 }

@@ -1,4 +1,4 @@
-//! The install step on machines that have a part of what is needed: whatever is there, all of it is there afterwards.
+//! The install step on machines that have some of the tools: afterwards none is missing.
 //!
 //! A machine is a folder whose `bin` is all of `PATH`, with programs that are one script by many names (`installed/fake.sh`):
 //! compilers that are there if their package was installed, an apt-get that installs packages, a Python with modules.
@@ -18,7 +18,7 @@ use xtask::tools::{Probe, Source, TOOLS, ThisMachine, Tool, find, python};
 /// The folder that is the machine; only for the process that runs on it.
 const HERE: &str = "XTASK_MACHINE";
 
-/// Runs `work` in a process of its own whose `PATH` is that of a machine.
+/// Runs `work` in a process of its own whose `PATH` is a machine's `bin`.
 fn on_a_machine(test: &str, work: impl FnOnce(&Path)) {
     if let Some(folder) = std::env::var_os(HERE) {
         return work(Path::new(&folder));

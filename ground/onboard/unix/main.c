@@ -6,7 +6,7 @@
  * BUS_PORT is where the aircraft listens, on loopback, as is the port at which the ground is listened to: any that is
  * free; the first datagram on the bus is "ready" and that port, two bytes, least significant first. The first line of
  * standard input is the key, 32 hexadecimal digits, or empty. The program ends when standard input does: then whoever
- * started it is gone. It does not end for silence, which may be that of a busy machine.
+ * started it is gone. A silent bus does not end it: the machine may be busy.
  *
  * SPDX-License-Identifier: MIT OR Apache-2.0
  */

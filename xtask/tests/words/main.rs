@@ -79,7 +79,7 @@ impl Comment {
             let rest = first.strip_prefix(*opening);
             rest.is_some_and(|rest| !rest.starts_with(|next: char| next.is_alphanumeric()))
         };
-        OPENINGS.iter().any(|opening| begins(opening))
+        OPENINGS.iter().any(begins)
     }
 
     fn is_long(&self) -> bool {

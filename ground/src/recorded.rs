@@ -1,0 +1,87 @@
+//! Reads the file of a recording; of a truncated one, the whole chunks.
+//!
+//! A program that was killed, or a full disk, leaves a file without an end, whose last chunk may be incomplete. The chunks
+//! before it are as they were written. Must not know the contents of the messages.
+
+use crate::replay::Error;
+use mcap::read::ChunkReader;
+use mcap::records::{Record, op};
+use mcap::{MAGIC, MessageStream};
+use std::path::Path;
+
+/// Data-end record without a checksum: operation, length, content.
+const DATA_END: [u8; 13] = [op::DATA_END, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+
+/// A recording in memory.
+#[derive(Debug)]
+pub struct Recorded {
+    bytes: Vec<u8>,
+    /// Bytes without a whole chunk at the end of a truncated file.
+    pub missing: Option<usize>,
+}
+
+impl Recorded {
+    /// Reads a file, and looks for its last whole chunk if it is truncated.
+    ///
+    /// # Errors
+    /// It cannot be read, or is no recording.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let bytes = std::fs::read(path);
+        let bytes = bytes.map_err(|source| Error::File { path: path.to_owned(), source })?;
+        if !bytes.starts_with(MAGIC) {
+            let source = mcap::McapError::BadMagic;
+            return Err(Error::Mcap { path: path.to_owned(), source });
+        }
+        Ok(Self::of(bytes))
+    }
+
+    /// Returns the recording in bytes that begin with the magic.
+    fn of(mut bytes: Vec<u8>) -> Self {
+        let Some(whole) = truncated(&bytes) else { return Self { bytes, missing: None } };
+        let missing = Some(bytes.len() - whole);
+        bytes.truncate(whole);
+        bytes.extend(DATA_END);
+        Self { bytes, missing }
+    }
+
+    /// Iterates over the messages in file order.
+    ///
+    /// # Errors
+    /// The file is not sound.
+    pub fn messages(&self) -> mcap::McapResult<MessageStream<'_>> {
+        let options = self.missing.map(|_| mcap::read::Options::IgnoreEndMagic);
+        MessageStream::new_with_options(&self.bytes, options.into_iter().collect())
+    }
+}
+
+/// Returns the length of the sound records of a truncated recording; none for a complete one.
+fn truncated(bytes: &[u8]) -> Option<usize> {
+    let (mut at, mut records) = (MAGIC.len(), Vec::new());
+    while let Some((&[operation, ref length @ ..], rest)) =
+        bytes.get(at..).and_then(|rest| rest.split_first_chunk::<9>())
+    {
+        let length = usize::try_from(u64::from_le_bytes(*length)).unwrap_or(usize::MAX);
+        // An unfinished chunk has no length yet.
+        let Some((body, rest)) = rest.split_at_checked(length) else { break };
+        if operation == op::FOOTER && rest == MAGIC {
+            return None;
+        }
+        at += 9 + length;
+        records.push((operation, body, at));
+    }
+    // The index behind the data needs the end of the file. A disk may leave zeros in unwritten blocks.
+    let data = records.into_iter().take_while(|(operation, ..)| *operation != op::DATA_END);
+    let sound = data.take_while(|(operation, body, _)| is_sound(*operation, body));
+    Some(sound.last().map_or(MAGIC.len(), |(_, _, end)| end))
+}
+
+/// Returns whether a record can be read, including every record of a chunk.
+fn is_sound(operation: u8, body: &[u8]) -> bool {
+    match mcap::parse_record(operation, body) {
+        Ok(Record::Chunk { header, data }) => ChunkReader::new(header, &data)
+            .is_ok_and(|mut records| records.all(|record| record.is_ok())),
+        Ok(Record::Unknown { opcode, .. }) => opcode != 0,
+        Ok(_) => true,
+        Err(_) => false,
+    }
+}
