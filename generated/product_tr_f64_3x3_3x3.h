@@ -15,13 +15,20 @@
 #include <float.h>
 #include <stdint.h>
 
-#if FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53 || !defined(FLT_EVAL_METHOD) || FLT_EVAL_METHOD != 0
-#error "results need float and double of IEEE 754, and operations that round to their own type"
+#if FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53
+#error "float and double must have 24 and 53 bits, as IEEE 754 has them"
+#endif
+#if !defined(FLT_EVAL_METHOD)
+#error "float.h lacks FLT_EVAL_METHOD: pass -DFLT_EVAL_METHOD=0 if each operation rounds to its own type"
+#elif FLT_EVAL_METHOD != 0
+#error "each operation must round to its own type: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast elsewhere"
 #endif
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0)
 #error "-ffast-math and its parts change results: compile without them"
 #endif
+/* An array of size -1 if a literal is no double: compile without -fsingle-precision-constant. */
+typedef char PRODUCT_TR_F64_3X3_3X3_H_DOUBLE_LITERALS[(sizeof(0.1) == sizeof(double)) ? 1 : -1];
 #if defined(__clang__)
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpragmas"

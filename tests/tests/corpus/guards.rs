@@ -12,9 +12,10 @@ use bessemer_tests::{corpus, texts, turn};
 
 use super::{Case, cases, run_c};
 
-/// What the head of a file says of fast mathematics, and of numbers that are none of IEEE 754.
+/// Errors at the head of a file: fast mathematics, other precision of operations, other precision of literals.
 const FAST: &str = "-ffast-math and its parts change results";
-const FORMAT: &str = "results need float and double of IEEE 754";
+const EVALUATION: &str = "each operation must round to its own type";
+const LITERALS: &str = "_DOUBLE_LITERALS";
 
 /// What becomes of the C.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -38,7 +39,8 @@ const GCC: &[Told] = &[
     (&["-freciprocal-math"], Refused(FAST)),
     (&["-funsafe-math-optimizations"], Refused(FAST)),
     (&["-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"], Refused(FAST)),
-    (&["-mfpmath=387"], Refused(FORMAT)),
+    (&["-mfpmath=387"], Refused(EVALUATION)),
+    (&["-fsingle-precision-constant"], Refused(LITERALS)),
 ];
 
 const CLANG: &[Told] = &[
@@ -50,6 +52,7 @@ const CLANG: &[Told] = &[
     (&["-Ofast"], Refused(FAST)),
     (&["-ffinite-math-only"], Refused(FAST)),
     (&["-ffp-model=fast"], Refused(FAST)),
+    (&["-Xclang", "-cl-single-precision-constant"], Refused(LITERALS)),
 ];
 
 /// The cases that the flags change.
