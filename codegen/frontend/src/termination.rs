@@ -119,7 +119,7 @@ fn no_integers() -> Reason {
     "its condition compares no integers with `<`".into()
 }
 
-/// Whether a statement goes on with the next pass of the loop that it stands in.
+/// Reports if a statement continues the loop around it.
 fn continues(stmt: &Stmt) -> bool {
     stmt.any_branch(&|kind| matches!(kind, StmtKind::Continue))
 }
@@ -138,7 +138,7 @@ fn least_at(module: &Module, number: &Expr, lead: &[Stmt]) -> Option<i128> {
     shown_least(module, value)
 }
 
-/// How a value stands to the one that it is held against: at least that far on, or further.
+/// Order of a value and the one that it is compared with: at least that far on, or further.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Far {
     AsFar,
@@ -385,7 +385,7 @@ impl Looked<'_> {
         }
     }
 
-    /// How a value stands to low (upward) or to high (downward), as these are now.
+    /// Order of a value and low (upward) or high (downward), as these are now.
     fn against(&self, side: Side, value: &Expr, path: &Path) -> Option<Far> {
         if self.is(side, value) {
             return Some(Far::AsFar);

@@ -402,7 +402,7 @@ pub(super) fn takes_all(pattern: &Pattern) -> bool {
 
 /// The arms that can be reached: what follows one that takes everything is never tried, nor a guard
 /// behind arms that take everything between them.
-fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
+pub(super) fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
     let all = |arm: &tree::Arm| takes_all(&arm.pattern) && arm.guard.is_none();
     let end = arms.iter().position(all).map_or(arms.len(), |last| last + 1);
     let last = arms[..end].iter().rposition(|arm| arm.guard.is_none());

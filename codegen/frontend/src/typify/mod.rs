@@ -65,6 +65,8 @@ mod stepped;
 mod subject;
 mod submatrix;
 mod syntax;
+#[cfg(test)]
+mod tests;
 mod types;
 mod value;
 mod words;
