@@ -41,11 +41,11 @@ extern "C" {
 
 /** All settings of a flight. */
 typedef struct {
-    /** The aircraft as it is believed to be: for the feed-forward. */
-    airframe_t airframe;
     /** Airframe assumed by the feed-forward. */
-    calibration_t calibration;
+    airframe_t airframe;
     /** Scales of the sensors. */
+    calibration_t calibration;
+    /** Noise of the sensors, and limits of their readings. */
     sensors_t sensors;
     /** Limits of trajectories. */
     space_t space;

@@ -26,11 +26,11 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings {
-    /// The aircraft as it is believed to be: for the feed-forward.
-    pub airframe: Airframe,
     /// Airframe assumed by the feed-forward.
-    pub calibration: Calibration,
+    pub airframe: Airframe,
     /// Scales of the sensors.
+    pub calibration: Calibration,
+    /// Noise of the sensors, and limits of their readings.
     pub sensors: Sensors,
     /// Limits of trajectories.
     pub space: Space,
