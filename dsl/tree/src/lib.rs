@@ -372,8 +372,7 @@ pub enum ExprKind {
         label: Option<String>,
         /// The condition for another pass.
         condition: Option<Box<Expr>>,
-        /// Largest number of passes: a literal or a constant. Without one it must be evident. Without one it has to
-        /// show.
+        /// Largest number of passes: a literal or a constant. Without one it must be evident.
         bound: Option<Box<Expr>>,
         /// The body.
         body: Block,
