@@ -20,13 +20,13 @@ pub enum Error {
         why: &'static str,
     },
     /// The folder of a new package exists already.
-    #[error("`{folder}` is there already")]
+    #[error("`{folder}` exists already")]
     Exists {
         /// Its path.
         folder: PathBuf,
     },
     /// No checkout of Bessemer is at the given place.
-    #[error("`{folder}` is no checkout of Bessemer: it has no `dsl/Cargo.toml`")]
+    #[error("`{folder}` is not a checkout of Bessemer: it has no `dsl/Cargo.toml`")]
     NoCheckout {
         /// The folder.
         folder: PathBuf,
@@ -64,7 +64,7 @@ pub enum Error {
         wanted: usize,
     },
     /// There is no compiler of C to compare with.
-    #[error("neither gcc nor clang runs here")]
+    #[error("neither gcc nor clang can be run")]
     NoCompiler,
     /// A program that is needed is missing.
     #[error(transparent)]
@@ -78,7 +78,7 @@ pub enum Error {
         why: board::Error,
     },
     /// A compiler of C refused what was emitted.
-    #[error("{name} refuses the C: {said}")]
+    #[error("{name} cannot compile the C: {said}")]
     Compiler {
         /// Its name.
         name: String,
@@ -86,7 +86,7 @@ pub enum Error {
         said: String,
     },
     /// The program around the Rust could not be made.
-    #[error("the program around the Rust cannot be made: {said}")]
+    #[error("the native test program cannot be built: {said}")]
     Native {
         /// rustc's message.
         said: String,
@@ -100,7 +100,7 @@ pub enum Error {
         why: String,
     },
     /// The time between two calls is none.
-    #[error("the time between two calls is more than 0 s")]
+    #[error("the period must be greater than 0 s")]
     Period,
     /// A parameter has a length of its own, which a unit's variables have not.
     #[error(
@@ -138,23 +138,23 @@ impl Error {
         Some(match self {
             Error::Project(error) => return error.remedy(),
             Error::Name { .. } => "choose another, such as `motor` or `height_loop`".to_owned(),
-            Error::Exists { .. } => "choose another name, or take that folder away".to_owned(),
-            Error::NoCheckout { .. } => "give the folder that you have cloned".to_owned(),
+            Error::Exists { .. } => "choose another name, or remove that folder".to_owned(),
+            Error::NoCheckout { .. } => "pass the folder of your clone".to_owned(),
             Error::NoEntry { known, .. } => format!("choose from {}", known.join(", ")),
             Error::WhichEntry { known } => {
-                format!("say which with `--entry`: {}", known.join(", "))
+                format!("choose one with `--entry`: {}", known.join(", "))
             }
             Error::Recording { .. } => {
-                "the first line names the columns as the Rust does: `target`, `gains.p`, `place[2]`"
+                "name the columns in the first line as in the Rust: `target`, `gains.p`, `place[2]`"
                     .to_owned()
             }
             Error::Words { .. } => {
-                "an input is a tuple of the arguments behind `self`, in their order".to_owned()
+                "pass a tuple of the arguments after `self`, in order".to_owned()
             }
             Error::NoCompiler => install(&[GCC, CLANG]),
-            Error::Period => "give seconds: `--period 0.001`".to_owned(),
+            Error::Period => "pass seconds: `--period 0.001`".to_owned(),
             Error::Slice { .. } => "write an entry point that takes an array `[f64; N]`".to_owned(),
-            Error::Elf { .. } => "give the linked firmware, before it is made a binary".to_owned(),
+            Error::Elf { .. } => "pass the linked ELF file, not the binary image".to_owned(),
             Error::Variable { known, .. } if !known.is_empty() => {
                 format!("choose from {}", known.join(", "))
             }

@@ -112,7 +112,7 @@ fn a_disk_that_is_full_is_told_and_the_c_stays() {
     assert!(!output.status.success(), "{text}");
     assert!(text.contains("new/large.c`: File too large"), "{text}");
     assert!(
-        text.contains("to do: make room there; what was generated before is untouched"),
+        text.contains("to do: free some space there; the previous output is unchanged"),
         "{text}"
     );
     assert_eq!(files(workspace.path()), before);

@@ -192,9 +192,11 @@ fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {
         });
         let help = match site.width {
             _ if of_f32 => {
-                "ask for the form of this function in `f32` alone, in Cargo.toml: `bessemer = { …, features = [\"single\"] }`"
+                "enable the `f32` form of this function in Cargo.toml: `bessemer = { …, features = [\"single\"] }`"
             }
-            Width::Double => "compute in `f32`: let inputs, constants and literals be of that type",
+            Width::Double => {
+                "compute in `f32`: declare inputs, constants and literals of that type"
+            }
             Width::Long => "compute in `u32` or `i32`, and index with `as usize`",
         };
         Diagnostic { help: help.to_owned(), ..place(module, site.span, &message) }
@@ -211,7 +213,7 @@ fn ruled_out(fault: Fault, reason: &str) -> String {
     let operation = operations.iter().find(|(sign, _)| reason.contains(sign));
     match (fault, operation) {
         (Fault::Overflow, Some((_, name))) => format!(
-            "`saturating_{name}` stays at the limit, `wrapping_{name}` goes on from the other end; or compare before"
+            "write `saturating_{name}`, which stops at the limit, or `wrapping_{name}`, which wraps around; or compare before"
         ),
         (Fault::Overflow, None) => {
             "compare with the limits before, or compute in a wider type".to_owned()
@@ -219,17 +221,17 @@ fn ruled_out(fault: Fault, reason: &str) -> String {
         (Fault::DivisionByZero, _) => {
             "compare before: `if n != 0 { sum / n } else { 0 }`".to_owned()
         }
-        (Fault::Shift, _) => "mask what it is shifted by: `1 << (bit & 31)`".to_owned(),
+        (Fault::Shift, _) => "mask the shift count: `1 << (bit & 31)`".to_owned(),
         (Fault::Index, _) => {
             "compare before: `if i < values.len() { values[i] } else { 0.0 }`".to_owned()
         }
         (Fault::Absent, _) => {
-            "say what holds otherwise: `.unwrap_or(0.0)`, `if let Some(x) = …`".to_owned()
+            "write a fallback: `.unwrap_or(0.0)`, `if let Some(x) = …`".to_owned()
         }
         (Fault::Clamp, _) => {
             "write `x.max(low).min(high)`, whose bounds may be in any order; or compare before: `if low <= high { x.clamp(low, high) } else { low }`".to_owned()
         }
-        _ => "rule the fault out by a comparison before".to_owned(),
+        _ => "exclude the fault by a comparison before".to_owned(),
     }
 }
 

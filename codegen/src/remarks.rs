@@ -134,12 +134,12 @@ fn uncalled<'a>(
         let name = &function.name;
         let (message, help) = match makes(function, owner) {
             true => (
-                format!("`{name}` is not in the C, where the state of `{owner_name}` begins as `Default` says"),
-                "write these values into `impl Default`, and pass what changes to the entry point; what the simulation alone calls stands in an `impl` block without `#[component]`",
+                format!("`{name}` is not in the C, where `Default` sets the initial state of `{owner_name}`"),
+                "write these values into `impl Default`, and pass what changes to the entry point; move code for the simulation alone to an `impl` block without `#[component]`",
             ),
             false => (
                 format!("`{name}` is not in the C: no entry point of `{owner_name}` calls it"),
-                "write `#[entry]` above it if the firmware calls it; what the simulation alone calls stands in an `impl` block without `#[component]`",
+                "write `#[entry]` above it if the firmware calls it; move code for the simulation alone to an `impl` block without `#[component]`",
             ),
         };
         Some(warning(file, site, message, help))
@@ -167,7 +167,12 @@ fn repeated(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
         let (name, site) = (&it.name, Site(span.line, span.column));
         let message =
             format!("{count} modules read the table `{name}`, and the C of each has a copy");
-        Some(warning(file, site, message, "write `#[data]` above the table, and it stands once"))
+        Some(warning(
+            file,
+            site,
+            message,
+            "write `#[data]` above the table, so that the C has it once",
+        ))
     })
 }
 

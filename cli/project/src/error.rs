@@ -48,7 +48,7 @@ impl Error {
         match self {
             Error::Generate(error) => error.remedy(),
             Error::NoModels { .. } => {
-                Some("begin a package of models: `cargo bessemer new motor`".to_owned())
+                Some("create a package of models: `cargo bessemer new motor`".to_owned())
             }
             Error::WhichPackage { known } => {
                 Some(format!("choose one: `--package {}`", known.first().map_or("", |it| it)))
@@ -70,7 +70,7 @@ impl Error {
             }
             Error::Settings(said) => (said.clone(), "bessemer.toml cannot be used".to_owned()),
             Error::Limit(said) => {
-                (said.clone(), "the C is beyond the limits of bessemer.toml".to_owned())
+                (said.clone(), "the C exceeds the limits of bessemer.toml".to_owned())
             }
             _ => (String::new(), self.to_string()),
         };

@@ -68,7 +68,7 @@ pub const CASES: &[Case<'static>] = &[
             ),
             LIB,
         ],
-        said: "nothing can be linked with the library of `motor`",
+        said: "the library of `motor` cannot be linked",
         remedy: "\"rlib\"",
         ..PLAIN
     },
@@ -146,14 +146,14 @@ pub const CASES: &[Case<'static>] = &[
     Case {
         name: "no licence",
         files: &[("Cargo.toml", UNLICENSED), LIB, DSL, DSL_LIB],
-        said: "names no licence",
+        said: "has no `license`",
         remedy: "`license = \"MIT OR Apache-2.0\"`",
         ..PLAIN
     },
     Case {
         name: "a licence that ends its comment",
         files: &[("Cargo.toml", UNCOMMENTED), LIB, DSL, DSL_LIB],
-        said: "cannot stand in a comment of C: \"MIT */ int x;\"",
+        said: "cannot be written in a C comment: \"MIT */ int x;\"",
         remedy: "without `/*` and `*/`",
         ..PLAIN
     },
@@ -325,7 +325,7 @@ pub const CASES: &[Case<'static>] = &[
         files: PACKAGE,
         words: &["verify"],
         bare: true,
-        said: "neither gcc nor clang runs here",
+        said: "neither gcc nor clang can be run",
         remedy: "apt-get install gcc libc6-dev clang",
         ..PLAIN
     },
@@ -334,7 +334,7 @@ pub const CASES: &[Case<'static>] = &[
         files: PACKAGE,
         words: &["py"],
         bare: true,
-        said: "neither gcc nor clang runs here",
+        said: "neither gcc nor clang can be run",
         remedy: "apt-get install gcc libc6-dev clang",
         ..PLAIN
     },
@@ -343,7 +343,7 @@ pub const CASES: &[Case<'static>] = &[
         files: PACKAGE,
         words: &["fmu", "--period", "0.001"],
         bare: true,
-        said: "neither gcc nor clang runs here",
+        said: "neither gcc nor clang can be run",
         remedy: "apt-get install gcc libc6-dev clang",
         ..PLAIN
     },
@@ -369,7 +369,7 @@ pub const CASES: &[Case<'static>] = &[
         name: "a unit that is called every no second",
         files: PACKAGE,
         words: &["fmu", "--period", "0"],
-        said: "the time between two calls is more than 0 s",
+        said: "the period must be greater than 0 s",
         remedy: "--period 0.001",
         ..PLAIN
     },
@@ -377,7 +377,7 @@ pub const CASES: &[Case<'static>] = &[
         name: "a unit that is called every NaN",
         files: PACKAGE,
         words: &["fmu", "--period", "NaN"],
-        said: "the time between two calls is more than 0 s",
+        said: "the period must be greater than 0 s",
         remedy: "--period 0.001",
         ..PLAIN
     },
@@ -393,7 +393,7 @@ pub const CASES: &[Case<'static>] = &[
         files: PACKAGE,
         words: &["a2l", "Cargo.toml", "controller=motor_t"],
         said: "Cargo.toml`: ",
-        remedy: "before it is made a binary",
+        remedy: "the linked ELF file",
         ..PLAIN
     },
     Case {
@@ -432,15 +432,15 @@ pub const CASES: &[Case<'static>] = &[
         name: "a checkout that is none",
         files: PACKAGE,
         words: &["new", "pump", "--path", "src"],
-        said: "is no checkout of Bessemer",
-        remedy: "give the folder that you have cloned",
+        said: "is not a checkout of Bessemer",
+        remedy: "pass the folder of your clone",
         ..PLAIN
     },
     Case {
         name: "a new package where something is",
         files: PACKAGE,
         words: &["new", "src"],
-        said: "src` is there already",
+        said: "src` exists already",
         remedy: "choose another name",
         ..PLAIN
     },

@@ -82,7 +82,7 @@ pub(crate) fn turned(
     of: &Loop,
 ) -> Result<(), Reason> {
     if of.before.iter().chain(of.rest).any(continues) {
-        return Err("a `continue` passes its condition by".into());
+        return Err("a `continue` skips its condition".into());
     }
     let turn: Vec<Stmt> = of.rest.iter().chain(of.before).cloned().collect();
     let mut reason = None;
@@ -108,7 +108,7 @@ pub(crate) fn popped(
     let (inclusive, least, moving) = (false, None, vec![1]);
     let looked = Looked { module, low: &low, high: length, inclusive, least, name: &name, moving };
     if place(length).is_none() {
-        return Err("the list is another in every pass".into());
+        return Err("the list changes in every pass".into());
     }
     let path = Path { moved: true, written: [false, true], ..Path::default() };
     looked.block(body, path, false)?;
@@ -223,7 +223,7 @@ impl Looked<'_> {
         let led = writes(before);
         let anew = |side: &Side| self.place(*side).is_none() || reads(self.side(*side), &led);
         if self.moving.iter().any(anew) {
-            return Err("what its condition compares is computed anew in every pass".into());
+            return Err("its condition compares a value that each pass computes again".into());
         }
         let path = self.named(before, path);
         let end = self.block(body, path, false)?;
@@ -378,8 +378,10 @@ impl Looked<'_> {
         path.forget(&lent);
         match (0..2).find(|side| reads(self.side(*side), &lent)) {
             Some(side) => Err(match self.place(side) {
-                Some(place) => format!("`{}` is lent to a function", (self.name)(place)),
-                None => "what it compares with is lent to a function".into(),
+                Some(place) => {
+                    format!("`{}` is passed to a function by `&mut`", (self.name)(place))
+                }
+                None => "the value that it compares with is passed to a function by `&mut`".into(),
             }),
             None => Ok(()),
         }

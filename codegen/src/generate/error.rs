@@ -62,7 +62,7 @@ pub enum Error {
         package: String,
     },
     /// No Rust can be linked with the package's library.
-    #[error("nothing can be linked with the library of `{package}`")]
+    #[error("the library of `{package}` cannot be linked")]
     NotLinked {
         /// Name of the package.
         package: String,
@@ -75,7 +75,7 @@ pub enum Error {
     },
     /// Members of one workspace ask for different mathematics of `f32`.
     #[error(
-        "`{with}` computes the functions of `f32` in `f32` alone and `{without}` does not: built together, they would share one way"
+        "`{with}` enables the feature `single` of `bessemer` and `{without}` does not, but cargo builds `bessemer` once for both"
     )]
     Singles {
         /// The package that has the feature.
@@ -84,13 +84,13 @@ pub enum Error {
         without: String,
     },
     /// The package has no licence to write into the C.
-    #[error("the package `{package}` names no licence, which stands in each file of the C")]
+    #[error("the package `{package}` has no `license`, which each file of the C names")]
     NoLicense {
         /// Name of the package.
         package: String,
     },
     /// The licence is no line of a comment of C.
-    #[error("the licence of the package `{package}` cannot stand in a comment of C: {license:?}")]
+    #[error("the licence of the package `{package}` cannot be written in a C comment: {license:?}")]
     License {
         /// Name of the package.
         package: String,
@@ -133,7 +133,7 @@ impl Error {
     /// A step that resolves the error, if there is one.
     pub fn remedy(&self) -> Option<String> {
         Some(match self {
-            Error::Stale(_) => "generate again, without `--check`".to_owned(),
+            Error::Stale(_) => "run `gen` again, without `--check`".to_owned(),
             Error::Foreign { .. } => "move it elsewhere, or generate into another folder".to_owned(),
             Error::NotAFolder { .. } => {
                 "move it elsewhere, or generate into another folder".to_owned()
@@ -143,28 +143,28 @@ impl Error {
                     "make it writable, or generate into another folder: `output = \"…\"` in bessemer.toml".to_owned()
                 }
                 ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
-                    "make room there; what was generated before is untouched".to_owned()
+                    "free some space there; the previous output is unchanged".to_owned()
                 }
                 ErrorKind::InvalidFilename => {
                     "generate into another folder: `output = \"…\"` in bessemer.toml".to_owned()
                 }
                 _ => return None,
             },
-            Error::Other { .. } => "give each package a folder of its own: `output = \"…\"` in its bessemer.toml".to_owned(),
+            Error::Other { .. } => "set a separate folder for each package: `output = \"…\"` in its bessemer.toml".to_owned(),
             Error::Workspace { said, .. } if said.starts_with("could not find") => {
-                "go into the folder of a package, or begin one: `cargo bessemer new motor`".to_owned()
+                "run it in the folder of a package, or create one: `cargo bessemer new motor`".to_owned()
             }
             Error::NoPackage { known, .. } if known.is_empty() => return None,
             Error::NoPackage { known, .. } => format!("choose from {}", known.join(", ")),
-            Error::NoLibrary { .. } => "put the models into `src/lib.rs`".to_owned(),
+            Error::NoLibrary { .. } => "move the models to `src/lib.rs`".to_owned(),
             Error::NotLinked { .. } => {
                 "add \"rlib\" to `crate-type` in the `[lib]` section of its Cargo.toml".to_owned()
             }
             Error::NotOfTheDsl { .. } => {
-                "name it under `[dependencies]` in its Cargo.toml, by that name".to_owned()
+                "add `bessemer` under `[dependencies]` in its Cargo.toml, by that name".to_owned()
             }
             Error::Singles { .. } => {
-                "give each the same: `bessemer = { …, features = [\"single\"] }` under `[workspace.dependencies]`, and \
+                "enable it in both: `bessemer = { …, features = [\"single\"] }` under `[workspace.dependencies]`, and \
                  `bessemer = { workspace = true }` in each; or make one a workspace of its own"
                     .to_owned()
             }

@@ -98,8 +98,8 @@ fn panicked(error: &str, sources: &Sources) -> Option<Diagnostic> {
         file,
         line,
         column,
-        message: format!("this panics where the C is written: {said}"),
-        help: "a `Default` and what else gives a value that the C begins with is computed then: let it give one without a panic"
+        message: format!("this panics during generation: {said}"),
+        help: "generation computes initial values: write a `Default` that does not panic"
             .to_owned(),
         ..Diagnostic::default()
     })

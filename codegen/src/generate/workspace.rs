@@ -206,10 +206,7 @@ mod tests {
         for name in ["drive", "pump"] {
             let error = apart.agreed(name).expect_err("they disagree");
             let said = error.to_string();
-            assert!(
-                said.contains("`drive` computes") && said.contains("`pump` does not"),
-                "{said}"
-            );
+            assert!(said.contains("`drive` enables") && said.contains("`pump` does not"), "{said}");
             assert!(error.remedy().is_some_and(|it| it.contains("workspace.dependencies")));
         }
     }

@@ -265,7 +265,7 @@ impl Builder {
 
     fn refuse_copied(&mut self, name: &str, file: &str, site: Site) {
         let message = format!(
-            "`{name}` is `Copy`, so a loop goes through a copy of it, and leaves it as it was"
+            "`{name}` is `Copy`, so a loop consumes a copy, and the iterator itself does not advance"
         );
         self.refuse(file, site, message, "derive `Clone` without `Copy`");
     }
@@ -276,7 +276,7 @@ impl Builder {
         let through: Vec<_> = self.stack[from + 1..].iter().map(|it| it.path.as_str()).collect();
         match through.as_slice() {
             [] => format!("`{path}` calls itself"),
-            through => format!("`{path}` calls itself, by way of `{}`", through.join("`, `")),
+            through => format!("`{path}` calls itself through `{}`", through.join("`, `")),
         }
     }
 
@@ -287,7 +287,7 @@ impl Builder {
             file,
             site.unwrap_or_default(),
             message,
-            "write a loop over a range: recursion has no bound that the C could promise",
+            "write a loop over a range: a recursive function has no bound on its stack",
         );
     }
 

@@ -67,7 +67,7 @@ impl<T: Value + Real> FloatCompareBuiltins for T {}
 
 /// What `core::cmp::max` and `core::cmp::min` take.
 #[diagnostic::on_unimplemented(
-    message = "`core::cmp::max` and `core::cmp::min` do not take `{Self}` in the DSL"
+    message = "`core::cmp::max` and `core::cmp::min` do not accept `{Self}`"
 )]
 pub trait Extremes: Sized {
     type Min: Callee;

@@ -155,13 +155,13 @@ impl Builder {
                 named.file,
                 site,
                 format!("`{}` is not an instance of a generic type", type_text(&ty)),
-                "leave the attribute out: the type has a name of its own",
+                "remove the attribute: the type has its own name",
             );
             return;
         };
         if let Some(other) = self.package.aliases.iter().find(|alias| alias.of == of) {
-            let message = format!("`{of}` is named twice: it is `{}` already", other.name);
-            self.refuse(named.file, site, message, "leave the attribute out at one of the two");
+            let message = format!("`{of}` has two names: it is `{}` already", other.name);
+            self.refuse(named.file, site, message, "remove the attribute from one of them");
             return;
         }
         self.package.aliases.push(tree::Alias {
@@ -315,7 +315,7 @@ impl Builder {
         self.refuse(
             file,
             Site(site.0, site.1),
-            format!("what `{method}` does for `{owner}` is not part of the DSL"),
+            format!("`{method}` of `{owner}` is not part of the DSL"),
             "mark the `impl` block as the type is: `#[data]` or `#[component]`",
         );
         tree::Callee::Function(String::new())

@@ -140,9 +140,9 @@ companions! {
     pub mod traits[];
     /// `items.collect()`, `Inputs::from_iter(items)`: the function of an author's that gathers items of type `A`.
     #[diagnostic::on_unimplemented(
-        message = "nothing of the DSL gathers items of type `{A}` in a `{Self}`",
-        label = "does not gather these",
-        note = "an `impl FromIterator<{A}> for` a type of the author's own is marked `#[data]`; a `List` takes them by `extend`"
+        message = "`{Self}` cannot collect items of type `{A}`",
+        label = "cannot collect these items",
+        note = "mark an own `impl FromIterator<{A}>` block `#[data]`; fill a `List` with `extend`"
     )]
     pub trait FromIteratorBuiltin[A]: Sized {
         /// Which function it is.

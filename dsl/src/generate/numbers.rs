@@ -135,9 +135,9 @@ companions! {
     }
     /// Conversions that keep the value, and those of authors' own types.
     #[diagnostic::on_unimplemented(
-        message = "no `from` of the DSL makes a `{Self}` of a `{T}`",
-        label = "not a conversion of the DSL",
-        note = "the `impl From<{T}>` block of a type of one's own is marked `#[data]`"
+        message = "`{Self}::from` does not accept a `{T}`",
+        label = "unsupported conversion",
+        note = "mark the `impl From<{T}>` block of your own type `#[data]`"
     )]
     pub trait FromBuiltin[T]: Sized {
         /// Which function it is.
@@ -150,9 +150,9 @@ companions! {
     }
     /// Conversions that may fail: of integers, and those of authors' own types.
     #[diagnostic::on_unimplemented(
-        message = "no `try_from` of the DSL makes a `{Self}` of a `{T}`",
-        label = "not a conversion of the DSL",
-        note = "what always fits is `{Self}::from(x)`, and what is of that type is itself"
+        message = "`{Self}::try_from` does not accept a `{T}`",
+        label = "unsupported conversion",
+        note = "write `{Self}::from(x)` where every value fits; a value of that type needs no conversion"
     )]
     pub trait TryFromBuiltin[T]: Sized {
         /// Which function it is.

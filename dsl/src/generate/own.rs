@@ -24,29 +24,28 @@ pub struct Own {
 impl Own {
     /// What there is to tell of a type, with what to do about it.
     pub(super) fn told(&self, name: &str) -> impl Iterator<Item = (String, &'static str)> + use<> {
-        let derived = |of: &str| format!("`{name}` does not derive `{of}` where the DSL sees it");
+        let derived = |of: &str| format!("`{name}` has no `#[derive({of})]` below `#[data]`");
         let told = [
             (
                 self.clone,
                 derived("Clone"),
-                "write `#[derive(Clone)]` below `#[data]`: in the C a copy has the same parts; what makes others is a method of \
-                 another name",
+                "write `#[derive(Clone)]` below `#[data]`: C copies all parts; write a method with another name for any other copy",
             ),
             (
                 self.order,
                 derived("Ord"),
-                "write `#[derive(Ord)]` below `#[data]`, beside `PartialOrd`; another order is a method with a name, \
+                "write `#[derive(Ord)]` below `#[data]`, beside `PartialOrd`; or write a method, \
                  `fn is_before(&self, other: &Self) -> bool`",
             ),
             (
                 self.drop,
-                format!("`{name}` has a `Drop`, and nothing ends a value in the C"),
-                "write a method, and call it where the value ends",
+                format!("`{name}` implements `Drop`, which C would never call"),
+                "write a method, and call it at the end of the value's life",
             ),
             (
                 self.lends,
-                format!("`{name}` has a `Deref`, and the C names what it refers to"),
-                "write a method that gives the reference, `fn inner(&self) -> &Inner`",
+                format!("`{name}` implements `Deref`, which hides the access that C has to name"),
+                "write a method that returns the reference, `fn inner(&self) -> &Inner`",
             ),
         ];
         told.into_iter().filter(|it| it.0).map(|(_, message, remedy)| (message, remedy))

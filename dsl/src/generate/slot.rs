@@ -189,7 +189,7 @@ impl Witness {
 #[diagnostic::on_unimplemented(
     message = "a constant of the type `{Self}` is not part of the DSL",
     label = "not a constant of the DSL",
-    note = "a constant is plain data, an array, or a slice of such: `&[(u8, f64)]`"
+    note = "write a constant of plain data, of an array, or of a slice of these: `&[(u8, f64)]`"
 )]
 pub trait Evaluated {
     /// The value in words, with its type: of a reference, that of one to the array.

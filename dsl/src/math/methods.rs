@@ -131,32 +131,32 @@ impl AbsentMethods for f32 {}
 
 /// A type with `asinh`: none.
 #[diagnostic::on_unimplemented(
-    message = "`asinh` is not in the DSL yet",
-    label = "not in the DSL",
+    message = "`asinh` is not supported",
+    label = "not supported",
     note = "write `(x + (x * x + 1.0).sqrt()).ln()`"
 )]
 pub trait HasAsinh {}
 
 /// A type with `acosh`: none.
 #[diagnostic::on_unimplemented(
-    message = "`acosh` is not in the DSL yet",
-    label = "not in the DSL",
+    message = "`acosh` is not supported",
+    label = "not supported",
     note = "write `(x + (x * x - 1.0).sqrt()).ln()`"
 )]
 pub trait HasAcosh {}
 
 /// A type with `atanh`: none.
 #[diagnostic::on_unimplemented(
-    message = "`atanh` is not in the DSL yet",
-    label = "not in the DSL",
+    message = "`atanh` is not supported",
+    label = "not supported",
     note = "write `0.5 * (2.0 * x / (1.0 - x)).ln_1p()`"
 )]
 pub trait HasAtanh {}
 
 /// A type with `log`: none.
 #[diagnostic::on_unimplemented(
-    message = "`log` is not in the DSL yet",
-    label = "not in the DSL",
+    message = "`log` is not supported",
+    label = "not supported",
     note = "write `x.ln() / base.ln()`"
 )]
 pub trait HasLog {}

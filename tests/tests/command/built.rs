@@ -146,7 +146,7 @@ fn made_for(package: &Path, system: System, name: &str) -> PathBuf {
     let wanted = Pack { package: Default::default(), system, output };
     pack::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
     let again = pack::run(package, &wanted, false).expect_err("it is there");
-    assert!(again.to_string().ends_with("is there already"), "{again}");
+    assert!(again.to_string().ends_with("exists already"), "{again}");
     wanted.output.join("motor")
 }
 

@@ -168,7 +168,7 @@ fn simulated_as_a_unit(package: &Path) {
         output: package.join("fmu"),
     };
     let refused = fmu::run(package, &wanted(None, 0.0), false).expect_err("no period");
-    assert_eq!(refused.to_string(), "the time between two calls is more than 0 s");
+    assert_eq!(refused.to_string(), "the period must be greater than 0 s");
     let refused = fmu::run(package, &wanted(Some("Pump::step"), 0.001), false);
     assert_eq!(refused.expect_err("no pump").to_string(), "there is no entry point `Pump::step`");
     let Some(mut python) = python_with("fmpy") else { return };

@@ -13,7 +13,7 @@ pub fn table(up: &str) -> String {
     let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
     paths.retain(|path| path.extension().is_some_and(|it| it == "snap"));
     paths.sort();
-    let mut text = "\n| wanted | told | help |\n|---|---|---|\n".to_owned();
+    let mut text = "\n| task | error | remedy |\n|---|---|---|\n".to_owned();
     for path in paths {
         let read = |ending| fs::read_to_string(path.with_extension(ending)).unwrap_or_default();
         let (source, told) = (read("rs"), read("snap"));

@@ -59,10 +59,10 @@ impl Lowering<'_, '_> {
             Some((id, ty @ Type::Array { len, .. })) if len <= MOST => Ok((id, ty, len)),
             Some((_, Type::Array { .. })) => problem(
                 expr.site,
-                format!("a slice becomes an array of at most {MOST} elements in the DSL"),
+                format!("a slice converts to an array of at most {MOST} elements"),
                 "declare the array, and call `copy_from_slice`",
             ),
-            _ => problem(expr.site, "a slice becomes an array in the DSL", OUR_FAULT),
+            _ => problem(expr.site, "this conversion of a slice requires an array", OUR_FAULT),
         }
     }
 

@@ -228,7 +228,7 @@ impl Lowering<'_, '_> {
         let Some(name) = self.cx.name_of(ty) else { return Ok(()) };
         problem(
             site,
-            format!("`{name}` does not derive `PartialEq` where the DSL sees it"),
+            format!("`{name}` has no `PartialEq` below `#[data]`"),
             "write `#[derive(PartialEq)]` below `#[data]`, mark the `impl` block of your own `#[data]`, or compare the parts",
         )
     }
@@ -401,7 +401,7 @@ impl Lowering<'_, '_> {
         if !self.cx.known(&Type::Enum(id)).ordered {
             return problem(
                 site,
-                format!("`{}` does not derive `PartialOrd` where the DSL sees it", definition.name),
+                format!("`{}` has no `PartialOrd` below `#[data]`", definition.name),
                 "write `#[derive(PartialOrd)]` below `#[data]`, or `match`",
             );
         }

@@ -195,7 +195,7 @@ impl Lowering<'_, '_> {
             (tree::UnaryOp::Not, Type::Scalar(_)) => {
                 Ok(Expr::unary(UnaryOp::Not, operand).at(span))
             }
-            _ => problem(site, "this operator does not take that type", OPERATOR),
+            _ => problem(site, "no operator is defined for this type", OPERATOR),
         }
     }
 
@@ -286,7 +286,7 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<Expr> {
         match (plain(op), &left.ty, &right.ty) {
-            (Plain::Logic(_), ..) => problem(site, "this operator is not in the DSL", OUR_FAULT),
+            (Plain::Logic(_), ..) => problem(site, "this operator is not supported", OUR_FAULT),
             (Plain::Compare(op), ..) => self.compare_node(op, left, right, site),
             (Plain::Arithmetic(plain), Type::Scalar(_), Type::Scalar(_)) => {
                 Ok(Expr::binary(plain, left, right).at(self.span(site)))
@@ -294,7 +294,7 @@ impl Lowering<'_, '_> {
             (_, Type::Matrix { .. }, _) | (.., Type::Matrix { .. }) => {
                 self.matrix_binary(op, left, right, site)
             }
-            _ => problem(site, "this operator does not take these types", OPERATOR),
+            _ => problem(site, "no operator is defined for these types", OPERATOR),
         }
     }
 
@@ -313,7 +313,7 @@ impl Lowering<'_, '_> {
             // rustc compares numbers of one type only.
             let numbers = ty.is_word() && right.ty.is_word();
             let remedy = if numbers { OUR_FAULT } else { "convert one of them" };
-            return problem(site, "values of two types are not compared", remedy);
+            return problem(site, "`==` and `<` require two values of one type", remedy);
         }
         let equality = matches!(op, CompareOp::Eq | CompareOp::Ne);
         let known = self.cx.known(&ty);

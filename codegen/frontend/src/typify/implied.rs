@@ -71,7 +71,7 @@ impl Lowering<'_, '_> {
             // Calls by name that come back were told by the builder.
             None if !self.cx.refused && self.cx.underway.contains(&path) => problem(
                 site,
-                format!("`{path}` calls itself, by way of an operator, a conversion or a loop"),
+                format!("`{path}` calls itself through an operator, a conversion or a loop"),
                 "write a loop with a bound, or compare the parts",
             ),
             // It was refused, and that was told.

@@ -22,12 +22,12 @@ use super::{Context, Problem, Result, loops, names, refusals, words};
 const CALLEES: u32 = 1 << 31;
 
 /// Told where nothing shows how often a loop through one runs.
-const UNBOUNDED: &str = "nothing shows how often this loop runs at most: its iterator ends it, which may give any number of items";
+const UNBOUNDED: &str = "this loop has no known bound: its iterator can return any number of items";
 
 /// The remedy for a loop of the author's.
-const BOUND: &str = "write `#[bound(64)]` above the loop: another pass than that is a fault; or say behind the iterator how many items are wanted, `it.take(64)`; or let what has an end come first: `values.iter().zip(it)`";
+const BOUND: &str = "write `#[bound(64)]` above the loop, which makes any further pass a fault; or limit the items: `it.take(64)`; or zip a finite iterator with it: `values.iter().zip(it)`";
 /// The remedy for the loop of a chain.
-const TAKE: &str = "say right behind the iterator how many items are wanted, `it.take(64)`, and let the other links follow; or let what has an end come first: `values.iter().zip(it)`";
+const TAKE: &str = "limit the items directly after the iterator, `it.take(64)`, before other adapters; or zip a finite iterator with it: `values.iter().zip(it)`";
 
 /// A loop's source with an own iterator in it.
 enum Own<'e> {

@@ -25,11 +25,10 @@ use super::{Needed, Problem, Result, problem, refusals, refused};
 use bessemer_ir::effects::same_place;
 
 /// The remedies where the array of a slice, or of a `&mut T`, is not known.
-const FIRST_VALUE: &str =
-    "give the slice its first value, `&values[..0]` if need be, above this line";
-const KEEP_INDEX: &str = "keep the index in place of the reference, `Option<usize>`, or let `iter_mut().min_by_key(…)` and its like choose";
+const FIRST_VALUE: &str = "assign the slice a first value above this line, such as `&values[..0]`";
+const KEEP_INDEX: &str = "store an index instead of the reference, `Option<usize>`, or choose with `iter_mut().min_by_key(…)` and the like";
 const PASS_GIVEN: &str =
-    "pass one that an array gave: `values.get_mut(i)`, `values.iter_mut().find(…)`";
+    "pass an element of an array: `values.get_mut(i)`, `values.iter_mut().find(…)`";
 
 /// The lender of a slice or, where it is not known yet, what the slice is a copy of.
 type Lent = Result<Place, Copied>;
@@ -223,7 +222,7 @@ impl Lowering<'_, '_> {
                 .and_then(|lender| Some(((*lender).clone(), self.all_of((*lender).clone())?)))
                 .or_told(
                     site,
-                    "whose elements this value refers to is not known here",
+                    "the array that this value refers to is not known here",
                     if one { PASS_GIVEN } else { FIRST_VALUE },
                 )?;
             passed.extend(slice.passed(if mutable { Mode::RefMut } else { Mode::Ref }));
@@ -324,7 +323,7 @@ impl Lowering<'_, '_> {
                     return Err(told);
                 }
                 let help = if slice.one { KEEP_INDEX } else { FIRST_VALUE };
-                return problem(site, "whose elements these are is not known here", help);
+                return problem(site, "the array of these elements is not known here", help);
             };
             let mut put = Put { stands, whole: lender.ty == slice.element, lender };
             self.out.iter_mut().for_each(|stmt| put.stmt(stmt));

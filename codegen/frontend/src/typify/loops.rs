@@ -23,7 +23,7 @@ use super::words;
 use super::{Needed, Result, labelled, problem, refusals, refused};
 
 /// The remedy where nothing shows how often a loop runs.
-pub(super) const DECLARE: &str = "write `#[bound(64)]` above it: another pass than that is a fault; or count in it: `while i < n { …; i += 1; }`";
+pub(super) const DECLARE: &str = "write `#[bound(64)]` above the loop, which makes any further pass a fault; or count: `while i < n { …; i += 1; }`";
 
 impl Lowering<'_, '_> {
     /// A loop that counts through a range, perhaps from its end.
@@ -232,11 +232,7 @@ impl Lowering<'_, '_> {
         let Proof { low, high, inclusive } = match shown {
             Ok(proof) => proof,
             Err(reason) => {
-                return problem(
-                    site,
-                    format!("nothing shows how often this loop runs at most: {reason}"),
-                    DECLARE,
-                );
+                return problem(site, format!("this loop has no known bound: {reason}"), DECLARE);
             }
         };
         // The last pass comes no further than the condition, so there is one more than the proof says.
@@ -394,7 +390,7 @@ impl Lowering<'_, '_> {
             Some(_) => self.frames[self.depth(label, site)?]
                 .target
                 .clone()
-                .needed(site, "this leaves what has no value"),
+                .needed(site, "this exit has a value, but its target has none"),
             None => Ok(Target::Return),
         }
     }
@@ -520,7 +516,7 @@ fn left_at<'a>(body: &'a [Stmt], head: usize, lead: &'a [Stmt]) -> Option<Loop<'
 }
 
 fn no_end() -> termination::Reason {
-    "no `if … { break; }` stands in it by itself".into()
+    "its body has no `if … { break; }` of its own".into()
 }
 
 /// What has to hold one after the other for a condition to hold.

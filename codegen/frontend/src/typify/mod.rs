@@ -203,8 +203,8 @@ fn said_twice(table: &tree::Table, before: &[tree::Table]) -> Result<()> {
     match before.iter().find(same) {
         Some(other) if unplaced(&other.given) != unplaced(&table.given) => problem(
             table.site,
-            format!("there are two `{}` with one value, and other C is asked for each", table.name),
-            "use one for both, or give one another name",
+            format!("two constants `{}` have one value, but different C attributes", table.name),
+            "use one constant for both, or rename one",
         ),
         _ => Ok(()),
     }

@@ -153,7 +153,7 @@ impl Lowering<'_, '_> {
             }
             _ => {}
         }
-        problem(expr.site, format!("`{name}` is not a field that the DSL knows"), "use an index")
+        problem(expr.site, format!("`{name}` is not a supported field"), "use an index")
     }
 
     fn element(&mut self, mut base: Place, index: &tree::Expr, span: Span) -> Result<Place> {

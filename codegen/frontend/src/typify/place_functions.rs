@@ -87,8 +87,8 @@ impl<'a> Context<'a> {
             if stands && (asked.name.is_some() || asked.section.is_some()) {
                 let problem = Problem {
                     site: function.tree.site,
-                    message: "what lends a place is no function in the C, and has no name or section there".into(),
-                    help: "leave them out".into(),
+                    message: "a function that returns `&mut` is inlined in C, so it cannot have a name or a section".into(),
+                    help: "remove them".into(),
                 };
                 self.tell(&function.file, problem);
             } else if stands {

@@ -51,8 +51,8 @@ impl Walk<'_> {
     /// A range is that of a number, or of the numbers in an array or a matrix.
     fn number(&mut self, name: &str, ty: &Type, given: &Given, home: Span) {
         if given.range.is_some() && !self.has_range(ty) {
-            let message = format!("`{name}` is no number, so it has no range");
-            let help = "take `#[range(…)]` off, or write it on the number that it is meant for";
+            let message = format!("`{name}` is not a number, so it cannot have a `#[range]`");
+            let help = "remove `#[range(…)]`, or move it to a number";
             self.tell(given, home, message, help);
         }
     }

@@ -9,7 +9,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
     let (title, quoted) = (message.title, message.quoted());
     let marked = message.mark().map(super::rustc::Mark::text).unwrap_or_default();
     let help = match message.code {
-        "E0277" if title.ends_with("is not in the DSL yet") => {
+        "E0277" if title.ends_with("is not supported") => {
             message.below().find(|it| it.starts_with("write "))?.to_owned()
         }
         "E0277" if title.starts_with("cannot ") => operands(&quoted)?,
@@ -23,7 +23,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0599" if quoted.first() == Some(&"clone") && title.contains("struct") => COPY.to_owned(),
         "E0277" if title.ends_with(": Copy` is not satisfied") => COPY.to_owned(),
         "E0382" | "E0507" if message.rendered.contains("does not implement the `Copy` trait") => {
-            format!("{COPY}; or lend it: `&{marked}`")
+            format!("{COPY}; or pass it by reference: `&{marked}`")
         }
         "E0277"
             if title.ends_with(": Default` is not satisfied")
@@ -32,7 +32,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
             "derive it, `#[derive(Default)]` below `#[data]`, and write `#[default]` above a variant".to_owned()
         }
         "E0608" if message.mark()?.before().ends_with(']') => {
-            "an element of a matrix is `m[(row, column)]`, counted from 0".to_owned()
+            "write `m[(row, column)]`, with indices from 0".to_owned()
         }
         "E0277" if title.contains("Range<f") && message.rendered.contains("introduced by this call") => {
             ENDS.to_owned()
@@ -46,10 +46,10 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0277" if title.starts_with("`?` couldn't convert") => {
             let from = message.mark()?.label.split('`').nth(1).unwrap_or("From<…>").to_owned();
             let target = quoted.get(1)?;
-            format!("say how: `#[data] impl {from} for {target} {{ … }}`, or map it: `.map_err(|_| …)?`")
+            format!("implement the conversion, `#[data] impl {from} for {target} {{ … }}`, or map the error: `.map_err(|_| …)?`")
         }
         "E0277" if title.starts_with("the `?` operator can only") => {
-            "let the function give a `Result` or an `Option`, or take the value out: `.unwrap_or(0.0)`".to_owned()
+            "let the function return a `Result` or an `Option`, or unwrap the value: `.unwrap_or(0.0)`".to_owned()
         }
         "E0369" if title.contains("f64 ^") || title.contains("f32 ^") => POWER.to_owned(),
         "E0614" if marked.starts_with('*') && message.mark()?.before().ends_with("* ") => POWER.to_owned(),
@@ -57,7 +57,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         "E0369" => operator(message, &quoted)?,
         "E0605" => {
             let [from, to] = quoted.get(..2)? else { return None };
-            format!("take the value apart with `match`, or say how: `#[data] impl TryFrom<{from}> for {to} {{ … }}`")
+            format!("destructure the value with `match`, or implement the conversion: `#[data] impl TryFrom<{from}> for {to} {{ … }}`")
         }
         "E0425" => match *quoted.first()? {
             "M_PI" | "PI" | "pi" => "write `core::f64::consts::PI`".to_owned(),
@@ -65,13 +65,13 @@ pub fn of(message: &Message<'_>) -> Option<String> {
         },
         "E0433" => match *quoted.first()? {
             "rand" | "fastrand" | "getrandom" => {
-                "what is random comes from outside: pass it to the entry point".to_owned()
+                "pass random values to the entry point as an argument".to_owned()
             }
             "libm" => "call the method: `x.sin()`; its bits are the same in Rust and C".to_owned(),
             _ => return None,
         },
         "E0435" => {
-            "the length of an array is a constant, `[0.0; 16]`; of elements whose number varies make a `List<f64, 16>`".to_owned()
+            "the length of an array must be a constant, `[0.0; 16]`; use a `List<f64, 16>` for a varying number of elements".to_owned()
         }
         "E0599" if quoted.get(1).is_some_and(|it| matches!(*it, "f64" | "f32")) => match *quoted.first()? {
             "saturating_add" | "saturating_sub" | "saturating_mul" => {
@@ -83,7 +83,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
             _ => return None,
         },
         "E0658" if title.contains("unstable library feature") => {
-            "it is not in stable Rust: write it out in a function marked `#[function]`".to_owned()
+            "this item is not in stable Rust: write it out in a function marked `#[function]`".to_owned()
         }
         _ => return None,
     };
@@ -93,7 +93,7 @@ pub fn of(message: &Message<'_>) -> Option<String> {
 /// For a range that stands where a value is wanted.
 pub const ENDS: &str = "name its two ends: `core::ops::Range { start: a, end: b }`";
 
-const COPY: &str = "let the value copy itself: `#[derive(Clone, Copy)]` below `#[data]`";
+const COPY: &str = "derive `Copy`: write `#[derive(Clone, Copy)]` below `#[data]`";
 
 /// For a number of another type than the one that is wanted.
 fn converted(label: &str) -> Option<String> {
@@ -120,12 +120,12 @@ fn converted(label: &str) -> Option<String> {
         format!("convert it: `… as {to}`, which rounds")
     } else {
         format!(
-            "convert the narrower one with `from`; or `{to}::try_from(…)`, which tells of what does not fit, or `… as {to}`, which cuts bits off"
+            "convert the narrower number with `from`; or `{to}::try_from(…)`, which reports a value that does not fit, or `… as {to}`, which truncates bits"
         )
     })
 }
 
-const POWER: &str = "a power is `x.powi(2)` or `x.powf(y)`, a square `x * x`";
+const POWER: &str = "write a power as `x.powi(2)` or `x.powf(y)`, and a square as `x * x`";
 
 /// For an operator of two types of numbers, or of a number and a matrix.
 fn operands(quoted: &[&str]) -> Option<String> {
@@ -148,7 +148,9 @@ fn operands(quoted: &[&str]) -> Option<String> {
         });
     }
     if both.iter().any(|it| it.contains("Matrix<")) && float.is_some() {
-        return Some("of each element: `m.add_scalar(x)`, or `m.map(|e| e + x)`".to_owned());
+        return Some(
+            "write `m.add_scalar(x)` or `m.map(|e| e + x)`, which apply to each element".to_owned(),
+        );
     }
     None
 }
@@ -158,7 +160,7 @@ fn operator(message: &Message<'_>, quoted: &[&str]) -> Option<String> {
     let absent = quoted.iter().find(|it| it.starts_with("Option<") || it.starts_with("Result<"));
     if absent.is_some() {
         return Some(
-            "take the value out first: `if let Some(value) = … { … }`, or `.unwrap_or(other)`"
+            "unwrap the value first: `if let Some(value) = … { … }`, or `.unwrap_or(other)`"
                 .to_owned(),
         );
     }
@@ -166,7 +168,7 @@ fn operator(message: &Message<'_>, quoted: &[&str]) -> Option<String> {
     let (of, ty) = missing.split_once("` might be missing for `")?;
     let ty = ty.trim_end_matches('`');
     (of != "PartialEq" && of != "PartialOrd").then(|| {
-        format!("say what it is: `#[data] impl {of} for {ty} {{ … }}`, on values of a `Copy` type")
+        format!("implement the operator: `#[data] impl {of} for {ty} {{ … }}`, for values of a `Copy` type")
     })
 }
 
@@ -192,20 +194,20 @@ pub fn dimensions(message: &Message<'_>) -> Option<(String, String)> {
     let (left, right) = (size(of_left), size(of_right));
     Some(match of {
         "Mul" | "MulAssign" => (
-            format!("a {left} matrix is not multiplied by a {right} one"),
+            format!("a {left} matrix cannot be multiplied by a {right} matrix"),
             format!(
-                "the left one needs as many columns as the right one has rows: {} are not {}; `a.transpose()` or `a.tr_mul(&b)` turn it",
+                "the left matrix needs as many columns as the right matrix has rows, and {} are not {}; `a.transpose()` or `a.tr_mul(&b)` transpose it",
                 of_left.1, of_right.0
             ),
         ),
         "Add" | "AddAssign" => {
-            (format!("a {right} matrix is not added to a {left} one"), SAME.to_owned())
+            (format!("a {right} matrix cannot be added to a {left} matrix"), SAME.to_owned())
         }
         "Sub" | "SubAssign" => {
-            (format!("a {right} matrix is not subtracted from a {left} one"), SAME.to_owned())
+            (format!("a {right} matrix cannot be subtracted from a {left} matrix"), SAME.to_owned())
         }
         _ => (format!("the dimensions {left} and {right} do not fit"), SAME.to_owned()),
     })
 }
 
-const SAME: &str = "both need the same numbers of rows and columns: look at the types of the two";
+const SAME: &str = "both matrices need equal numbers of rows and columns: check their types";

@@ -7,7 +7,7 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
     let generic = is_parameter(owner);
     Some(match method {
         "min" | "max" | "clamp" if generic => {
-            "compare what is generic with `<`: `if b < a { b } else { a }`"
+            "compare generic values with `<`: `if b < a { b } else { a }`"
         }
         _ if generic || !is_known(owner) => return None,
         "pseudo_inverse" => "write `bessemer::linear::svd(&a).pseudo_inverse(least)`",
@@ -23,13 +23,13 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
             "write `values.windows(2).all(|pair| pair[0] <= pair[1])`"
         }
         "rchunks" | "rchunks_exact" => {
-            "go through the whole from its end with `.chunks(n).rev()`, or by indices: `for i in (0..n).rev()`"
+            "iterate from the end with `.chunks(n).rev()`, or by indices: `for i in (0..n).rev()`"
         }
         "to_vec" | "into_vec" => {
             "a model has no heap: use `List<T, N>`, a list of at most `N` elements, or an array `[T; N]`"
         }
         "to_string" | "to_owned" => {
-            "a model has no heap: use `Text<N>`, a text of at most `N` bytes; for a choice an enum"
+            "a model has no heap: use `Text<N>`, a text of at most `N` bytes; use an enum for a choice"
         }
         "try_inverse_mut" => "call `bessemer::inverse_mut`",
         "symmetric_eigen" | "symmetric_eigenvalues" => {
@@ -42,7 +42,7 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
         }
         "full_piv_lu" | "col_piv_qr" => "call `lu` or `qr`, or `bessemer::linear::svd(&a)`",
         "schur" | "hessenberg" | "eigenvalues" => "compute it ahead, or write the iteration out",
-        "unpack" => "call `l()`: what stands above the diagonal is zero",
+        "unpack" => "call `l()`: the elements above the diagonal are zero",
         "rows" | "rows_mut" | "columns" | "columns_mut" => {
             "write `fixed_rows::<N>(i)`, `fixed_columns::<N>(j)`"
         }
@@ -71,4 +71,4 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
     })
 }
 
-const ANGLES: &str = "nalgebra takes sine and cosine from the platform here: call the function of `bessemer::rotation`, `from_euler_angles(roll, pitch, yaw)`, `from_axis_angle(&axis, angle)`, `from_scaled_axis(v)`, `matrix_from_euler_angles(…)` and the like";
+const ANGLES: &str = "nalgebra calls the platform's sine and cosine here: call the function of `bessemer::rotation`, `from_euler_angles(roll, pitch, yaw)`, `from_axis_angle(&axis, angle)`, `from_scaled_axis(v)`, `matrix_from_euler_angles(…)` and the like";

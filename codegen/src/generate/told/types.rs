@@ -69,9 +69,9 @@ pub fn instead(ty: &str) -> Option<&'static str> {
             "write an array `[T; N]` and the index of the oldest element, or `List<T, N>`"
         }
         "HashMap" | "BTreeMap" | "HashSet" | "BTreeSet" | "BinaryHeap" => {
-            "write a `List<(K, V), N>` that is searched, or an array with the key as index"
+            "search a `List<(K, V), N>`, or use an array with the key as index"
         }
-        "Box" | "Rc" | "Arc" => "hold the value itself; of several kinds, an `enum`",
+        "Box" | "Rc" | "Arc" => "store the value itself; use an `enum` for values of several types",
         "Instant" | "SystemTime" => {
             "a model has no clock: pass the time to the entry point, in seconds or as a count of ticks"
         }
@@ -80,14 +80,14 @@ pub fn instead(ty: &str) -> Option<&'static str> {
         | "LazyLock" | "LazyCell" | "LocalKey" => STATE,
         it if it.starts_with("Atomic") => STATE,
         "Items" => {
-            "write `.into_iter()` behind the call whose items these are, `values().into_iter().map(…)`; or a `for`"
+            "write `.into_iter()` after the call that returns the iterator, `values().into_iter().map(…)`; or write a `for`"
         }
         "RangeFrom" | "RangeTo" | "RangeToInclusive" | "RangeFull" => {
-            "hold both ends, `RangeInclusive<f32>` or `Range<u16>`, or one number"
+            "store both ends, `RangeInclusive<f32>` or `Range<u16>`, or one number"
         }
         "i128" | "u128" => "write `i64` or `u64`, or two words and `overflowing_add`",
         "DMatrix" | "DVector" | "Dyn" => {
-            "write `SMatrix<f64, R, C>` or `SVector<f64, N>`; of a size that varies, `BoundedMatrix<f64, R, C>`"
+            "write `SMatrix<f64, R, C>` or `SVector<f64, N>`; for a varying size, `BoundedMatrix<f64, R, C>`"
         }
         _ => return None,
     })
@@ -95,7 +95,7 @@ pub fn instead(ty: &str) -> Option<&'static str> {
 
 /// Remedy for state that is kept outside of a component.
 pub const STATE: &str =
-    "state belongs into the component: a field, which its methods change through `&mut self`";
+    "keep state in a field of the component, which methods change through `&mut self`";
 
 /// A text of rustc's, with the types in it as their authors write them.
 pub fn shown(text: &str) -> String {

@@ -125,7 +125,8 @@ fn dimensions(message: &Message<'_>) -> Option<Words> {
 fn global(message: &Message<'_>) -> Option<Words> {
     let is_static = message.code == "E0133" && message.title.starts_with("use of mutable static");
     let name = message.mark()?.text();
-    is_static.then(|| words(format!("`{name}` is a global that anybody changes"), types::STATE))?
+    is_static
+        .then(|| words(format!("`{name}` is a global that any code can change"), types::STATE))?
 }
 
 /// Message about an unknown item.
@@ -137,25 +138,22 @@ fn unnamed(message: &Message<'_>) -> Option<Words> {
     let label = message.mark().map_or("", |mark| mark.label);
     let shows = |text: &str| INTERNAL.iter().any(|it| text.contains(it));
     if label.contains("found `Items<") {
-        return words("this range is not gone through, and not a value in the DSL", hints::ENDS);
+        return words("a range expression cannot be a value here", hints::ENDS);
     }
     if message.code == "E0119" && message.title.contains("OwnImplied") {
         return words(
-            "a generic type has one index of its own in the DSL",
-            "write the other one as a method with a name: `fn cell(&self, at: (usize, usize)) -> &T`",
+            "a generic type can implement `Index` only once",
+            "write a method for the other index: `fn cell(&self, at: (usize, usize)) -> &T`",
         );
     }
     if message.code == "E0034" {
         return words(
-            "this name is that of a function of floats, and of one of a type parameter that may be a float",
+            "rustc cannot tell whether this is the method of a float or of the type parameter",
             "write a closure that calls the method: `|a, b| a.max(b)`",
         );
     }
     (shows(message.title) || shows(label)).then(|| {
-        words(
-            UNNAMED,
-            "write it out with the operations that the DSL has: see docs/book/reference/methods.md",
-        )
+        words(UNNAMED, "write it out with supported operations: see docs/book/reference/methods.md")
     })?
 }
 
@@ -164,8 +162,8 @@ fn function(message: &Message<'_>) -> Option<Words> {
     let label = message.mark()?.label.strip_suffix(" is not a crate or module")?;
     if let Some(name) = label.strip_prefix("constant ").or_else(|| label.strip_prefix("static ")) {
         return words(
-            format!("{name} is no function, which a name of small letters means here"),
-            "give the constant a name in capitals, as rustc advises, too",
+            format!("{name} has a lower-case name, which is read as a function here"),
+            "rename the constant in capitals, as rustc also advises",
         );
     }
     let name = label.strip_prefix("function ")?;
@@ -191,14 +189,14 @@ fn pattern(message: &Message<'_>) -> Option<Words> {
         && !message.title.contains("__")
     {
         return words(
-            "a function of an alias of small letters is not in the DSL",
-            "give the alias a name with a capital, `type Real32 = f32;`, or call the method",
+            "a type alias with a lower-case name cannot be used to call a function",
+            "rename the alias with a capital, `type Real32 = f32;`, or call the method",
         );
     }
     if message.code == "E0223" && message.mark().is_some_and(is_pattern) {
         return words(
-            "this is not a variant of the type before it",
-            "give a constant in a pattern a name in capitals: `Preset::IDLE`",
+            "this path is not a variant",
+            "name a constant in a pattern in capitals: `Preset::IDLE`",
         );
     }
     None
@@ -238,17 +236,17 @@ fn builders(message: &Message<'_>) -> Option<Words> {
         } else if types::is_parameter(&owner) {
             "mark the trait that has it `#[interface]`, and the `impl` blocks of it `#[data]` or `#[component]`"
         } else if method == "clone" {
-            "derive `Clone` below `#[data]`; what has a slice in it is made again"
+            "derive `Clone` below `#[data]`; build a value with a slice again"
         } else if types::is_known(&owner) {
-            "write it out with the operations that the DSL has: see docs/book/reference/methods.md"
+            "write it out with supported operations: see docs/book/reference/methods.md"
         } else {
             "mark the `impl` block that has it `#[data]` or `#[component]`"
         };
         let owner = types::within_modules(&owner);
         if owner.starts_with("Items<") {
             return words(
-                format!("`{method}` behind a link of a chain is not part of the DSL"),
-                "write a `for` through what stands before it: its body leaves out, and ends by `break`",
+                format!("`{method}` after an iterator adapter is not part of the DSL"),
+                "write a `for` over the iterator before it, which skips items in its body and ends with `break`",
             );
         }
         return words(format!("`{method}` of `{owner}` is not part of the DSL"), help);
@@ -263,30 +261,24 @@ fn builders(message: &Message<'_>) -> Option<Words> {
         );
     }
     if let ([name], true) = (quoted.as_slice(), title.ends_with("` is ambiguous")) {
-        let help = "give it another name: by this one the DSL means Rust's";
+        let help = "rename it: models use Rust's item of this name";
         if TAKEN_MACROS.contains(name) {
-            return words(
-                format!("a macro of the author's own is named as Rust's `{name}!`"),
-                help,
-            );
+            return words(format!("an own macro has the name of Rust's `{name}!`"), help);
         }
         if ["matrix", "vector"].contains(name) {
             return words(
-                format!("a macro of the author's own is named as nalgebra's `{name}!`"),
-                "give it another name: by this one the DSL means nalgebra's",
+                format!("an own macro has the name of nalgebra's `{name}!`"),
+                "rename it: models use nalgebra's item of this name",
             );
         }
         if ["ComplexField", "RealField"].contains(name) {
             return words(
-                format!("a trait of the author's own is named as nalgebra's `{name}`"),
-                "give it another name: by this one the DSL means nalgebra's",
+                format!("an own trait has the name of nalgebra's `{name}`"),
+                "rename it: models use nalgebra's item of this name",
             );
         }
         if ["array", "cmp", "mem"].contains(name) {
-            return words(
-                format!("a module of the author's own is named as Rust's `{name}`"),
-                help,
-            );
+            return words(format!("an own module has the name of Rust's `{name}`"), help);
         }
     }
     None
