@@ -168,7 +168,7 @@ size_t wire_write(uint8_t bytes[WIRE_OUT], const wire_head_t *head, const inputs
     put_number(&cursor, outputs->ages.height);
     put_number(&cursor, outputs->ages.plane);
     put_reference(&cursor, &outputs->reference);
-    put_numbers(&cursor, outputs->spread, 6U);
+    put_numbers(&cursor, outputs->variances, 6U);
     put_number(&cursor, outputs->gain);
     put_wish(&cursor, &outputs->wish);
     put(&cursor, (uint64_t)outputs->alarm);

@@ -213,7 +213,7 @@ fn signal(place: usize) -> String {
         ("reference.phase", 1),
         ("reference.motors", 1),
         ("reference.time", 1),
-        ("spread", 6),
+        ("variances", 6),
         ("gain", 1),
         ("wish", 41),
         ("alarm", 1),
