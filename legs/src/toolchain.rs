@@ -447,12 +447,19 @@ fn said(command: &mut Command) -> Result<String, String> {
             Ok(String::from_utf8_lossy(&output.stderr).into_owned())
         }
         Ok(output) => Err(format!(
-            "{command:?}\n{}{}",
+            "{}\n{}{}",
+            line(command),
             String::from_utf8_lossy(&output.stdout),
             String::from_utf8_lossy(&output.stderr)
         )),
-        Err(error) => Err(format!("{command:?}: {error}")),
+        Err(error) => Err(format!("{}: {error}", line(command))),
     }
+}
+
+/// Returns the words of a command without its environment, which may hold secrets.
+pub(crate) fn line(command: &Command) -> String {
+    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
 
 /// Legs that a run must have.
@@ -551,4 +558,23 @@ pub fn has_avx2() -> bool {
     #[cfg(not(target_arch = "x86_64"))]
     let found = false;
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_shows_the_command_without_its_environment() {
+        if !GCC.is_there() {
+            println!("left out: there is no gcc");
+            return;
+        }
+        let file = Path::new("/no/such/file.c").to_owned();
+        let said = GCC.link(&[file], Path::new("/no/such/program"), &[]);
+        let said = said.expect_err("there is no such file");
+        assert!(said.starts_with("gcc ") && said.contains(" -O2 "), "{said}");
+        let variable = std::env::var("PATH").expect("a path");
+        assert!(!said.contains(&variable), "{said}");
+    }
 }

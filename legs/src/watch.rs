@@ -13,7 +13,7 @@ use std::time::Duration;
 
 use wait_timeout::ChildExt as _;
 
-use crate::toolchain::{Toolchain, run};
+use crate::toolchain::{Toolchain, line, run};
 
 /// The plugin's source.
 const PLUGIN: &str = include_str!("../c/count.c");
@@ -99,15 +99,15 @@ pub fn watched(
 
 /// Waits for its end, but not for ever.
 fn ended(command: &mut Command) -> Result<(), String> {
-    let mut child = command.spawn().map_err(|error| format!("{command:?}: {error}"))?;
+    let mut child = command.spawn().map_err(|error| format!("{}: {error}", line(command)))?;
     match child.wait_timeout(PATIENCE) {
         Ok(Some(status)) if status.success() => Ok(()),
-        Ok(Some(status)) => Err(format!("{command:?}: {status}")),
+        Ok(Some(status)) => Err(format!("{}: {status}", line(command))),
         Ok(None) => {
             let _ = child.kill();
             let _ = child.wait();
-            Err(format!("{command:?} does not end"))
+            Err(format!("{} does not end", line(command)))
         }
-        Err(error) => Err(format!("{command:?}: {error}")),
+        Err(error) => Err(format!("{}: {error}", line(command))),
     }
 }
