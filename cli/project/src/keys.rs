@@ -107,7 +107,7 @@ pub const KEYS: &[Key] = &[
         name: "output",
         kind: Kind::Text(Form::Folder, |to, text| to.output = Some(text.into())),
         default: "`generated` at the root of the workspace",
-        says: "The folder of the C, from the folder of this file. It belongs to the generator.",
+        says: "The folder of the C, relative to this file. The generator owns it.",
     },
     Key {
         name: "license",
@@ -119,25 +119,25 @@ pub const KEYS: &[Key] = &[
         name: "prefix",
         kind: Kind::Text(Form::Prefix, |to, text| to.options.prefix = text),
         default: "\"\"",
-        says: "Stands before the name of every type, function and file, and so of every include guard.",
+        says: "The prefix of every type, function, file and include guard.",
     },
     Key {
         name: "headers",
         kind: Kind::Text(Form::Headers, |to, text| to.options.headers = text),
         default: "\"\": beside the sources",
-        says: "The folder of the headers below that of the C: with \"acme\" each file includes `acme/motor.h`, its guard is `ACME_MOTOR_H`, and the include path stays the folder of the C.",
+        says: "The folder of the headers within the folder of the C: with \"acme\" each file includes `acme/motor.h`, its guard is `ACME_MOTOR_H`, and the include path is still the folder of the C.",
     },
     Key {
         name: "status",
         kind: Kind::Text(Form::Name, |to, text| to.options.status = text),
         default: "the prefix without its last `_`, or `\"bessemer\"`",
-        says: "The stem of the status type and of the files that belong to no model: `bessemer` gives `bessemer_status_t` and `bessemer_target.h`.",
+        says: "The stem of the status type and of the common files: `bessemer` gives `bessemer_status_t` and `bessemer_target.h`.",
     },
     Key {
         name: "hook",
         kind: Kind::Text(Form::Name, |to, text| to.options.hook = Some(text)),
         default: "none: functions that can fault return a status",
-        says: "A function of the firmware that a fault calls and that does not return; then no function returns a status.",
+        says: "A function of the firmware that a fault calls, and that does not return; then no function returns a status.",
     },
     Key {
         name: "c_standard",
@@ -146,7 +146,7 @@ pub const KEYS: &[Key] = &[
             |to, which| to.options.standard = Standard::ALL[which],
         ),
         default: "\"c99\"",
-        says: "The standard that the sources are compiled by: the flag of the build files, of `pack` and of `verify`. From C11 on the sources refuse an older one and check the sizes of numbers by `_Static_assert`; headers stay C99 and C++.",
+        says: "The C standard of the sources: the flag in build files, `pack` and `verify`. From C11, the sources refuse an older standard and check the sizes of numbers by `_Static_assert`; headers stay C99 and C++.",
     },
     Key {
         name: "layout",
@@ -154,7 +154,7 @@ pub const KEYS: &[Key] = &[
             to.options.layout = [Layout::Columns, Layout::Rows, Layout::Array][which];
         }),
         default: "\"columns\"",
-        says: "How matrices lie in memory: `double m[6]` by columns or by rows, or `double m[2][3]`.",
+        says: "The memory layout of matrices: `double m[6]` by columns or by rows, or `double m[2][3]`.",
     },
     Key {
         name: "math",
@@ -162,37 +162,37 @@ pub const KEYS: &[Key] = &[
             to.options.math = [Math::Portable, Math::Target][which];
         }),
         default: "\"portable\"",
-        says: "Whose elementary functions are called: Bessemer's, with the same bits everywhere, or those of the target's `math.h`, whose bits need not be the Rust's.",
+        says: "The elementary functions: Bessemer's, with the same bits on every target, or those of the target's `math.h`, whose bits may differ from the Rust's.",
     },
     Key {
         name: "self_test",
         kind: Kind::Flag(|to, flag| to.options.self_test = flag),
         default: "false",
-        says: "Whether `bessemer_self_test()` comes along, which tells on the target whether its arithmetic is as the C needs it.",
+        says: "Adds `bessemer_self_test()`, which checks the arithmetic of the target at run time.",
     },
     Key {
         name: "keep_checks",
         kind: Kind::Flag(|to, flag| to.options.keep_checks = flag),
         default: "false",
-        says: "Whether checks that were proved never to fail stand in the C all the same and end the program where one does: to try the proofs on a host, not for a target.",
+        says: "Keeps the checks that were proved never to fail; one that fails ends the program. This tests the proofs on a host, and is not for a target.",
     },
     Key {
         name: "build_files",
         kind: Kind::Flag(|to, flag| to.build_files = flag),
         default: "false",
-        says: "Whether the folder also gets a `CMakeLists.txt`, whose library carries its flags, a fragment for make, and for each component a program around it to begin with, such as `motor_example_main.c`.",
+        says: "Adds a `CMakeLists.txt` with a library and its flags, a fragment for make, and an example program for each component, such as `motor_example_main.c`.",
     },
     Key {
         name: "interface",
         kind: Kind::Flag(|to, flag| to.interface = flag),
         default: "false",
-        says: "Whether the folder also gets `interface.json`: types with offsets, units and ranges, and entry points, for other tools (docs/interface.schema.json).",
+        says: "Adds `interface.json` for other tools: types with offsets, units and ranges, and entry points (docs/interface.schema.json).",
     },
     Key {
         name: "parameters",
         kind: Kind::Flag(|to, flag| to.parameters = flag),
         default: "false",
-        says: "Whether tables of the parameters come along in C: name, type, unit, range, offset and size of each, and functions that read and set one within its range (`bessemer_parameter_table.h`).",
+        says: "Adds tables of the parameters in C: name, type, unit, range, offset and size of each, and functions that read and set one within its range (`bessemer_parameter_table.h`).",
     },
     Key {
         name: "kernels.mode",
@@ -200,7 +200,7 @@ pub const KEYS: &[Key] = &[
             to.options.kernels.mode = [Mode::Exact, Mode::Fast, Mode::Plain][which];
         }),
         default: "\"exact\"",
-        says: "How kernels of linear algebra are made: with the bits of the Rust; faster, within stated bounds of error; or with the bits of the Rust as plain loops of C99, one way of each, without vectors, `__asm__` and `#if`.",
+        says: "The form of linear algebra kernels: with the bits of the Rust; faster, within stated error bounds; or with the bits of the Rust as plain C99 loops, without vectors, `__asm__` and `#if`.",
     },
     Key {
         name: "kernels.processors",
@@ -209,54 +209,54 @@ pub const KEYS: &[Key] = &[
             to.options.kernels.processors = [Every, CortexA, CortexM, X86][which];
         }),
         default: "\"every\"",
-        says: "Whose ways the files of kernels have, beside the loops that they open with: those of every processor, or of one family alone. A build for another takes a way in C99, with the same bits.",
+        says: "The processors for which kernel files have code besides their C99 loops: every one, or one family. A build for another processor uses C99, with the same bits.",
     },
     Key {
         name: "kernels.code_bytes",
         kind: Kind::Number(u32::MAX, |to, it| to.options.kernels.code_bytes = it.most),
         default: "8192",
-        says: "Bytes of code that one kernel may take, by an estimate.",
+        says: "The largest estimated code size of a kernel, in bytes.",
     },
     Key {
         name: "kernels.threads",
         kind: Kind::Number(THREADS, |to, it| to.options.threads = it.most),
         default: "0",
-        says: "How many POSIX threads share the work of a large kernel, which the target then needs; up to 1, none. `-DBESSEMER_THREADS=4U` of a build goes before it. The bits are the Rust's for any number; kernels of the mode \"plain\" have none.",
+        says: "The number of POSIX threads that share the work of a large kernel; the target must provide them. 0 and 1 mean none. `-DBESSEMER_THREADS=4U` in a build overrides it. The bits are the Rust's for any number; kernels of the mode \"plain\" use no threads.",
     },
     Key {
         name: "limits.stack_bytes",
         kind: Kind::Number(u32::MAX, |to, it| to.limits.stack_bytes = Some(it)),
         default: "none",
-        says: "The most stack that an entry point may need, by the estimate that `gen` prints and as `verify --target` measures it: more is an error.",
+        says: "The largest stack of an entry point, as `gen` estimates it and as `verify --target` measures it; more is an error.",
     },
     Key {
         name: "limits.state_bytes",
         kind: Kind::Number(u32::MAX, |to, it| to.limits.state_bytes = Some(it)),
         default: "none",
-        says: "The most memory that a component's state may need: more is an error.",
+        says: "The largest state of a component, in bytes; more is an error.",
     },
     Key {
         name: "limits.checks",
         kind: Kind::Number(u32::MAX, |to, it| to.limits.checks = Some(it)),
         default: "none",
-        says: "The most checks for faults that may be left in an entry point: more is an error.",
+        says: "The largest number of checks for faults in an entry point; more is an error.",
     },
     Key {
         name: "limits.instructions",
         kind: Kind::Number(u32::MAX, |to, it| to.limits.instructions = Some(it)),
         default: "none",
-        says: "The most instructions that a call of an entry point may take, as `verify --target` counts them: more is an error.",
+        says: "The largest number of instructions of a call of an entry point, as `verify --target` counts them; more is an error.",
     },
     Key {
         name: "limits.text_bytes",
         kind: Kind::Number(u32::MAX, |to, it| to.limits.text_bytes = Some(it)),
         default: "none",
-        says: "The most bytes of instructions and constants that all the C may have on a processor that `verify --target` names: more is an error.",
+        says: "The largest size of all instructions and constants, in bytes, on a processor of `verify --target`; more is an error.",
     },
     Key {
         name: "replacements",
         kind: Kind::Replacements,
         default: "none",
-        says: "Functions of a library of yours in place of kernels, each a table: `routine`, `element`, `at_least`, `at_most`, `library`, `include`, `body` (docs/kernels.md).",
+        says: "Functions of your own library that replace kernels, each a table: `routine`, `element`, `at_least`, `at_most`, `library`, `include`, `body` (docs/kernels.md).",
     },
 ];

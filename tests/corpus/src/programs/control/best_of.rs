@@ -1,4 +1,4 @@
-//! The best of several by what is asked of each: the first of the least, the last of the largest.
+//! Selects the best of several items: `min_by_key` returns the first minimum, `max_by_key` the last maximum.
 
 use core::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! Where nothing shows how many passes a `while` takes, it declares how many there may be; one more is a fault.
+//! `#[bound]` declares the number of passes of a `while` without a derivable bound; one more pass is a fault.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! More links of chains: what is skipped at the beginning, what ends at the first `None`, what carries a state along; and two
-//! arrays side by side, one of them from its end.
+//! More adapters: `skip_while`, `map_while` and `take_while` end or begin a
+//! chain, `scan` carries a state; two arrays are combined, one of them reversed.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The arguments of a closure are taken apart as in any other place: pairs, structs, references, `_`.
+//! Closures destructure their arguments like any pattern: pairs, structs, references, `_`.
 
 use bessemer::prelude::*;
 

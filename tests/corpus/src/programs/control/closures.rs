@@ -1,4 +1,4 @@
-//! A closure with a name stands in the C where it is called. `map` of an array and `from_fn` fill arrays.
+//! A named closure is inlined at its calls. `map` of an array and `from_fn` fill arrays.
 
 use bessemer::prelude::*;
 

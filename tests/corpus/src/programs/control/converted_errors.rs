@@ -1,4 +1,4 @@
-//! `?` makes the error of the caller of that of the callee, where an author's own `From` says how.
+//! `?` converts the callee's error to the caller's by an own `From`.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Iterators and ranges with a name whose numbers are computed where they are made: there they stop what Rust stops, and a
-//! number that changes later does not change them.
+//! Named iterators and ranges evaluate their numbers when they are created. A fault
+//! occurs there, as in Rust, and later changes of the numbers have no effect.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! `if let` looks at what is there; conditions may stand beside it. `matches!` only asks.
+//! `if let` tests and destructures a value; further conditions may follow. `matches!` only tests.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! A block with a label is left by `break 'label value`. In the C what follows stands in the other branch; where a loop
-//! is left, a flag says so.
+//! `break 'label value` leaves a labelled block. In the C, the rest
+//! is in the other branch; if a loop is left, a flag records it.
 
 use bessemer::prelude::*;
 

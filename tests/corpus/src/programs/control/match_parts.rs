@@ -1,4 +1,4 @@
-//! `match` takes structs, tuples and variants apart, one inside the other.
+//! `match` destructures structs, tuples and variants, nested.
 
 use bessemer::prelude::*;
 

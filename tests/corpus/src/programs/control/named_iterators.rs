@@ -1,4 +1,4 @@
-//! Iterators and ranges with a name, which are gone through later.
+//! Iterators and ranges with a name, consumed later.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! One array behind another, each so many-th element, and ranges with a step up to a number that is known when it runs.
+//! `chain` joins arrays, `step_by` takes each n-th element, and ranges have a step and a run-time end.
 
 use bessemer::prelude::*;
 

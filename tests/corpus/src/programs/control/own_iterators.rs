@@ -1,5 +1,5 @@
-//! An iterator of one's own is a struct with a `next`, which a loop calls until it gives nothing. What shows that this happens
-//! says the loop: `#[bound]` above it, `.take(n)`, or what stands beside the iterator.
+//! An own iterator is a struct with a `next`, which a loop calls until it returns `None`. The
+//! loop's bound is `#[bound]` above it, `.take(n)`, or the length of an iterator zipped with it.
 
 use bessemer::prelude::*;
 

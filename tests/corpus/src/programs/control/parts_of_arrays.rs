@@ -1,4 +1,4 @@
-//! Loops go through windows and chunks of an array, leave elements out and take so many.
+//! Loops over windows and chunks of an array, with skipped and limited elements.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! So many elements at a time, of a number that is known at run time.
+//! Chunks of a size that is known at run time.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! `ref` and `ref mut` in a pattern name a part of what is matched, where that is a place.
+//! `ref` and `ref mut` in a pattern name a part of the matched place.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A loop that compilers are asked to write out, four passes at once; and one that they are asked to keep.
+//! `#[unroll(4)]` makes compilers write out four passes of a loop; `#[keep]` stops them from unrolling.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A debounced push button that tells edges: a level counts once it has been seen in so many samples in a row.
+//! A debounced push button that reports edges: a level counts after a fixed number of equal samples in a row.
 
 use bessemer::prelude::*;
 

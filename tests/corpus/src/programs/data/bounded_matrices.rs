@@ -1,4 +1,4 @@
-//! A `BoundedMatrix` has up to so many rows and columns; its size travels with it, and loops go as far as it is.
+//! A `BoundedMatrix` has a maximum size; it stores its current size, and loops cover that size.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A `Text` is up to so many bytes, and how many they are.
+//! A `Text` is a bounded number of bytes, and their count.
 
 use bessemer::prelude::*;
 

@@ -1,6 +1,6 @@
-//! Types, variants, fields, parameters and constants take the name in the C that a firmware's convention asks
-//! for; a table takes a section as a function does. A type's methods, its initialiser and its variants are
-//! named for it, unless they have a name of their own.
+//! `#[c(name)]` sets the C names of types, variants, fields, parameters and constants, as a
+//! firmware's convention requires; `#[c(section)]` sets the section of a table or a function.
+//! Methods, initialisers and variants follow their type's name, unless they have their own.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Elements to be written, of which there may be none: what is chosen is an index in the C.
+//! Optional references to elements, to write them: in the C the chosen element is an index.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! A constant that is computed brings the author's expression into the comment of the C, where rustc's number alone would
-//! stand; one that is no more than its value does not.
+//! The C comment of a computed constant shows the author's
+//! expression; a plain value has no such comment.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! `let` takes structs, arrays and written-out tuples apart.
+//! `let` destructures structs, arrays and tuple expressions.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! `insert`, `get_or_insert` and `as_mut` lend what is in an `Option`: in the C it is a name for its place. `mem::take` leaves
-//! the default.
+//! `insert`, `get_or_insert` and `as_mut` return a reference to an `Option`'s
+//! value: in the C it is a name for its place. `mem::take` leaves the default.
 
 use bessemer::prelude::*;
 

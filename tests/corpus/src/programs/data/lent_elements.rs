@@ -1,5 +1,5 @@
-//! `get_mut`, `first_mut`, `last_mut`, `split_first`, `split_last`, `split_at` and their `_mut` lend elements: in the C
-//! each is the array itself. What they lend is taken apart where they are called.
+//! `get_mut`, `first_mut`, `last_mut`, `split_first`, `split_last`, `split_at` and their `_mut` return
+//! references to elements: in the C these are the array itself. Their results are destructured at the call.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Of tuples and arrays the first parts that differ decide; plain enums that derive an order have `cmp`, too.
+//! Tuples and arrays are ordered by the first parts that differ; plain enums that derive an order have `cmp`, too.
 
 use bessemer::prelude::*;
 use core::cmp::Ordering;

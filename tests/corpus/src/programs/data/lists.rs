@@ -1,4 +1,4 @@
-//! A `List` holds up to so many elements, its memory inside; its length travels with it.
+//! A `List` has a fixed capacity, and stores its memory and its length.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! The variants of an enum may have numbers of their own, as a protocol fixes them: they are the values in the C, what `as`
-//! gives, and what `<` compares.
+//! Variants may have explicit numbers, as in a protocol: these are
+//! the values in the C, the results of `as`, and the order of `<`.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! How one value stands to another is a value, too: an `Ordering` is matched, kept, turned round, and given back.
+//! An `Ordering` is a value: it is matched, stored, reversed and returned.
 
 use core::cmp::Ordering;
 

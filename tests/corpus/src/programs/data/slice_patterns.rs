@@ -1,5 +1,5 @@
-//! Patterns take arrays and slices apart: from the front, from the end, and what is left as a slice of its own,
-//! which copies nothing.
+//! Patterns destructure arrays and slices: from the front,
+//! from the end, and the rest as a slice, without a copy.
 
 use bessemer::prelude::*;
 

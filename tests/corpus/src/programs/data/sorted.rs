@@ -1,5 +1,5 @@
-//! Arrays, lists and slices are sorted by insertion, in the simulation as in the C: equal elements keep their order.
-//! Floats are sorted by `total_cmp`, in which any NaN stands behind all others.
+//! Arrays, lists and slices are sorted by insertion, in the simulation as in the C: equal
+//! elements keep their order. `total_cmp` orders floats, with NaN after all numbers.
 
 use bessemer::prelude::*;
 

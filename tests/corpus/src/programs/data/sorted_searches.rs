@@ -1,5 +1,5 @@
-//! `partition_point` and `binary_search` halve what is sorted; of equal elements `binary_search` finds the first, in the
-//! simulation, too.
+//! `partition_point` and `binary_search` search a sorted slice; among
+//! equal elements `binary_search` finds the first, in the simulation, too.
 
 use bessemer::prelude::*;
 

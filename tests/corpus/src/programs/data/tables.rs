@@ -1,4 +1,4 @@
-//! A `const` is evaluated by rustc, whatever it takes, and stands in the C as a constant of its name.
+//! rustc evaluates each `const`, and the C has a constant of its name.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! `core::cmp::Reverse` turns the order of what it holds round: as a key, as a part of one, and as a value.
+//! `core::cmp::Reverse` reverses the order of its value: as a key, as a part of a key, and as a value.
 
 use core::cmp::{Ordering, Reverse};
 

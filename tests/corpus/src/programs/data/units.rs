@@ -1,5 +1,5 @@
-//! The unit of a field, a parameter, a constant or a result stands in the comment of the C, and in what `gen`
-//! reports of each entry point; the range of a field or a parameter stands beside it.
+//! The unit of a field, a parameter, a constant or a result is in the C comment, and
+//! in the report of `gen`; the range of a field or a parameter is in the comment, too.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! A struct, a variant, a tuple or a result may hold a slice. In the C it holds where the elements begin and how many there
-//! are; the array itself stands beside it, so that no pointer outlives a call.
+//! A struct, a variant, a tuple or a result may hold a slice. In the C it holds a start
+//! index and a length; the array is passed separately, so that no pointer outlives a call.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! `unwrap` and `expect` of what is not there are a fault.
+//! `unwrap` and `expect` of `None` or `Err` are faults.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Where Rust panics on overflow, the C reports a fault, for the negative of the smallest number, too.
+//! The C reports a fault where Rust panics on overflow, also for the negative of the smallest number.
 
 use bessemer::prelude::*;
 

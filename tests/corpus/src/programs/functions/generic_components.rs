@@ -1,5 +1,5 @@
-//! A component that is generic becomes C for each instance that its author names; the name is that of the
-//! C. Inside another component an instance needs no name.
+//! A generic component becomes C for each instance that its author names,
+//! under that name. An instance inside another component needs no name.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! A function may be generic over types and sizes. The C has one for each way in which it is called, named
-//! for what stands for its parameters.
+//! A function may be generic over types and sizes. The C has
+//! one function for each instance, named after its arguments.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A function inside another is a function of its own in the C, named for both; a constant that is a slice is the array that it refers to.
+//! A function inside another is a separate C function, named after both; a constant slice is the array that it refers to.
 
 use bessemer::prelude::*;
 

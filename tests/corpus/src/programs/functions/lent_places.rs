@@ -1,5 +1,5 @@
-//! A function that gives a reference lends a place: where it is called stands that place, behind what the function does
-//! before. One that chooses among several, to be read, gives a copy.
+//! A function that returns a reference is inlined: the call is the place, after the function's
+//! other statements. A function that chooses among several places to read returns a copy.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Components in components, at different rates: the state of the inner ones stands in the outer's, and its
-//! `init` sets them all.
+//! Components in components, at different rates: the outer state
+//! contains the inner states, and its `init` sets all of them.
 
 use bessemer::prelude::*;
 

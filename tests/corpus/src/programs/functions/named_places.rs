@@ -1,5 +1,5 @@
-//! A name for a part of something: the C writes the part itself. Its index is computed and checked once, where
-//! the name is given.
+//! A name for a part of a value is the part itself in the
+//! C. Its index is computed and checked once, at the `let`.
 
 use bessemer::prelude::*;
 

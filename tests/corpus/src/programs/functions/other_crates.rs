@@ -1,4 +1,4 @@
-//! Types, components, interfaces, tables and functions of another crate that depends on `bessemer`: what is used comes along.
+//! Types, components, interfaces, tables and functions of another crate that depends on `bessemer`: the C includes the used items.
 
 use bessemer::prelude::*;
 use filters::quantities::Metres;

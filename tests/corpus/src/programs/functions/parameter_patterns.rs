@@ -1,4 +1,4 @@
-//! A parameter that is taken apart has the names of its parts in the C.
+//! A destructured parameter has the names of its parts in the C.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! `PhantomData` tells types apart that hold the same: units, and the states of a device. The C has a struct for each, without it.
+//! `PhantomData` distinguishes types with equal contents: units, and the states of a device. The C has a struct for each, without it.
 
 use core::marker::PhantomData;
 

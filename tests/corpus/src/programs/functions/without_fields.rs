@@ -1,5 +1,5 @@
-//! A struct without fields is a choice that the types make: which of several ways, or which error. It vanishes from the
-//! C, where its methods take what is left.
+//! A struct without fields selects an implementation or an error at
+//! compile time. The C omits it; its methods keep their other parameters.
 
 use bessemer::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Closures over the elements of matrices: `map`, `zip_map`, `apply`, `fold` and the like become loops, by
-//! columns as nalgebra goes; `from_fn` and `map_with_location` know the row and the column.
+//! Closures over the elements of matrices: `map`, `zip_map`, `apply`, `fold` and the like become
+//! loops by columns, as in nalgebra; `from_fn` and `map_with_location` pass the row and the column.
 
 use bessemer::prelude::*;
 

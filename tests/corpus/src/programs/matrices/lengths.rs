@@ -1,4 +1,4 @@
-//! Norms, and what is set to a length.
+//! Norms, and vectors scaled to a length.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Sums, parts and products that add to what is there: nalgebra's methods, as functions of the C.
+//! Sums, parts and products that add to a matrix: nalgebra's methods, as functions of the C.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Products with a transpose, and products that add to what is there.
+//! Products with a transpose, and products that add to a matrix.
 
 use bessemer::prelude::*;
 

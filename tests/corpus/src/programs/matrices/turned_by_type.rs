@@ -1,5 +1,5 @@
-//! Which `new` and which `from_euler_angles` is meant, the type says and not its name: an author's own `Rotation2` is the
-//! author's, and nalgebra's is the DSL's by any name.
+//! The type, not the name, decides which `new` and `from_euler_angles` is called: an
+//! own `Rotation2` has its own methods, and nalgebra's has the DSL's under any alias.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Rows, columns and blocks of fixed size are read as values; what is written to one is written to the matrix.
+//! Rows, columns and blocks of fixed size are values when read; a write to one changes the matrix.
 
 use bessemer::prelude::*;
 

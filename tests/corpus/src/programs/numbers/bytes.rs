@@ -1,4 +1,4 @@
-//! Bytes of numbers, in the order that is asked for, whatever the machine's.
+//! Conversions of numbers to bytes in a given order, independent of the machine.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Fixed point by hand: a wider product, and a shift.
+//! Fixed-point arithmetic: a wider product, and a shift.
 
 use bessemer::prelude::*;
 

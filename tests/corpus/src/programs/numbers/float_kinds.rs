@@ -1,4 +1,4 @@
-//! NaN, infinities and the sign of zero can be asked for.
+//! Tests for NaN, infinities and the sign of zero.
 
 use bessemer::prelude::*;
 
