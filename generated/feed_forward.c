@@ -66,11 +66,10 @@ void injection_linear(double most, injection_t *injection)
 void injection_sigmoid(double most, injection_t *injection)
 {
     const profile_t profile = PROFILE_SIGMOID;
-    const double fit_rate = -0.25;
     injection_t injection_value;
     injection_none(&injection_value);
     injection_value.profile = profile;
-    injection_value.rate = fit_rate;
+    injection_value.rate = -0.25;
     injection_value.offset = 7.0;
     injection_value.power = 1.04;
     const injection_t *const fit = &injection_value;

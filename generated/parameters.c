@@ -76,12 +76,6 @@ void parameters_hexacopter(mixer_t *work, parameters_t *parameters)
 {
     airframe_t airframe;
     airframe_hexacopter(&airframe);
-    const gains_t result_height = {.p = 16.0, .i = 1.6, .d = 7.0};
-    const damped_t result_x = {.p = -0.2, .d = -0.17};
-    const damped_t result_y = {.p = -0.2, .d = -0.17};
-    const gains_t result_roll = {.p = 2.0, .i = 0.4, .d = 0.4};
-    const gains_t result_pitch = {.p = 2.0, .i = 0.4, .d = 0.4};
-    const gains_t result_yaw = {.p = 0.15, .i = 0.0, .d = 0.12};
     mixer_t *const result_mixer = work;
     mixer_new(&airframe, 2000.0, 500.0, result_mixer);
     parameters_mambo(parameters);
@@ -89,11 +83,21 @@ void parameters_hexacopter(mixer_t *work, parameters_t *parameters)
     parameters->inertia[0] = airframe.inertia[0];
     parameters->inertia[1] = airframe.inertia[1];
     parameters->inertia[2] = airframe.inertia[2];
-    parameters->height = result_height;
-    parameters->x = result_x;
-    parameters->y = result_y;
-    parameters->roll = result_roll;
-    parameters->pitch = result_pitch;
-    parameters->yaw = result_yaw;
+    parameters->height.p = 16.0;
+    parameters->height.i = 1.6;
+    parameters->height.d = 7.0;
+    parameters->x.p = -0.2;
+    parameters->x.d = -0.17;
+    parameters->y.p = -0.2;
+    parameters->y.d = -0.17;
+    parameters->roll.p = 2.0;
+    parameters->roll.i = 0.4;
+    parameters->roll.d = 0.4;
+    parameters->pitch.p = 2.0;
+    parameters->pitch.i = 0.4;
+    parameters->pitch.d = 0.4;
+    parameters->yaw.p = 0.15;
+    parameters->yaw.i = 0.0;
+    parameters->yaw.d = 0.12;
     parameters->mixer = *result_mixer;
 }

@@ -160,15 +160,13 @@ void reduction_reduce_huge(double x, reduced_angle_t *reduced_angle)
     } else {
         sign = 1.0;
     }
-    const double result_part = sign * angle.high;
-    const double result_part_2 = sign * angle.low;
     uint64_t result_choice;
     if (backwards) {
         result_choice = (UINT64_C(4) - quarter_turns) & UINT64_C(3);
     } else {
         result_choice = quarter_turns & UINT64_C(3);
     }
-    reduced_angle->high = result_part;
-    reduced_angle->low = result_part_2;
+    reduced_angle->high = sign * angle.high;
+    reduced_angle->low = sign * angle.low;
     reduced_angle->quadrant = result_choice;
 }

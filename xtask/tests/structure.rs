@@ -200,6 +200,8 @@ impl<'ast> Visit<'ast> for Uses<'_> {
 
 /// Functions that name a temporary or a hidden local; the word changes only the text of the C.
 const NAMING: [&str; 22] = [
+    "atom",
+    "atom_place",
     "below",
     "below_unless_one",
     "called_here",
@@ -216,12 +218,10 @@ const NAMING: [&str; 22] = [
     "mutable_place",
     "once",
     "part_copied",
-    "steady",
     "steady_index",
     "temporary",
     "temporary_name",
     "temporary_place",
-    "temporary_unless",
 ];
 
 /// The file of a folder that has nothing but words for the C. Such a word counts where something is compared with it.

@@ -1,7 +1,7 @@
 //! From the tree that the DSL hands on to the typed IR, or to what is told at the author's own line.
 //!
 //! [`typify`] is the way. [`diagnostic`] is how it tells, with the lines of [`source`]; [`termination`] is its proof that a loop
-//! ends.
+//! ends. [`fuse`] decides which operands have to be computed before what comes after them.
 //!
 //! Must not know: what the passes do with the IR, and C.
 
@@ -9,6 +9,7 @@
 #![warn(clippy::iter_over_hash_type)]
 
 pub mod diagnostic;
+pub mod fuse;
 pub mod source;
 mod termination;
 pub mod typify;

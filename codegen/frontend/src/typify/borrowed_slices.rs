@@ -100,7 +100,7 @@ impl Lowering<'_, '_> {
     /// An index that is computed once.
     pub(super) fn steady_index(&mut self, role: &str, index: &tree::Expr) -> Result<Expr> {
         let index = self.value(index, Some(&Type::USIZE))?;
-        Ok(self.steady(role, index))
+        Ok(self.atom(role, index))
     }
 
     /// The condition for `pattern` to take what may be absent.

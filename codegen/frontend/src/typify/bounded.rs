@@ -15,7 +15,6 @@ use super::each::Each;
 use super::expr::Call;
 use super::lengths::{least, lesser};
 use super::lowering::Lowering;
-use super::order::is_free;
 use super::syntax::is_named;
 use super::value::Value;
 use super::words;
@@ -128,7 +127,7 @@ impl Lowering<'_, '_> {
         if !is_matrix {
             self.keep_indices(&mut place, |index| !index.is_literal());
             for index in &mut indices {
-                *index = self.temporary_unless(is_free(index), words::INDEX, index.clone());
+                *index = self.atom(words::INDEX, index.clone());
             }
         }
         let Some(bounded) = self.bounded(&place) else { return Ok(place) };
@@ -159,7 +158,7 @@ impl Lowering<'_, '_> {
             return refused(index.site, refusals::TWO_INDICES);
         };
         let [row, column] = self.row_and_column([row, column])?;
-        Ok([self.steady("row", row), self.steady("column", column)])
+        Ok([self.atom("row", row), self.atom("column", column)])
     }
 
     /// A `BoundedMatrix` that a loop goes through, if it has a name.
@@ -180,7 +179,7 @@ impl Lowering<'_, '_> {
         let Some(matrix) = self.bounded(&matrix) else { return Ok(()) };
         let Some((columns, most)) = &matrix.columns else { return Ok(()) };
         let mut end = |name, size: &Place, most: u32| {
-            self.steady(name, least(size.load(), Expr::usize(u64::from(most), span)))
+            self.atom(name, least(size.load(), Expr::usize(u64::from(most), span)))
         };
         let rows = end("rows", &matrix.length, matrix.capacity);
         let columns = end("columns", columns, *most);
@@ -271,7 +270,7 @@ impl Lowering<'_, '_> {
     /// An argument, computed once.
     fn length_argument(&mut self, argument: &tree::Expr) -> Result<Expr> {
         let length = self.value(argument, Some(&Type::USIZE))?;
-        Ok(self.temporary_unless(length.is_literal(), "length", length))
+        Ok(self.atom("length", length))
     }
 
     fn push(&mut self, list: &tree::Expr, element: &tree::Expr, span: Span) -> Result<()> {
@@ -279,7 +278,7 @@ impl Lowering<'_, '_> {
         let value = self.value(element, Some(&list.element))?;
         self.agree(&value.ty, &list.element, element.site)?;
         // Rust computes the element before it looks for room.
-        let value = self.temporary_unless(is_free(&value), "element", value);
+        let value = self.atom("element", value);
         self.check(list.length_is(CompareOp::Lt, list.capacity, span), Fault::Capacity, span);
         let place = list.at([list.length.load()]);
         self.emit(StmtKind::Assign { place, value }, span);
@@ -291,7 +290,7 @@ impl Lowering<'_, '_> {
         let list = self.list(&arguments[0])?;
         let length = self.length_argument(&arguments[1])?;
         let value = self.value(&arguments[2], Some(&list.element))?;
-        let value = self.temporary_unless(value.is_literal(), "element", value);
+        let value = self.atom("element", value);
         let capacity = Expr::usize(u64::from(list.capacity), span);
         let room = Expr::compare(CompareOp::Le, length.clone(), capacity).at(span);
         self.check(room, Fault::Capacity, span);

@@ -11,7 +11,6 @@ use super::syntax::{control_with_value, either, ends_in_loop, names_by_case};
 use super::value::Value;
 use super::words;
 use super::{Needed, Result, order, refusals, refused};
-use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
     /// Computes `expr` and sends its value to `target`.
@@ -328,10 +327,9 @@ impl Lowering<'_, '_> {
         let naming = std::mem::take(&mut self.naming);
         let condition = self.value(condition, Some(&Type::BOOL))?;
         // What an author asserts may do anything, so it is computed first. The library asks for sums at most.
-        let condition = match claim == tree::Claim::Assertion && !super::order::is_free(&condition)
-        {
-            true => self.temporary("asserted", condition),
-            false => condition,
+        let condition = match claim {
+            tree::Claim::Assertion => self.atom("asserted", condition),
+            _ => condition,
         };
         self.naming = naming;
         let span = self.span(site);
@@ -424,12 +422,10 @@ impl Lowering<'_, '_> {
             }
             None => {
                 let ty = self.place_type(place)?;
-                let mut value = self.value(value, Some(&ty))?;
+                let value = self.value(value, Some(&ty))?;
                 self.agree(&value.ty, &ty, site)?;
-                let place = self.settling(
-                    |inner| inner.writable(place),
-                    |inner, _, later| inner.settle(&mut value, words::OPERAND, later),
-                )?;
+                let value = self.atom(words::OPERAND, value);
+                let place = self.writable(place)?;
                 self.emit(StmtKind::Assign { place, value }, span);
             }
             Some(_) if let Some(callee) = self.operator(place.slot).cloned() => {
@@ -481,22 +477,9 @@ impl Lowering<'_, '_> {
         ty: &Type,
     ) -> Result<(Place, Expr)> {
         if ty.is_word() {
-            let mut value = self.value(value, expected.as_ref())?;
-            let mut place = self.settling(
-                |inner| inner.writable(place),
-                |inner, place, later| {
-                    let fixed = place.steps.iter().all(order::is_fixed);
-                    // The place is read where the operand stands behind it, which must have been computed by then.
-                    let written = effects::lent(&value);
-                    if !fixed && !order::may_follow(&value, place)
-                        || effects::reads(&place.load(), &written)
-                    {
-                        value = inner.temporary(words::OPERAND, value.clone());
-                    } else {
-                        inner.settle(&mut value, words::OPERAND, later);
-                    }
-                },
-            )?;
+            let value = self.value(value, expected.as_ref())?;
+            let value = self.atom(words::OPERAND, value);
+            let mut place = self.writable(place)?;
             self.keep_indices(&mut place, order::has_effect);
             return Ok((place, value));
         }

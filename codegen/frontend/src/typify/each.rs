@@ -159,12 +159,12 @@ impl Lowering<'_, '_> {
         let length = slice.length.clone();
         let group = match way {
             Grouping::All if number(&length).is_some() => {
-                let end = self.steady("end", least(plus(begin.clone(), size), length));
+                let end = self.atom("end", least(plus(begin.clone(), size), length));
                 slice.between(begin, end)
             }
             Grouping::All => {
                 let left = least(size, minus(length, begin.clone()));
-                let length = self.steady("length", left);
+                let length = self.atom("length", left);
                 slice.part(begin, length)
             }
             _ => slice.part(begin, size),

@@ -11,7 +11,7 @@ use super::lengths::plus;
 use super::lowering::Lowering;
 use super::syntax::{control_with_value, is_question, numbered};
 use super::words;
-use super::{Needed, OUR_FAULT, Result, literal, order, problem, refusals, refused};
+use super::{Needed, OUR_FAULT, Result, literal, problem, refusals, refused};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
 pub(super) struct Operand<'e> {
@@ -346,9 +346,7 @@ impl Lowering<'_, '_> {
             }
             (Op::Mul, Type::Matrix { .. }, _) => (Routine::Scale, vec![left, right]),
             (Op::Mul, _, Type::Matrix { .. }) => {
-                if !order::may_change_places(&left, &right) {
-                    left = self.temporary(words::OPERAND, left);
-                }
+                left = self.atom(words::OPERAND, left);
                 (Routine::Scale, vec![right, left])
             }
             (Op::Div, Type::Matrix { .. }, Type::Scalar(_)) => {

@@ -6,7 +6,6 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, StmtKind, StructId, Type};
 use super::expr::Operand;
 use super::generic::Case;
 use super::lowering::{Lowering, local_since};
-use super::order::{has_effect, is_free};
 use super::syntax::numbered;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
@@ -153,7 +152,7 @@ impl Lowering<'_, '_> {
                 self.emit(StmtKind::Assign { place, value }, span);
             }
             // It is written here, so no name may stand for a part of it before.
-            self.held.remove(&made.root);
+            self.release(made.root);
             return Ok(made.load());
         }
         // What holds nothing has been done.
@@ -182,15 +181,12 @@ impl Lowering<'_, '_> {
         rest: bool,
         fields: &[(String, tree::Expr)],
     ) {
-        let loud = values.iter().filter(|value| !is_free(value)).count();
-        let writing = values.iter().any(has_effect);
-        if !(loud > 1 && !sorted || writing && (!sorted || rest)) {
+        if sorted && !rest {
             return;
         }
         self.naming_as("", |inner| {
-            let named = values.iter_mut().zip(fields);
-            for (value, (name, _)) in named.filter(|(value, _)| !value.is_literal()) {
-                *value = inner.temporary(name, value.clone());
+            for (value, (name, _)) in values.iter_mut().zip(fields) {
+                *value = inner.atom(name, value.clone());
             }
         });
     }

@@ -15,6 +15,7 @@ use super::names::split;
 use super::syntax::control_with_value;
 use super::value::Value;
 use super::{Context, Needed, Result, names, problem, refusals, refused};
+use crate::fuse::fuse;
 
 /// A function, and what its callers have to know of it.
 pub(super) struct Lowered {
@@ -139,6 +140,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             naming: UNNAMED.into(),
             result,
             held: HashSet::new(),
+            atoms: HashSet::new(),
             steady: HashSet::new(),
             changing: HashMap::new(),
             unasked: Vec::new(),
@@ -172,7 +174,7 @@ impl Lowering<'_, '_> {
         let given_back = self.lent_out()?;
         let (source, result) = (self.source, self.result.clone());
         let locals = std::mem::take(&mut self.locals);
-        let function = Function {
+        let mut function = Function {
             name: source.tree.name.clone(),
             module: source.module.clone(),
             owner: self.owner(),
@@ -187,6 +189,7 @@ impl Lowering<'_, '_> {
             kernel: None,
             span,
         };
+        fuse(&self.cx.module, &mut function, &self.atoms);
         Ok(Lowered { function, absent: std::mem::take(&mut self.absent), given_back })
     }
 
@@ -497,9 +500,7 @@ impl Lowering<'_, '_> {
     /// The local that a value was put together in, and nothing else: it can have the author's name.
     fn made_for(&mut self, value: &Expr, since: usize) -> Option<LocalId> {
         match &value.kind {
-            ExprKind::Load(place) => {
-                local_since(place, since).filter(|local| self.held.remove(local))
-            }
+            ExprKind::Load(place) => local_since(place, since).filter(|local| self.release(*local)),
             _ => None,
         }
     }
@@ -520,11 +521,6 @@ impl Lowering<'_, '_> {
     /// A temporary that holds `value`; named for what it is part of.
     pub(super) fn temporary(&mut self, role: &str, value: Expr) -> Expr {
         self.temporary_place(role, value).load()
-    }
-
-    /// The same, unless the value stays what it is.
-    pub(super) fn temporary_unless(&mut self, stays: bool, role: &str, value: Expr) -> Expr {
-        if stays { value } else { self.temporary(role, value) }
     }
 
     /// Its place.

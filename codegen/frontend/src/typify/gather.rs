@@ -97,7 +97,7 @@ impl Lowering<'_, '_> {
     fn settle_bounds(&mut self, passes: Option<&mut Stmt>) {
         let Some(Stmt { kind: StmtKind::For { from, to, .. }, .. }) = passes else { return };
         for (bound, role) in [from, to].into_iter().zip(words::BOUNDS) {
-            *bound = self.temporary_unless(is_free(bound), role, bound.clone());
+            *bound = self.atom(role, bound.clone());
         }
     }
 

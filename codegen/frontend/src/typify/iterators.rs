@@ -172,7 +172,7 @@ impl Lowering<'_, '_> {
             }
         };
         let root = place.root;
-        self.held.remove(&root);
+        self.release(root);
         self.steady.remove(&root);
         self.changing.entry(root).or_insert(Ty::Unit);
         Ok(place)

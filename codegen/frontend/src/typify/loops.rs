@@ -10,6 +10,7 @@ use bessemer_ir::{
     Step, Stmt, StmtKind, Type,
 };
 
+use crate::fuse;
 use crate::termination::{self, Loop, Proof};
 
 use super::each::Each;
@@ -108,7 +109,7 @@ impl Lowering<'_, '_> {
                     }
                     Some(length) => {
                         let name = |place: &Place| inner.place_name(place);
-                        let rest = &body.0[heads[0] + 1..];
+                        let rest = &inner.fused(&body).0[heads[0] + 1..];
                         termination::popped(&inner.cx.module, name, &length, rest)
                     }
                     None => inner.shown(&body, &heads),
@@ -180,9 +181,15 @@ impl Lowering<'_, '_> {
         Ok(heads)
     }
 
+    /// Returns the body of a loop without the temporaries that go.
+    fn fused(&self, body: &Block) -> Block {
+        fuse::view(&self.cx.module, &self.locals, &self.atoms, body)
+    }
+
     /// The bound that shows of a loop which one of the `if`s at `heads` of its body ends.
     fn shown(&self, body: &Block, heads: &[usize]) -> Result<Proof, termination::Reason> {
         let name = |place: &Place| self.place_name(place);
+        let body = self.fused(body);
         let shown = |head: &usize| {
             let of = left_at(&body.0, *head, &self.out).ok_or_else(no_end)?;
             termination::proof(&self.cx.module, name, &of)
@@ -201,8 +208,10 @@ impl Lowering<'_, '_> {
             return self.ended(site, Ok(proof), body);
         }
         let mut shown = Err(no_end());
-        for head in 0..body.0.len() {
-            let Some(of) = left_at(&body.0, head, &self.out) else { continue };
+        let view = self.fused(&body);
+        let first = view.0.iter().position(|stmt| !matches!(stmt.kind, StmtKind::Expr(_)));
+        for head in 0..view.0.len() {
+            let Some(of) = left_at(&view.0, head, &self.out) else { continue };
             let name = |place: &Place| self.place_name(place);
             match termination::proof(&self.cx.module, name, &of) {
                 Ok(proof) => return self.ended(site, Ok(proof), body),
@@ -214,7 +223,7 @@ impl Lowering<'_, '_> {
                             [0, u64::MAX].map(|word| Expr::literal(word, ty.clone(), span));
                         return self.ended(site, Ok(Proof { low, high, inclusive: false }), body);
                     }
-                    Err(turned) => shown = Err(if head == 0 { reason } else { turned }),
+                    Err(turned) => shown = Err(if first == Some(head) { reason } else { turned }),
                 },
             }
         }

@@ -32,6 +32,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub result: Type,
     /// The locals that the author has no name for: nothing writes to them again.
     pub held: HashSet<LocalId>,
+    /// Locals among them that [`fuse`](crate::fuse) may put back.
+    pub atoms: HashSet<LocalId>,
     /// The counters of loops over ranges, which only their loop changes, and parameters that nobody does.
     pub steady: HashSet<LocalId>,
     /// The locals that their author may write again, and their types as rustc sees them.
@@ -123,7 +125,7 @@ impl<'a> Lowering<'a, '_> {
         self.locals.truncate(first);
         self.unasked.retain(stays);
         self.hands.retain(|_, hand| stays(&hand.local));
-        for known in [&mut self.held, &mut self.steady, &mut self.valued] {
+        for known in [&mut self.held, &mut self.atoms, &mut self.steady, &mut self.valued] {
             known.retain(stays);
         }
         self.changing.retain(|local, _| stays(local));

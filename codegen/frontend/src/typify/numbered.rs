@@ -46,7 +46,7 @@ impl Lowering<'_, '_> {
         let first = self.value(&range.from, Some(&ty))?;
         let first = match self.known(&first) {
             Some(word) => Expr::literal(word, ty, span),
-            None => self.steady(words::BOUNDS[0], first),
+            None => self.atom(words::BOUNDS[0], first),
         };
         let kind = Kind::Numbers(Numbers { site, first, int, calm: false });
         Ok(Seq::new(kind, None, span))

@@ -184,13 +184,8 @@ impl Lowering<'_, '_> {
 
     /// Values that may be written more than once: where one has to be computed before, all are.
     fn reusable(&mut self, values: Vec<Expr>) -> Vec<Expr> {
-        if values.iter().all(is_light) {
-            return values;
-        }
-        let kept = values.into_iter().zip(words::OF_NUMBERS).map(|(value, role)| {
-            if value.is_literal() { value } else { self.temporary(role, value) }
-        });
-        kept.collect()
+        let kept = values.into_iter().zip(words::OF_NUMBERS);
+        kept.map(|(value, role)| self.atom(role, value)).collect()
     }
 
     /// The square or the cube of an integer, which need no loop; none if it is another call.

@@ -3,14 +3,13 @@
 //! An expression of the IR is evaluated where it stands, and the statements that a later operand needs
 //! stand before the whole: what came earlier and could change by them goes into a local first.
 
-use std::collections::HashSet;
-
 use bessemer_ir::visit::{Access, Walk};
 use bessemer_ir::{
     Argument, CompareOp, Expr, ExprKind, Fault, Intrinsic, LocalId, Place, Scalar, Step, Stmt,
     StmtKind, Type,
 };
 
+use super::call::lent;
 use super::lowering::Lowering;
 use super::{Result, words};
 use bessemer_ir::effects;
@@ -46,11 +45,6 @@ impl Lowering<'_, '_> {
         Ok(done)
     }
 
-    /// Computes `value` now if the statements to come could change it.
-    pub(super) fn settle(&mut self, value: &mut Expr, role: &str, later: &[Stmt]) {
-        self.settle_all([(value, role)], later);
-    }
-
     /// Computes the indices of `place` now that the statements to come could change.
     pub(super) fn settle_place(&mut self, place: &mut Place, later: &[Stmt]) {
         self.settle_all(indices_mut(place).map(|index| (index, words::INDEX)), later);
@@ -71,79 +65,68 @@ impl Lowering<'_, '_> {
         self.settle_all(values, later);
     }
 
-    /// Computes now what of the values so far, in their order, the statements to come could change. What is computed now
-    /// comes before the values that are not, and so is among what could change these.
+    /// Computes the values so far, in their order, before the statements to come.
     pub(super) fn settle_all<'e>(
         &mut self,
         values: impl IntoIterator<Item = (&'e mut Expr, &'e str)>,
         later: &[Stmt],
     ) {
         if !later.is_empty() {
-            let values = values.into_iter().map(|(value, role)| (value, role, false));
-            self.settle_those(values.collect(), later);
+            values.into_iter().for_each(|(value, role)| self.atomize(role, value));
         }
     }
 
-    /// Computes now the indices that lead to what is lent to a call whose result refers to that, as far as they may change.
+    /// Returns an atom: a literal, a constant, or a local that is assigned once, into which the value goes. Where nothing would
+    /// have changed the value, [`fuse`](crate::fuse) puts it back.
+    pub(super) fn atom(&mut self, role: &str, value: Expr) -> Expr {
+        let known = match &value.kind {
+            ExprKind::Literal(_) | ExprKind::Const(_) => true,
+            ExprKind::Load(place) => place.steps.is_empty() && self.atoms.contains(&place.root),
+            _ => false,
+        };
+        // What is zero-sized is no value of the IR, and a slice is no local.
+        if known || matches!(value.ty, Type::Unit | Type::Slice(_)) {
+            return value;
+        }
+        self.atom_place(role, value).load()
+    }
+
+    /// Returns the place of a value that goes into a local which is assigned once.
+    pub(super) fn atom_place(&mut self, role: &str, value: Expr) -> Place {
+        let place = self.temporary_place(role, value);
+        self.atoms.insert(place.root);
+        place
+    }
+
+    fn atomize(&mut self, role: &str, value: &mut Expr) {
+        *value = self.atom(role, value.clone());
+    }
+
+    /// Makes a local the author's, who may name it and write it.
+    pub(super) fn release(&mut self, local: LocalId) -> bool {
+        self.atoms.remove(&local);
+        self.held.remove(&local)
+    }
+
+    /// Computes now the indices that lead to what is lent to a call whose result refers to that, and what comes before them.
     pub(super) fn settle_lent(&mut self, passed: &mut [Argument]) {
-        let mut values = Vec::new();
-        for argument in passed {
+        let places =
+            |argument: &Argument| lent(argument).is_some_and(|(it, _)| !it.steps.is_empty());
+        let count = passed.iter().rposition(places).map_or(0, |last| last + 1);
+        for argument in &mut passed[..count] {
             match argument {
                 Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
-                | Argument::RefMut(place) => {
-                    for index in indices_mut(place) {
-                        let moves = self.moves(index);
-                        values.push((index, words::INDEX, moves));
-                    }
-                }
+                | Argument::RefMut(place) => self.keep_moving(place),
                 Argument::Value(value) | Argument::Ref(value) => {
-                    values.push((value, words::ARGUMENT, false));
+                    self.atomize(words::ARGUMENT, value);
                 }
             }
         }
-        self.settle_those(values, &[]);
     }
 
-    /// Of values in their order, computes now those that have to be, and those that this or what comes later could change.
-    fn settle_those(&mut self, mut moving: Vec<(&mut Expr, &str, bool)>, later: &[Stmt]) {
-        let mut later = later.to_vec();
-        for at in (0..moving.len()).rev() {
-            let (value, _, has_to) = &moving[at];
-            if !has_to && (later.is_empty() || is_settled(value, &later)) {
-                moving.remove(at);
-            } else {
-                let (kind, span) = (StmtKind::Expr((**value).clone()), value.span);
-                later.push(Stmt::new(kind, span));
-            }
-        }
-        for (value, role, _) in moving {
-            *value = self.temporary(role, value.clone());
-        }
-    }
-
-    /// Whether an index may become another: not one that is written out, or given once.
-    fn moves(&self, index: &Expr) -> bool {
-        match &index.kind {
-            ExprKind::Literal(_) | ExprKind::Const(_) => false,
-            ExprKind::Load(of) => {
-                let known = |set: &HashSet<LocalId>| set.contains(&of.root);
-                let stays =
-                    known(&self.steady) || known(&self.held) || self.counters.contains(&of.root);
-                !(of.steps.is_empty() && stays)
-            }
-            _ => true,
-        }
-    }
-
-    /// Computes values that will stand in another order now, one after the other, where that would show.
+    /// Computes values that will stand in another order now, one after the other.
     pub(super) fn keep_order(&mut self, values: &mut [Expr]) {
-        let (mut first, mut shows) = (values.iter(), false);
-        while let Some(one) = first.next() {
-            shows |= first.as_slice().iter().any(|other| !may_change_places(one, other));
-        }
-        for value in values.iter_mut().filter(|value| shows && !value.is_literal()) {
-            *value = self.temporary(words::OPERAND, value.clone());
-        }
+        values.iter_mut().for_each(|value| self.atomize(words::OPERAND, value));
     }
 
     /// Makes a place one that stays the same: its indices are computed and checked now.
@@ -171,13 +154,9 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Computes now the indices of `place` that something may change: not those that are written once.
+    /// Computes now the indices of `place`.
     pub(super) fn keep_moving(&mut self, place: &mut Place) {
-        for index in indices_mut(place) {
-            if self.moves(index) {
-                *index = self.temporary(words::INDEX, index.clone());
-            }
-        }
+        indices_mut(place).for_each(|index| self.atomize(words::INDEX, index));
     }
 
     /// Computes now the indices of `place` that are to be kept.
@@ -247,21 +226,6 @@ fn is_quiet_but_for(expr: &Expr, allowed: impl Fn(&Place) -> bool) -> bool {
         };
         !quiet
     })
-}
-
-/// Whether it is the same, result and fault, if `value` is computed after `place`.
-pub(super) fn may_follow(value: &Expr, place: &Place) -> bool {
-    let simple = |place: &Place| indices(place).all(is_free);
-    // An index out of bounds is the same fault, whichever of the two it is in.
-    is_free(value) && !indices(place).any(has_effect)
-        || is_quiet_but_for(value, simple) && simple(place)
-}
-
-/// Whether it is the same, result and fault, if `second` is computed before `first`.
-pub(super) fn may_change_places(first: &Expr, second: &Expr) -> bool {
-    let stays =
-        |one: &Expr, other: &Expr| is_free(one) && !effects::reads(one, &effects::lent(other));
-    stays(first, second) || stays(second, first)
 }
 
 /// The indices that lead to a place.

@@ -163,7 +163,7 @@ impl Lowering<'_, '_> {
     fn inner_seq(&mut self, source: &Source, site: Site) -> Result<Seq> {
         let seq = self.seq(source, site)?;
         // How many were taken changes from pass to pass.
-        let from = self.steady(words::BOUNDS[0], seq.from.clone());
+        let from = self.atom(words::BOUNDS[0], seq.from.clone());
         Ok(Seq { from, ..seq })
     }
 
@@ -177,7 +177,7 @@ impl Lowering<'_, '_> {
         if let (true, Kind::Elements(Elements { slice, owned })) = (of.whole() && !taken, &of.kind)
         {
             let count = least(count, slice.length.clone());
-            let count = self.steady("count", count);
+            let count = self.atom("count", count);
             let slice = match skip {
                 true => slice.behind(count),
                 false => slice.part(Expr::usize(0, slice.base.span), count),
@@ -190,7 +190,7 @@ impl Lowering<'_, '_> {
             if !matches!(&of.kind, Kind::Cycle(of) if skip || of.has_some()) {
                 return refused(site, refusals::ENDLESS);
             }
-            let end = plus(from.clone(), self.steady("count", count));
+            let end = plus(from.clone(), self.atom("count", count));
             return Ok(match skip {
                 true => Seq { from: end, all: false, ..of },
                 false => Seq { to: Some(end), all: false, ..of },
@@ -200,7 +200,7 @@ impl Lowering<'_, '_> {
             true => count,
             false => {
                 let count = least(count, minus(to.clone(), from.clone()));
-                self.steady("count", count)
+                self.atom("count", count)
             }
         };
         let (from, to) = match (skip, of.down) {
@@ -244,7 +244,7 @@ impl Lowering<'_, '_> {
             Some(word) => Ok(Expr::usize(word, size.span)),
             None => {
                 let span = size.span;
-                let size = self.steady("size", size);
+                let size = self.atom("size", size);
                 let some = Expr::compare(CompareOp::Ne, size.clone(), Expr::usize(0, span));
                 self.check(some, Fault::Assertion, span);
                 Ok(size)

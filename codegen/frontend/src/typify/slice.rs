@@ -190,7 +190,7 @@ impl Lowering<'_, '_> {
             Some(from) => self.value(from, Some(&Type::USIZE))?,
             None => Expr::usize(0, span),
         };
-        let from = self.steady("start", written.clone());
+        let from = self.atom("start", written.clone());
         let mark = self.out.len();
         let open = to.is_none();
         let mut to = match to {
@@ -205,11 +205,11 @@ impl Lowering<'_, '_> {
         }
         if inclusive {
             // The last one has to be there before the one behind it can be named.
-            to = self.steady("last", to);
+            to = self.atom("last", to);
             self.check_index(&to, CompareOp::Lt, &slice.length, span);
             to = plus(to, Expr::usize(1, span));
         } else if !open && !is_further(&from, &to) {
-            to = self.steady("end", to);
+            to = self.atom("end", to);
         }
         let ordered = !is_number(&from, 0) && !is_further(&from, &to);
         let ordered = ordered.then(|| compared(CompareOp::Le, &from, &to, span));
@@ -221,11 +221,6 @@ impl Lowering<'_, '_> {
         }
         let whole = slice.whole && open && is_number(&from, 0);
         Ok(Slice { whole, ..slice.between(from, to) })
-    }
-
-    /// A value that is computed once, and written down again as it is where nothing changes it.
-    pub(super) fn steady(&mut self, role: &str, value: Expr) -> Expr {
-        self.temporary_unless(self.is_steady(&value), role, value)
     }
 
     /// Whether nothing writes to what a value is read from.
@@ -255,7 +250,7 @@ impl Lowering<'_, '_> {
         if slice.whole {
             return Ok(Place { span, ..slice.at(index) });
         }
-        let index = self.temporary_unless(super::order::is_free(&index), words::INDEX, index);
+        let index = self.atom(words::INDEX, index);
         self.check_index(&index, CompareOp::Lt, &slice.length, span);
         Ok(Place { span, ..slice.nth(index) })
     }

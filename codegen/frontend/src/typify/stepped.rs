@@ -111,7 +111,7 @@ impl Lowering<'_, '_> {
 
     /// An end that is computed once.
     fn once(&mut self, role: &str, end: Expr) -> Expr {
-        self.temporary_unless(lengths::number(&end).is_some(), role, end)
+        self.atom(role, end)
     }
 
     /// Steps of a constant through unsigned numbers, which count the passes, too.
@@ -129,7 +129,7 @@ impl Lowering<'_, '_> {
         let to = last.clone().unwrap_or(to);
         let length = distance(&held, to);
         let named = inclusive && from_zero || by == 1 && self.is_steady(&length);
-        let length = self.temporary_unless(named, "length", length);
+        let length = if named { length } else { self.atom("length", length) };
         // A step of at least 2 leaves room for the last number, and a step of 1 no rest: this cannot leave the type.
         let more = last.map(|last| match from_zero {
             true => Expr::literal_like(1, &held),
@@ -172,8 +172,7 @@ impl Lowering<'_, '_> {
                 Expr::intrinsic(Intrinsic::Max, vec![length, none]).cast(&Type::USIZE)
             }
         };
-        let named = matches!(length.kind, ExprKind::Load(_));
-        let length = self.temporary_unless(named, "length", length);
+        let length = self.atom("length", length);
         let more = inclusive.then(|| Expr::compare(CompareOp::Le, from.clone(), to));
         // All numbers of 64 bits are one more than `usize` counts to, and nobody gets that far.
         let add = match int.bits() {

@@ -72,6 +72,7 @@ impl Lowering<'_, '_> {
         if let Value::Place(place) = subject
             && let Some(local) = local_since(place, before).filter(|it| self.held.contains(it))
         {
+            self.atoms.remove(&local);
             self.locals[local.index()].name = name.to_owned();
         }
     }

@@ -96,13 +96,13 @@ impl<'a> Lowering<'a, '_> {
         let span = self.span(expr.site);
         let place = match self.matrix_step(index, &part.ty(), span)? {
             Step::Element(row, column) => {
-                let (row, column) = (self.steady("row", row), self.steady("column", column));
+                let (row, column) = (self.atom("row", row), self.atom("column", column));
                 self.check_index(&row, CompareOp::Lt, &size(part.rows, span), span);
                 self.check_index(&column, CompareOp::Lt, &size(part.cols, span), span);
                 part.at(row, column)
             }
             Step::Index(index) => {
-                let index = self.steady(words::INDEX, index);
+                let index = self.atom(words::INDEX, index);
                 let most = size(part.rows * part.cols, span);
                 self.check_index(&index, CompareOp::Lt, &most, span);
                 part.nth(index)
@@ -182,7 +182,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn write_part(&mut self, part: &Submatrix, value: Expr) -> Result<()> {
         let span = value.span;
         if let ExprKind::Splat(value) = value.kind {
-            let value = self.steady(words::ELEMENT, *value);
+            let value = self.atom(words::ELEMENT, *value);
             return self.each_of_part(part, span, |at, _| (at, value.clone()));
         }
         let place = match value.kind {

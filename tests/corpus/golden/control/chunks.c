@@ -21,13 +21,12 @@ bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t
 {
     const uint32_t used_2 = (uint32_t)min_u64(used, UINT64_C(10));
     uint32_t sum = 0U;
-    const uint32_t value_end = used_2;
-    for (uint32_t block = 0U; block < (value_end + 3U) / 4U; block++) {
-        if (block * 4U > value_end) {
+    for (uint32_t block = 0U; block < (used_2 + 3U) / 4U; block++) {
+        if (block * 4U > used_2) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         const uint32_t value_length = (uint32_t)min_u64(UINT64_C(4),
-            value_end - u64_from_u32(block * 4U));
+            used_2 - u64_from_u32(block * 4U));
         for (uint32_t i = block * 4U; i < block * 4U + value_length; i++) {
             if (i >= 10U) {
                 return BESSEMER_STATUS_INDEX;

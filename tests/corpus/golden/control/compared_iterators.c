@@ -183,7 +183,6 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
         }
         more = next.is_some;
     }
-    const bool result_element = less_2 || more || same_2;
     uint32_t others_taken_3 = 0U;
     bool greater = false;
     bool same_3 = true;
@@ -219,7 +218,6 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
         }
         more_2 = next.is_some;
     }
-    const bool result_element_2 = greater && !more_2;
     uint32_t others_taken_4 = 0U;
     bool greater_2 = false;
     bool same_4 = true;
@@ -258,8 +256,8 @@ void compared_iterators_floats(const double x[3], const double y[3], uint64_t n,
         result_holds_2 = result_holds_3;
     }
     result[0] = result_holds;
-    result[1] = result_element;
-    result[2] = result_element_2;
+    result[1] = less_2 || more || same_2;
+    result[2] = greater && !more_2;
     result[3] = result_holds_2;
 }
 

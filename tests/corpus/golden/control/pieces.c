@@ -17,24 +17,23 @@ bessemer_status_t pieces_butterflies(float data[8])
             return BESSEMER_STATUS_ASSERTION;
         }
         for (uint64_t i = UINT64_C(0); i < UINT64_C(8) / (uint64_t)value_size; i++) {
-            const uint32_t value_middle = half;
-            if (value_middle > value_size) {
+            if (half > value_size) {
                 return BESSEMER_STATUS_INDEX;
             }
             {
-                const uint32_t end = (uint32_t)min_u64(
-                    (uint64_t)value_size - (uint64_t)value_middle, (uint64_t)value_middle);
+                const uint32_t end = (uint32_t)min_u64((uint64_t)value_size - (uint64_t)half,
+                    (uint64_t)half);
                 for (uint32_t j = 0U; j < end; j++) {
                     const uint64_t data_index = i * (uint64_t)value_size + j;
                     if (data_index >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
-                    const uint64_t data_index_2 = i * (uint64_t)value_size + value_middle + j;
+                    const uint64_t data_index_2 = i * (uint64_t)value_size + half + j;
                     if (data_index_2 >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
                     const float difference = data[data_index] - data[data_index_2];
-                    const uint64_t data_index_3 = i * (uint64_t)value_size + value_middle + j;
+                    const uint64_t data_index_3 = i * (uint64_t)value_size + half + j;
                     if (data_index_3 >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
@@ -48,7 +47,7 @@ bessemer_status_t pieces_butterflies(float data[8])
                         return BESSEMER_STATUS_INDEX;
                     }
                     data[data_index_5] = data[data_index_4] + a_operand;
-                    const uint64_t data_index_6 = i * (uint64_t)value_size + value_middle + j;
+                    const uint64_t data_index_6 = i * (uint64_t)value_size + half + j;
                     if (data_index_6 >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
@@ -174,7 +173,6 @@ bessemer_status_t pieces_numbered(uint8_t data[7], uint64_t size)
                 return BESSEMER_STATUS_OVERFLOW;
             }
             const uint32_t value_end = (uint32_t)min_u64(value_end_product + size, UINT64_C(7));
-            const uint8_t piece_operand = (uint8_t)number;
             const uint64_t product = number * size;
             if (product > value_end) {
                 return BESSEMER_STATUS_OVERFLOW;
@@ -186,7 +184,7 @@ bessemer_status_t pieces_numbered(uint8_t data[7], uint64_t size)
             if (data_index >= UINT64_C(7)) {
                 return BESSEMER_STATUS_INDEX;
             }
-            data[data_index] = piece_operand;
+            data[data_index] = (uint8_t)number;
         }
     }
     return BESSEMER_STATUS_OK;

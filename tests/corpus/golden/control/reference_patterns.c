@@ -24,12 +24,11 @@ double reference_patterns_advanced(valve_t *valve)
         valve->last.value = (uint16_t)((uint32_t)valve->last.value + 3U);
     }
     if (valve->order.tag == REFERENCE_PATTERNS_ORDER_TAG_PULSE) {
-        const double result_left = open + (double)valve->order.as.pulse;
         uint16_t result_choice = 0U;
         if (valve->last.is_some) {
             result_choice = valve->last.value;
         }
-        return result_left + (double)result_choice;
+        return open + (double)valve->order.as.pulse + (double)result_choice;
     } else {
         return open;
     }

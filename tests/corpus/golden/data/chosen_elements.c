@@ -45,8 +45,7 @@ void transfers_worst(transfers_t *self, element_mut_transfer_t *result)
         result->index = UINT64_C(0);
         return;
     }
-    const uint32_t result_index = at;
-    result->index = result_index;
+    result->index = at;
 }
 
 void transfers_busy(const transfers_t *self, transfer_t *transfer)
@@ -77,9 +76,8 @@ void transfers_begun(transfers_t *self, uint8_t id, option_element_mut_transfer_
     }
     self->all[free.value.index].busy = true;
     self->all[free.value.index].id = id;
-    const uint64_t result_index = free.value.index;
     result->is_some = true;
-    result->value.index = result_index;
+    result->value.index = free.value.index;
 }
 
 bool chosen_elements_try_again(transfers_t *transfers, uint8_t id)
@@ -134,9 +132,8 @@ uint16_t chosen_elements_give_up(transfers_t *transfers)
 {
     element_mut_transfer_t transfer;
     transfers_worst(transfers, &transfer);
-    const uint64_t worst_index = transfer.index;
-    transfers->all[worst_index].busy = false;
-    const uint16_t tries = transfers->all[worst_index].tries;
+    transfers->all[transfer.index].busy = false;
+    const uint16_t tries = transfers->all[transfer.index].tries;
     element_mut_transfer_t transfer_2;
     transfers_worst(transfers, &transfer_2);
     transfers->all[transfer_2.index].tries = 0U;
@@ -192,10 +189,9 @@ void chosen_elements_end(transfers_t *transfers, uint64_t index, result_u16_u8_t
         result->error = outcome.error;
         return;
     }
-    const uint64_t ended_index = outcome.value.index;
-    transfers->all[ended_index].busy = false;
+    transfers->all[outcome.value.index].busy = false;
     result->is_ok = true;
-    result->value = transfers->all[ended_index].tries;
+    result->value = transfers->all[outcome.value.index].tries;
     result->error = 0U;
 }
 

@@ -5,8 +5,7 @@
 bool in_order_is_usable(const breakpoints_t *table)
 {
     const uint64_t count = clamp_u64((uint64_t)table->count, UINT64_C(2), UINT64_C(6));
-    const uint64_t result_end = count;
-    return sort_is_sorted_f64(table->at, result_end);
+    return sort_is_sorted_f64(table->at, count);
 }
 
 bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool result[3])
@@ -14,22 +13,20 @@ bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool
     bessemer_status_t status;
     list4_u8_t list = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U}};
     for (uint8_t k = 0U; k < n % 4U; k++) {
-        const uint8_t value_element = (uint8_t)(k ^ 2U);
         if (list.length >= UINT64_C(4)) {
             return BESSEMER_STATUS_CAPACITY;
         }
-        list.items[list.length] = value_element;
+        list.items[list.length] = (uint8_t)(k ^ 2U);
         list.length += UINT64_C(1);
     }
-    const bool result_element = sort_is_sorted_u8(list.items, min_u64(list.length, UINT64_C(4)));
-    bool result_element_2;
-    status = sort_is_sorted_pair_u8_f32(pairs, UINT64_C(3), &result_element_2);
+    const uint8_t elements[1] = {n};
+    bool result_is_sorted_pair_u8_f32;
+    status = sort_is_sorted_pair_u8_f32(pairs, UINT64_C(3), &result_is_sorted_pair_u8_f32);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    const uint8_t elements[1] = {n};
-    result[0] = result_element;
-    result[1] = result_element_2;
+    result[0] = sort_is_sorted_u8(list.items, min_u64(list.length, UINT64_C(4)));
+    result[1] = result_is_sorted_pair_u8_f32;
     result[2] = sort_is_sorted_u8(elements, UINT64_C(1));
     return BESSEMER_STATUS_OK;
 }

@@ -54,9 +54,8 @@ bessemer_status_t list_edits_served(list6_u8_t *jobs, uint8_t limit, uint8_t *fi
             }
         }
     }
-    const uint32_t value_length = kept;
-    if (value_length < jobs->length) {
-        jobs->length = value_length;
+    if (kept < jobs->length) {
+        jobs->length = kept;
     }
     *first = first_value;
     return BESSEMER_STATUS_OK;

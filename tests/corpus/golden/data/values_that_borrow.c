@@ -414,26 +414,24 @@ bessemer_status_t values_that_borrow_seen(const double values[6], pair_f64_usize
         return BESSEMER_STATUS_INDEX;
     }
     if (longer_left > values[pair.first.from]) {
-        const uint64_t longer_index = pair.second.from;
         slice_f64_t slice;
-        status = values_that_borrow_above(&values[longer_index], pair.second.length,
+        status = values_that_borrow_above(&values[pair.second.from], pair.second.length,
             0.5 * values[pair.second.from], &slice);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (slice.from > UINT64_MAX - longer_index) {
+        if (slice.from > UINT64_MAX - pair.second.from) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        slice.from += longer_index;
+        slice.from += pair.second.from;
         longer = slice;
     } else {
-        const uint64_t longer_index = pair.first.from;
         slice_f64_t slice;
-        status = values_that_borrow_above(&values[longer_index], pair.first.length, 0.0, &slice);
+        status = values_that_borrow_above(&values[pair.first.from], pair.first.length, 0.0, &slice);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        slice.from += longer_index;
+        slice.from += pair.first.from;
         longer = slice;
     }
     const uint64_t longer_length = longer.length;
@@ -480,12 +478,11 @@ bessemer_status_t writer_finish(const writer_t *self, uint8_t self_buffer[],
     (void)self_buffer_length;
     const uint64_t buffer_from = self->buffer.from;
     const uint64_t buffer_length = self->buffer.length;
-    const uint64_t result_end = self->length;
-    if (result_end > buffer_length) {
+    if (self->length > buffer_length) {
         return BESSEMER_STATUS_INDEX;
     }
     result->from = buffer_from;
-    result->length = result_end;
+    result->length = self->length;
     return BESSEMER_STATUS_OK;
 }
 

@@ -26,17 +26,15 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
     for (uint32_t i = 0U; i < 6U; i++) {
         area += self->values[i] * self->values[(i + 1U) % 6U];
     }
-    const double result_part = steps + area;
     uint32_t most;
     if (self->valid > UINT64_C(6)) {
         most = 0U;
     } else {
         most = (uint32_t)self->valid;
     }
-    const uint32_t result_end = most;
     result->third.is_some = false;
     result->third.value = 0.0;
-    for (uint32_t i = 0U; i < result_end; i++) {
+    for (uint32_t i = 0U; i < most; i++) {
         if (self->values[i] < self->most) {
             const double item = self->values[i] * 2.0;
             result->third.is_some = true;
@@ -49,10 +47,9 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
     } else {
         most_2 = (uint32_t)self->valid;
     }
-    const uint32_t result_end_2 = most_2;
     result->fourth.is_some = false;
     result->fourth.value = 0.0;
-    for (uint32_t i = 0U; i < result_end_2; i++) {
+    for (uint32_t i = 0U; i < most_2; i++) {
         if (self->values[i] < self->most) {
             const double item = self->values[i] * 0.5;
             result->fourth.is_some = true;
@@ -61,7 +58,7 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
         }
     }
     result->first = rising;
-    result->second = result_part;
+    result->second = steps + area;
 }
 
 void readings_largest(const readings_t *self, option_f64_t *result)
@@ -72,10 +69,9 @@ void readings_largest(const readings_t *self, option_f64_t *result)
     } else {
         most = (uint32_t)self->valid;
     }
-    const uint32_t result_end = most;
     result->is_some = false;
     result->value = 0.0;
-    for (uint32_t i = 0U; i < result_end; i++) {
+    for (uint32_t i = 0U; i < most; i++) {
         if (self->values[i] < self->most) {
             if (result->is_some) {
                 const double one = result->value;
@@ -100,8 +96,7 @@ void readings_before(const readings_t *self, double limit, option_usize_t *resul
     } else {
         most = (uint32_t)self->valid;
     }
-    const uint32_t value_end = most;
-    for (uint32_t i = 0U; i < value_end; i++) {
+    for (uint32_t i = 0U; i < most; i++) {
         if (self->values[i] < self->most) {
             const uint32_t at = next;
             next += 1U;

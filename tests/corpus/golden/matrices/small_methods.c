@@ -9,13 +9,11 @@ void small_methods_quadratic(const double v[3], const double a[9], triple_f64_f6
         v[0] * a[3] + v[1] * a[1 + 3] + v[2] * a[2 + 3],
         v[0] * a[3 * 2] + v[1] * a[1 + 3 * 2] + v[2] * a[2 + 3 * 2]
     };
-    const double result_part_a[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
-    const double result_part = parts_to_scalar_f64(result_part_a);
-    const double result_left_a[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
-    const double result_left = parts_to_scalar_f64(result_left_a);
     const double vector[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
-    result->first = result_part;
-    result->second = result_left + vector[0];
+    const double result_a[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
+    const double result_a_2[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
+    result->first = parts_to_scalar_f64(result_a);
+    result->second = parts_to_scalar_f64(result_a_2) + vector[0];
     result->third = row[0] - row[2];
 }
 
@@ -67,9 +65,6 @@ void small_methods_centre(const double points[4][3], pair_vector3_f64_vector3_f6
         sum[1] += points[i][1];
         sum[2] += points[i][2];
     }
-    result->first[0] = sum[0] / 4.0;
-    result->first[1] = sum[1] / 4.0;
-    result->first[2] = sum[2] / 4.0;
     result->second[0] = 0.0;
     result->second[1] = 0.0;
     result->second[2] = 0.0;
@@ -78,6 +73,9 @@ void small_methods_centre(const double points[4][3], pair_vector3_f64_vector3_f6
         result->second[1] += points[i][1] * 0.5;
         result->second[2] += points[i][2] * 0.5;
     }
+    result->first[0] = sum[0] / 4.0;
+    result->first[1] = sum[1] / 4.0;
+    result->first[2] = sum[2] / 4.0;
 }
 
 void small_methods_into_places(const double a[6], const double b[6], double product[4],

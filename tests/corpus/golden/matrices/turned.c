@@ -78,15 +78,15 @@ void turned_share_between(const float a[3], const float b[3], float share, optio
         return;
     }
     const unit_quaternion_f32_t part = part_option.value;
-    const float along_argument[3] = {1.0F, 0.0F, 0.0F};
     option_vector3_f32_t along_option;
     norms_try_direction_f32_3(b, 1e-6F, &along_option);
     if (!along_option.is_some) {
         *result = (option_f32x4_t){.is_some = false};
         return;
     }
+    const float along_option_a[3] = {1.0F, 0.0F, 0.0F};
     option_unit_quaternion_f32_t along_option_2;
-    rotation_scaled_rotation_between_axis_f32(along_argument, along_option.value, share,
+    rotation_scaled_rotation_between_axis_f32(along_option_a, along_option.value, share,
         &along_option_2);
     if (!along_option_2.is_some) {
         *result = (option_f32x4_t){.is_some = false};

@@ -4,10 +4,10 @@
 
 double programs_matrices_views_along(const double axes[9])
 {
-    const double result_left[3] = {axes[0], axes[1], axes[2]};
-    const double result_vector[3] = {axes[3], axes[1 + 3], axes[2 + 3]};
-    return result_left[0] * result_vector[0] + result_left[1] * result_vector[1]
-        + result_left[2] * result_vector[2];
+    const double result_vector[3] = {axes[0], axes[1], axes[2]};
+    const double result_vector_2[3] = {axes[3], axes[1 + 3], axes[2 + 3]};
+    return result_vector[0] * result_vector_2[0] + result_vector[1] * result_vector_2[1]
+        + result_vector[2] * result_vector_2[2];
 }
 
 void programs_matrices_views_attitude(const double covariance[36], double result[9])

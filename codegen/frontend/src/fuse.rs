@@ -1,0 +1,496 @@
+//! Substitution of temporaries into the expressions that read them: the one place that reasons about evaluation order.
+//!
+//! Lowering holds an operand in a local of its own wherever something comes between the operand and its reader. Here the
+//! local goes again if nothing tells: no statement between writes what the operand reads, reads what it writes, or ends the
+//! function where either shows.
+//!
+//! Invariants: each place holds the same at each end of the function, and the same fault comes first. The time is linear: one
+//! walk from the last statement to the first decides, with the next access to each local at hand; one walk from the first to
+//! the last replaces.
+//!
+//! Must not know: why lowering made a local; the tree; C, which does not order operands (the passes see to that).
+
+mod known;
+mod put;
+
+use std::collections::HashSet;
+
+use bessemer_ir::visit::{Access, Visit, Walk};
+use bessemer_ir::{
+    Argument, BinaryOp, Block, Expr, ExprKind, Function, Intrinsic, Local, LocalId, Mode, Module,
+    Place, Scalar, Step, Stmt, StmtKind, Type, UnaryOp,
+};
+use known::Known;
+
+/// Substitutes the temporaries in `made` that are only read, where the program means the same without them.
+///
+/// Other locals may have new handles then; parameters keep theirs.
+///
+/// Precondition: the function is valid in `module`, whose types it has; no parameter is in `made`, and no local is a name for a
+/// place. Postcondition: it is valid, and means the same.
+pub fn fuse(module: &Module, function: &mut Function, made: &HashSet<LocalId>) {
+    let gone = gone(module, &function.locals, made, &function.body);
+    if gone.contains(&true) {
+        put::put(&mut function.body, &gone, false);
+        put::close_ranks(function, &gone);
+    }
+}
+
+/// Returns the body of a loop as [`fuse`] will leave it, with each statement at its index and each local with its handle.
+pub(crate) fn view(
+    module: &Module,
+    locals: &[Local],
+    made: &HashSet<LocalId>,
+    body: &Block,
+) -> Block {
+    let (gone, mut body) = (gone(module, locals, made, body), body.clone());
+    if gone.contains(&true) {
+        put::put(&mut body, &gone, true);
+    }
+    body
+}
+
+/// Decides which of the locals go.
+fn gone(module: &Module, locals: &[Local], made: &HashSet<LocalId>, body: &Block) -> Vec<bool> {
+    if made.is_empty() {
+        return Vec::new();
+    }
+    let mut known =
+        Known::new((0..locals.len() as u32).map(|at| made.contains(&LocalId(at))).collect());
+    known.block(body);
+    let mut backwards = Backwards::new(module, locals, known);
+    backwards.block(body);
+    backwards.gone
+}
+
+/// A moment of the evaluation: of two, the later one is larger.
+type Moment = u64;
+
+/// Tells where a temporary is read.
+#[derive(Clone, Copy)]
+struct Reads {
+    count: u32,
+    first: Moment,
+    /// The last one; of those in a loop that the declaration is not in, the end of that loop.
+    last: Moment,
+    /// The block of the first one that was met, and where its value would begin and end to be evaluated there.
+    block: u32,
+    begin: Moment,
+    end: Moment,
+    /// Set if that read is evaluated on a condition, or may have no effect.
+    conditional: bool,
+    /// Set if only a name may replace that read.
+    named_only: bool,
+    /// The call that borrows it.
+    borrowed: Option<Moment>,
+}
+
+/// Decides which temporaries go, from the last statement to the first.
+struct Backwards<'f> {
+    module: &'f Module,
+    locals: &'f [Local],
+    known: Known,
+    gone: Vec<bool>,
+    reads: Vec<Reads>,
+    /// The next access to each local, from the moment at hand.
+    read: Vec<Moment>,
+    written: Vec<Moment>,
+    /// When an index may be beyond the end next, when the function may end otherwise, and when something is written that its
+    /// caller sees.
+    misses: Moment,
+    ends: Moment,
+    shows: Moment,
+    now: Moment,
+    block: u32,
+    blocks: u32,
+    /// The ends of the loops around, outermost first.
+    loops: Vec<Moment>,
+    conditional: bool,
+    named_only: bool,
+}
+
+/// Effects of the evaluation of a value.
+#[derive(Default)]
+struct Effects {
+    reads: Vec<LocalId>,
+    writes: Vec<LocalId>,
+    /// An index in it may be beyond the end.
+    misses: bool,
+    /// Another operation in it may end the function.
+    ends: bool,
+}
+
+impl<'f> Backwards<'f> {
+    fn new(module: &'f Module, locals: &'f [Local], known: Known) -> Self {
+        let (count, never) = (locals.len(), Moment::MAX);
+        let unread = Reads {
+            count: 0,
+            first: never,
+            last: 0,
+            block: 0,
+            begin: 0,
+            end: 0,
+            conditional: false,
+            named_only: false,
+            borrowed: None,
+        };
+        Backwards {
+            module,
+            locals,
+            known,
+            gone: vec![false; count],
+            reads: vec![unread; count],
+            read: vec![never; count],
+            written: vec![never; count],
+            misses: never,
+            ends: never,
+            shows: never,
+            now: never - 1,
+            block: 0,
+            blocks: 0,
+            loops: Vec::new(),
+            conditional: false,
+            named_only: false,
+        }
+    }
+
+    fn block(&mut self, block: &Block) {
+        self.blocks += 1;
+        let outer = std::mem::replace(&mut self.block, self.blocks);
+        block.0.iter().rev().for_each(|stmt| self.stmt(stmt));
+        self.block = outer;
+    }
+
+    fn stmt(&mut self, stmt: &Stmt) {
+        match &stmt.kind {
+            StmtKind::Let { local, value: Some(value) } if self.goes(*local, value) => {
+                self.gone[local.index()] = true;
+            }
+            StmtKind::Let { local, value } => {
+                self.writes(*local);
+                value.iter().for_each(|value| self.expr(value));
+            }
+            StmtKind::Assign { place, value } => {
+                self.writes(place.root);
+                self.steps(place);
+                self.expr(value);
+            }
+            StmtKind::Expr(value) => self.expr(value),
+            StmtKind::Return(value) => {
+                self.may_end();
+                value.iter().for_each(|value| self.expr(value));
+            }
+            StmtKind::If { condition, then, otherwise } => {
+                self.block(otherwise);
+                self.block(then);
+                self.expr(condition);
+            }
+            StmtKind::Match { scrutinee, arms, otherwise } => {
+                otherwise.iter().for_each(|block| self.block(block));
+                arms.iter().rev().for_each(|arm| self.block(&arm.body));
+                // An enum may hold no variant.
+                self.may_end();
+                self.expr(scrutinee);
+            }
+            StmtKind::For { variable, from, to, body, .. } => {
+                self.now -= 1;
+                self.loops.push(self.now);
+                self.block(body);
+                self.loops.pop();
+                self.writes(*variable);
+                // C evaluates a bound in each pass: a computed bound stays before the loop.
+                self.named_only = true;
+                self.expr(to);
+                self.expr(from);
+                self.named_only = false;
+            }
+            StmtKind::Check { condition, .. } => {
+                self.may_end();
+                // It has no effect and no fault of its own.
+                self.conditional = true;
+                self.expr(condition);
+                self.conditional = false;
+            }
+            StmtKind::Break | StmtKind::Continue => self.may_end(),
+        }
+    }
+
+    fn expr(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::Literal(_) | ExprKind::Const(_) => {}
+            ExprKind::Load(place) if self.known.may_go[place.root.index()] => {
+                self.temporary(place.root, None);
+                self.steps(place);
+            }
+            ExprKind::Load(place) => {
+                self.reads(place.root);
+                self.steps(place);
+            }
+            ExprKind::Call(_, arguments) => self.call(arguments),
+            ExprKind::Logic(_, left, right) => {
+                let outer = std::mem::replace(&mut self.conditional, true);
+                self.expr(right);
+                self.conditional = outer;
+                self.expr(left);
+            }
+            ExprKind::Unary(_, x) | ExprKind::Cast(x) | ExprKind::Splat(x) => {
+                self.operation(expr);
+                self.expr(x);
+            }
+            ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
+                self.operation(expr);
+                self.expr(right);
+                self.expr(left);
+            }
+            ExprKind::Intrinsic(_, operands)
+            | ExprKind::Struct(operands)
+            | ExprKind::Array(operands)
+            | ExprKind::Matrix(operands)
+            | ExprKind::Routine(_, operands) => {
+                self.operation(expr);
+                operands.iter().rev().for_each(|operand| self.expr(operand));
+            }
+        }
+    }
+
+    /// Notes a call: what it borrows mutably is written at the call, what it borrows is read from its own moment on.
+    fn call(&mut self, arguments: &[Argument]) {
+        self.may_end();
+        let call = self.now;
+        for argument in arguments {
+            if let Argument::RefMut(place) = argument {
+                self.reads(place.root);
+                self.writes(place.root);
+            }
+        }
+        for argument in arguments.iter().rev() {
+            match argument {
+                Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
+                    if self.known.may_go[place.root.index()] =>
+                {
+                    self.temporary(place.root, Some(call));
+                    self.steps(place);
+                }
+                Argument::Value(value) | Argument::Ref(value) => self.expr(value),
+                Argument::RefMut(place) => self.steps(place),
+            }
+        }
+    }
+
+    /// Notes what leads to a place: of each step its indices, then whether they are beyond the end.
+    fn steps(&mut self, place: &Place) {
+        let misses = self.misses(place);
+        for (step, misses) in place.steps.iter().zip(misses).rev() {
+            if misses {
+                self.now -= 1;
+                earlier(&mut self.misses, self.now);
+            }
+            match step {
+                Step::Field(_) => {}
+                Step::Index(index) | Step::From(index) => self.expr(index),
+                Step::Element(row, column) => {
+                    self.expr(column);
+                    self.expr(row);
+                }
+            }
+        }
+    }
+
+    fn operation(&mut self, expr: &Expr) {
+        if may_fault(expr) {
+            self.may_end();
+        }
+    }
+
+    /// Returns, for each step to a place, whether its index may be beyond the end; literals seldom are.
+    fn misses(&self, place: &Place) -> Vec<bool> {
+        if is_plain(place) {
+            return vec![false; place.steps.len()];
+        }
+        let mut ty = Some(self.locals[place.root.index()].ty.clone());
+        let misses = place.steps.iter().map(|step| {
+            let there = ty.as_ref().is_some_and(|ty| is_there(ty, step));
+            ty = ty.as_ref().and_then(|ty| self.module.step_type(ty, step));
+            !there
+        });
+        misses.collect()
+    }
+
+    fn may_end(&mut self) {
+        self.now -= 1;
+        earlier(&mut self.ends, self.now);
+    }
+
+    fn reads(&mut self, local: LocalId) {
+        self.now -= 1;
+        earlier(&mut self.read[local.index()], self.now);
+    }
+
+    fn writes(&mut self, local: LocalId) {
+        self.now -= 1;
+        earlier(&mut self.written[local.index()], self.now);
+        if self.is_seen(local) {
+            earlier(&mut self.shows, self.now);
+        }
+    }
+
+    /// Returns whether the caller sees writes to a local.
+    fn is_seen(&self, local: LocalId) -> bool {
+        self.locals[local.index()].mode != Mode::Value
+    }
+
+    /// Notes the read of a temporary, and leaves room there for its value.
+    fn temporary(&mut self, local: LocalId, borrowed: Option<Moment>) {
+        let (end, depth) = (self.now - 1, self.known.depth[local.index()]);
+        self.now = end - self.known.room(local);
+        let reads = &mut self.reads[local.index()];
+        reads.count += 1;
+        reads.first = self.now;
+        let last = self.loops.get(depth).copied().unwrap_or(self.now);
+        reads.last = reads.last.max(last).max(borrowed.unwrap_or(0));
+        let (begin, block) = (self.now, self.block);
+        let (conditional, named_only) = (self.conditional, self.named_only);
+        *reads = Reads { begin, end, block, conditional, named_only, borrowed, ..*reads };
+    }
+
+    /// Decides whether a temporary goes, and notes the effects of its value at the new place.
+    fn goes(&mut self, local: LocalId, value: &Expr) -> bool {
+        let (at, reads) = (local.index(), self.reads[local.index()]);
+        if !self.known.may_go[at] {
+            return false;
+        }
+        let effects = self.effects(value);
+        let free = effects.writes.is_empty() && !effects.ends && !effects.misses;
+        match reads.count {
+            0 => free,
+            1 if self.known.uses[at] == 1
+                && !self.known.parts[at]
+                && reads.block == self.block
+                && !reads.named_only
+                && (free || !reads.conditional)
+                && self.may_wait(&effects, value, &reads) =>
+            {
+                let now = std::mem::replace(&mut self.now, reads.end);
+                let outer = std::mem::replace(&mut self.conditional, reads.conditional);
+                match &value.kind {
+                    ExprKind::Load(of) if self.known.may_go[of.root.index()] => {
+                        self.temporary(of.root, reads.borrowed);
+                        self.steps(of);
+                    }
+                    _ => self.expr(value),
+                }
+                (self.now, self.conditional) = (now, outer);
+                true
+            }
+            _ => self.is_name_for(local, value, &reads),
+        }
+    }
+
+    /// Returns whether a value may be evaluated at its only reader.
+    fn may_wait(&self, effects: &Effects, value: &Expr, reads: &Reads) -> bool {
+        let until = match (reads.borrowed, &value.kind) {
+            // It is not copied, so the call must not write it either.
+            (Some(call), ExprKind::Load(_)) => call,
+            _ => reads.begin,
+        };
+        let unchanged = effects.reads.iter().all(|it| self.written[it.index()] > until);
+        let untouched = effects.writes.iter().all(|it| {
+            self.written[it.index()] > reads.begin && self.read[it.index()] > reads.begin
+        });
+        let seen = effects.writes.iter().any(|it| self.is_seen(*it));
+        // Of two indices beyond the end, either is the same fault.
+        let faults = effects.ends || effects.misses;
+        unchanged
+            && untouched
+            && (!faults || self.ends > reads.begin && self.shows > reads.begin)
+            && (!effects.ends || self.misses > reads.begin)
+            && (!seen || self.ends > reads.begin)
+    }
+
+    /// Returns whether a temporary only names a place or a literal that stays the same until the last read.
+    fn is_name_for(&mut self, local: LocalId, value: &Expr, reads: &Reads) -> bool {
+        let place = match &value.kind {
+            ExprKind::Literal(_) | ExprKind::Const(_) => return !self.known.parts[local.index()],
+            ExprKind::Load(place) => place,
+            _ => return false,
+        };
+        let root = place.root.index();
+        if !is_plain(place) || self.written[root] <= reads.last {
+            return false;
+        }
+        if self.known.may_go[root] {
+            let last = self.loops.get(self.known.depth[root]).copied().unwrap_or(reads.last);
+            let of = &mut self.reads[root];
+            of.count += reads.count;
+            earlier(&mut of.first, reads.first);
+            of.last = of.last.max(last).max(reads.last);
+        } else {
+            earlier(&mut self.read[root], reads.first);
+        }
+        true
+    }
+
+    fn effects(&self, value: &Expr) -> Effects {
+        let mut effects = Effects::default();
+        value.each_place(|place, access| {
+            effects.misses |= self.misses(place).contains(&true);
+            effects.reads.push(place.root);
+            if access != Access::Read {
+                effects.writes.push(place.root);
+            }
+        });
+        let may_end = |expr: &Expr| matches!(expr.kind, ExprKind::Call(..)) || may_fault(expr);
+        effects.ends |= value.any_expr(may_end);
+        effects
+    }
+}
+
+fn earlier(known: &mut Moment, now: Moment) {
+    *known = now.min(*known);
+}
+
+/// Returns whether only fields lead to a place.
+fn is_plain(place: &Place) -> bool {
+    place.steps.iter().all(|step| matches!(step, Step::Field(_)))
+}
+
+/// Returns whether a value of type `ty` surely has the part that a step leads to.
+fn is_there(ty: &Type, step: &Step) -> bool {
+    let below = |index: &Expr, len: u32| match (&index.kind, index.ty.as_int()) {
+        (ExprKind::Literal(word), Some(int)) => {
+            (0..i128::from(len)).contains(&int.from_word(*word))
+        }
+        _ => false,
+    };
+    match (step, ty) {
+        (Step::Field(_), _) => true,
+        (Step::Index(index) | Step::From(index), Type::Array { len, .. }) => below(index, *len),
+        (Step::Index(index) | Step::From(index), Type::Matrix { rows, cols, .. }) => {
+            below(index, rows.saturating_mul(*cols))
+        }
+        (Step::Element(row, column), Type::Matrix { rows, cols, .. }) => {
+            below(row, *rows) && below(column, *cols)
+        }
+        _ => false,
+    }
+}
+
+/// Returns whether an operation may fault by itself.
+fn may_fault(expr: &Expr) -> bool {
+    let float = matches!(expr.ty, Type::Scalar(Scalar::Float(_) | Scalar::Bool));
+    match &expr.kind {
+        ExprKind::Unary(op, _) => *op == UnaryOp::Neg && !float,
+        ExprKind::Binary(op, ..) => {
+            !float && !matches!(op, BinaryOp::And | BinaryOp::Or | BinaryOp::Xor)
+        }
+        ExprKind::Intrinsic(Intrinsic::Clamp, _) => true,
+        ExprKind::Intrinsic(which, _) => {
+            use Intrinsic::*;
+            !float && matches!(which, Abs | WrappingDiv | WrappingRem | DivEuclid | RemEuclid)
+        }
+        ExprKind::Routine(..) => {
+            !matches!(expr.ty, Type::Matrix { element: Scalar::Float(_), .. }) && !float
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,98 @@
+//! The values of temporaries in the places where these were read.
+//!
+//! Must not know: why a temporary goes.
+
+use bessemer_ir::visit::{
+    Access, VisitMut, walk_block_mut, walk_expr_mut, walk_place_mut, walk_stmt_mut,
+};
+use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Place, Stmt, StmtKind};
+
+/// Puts the values of the locals that are gone where these are read; with `blanks`, an idle statement replaces each declaration.
+pub(super) fn put(body: &mut Block, gone: &[bool], blanks: bool) {
+    Put { gone, values: vec![None; gone.len()], blanks }.block(body);
+}
+
+/// Removes the locals that are gone from the table.
+pub(super) fn close_ranks(function: &mut Function, gone: &[bool]) {
+    let mut next = 0;
+    let to = gone.iter().map(|gone| {
+        let to = LocalId(next);
+        next += u32::from(!gone);
+        to
+    });
+    Renumber(to.collect()).block(&mut function.body);
+    let mut stays = gone.iter().map(|gone| !gone);
+    function.locals.retain(|_| stays.next().unwrap_or(true));
+}
+
+/// Puts the values of the temporaries that are gone where they are read.
+struct Put<'g> {
+    gone: &'g [bool],
+    values: Vec<Option<Expr>>,
+    blanks: bool,
+}
+
+impl VisitMut for Put<'_> {
+    fn block(&mut self, block: &mut Block) {
+        let mut comments = Vec::new();
+        for mut stmt in std::mem::take(&mut block.0) {
+            walk_stmt_mut(self, &mut stmt);
+            comments.append(&mut stmt.comments);
+            match stmt.kind {
+                StmtKind::Let { local, value } if self.gone[local.index()] => {
+                    self.values[local.index()] = value;
+                    if self.blanks {
+                        let nothing = StmtKind::Expr(Expr::bool(true, stmt.span));
+                        block.0.push(Stmt::new(nothing, stmt.span));
+                    }
+                }
+                kind => {
+                    let comments = std::mem::take(&mut comments);
+                    block.0.push(Stmt { kind, span: stmt.span, comments });
+                }
+            }
+        }
+    }
+
+    fn expr(&mut self, expr: &mut Expr) {
+        if let ExprKind::Load(place) = &expr.kind
+            && place.steps.is_empty()
+            && let value = &mut self.values[place.root.index()]
+            && let Some(known) = value
+        {
+            // A name is read often; a computed value is read once.
+            *expr = match &known.kind {
+                ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_) => known.clone(),
+                _ => value.take().unwrap_or_else(|| expr.clone()),
+            };
+            return;
+        }
+        walk_expr_mut(self, expr);
+    }
+
+    fn place(&mut self, place: &mut Place, _: Access) {
+        walk_place_mut(self, place);
+        if let Some(Expr { kind: ExprKind::Load(of), .. }) = &self.values[place.root.index()] {
+            place.root = of.root;
+            place.steps.splice(0..0, of.steps.iter().cloned());
+        }
+    }
+}
+
+/// Gives locals their new handles.
+struct Renumber(Vec<LocalId>);
+
+impl VisitMut for Renumber {
+    fn block(&mut self, block: &mut Block) {
+        walk_block_mut(self, block);
+    }
+
+    fn place(&mut self, place: &mut Place, _: Access) {
+        self.declaration(&mut place.root);
+        walk_place_mut(self, place);
+    }
+
+    fn declaration(&mut self, local: &mut LocalId) {
+        *local = self.0[local.index()];
+    }
+}
