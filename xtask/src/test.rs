@@ -38,6 +38,9 @@ const TOOLS: &str = "foxglove,mavlink";
 /// The stage in which the workspace is linted and built at once.
 const BUILD: &str = "lints and build of the tests";
 
+/// Name of the whole run among the stored times, by processor time.
+const ALL: &str = "processors in all";
+
 /// Number of mutants that a run tries.
 const MUTANTS: NonZeroUsize = NonZeroUsize::new(2).unwrap();
 
@@ -51,6 +54,7 @@ const SLOWEST: usize = 20;
 pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome, Error> {
     let mut progress = Progress::default();
     let installation = prepare(wanted, machine, &mut progress)?;
+    let installs = installation.is_some();
     if wanted.host {
         anstream::eprintln!(
             "--host: the ARM part is left out; nothing runs on the emulated Cortex-A9"
@@ -90,13 +94,18 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
             Ok(done)
         })
     })?;
-    let times = times(&progress, &done);
+    let mut times = times(&progress, &done);
+    if let Some(used) = runner::processors() {
+        times.add(ALL, used);
+    }
     if wanted.store_times {
         store(root, &times)?;
     }
-    // A full run does more than the stored run did.
+    // A full run does more than the stored run did, and so does one that installs something.
     let grown = if wanted.full { Vec::new() } else { times.grown(&stored) };
-    report(&progress, &done, &grown);
+    let alike = !(wanted.full || wanted.quick || installs);
+    let whole = alike.then(|| times.grown_as_a_whole(&stored, ALL)).flatten();
+    report(&progress, &done, &grown, (times.of(ALL), whole));
     Ok(if done.iter().all(|test| test.passed) { Outcome::Good } else { Outcome::Bad })
 }
 
@@ -203,7 +212,12 @@ fn store(root: &Path, times: &Times) -> Result<(), Error> {
 }
 
 /// Prints times, growth and failures; the summary last.
-fn report(progress: &Progress, done: &[Done], grown: &[(String, f64)]) {
+fn report(
+    progress: &Progress,
+    done: &[Done],
+    grown: &[(String, f64)],
+    (processors, whole): (Duration, Option<f64>),
+) {
     anstream::println!("\nstages");
     for (name, time) in progress.done() {
         anstream::println!("{:>8.1} s  {name}", time.as_secs_f64());
@@ -213,6 +227,10 @@ fn report(progress: &Progress, done: &[Done], grown: &[(String, f64)]) {
         let Spent { time, work } = test.spent;
         let (work, time) = (work.as_secs_f64(), time.as_secs_f64());
         anstream::println!("{work:>8.1} s {time:>6.1} s  {}", test.title);
+    }
+    anstream::println!("\n{:>8.1} s  {ALL}", processors.as_secs_f64());
+    if let Some(ratio) = whole {
+        anstream::println!("\ngrew to {ratio:.2} of what {TIMES} has: {ALL}");
     }
     for (name, ratio) in grown {
         anstream::println!("\ngrew to {ratio:.1} of its share in {TIMES}: {name}");

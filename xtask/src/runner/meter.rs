@@ -50,6 +50,12 @@ impl Meter {
     }
 }
 
+/// Processor time of this program and of all that it started and waited for; none where the system does not tell.
+#[must_use]
+pub fn processors() -> Option<Duration> {
+    used(std::process::id())
+}
+
 /// Processor time of a process and of the children that it has waited for.
 fn used(pid: u32) -> Option<Duration> {
     ticks(&std::fs::read_to_string(format!("/proc/{pid}/stat")).ok()?)

@@ -16,7 +16,7 @@ mod meter;
 mod program;
 mod times;
 
-pub use meter::Spent;
+pub use meter::{Spent, processors};
 pub use program::Program;
 pub use times::{Times, slowest};
 

@@ -12,6 +12,9 @@ use std::time::Duration;
 /// A part has grown if it takes so much more than the median part does.
 const GROWTH: f64 = 4.0 / 3.0;
 
+/// The whole run has grown if it takes so much more of the processors than the stored one.
+const GROWTH_OF_ALL: f64 = 1.1;
+
 /// Shorter ones vary by themselves.
 const SHORT: Duration = Duration::from_secs(4);
 
@@ -49,6 +52,14 @@ impl Times {
     #[must_use]
     pub fn of(&self, name: &str) -> Duration {
         self.0.get(name).copied().unwrap_or_default()
+    }
+
+    /// Returns the ratio of a part's time to its stored time, if it grew by a tenth or more.
+    #[must_use]
+    pub fn grown_as_a_whole(&self, stored: &Self, name: &str) -> Option<f64> {
+        let (before, now) = (stored.of(name), self.of(name));
+        let ratio = now.as_secs_f64() / before.as_secs_f64();
+        (before >= SHORT && ratio >= GROWTH_OF_ALL).then_some(ratio)
     }
 
     /// The parts that grew by a third beside `stored`, with how much.
@@ -102,6 +113,18 @@ mod tests {
         assert_eq!(slower.grown(&stored), []);
         let grown = times(&[("a", 20), ("b", 40), ("c", 90), ("short", 9)]).grown(&stored);
         assert_eq!(grown, [("c".to_owned(), 1.5)]);
+    }
+
+    #[test]
+    fn a_whole_that_grew_by_a_tenth_is_told() {
+        let grown = |before, now| {
+            let [stored, times] = [before, now].map(|seconds| times(&[("all", seconds)]));
+            times.grown_as_a_whole(&stored, "all")
+        };
+        assert_eq!(grown(100, 109), None);
+        assert_eq!(grown(100, 110), Some(1.1));
+        assert_eq!(grown(100, 50), None);
+        assert_eq!(grown(0, 100), None, "nothing is stored");
     }
 
     #[test]
