@@ -2,8 +2,8 @@
 //!
 //! Invariants:
 //! - no test runs before every tool that the run needs is there; what is missing is installed beside the build;
-//! - the tests come last, those of the documentation and the mutants beside them, which count as one test more each; the
-//!   summary of all is the last line of a run that got so far;
+//! - the tests come last, those of the documentation and the mutants beside them, which count as one test more each, and
+//!   behind them the mutants whose tests need what these store; the summary of all is the last line of a run that got so far;
 //! - the tests are told what to run through the environment, never by guessing from what is installed:
 //!   `BESSEMER_LEGS` names the machines, `BESSEMER_FULL` says that nothing may be left out, `BESSEMER_TURN` is the
 //!   number by which a run that leaves something out takes turns.
@@ -13,6 +13,7 @@
 use crate::args::{Gen, Test};
 use crate::error::{Error, Outcome};
 use crate::install::{Installation, Plan};
+use crate::mutate::Share;
 use crate::runner::{self, Done, Program, Spent, Times};
 use crate::stages::{self, Progress};
 use crate::tools::{self, Machine, Need, Tool};
@@ -84,12 +85,15 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
         thread::scope(|scope| {
             let mut beside = Vec::new();
             if let Some(trials) = &trials {
-                beside.push(scope.spawn(move || mutants(trials, voice)));
+                beside.push(scope.spawn(move || mutants(trials, Share::WithoutTrees, voice)));
                 beside.push(scope.spawn(|| documentation(root, &documented, voice)));
             }
             let mut done = runner::run(&programs, &chosen, &stored, &environment, voice)?;
             for one in beside {
                 done.push(one.join().unwrap_or_else(|panic| resume_unwind(panic))?);
+            }
+            if let Some(trials) = &trials {
+                done.push(mutants(trials, Share::WithTrees, voice)?);
             }
             Ok(done)
         })
@@ -177,11 +181,15 @@ fn trials(root: &Path) -> Result<mutate::Trials, Error> {
 }
 
 /// Breaks the compiler, and sees whether the tests tell.
-fn mutants(trials: &mutate::Trials, voice: &stages::Voice) -> Result<Done, Error> {
+fn mutants(trials: &mutate::Trials, share: Share, voice: &stages::Voice) -> Result<Done, Error> {
     let start = Instant::now();
-    let fates = trials.run(&Progress::silent(), &|line| voice.print(line))?;
+    let fates = trials.run(share, &Progress::silent(), &|line| voice.print(line))?;
     let passed = mutate::are_found(&fates);
-    Ok(Done { title: "mutants that are found".to_owned(), passed, spent: Spent::since(start) })
+    let title = match share {
+        Share::WithTrees => "mutants that are found in trees",
+        _ => "mutants that are found",
+    };
+    Ok(Done { title: title.to_owned(), passed, spent: Spent::since(start) })
 }
 
 /// Runs the examples of these packages' documentation.

@@ -112,13 +112,35 @@ pub fn run(root: &Path, wanted: &Mutate) -> Result<Outcome, Error> {
             anstream::println!("{line}");
         }
     };
-    let fates = trials.run(&Progress::default(), &said)?;
+    let fates = trials.run(Share::All, &Progress::default(), &said)?;
     if wanted.json {
         let all = trials.chosen.iter().zip(&fates);
         let entries = all.map(|(mutant, (fate, time))| entry(mutant, fate, *time));
         anstream::println!("{:#}", Value::Array(entries.collect()));
     }
     Ok(if are_found(&fates) { Outcome::Good } else { Outcome::Bad })
+}
+
+/// Part of the chosen mutants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Share {
+    /// Each of them.
+    All,
+    /// Those whose tests need no tree of a package: they may run beside the tests.
+    WithoutTrees,
+    /// Those whose tests need trees. The workspace's tests make and store these, and the copy finds them then: before, it
+    /// would build them beside, and store nothing.
+    WithTrees,
+}
+
+impl Share {
+    fn has(self, mutant: &Mutant) -> bool {
+        match self {
+            Self::All => true,
+            Self::WithoutTrees => !mutant.needs_trees(),
+            Self::WithTrees => mutant.needs_trees(),
+        }
+    }
 }
 
 /// Fate of each mutant, and the time it took.
@@ -145,20 +167,23 @@ impl Trials {
     /// # Errors
     /// If there is no such mutant, or no copy.
     pub fn of(root: &Path, wanted: &Mutate) -> Result<Trials, Error> {
-        let mut chosen = chosen(Mutant::all(root)?, wanted)?;
-        // The tests beside it make the trees of their packages first, which the copy finds then.
-        chosen.sort_by_key(Mutant::needs_trees);
+        let chosen = chosen(Mutant::all(root)?, wanted)?;
         Ok(Trials { root: root.to_owned(), chosen, sandbox: Sandbox::of(root)? })
     }
 
-    /// Tries one after the other; a line is `said` of each.
+    /// Tries those of `share`, one after the other; a line is `said` of each.
     ///
     /// # Errors
     /// An error that keeps it from trying them.
-    pub fn run(&self, progress: &Progress, said: &dyn Fn(&str)) -> Result<Fates, Error> {
+    pub fn run(
+        &self,
+        share: Share,
+        progress: &Progress,
+        said: &dyn Fn(&str),
+    ) -> Result<Fates, Error> {
         let width = self.chosen.iter().map(|mutant| mutant.name.len()).max().unwrap_or(0);
         let mut fates = Vec::new();
-        for (index, mutant) in self.chosen.iter().enumerate() {
+        for (index, mutant) in self.chosen.iter().enumerate().filter(|(_, it)| share.has(it)) {
             let stage = format!("{}/{} {}", index + 1, self.chosen.len(), mutant.name);
             let start = Instant::now();
             let fate =
@@ -280,6 +305,17 @@ mod tests {
         assert!(matches!(names(third), Err(Error::NoTurn { turn: 3, of: 2 })));
         let unknown = Mutate { names: vec!["d".to_owned()], ..Mutate::default() };
         assert!(matches!(names(unknown), Err(Error::NoMutant { name, .. }) if name == "d"));
+    }
+
+    #[test]
+    fn the_shares_have_each_mutant_once() {
+        let of = |command: &str| Mutant { killed_by: Some(command.to_owned()), ..mutant("a") };
+        let all = ["test --workspace --test all corpus::", "test -p it --lib"].map(of);
+        for (mutant, needs) in all.iter().zip([true, false]) {
+            assert_eq!(Share::WithTrees.has(mutant), needs);
+            assert_eq!(Share::WithoutTrees.has(mutant), !needs);
+            assert!(Share::All.has(mutant));
+        }
     }
 
     #[test]
