@@ -267,13 +267,13 @@ pub trait ByteMethods: Copy {
 }
 
 macro_rules! bytes {
-    ($($number:ty, $size:literal, $bits:ident;)*) => {$(
+    ($($number:ty, $bits:ident;)*) => {$(
         impl ByteMethods for $number {
-            type Bytes = [u8; $size];
-            fn dsl_to_le_bytes(self) -> [u8; $size] {
+            type Bytes = [u8; size_of::<$number>()];
+            fn dsl_to_le_bytes(self) -> Self::Bytes {
                 $bits(self).to_le_bytes()
             }
-            fn dsl_to_be_bytes(self) -> [u8; $size] {
+            fn dsl_to_be_bytes(self) -> Self::Bytes {
                 $bits(self).to_be_bytes()
             }
         }
@@ -289,6 +289,6 @@ fn bits<T: FloatMethods>(number: T) -> T::Bits {
 }
 
 bytes! {
-    u8, 1, same; i8, 1, same; u16, 2, same; i16, 2, same; u32, 4, same; i32, 4, same;
-    u64, 8, same; i64, 8, same; usize, 8, same; isize, 8, same; f32, 4, bits; f64, 8, bits;
+    u8, same; i8, same; u16, same; i16, same; u32, same; i32, same; u64, same; i64, same;
+    usize, same; isize, same; f32, bits; f64, bits;
 }
