@@ -20,6 +20,9 @@ use bessemer_ir::tree::{
 
 use super::lowering::Lowering;
 
+#[cfg(test)]
+mod tests;
+
 impl<'a> Lowering<'a, '_> {
     /// The function of which `expr` is such a call, and its arguments; none if `expr` is something else.
     pub(super) fn rule<'e>(&self, expr: &'e Expr) -> Option<(&'a FunctionTree, &'e [Expr])> {
@@ -160,7 +163,7 @@ impl<'e> Rewriting<'e> {
         let held = |(param, argument): (&'e tree::Param, &Expr)| {
             self.given.remove(param.name.as_str());
             let (name, slot, value) = (hidden(&param.name), NO_SLOT, argument.clone());
-            if let ExprKind::Ref(..) = value.kind {
+            if is_followed(&param.name) || matches!(value.kind, ExprKind::Ref(..)) {
                 // Another name of its place.
                 let pattern = Box::new(Pattern::name(&name));
                 return Stmt::Apart { pattern, value, otherwise: None, site };
@@ -315,7 +318,7 @@ fn may_move(later: &Expr, read: &Expr) -> bool {
 }
 
 /// Whether an expression changes nothing, as far as its syntax shows; it may fault.
-fn is_pure(expr: &Expr) -> bool {
+pub(super) fn is_pure(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Unary(_, inner) | ExprKind::Cast(inner) => is_pure(inner),
         ExprKind::Binary(_, left, right) | ExprKind::Index(left, right) => {
