@@ -126,7 +126,11 @@ impl<'a> Lowering<'a, '_> {
             }
             return Ok(());
         }
-        if self.iterator_named(elements).is_some() {
+        if let Some(known) = self.iterator_copied(elements) {
+            let copy = self.copy_of_hand(known);
+            if self.iterator_named(elements) != Some(copy) {
+                self.stand_in(elements, "items%", Value::Closure(copy));
+            }
             return Ok(());
         }
         if self.own_next(elements).is_some() {
