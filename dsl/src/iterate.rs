@@ -147,13 +147,13 @@ pub fn rposition<T>(
     rposition
 }
 
-/// The greatest.
+/// Returns the greatest; of equal ones the last.
 #[function(expand)]
 pub fn max<T: PartialOrd>(items: impl Iterator<Item = T>) -> Option<T> {
     let mut max = None;
     for value in items {
         if let Some(best) = &max {
-            if value > *best {
+            if value >= *best {
                 max = Some(value);
             }
         } else {
@@ -163,7 +163,7 @@ pub fn max<T: PartialOrd>(items: impl Iterator<Item = T>) -> Option<T> {
     max
 }
 
-/// The least.
+/// Returns the least; of equal ones the first.
 #[function(expand)]
 pub fn min<T: PartialOrd>(items: impl Iterator<Item = T>) -> Option<T> {
     let mut min = None;
@@ -455,6 +455,9 @@ pub fn ge<T: PartialOrd<U>, U>(
     }
     greater || same && others.next().is_none()
 }
+
+#[cfg(test)]
+mod equal;
 
 #[cfg(test)]
 mod tests {

@@ -175,6 +175,40 @@ static inline bool compared_variants_duty_equal(const compared_variants_duty_t *
         && (one->tag != DUTY_TAG_HOLD || duty_hold_equal(&one->as.hold, &other->as.hold));
 }
 
+/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+static inline void comparison_partial_f64(double one, double other, option_ordering_t *result)
+{
+    if (one < other) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one == other) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (one > other) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
+    }
+}
+
+/** Whether the first does not come behind the second. */
+static inline bool comparison_is_at_most(ordering_t order)
+{
+    return order != ORDERING_GREATER;
+}
+
+/** Whether the first comes behind the second. */
+static inline bool comparison_is_greater(ordering_t order)
+{
+    return order == ORDERING_GREATER;
+}
+
 /** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
 static inline bool sort_below_f32(float one, float other)
 {
@@ -514,28 +548,6 @@ static inline ordering_t comparison_compare_bool(bool one, bool other)
 }
 
 /** The same of numbers that may have no order: a NaN is before, behind and at no number. */
-static inline void comparison_partial_f64(double one, double other, option_ordering_t *result)
-{
-    if (one < other) {
-        result->is_some = true;
-        result->value = ORDERING_LESS;
-        return;
-    }
-    if (one == other) {
-        result->is_some = true;
-        result->value = ORDERING_EQUAL;
-        return;
-    }
-    if (one > other) {
-        result->is_some = true;
-        result->value = ORDERING_GREATER;
-    } else {
-        result->is_some = false;
-        result->value = ORDERING_LESS;
-    }
-}
-
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
 static inline void comparison_partial_f32(float one, float other, option_ordering_t *result)
 {
     if (one < other) {
@@ -611,18 +623,6 @@ static inline ordering_t comparison_compare_i32(int32_t one, int32_t other)
 static inline bool comparison_is_less(ordering_t order)
 {
     return order == ORDERING_LESS;
-}
-
-/** Whether the first does not come behind the second. */
-static inline bool comparison_is_at_most(ordering_t order)
-{
-    return order != ORDERING_GREATER;
-}
-
-/** Whether the first comes behind the second. */
-static inline bool comparison_is_greater(ordering_t order)
-{
-    return order == ORDERING_GREATER;
 }
 
 /** Whether the first does not come before the second. */

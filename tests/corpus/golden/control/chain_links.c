@@ -70,7 +70,7 @@ bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start, opt
         if (result_choice.is_some) {
             const int32_t value = result_choice.value;
             if (max.is_some) {
-                if (value > max.value) {
+                if (value >= max.value) {
                     max.is_some = true;
                     max.value = value;
                 }

@@ -33,7 +33,7 @@ void optional_elements_largest_half(const int32_t values[5], option_i32_t *resul
         if (result_choice.is_some) {
             const int32_t value = result_choice.value;
             if (result->is_some) {
-                if (value > result->value) {
+                if (value >= result->value) {
                     result->is_some = true;
                     result->value = value;
                 }

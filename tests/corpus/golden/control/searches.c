@@ -9,7 +9,7 @@ void searches_largest(const int32_t counts[6], option_i32_t *result)
     for (uint32_t i = 0U; i < 6U; i++) {
         if (counts[i] > 0) {
             if (result->is_some) {
-                if (counts[i] > result->value) {
+                if (counts[i] >= result->value) {
                     result->is_some = true;
                     result->value = counts[i];
                 }

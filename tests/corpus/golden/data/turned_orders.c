@@ -143,7 +143,7 @@ void turned_orders_least(const uint8_t values[4], uint8_t floor_, option_u8_t *r
     for (uint32_t i = 0U; i < 4U; i++) {
         const reverse_u8_t reverse_u8 = {.value = values[i]};
         if (max.is_some) {
-            if (max.value.value > reverse_u8.value) {
+            if (max.value.value >= reverse_u8.value) {
                 max.is_some = true;
                 max.value = reverse_u8;
             }
