@@ -164,3 +164,64 @@ pub fn all(n: u32) -> bool {{
     workspace.set_source(&source(&parts)).expect("a source file");
     workspace.generate("0").unwrap_or_else(|error| panic!("{error}"));
 }
+
+/// Depths of which one is twice the other, and how much more the deeper one may cost at most.
+const DEPTHS: [usize; 2] = [20, 40];
+const MOST: f64 = 2.2;
+
+/// Returns functions whose `match` and `if let`, with guards that write what is matched, nest in arms, conditions and guards.
+fn guarded(depth: usize) -> String {
+    let nested = |inner: &dyn Fn(usize, String) -> String, end: &str| {
+        (0..depth).fold(end.to_owned(), |body, k| inner(k, body))
+    };
+    let arms = nested(
+        &|k, body| {
+            format!(
+                "match (n, x) {{ (a, b) if {{ n = n.wrapping_add({k}); a > b }} => {{ {body} }} (a, _) => a ^ {k} }}"
+            )
+        },
+        "n ^ x",
+    );
+    let conditions = nested(
+        &|k, body| {
+            format!(
+                "if let Some(a) = o && {{ o = Some(n); n = n.wrapping_mul(3); a > {k} }} && {{ {body} }} > 7 {{ a ^ n }} else {{ n }}"
+            )
+        },
+        "n ^ x",
+    );
+    let guards = nested(
+        &|k, body| {
+            format!(
+                "match (n, x) {{ (a, _) if {{ n = n.wrapping_mul(3); {body} }} > a => a ^ {k}, (a, _) => a.wrapping_add({k}) }}"
+            )
+        },
+        "n ^ x",
+    );
+    let function = |name: &str, body: &str| {
+        format!(
+            "#[function]\npub fn {name}_{depth}(n0: u32, x: u32) -> u32 {{\n    let mut n = n0;\n    let mut o = Some(x);\n    {body}\n}}\n"
+        )
+    };
+    let all = [("arms", arms), ("conditions", conditions), ("guards", guards)];
+    all.map(|(name, body)| function(name, &body)).concat()
+}
+
+/// Every arm, condition and guard is lowered once: twice at each level would be 2^40 times.
+#[test]
+fn nested_guards_cost_what_they_are() {
+    let functions = DEPTHS.map(guarded).concat();
+    let source = format!(
+        "#![allow(missing_docs, unused_assignments, unused_mut)]\nuse bessemer::prelude::*;\n\n{functions}"
+    );
+    let workspace = Workspace::with_source(&source).expect("a workspace");
+    let compiled = workspace.compiled().unwrap_or_else(|error| panic!("{error}"));
+    for name in ["arms", "conditions", "guards"] {
+        let [once, twice] = DEPTHS.map(|depth| {
+            let id = function(&compiled, &format!("{name}_{depth}"));
+            compiled.module.functions[id.index()].locals.len() as f64
+        });
+        println!("{name}: {once} locals, {twice} at twice the depth");
+        assert!(twice <= MOST * once, "{name}: {once} locals, {twice} at twice the depth");
+    }
+}

@@ -28,11 +28,7 @@ type Idea = (&'static str, &'static [(&'static str, &'static str, &'static str)]
 const MECHANISMS: [Idea; 3] = [
     (
         "kinds of code that is lowered twice",
-        &[
-            ("the arms of a `match` whose guards write", "choice", "subject_arms"),
-            ("a condition behind names that it writes", "conditions", "further_condition"),
-            ("an expression of which only the type is wanted", "expr", "type_alone"),
-        ],
+        &[("an expression of which only the type is wanted", "expr", "type_alone")],
     ),
     (
         "mechanisms for iterators",

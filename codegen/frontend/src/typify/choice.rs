@@ -11,11 +11,13 @@ use bessemer_ir::{
 
 use super::lowering::{Lowering, Target};
 use super::pattern::Test;
-use super::subject::taken_name;
+use super::rewrite::is_pure;
+use super::subject::{Placeholder, taken_name};
 use super::syntax::alternatives;
 use super::value::Value;
 use super::{Result, problem, refusals, refused};
 use bessemer_ir::effects;
+use bessemer_ir::visit::VisitMut;
 
 /// An arm with more values than this is told by their ends.
 const LISTED: usize = 8;
@@ -98,40 +100,33 @@ impl Lowering<'_, '_> {
                 inner.lowered(&arm.body, target)
             });
         }
-        let open = self.lenders.open();
-        let (written, stmts) =
-            self.apart(|inner| inner.subject_chain(&subject, &arms, target, span))?;
-        let mark = self.out.len();
-        self.copy_subject(&mut subject, scrutinee, &written);
-        if self.out.len() == mark {
-            self.out.extend(stmts);
-            return Ok(());
-        }
-        // A guard writes what the subject was computed from: the arms are lowered anew, and look at a copy.
-        self.lenders.forget(open);
-        self.subject_chain(&subject, &arms, target, span).map(drop)
-    }
-
-    /// Arms as conditions; gives what their guards write.
-    fn subject_chain(
-        &mut self,
-        subject: &Value,
-        arms: &[tree::Arm],
-        target: Option<&Target>,
-        span: Span,
-    ) -> Result<Vec<Place>> {
-        let written = RefCell::new(Vec::new());
-        self.chain(arms, span, None, &|inner, arm, last| {
-            let mut test = inner.test(&arm.pattern, subject, arm.site)?;
-            let mark = inner.out.len();
-            match last {
-                true => test.condition = None,
-                false => inner.guard(&mut test, arm.guard.as_ref(), None)?,
+        // What a guard writes, the later arms, and the names of its own, must not see in the subject.
+        let guarded = arms.iter().filter_map(|arm| arm.guard.as_ref()).any(|it| !is_pure(it));
+        let placeholders = match guarded {
+            true => Placeholder::of_parts(self, &mut subject, scrutinee),
+            false => Vec::new(),
+        };
+        let mut written = Vec::new();
+        let last = arms.len().saturating_sub(1);
+        let tested = arms.iter().enumerate().map(|(at, arm)| {
+            let (test, stmts) = self.apart(|inner| {
+                inner.naming_scope(|inner| inner.arm_test(arm, &subject, at == last, &mut written))
+            })?;
+            Ok((arm, RefCell::new((test, stmts))))
+        });
+        let tested = tested.collect::<Result<Vec<_>>>()?;
+        let puts = placeholders.into_iter().map(|it| it.decided(self, &written));
+        for mut put in puts.collect::<Vec<_>>() {
+            for (_, tested) in &tested {
+                let (test, stmts) = &mut *tested.borrow_mut();
+                test.condition.iter_mut().for_each(|condition| put.expr(condition));
+                test.names.iter_mut().for_each(|named| put.value(&mut named.stands));
+                stmts.iter_mut().for_each(|stmt| put.stmt(stmt));
             }
-            let mut written = written.borrow_mut();
-            written.extend(effects::writes(&inner.out[mark..]));
-            written.extend(test.condition.iter().flat_map(effects::lent));
-            drop(written);
+        }
+        self.chain(&tested, span, None, &|inner, (arm, tested), _| {
+            let (test, stmts) = tested.take();
+            inner.out.extend(stmts);
             let then = inner.scoped(|inner| {
                 let before = inner.locals.len() as u32;
                 inner.bind_names(&test.names)?;
@@ -143,8 +138,26 @@ impl Lowering<'_, '_> {
                 inner.lowered(&arm.body, target)
             })?;
             Ok((test.condition, then))
-        })?;
-        Ok(written.into_inner())
+        })
+    }
+
+    /// What has to hold for an arm to be taken, its guard included; notes what the guard writes.
+    fn arm_test(
+        &mut self,
+        arm: &tree::Arm,
+        subject: &Value,
+        last: bool,
+        written: &mut Vec<Place>,
+    ) -> Result<Test> {
+        let mut test = self.test(&arm.pattern, subject, arm.site)?;
+        let mark = self.out.len();
+        match last {
+            true => test.condition = None,
+            false => self.guard(&mut test, arm.guard.as_ref(), None)?,
+        }
+        written.extend(effects::writes(&self.out[mark..]));
+        written.extend(test.condition.iter().flat_map(effects::lent));
+        Ok(test)
     }
 
     /// Adds a guard to the test of a pattern, whose names stand for their places in it; `site`: where the whole stands, if

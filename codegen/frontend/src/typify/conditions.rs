@@ -8,8 +8,11 @@ use bessemer_ir::{
 
 use super::Result;
 use super::lowering::Lowering;
-use super::value::Named;
+use super::rewrite::is_pure;
+use super::subject::{Placeholder, is_among};
+use super::value::{Named, Value};
 use bessemer_ir::effects;
+use bessemer_ir::visit::VisitMut;
 
 impl Lowering<'_, '_> {
     /// A condition with patterns in it; its names stand for their places from here on.
@@ -35,7 +38,8 @@ impl Lowering<'_, '_> {
     }
 
     /// Lowers the next condition of a chain; the conditions before it bound `names`. A name whose place this condition writes
-    /// is copied first; the other names stand for their places until the whole chain is lowered.
+    /// is copied first; the other names stand for their places until the whole chain is lowered. Until it is known which they
+    /// are, a local stands for each.
     pub(super) fn further_condition(
         &mut self,
         expr: &tree::Expr,
@@ -44,34 +48,54 @@ impl Lowering<'_, '_> {
         if names.is_empty() {
             return self.pattern_condition(expr, names);
         }
-        self.copy_names(names, |named| named.mutable)?;
-        let known = names.len();
-        let open = self.lenders.open();
-        let (value, stmts) = self.apart(|inner| inner.pattern_condition(expr, names))?;
-        let written = [effects::writes(&stmts), effects::lent(&value)].concat();
-        let mut changed = Vec::new();
-        for (at, named) in names[..known].iter().enumerate() {
-            let writes =
-                |place: &Place| written.iter().any(|written| effects::overlap(place, written));
-            // Nothing reads one behind another of its name.
-            let hidden = names[at + 1..known].iter().any(|it| it.name == named.name);
-            if let Some(place) = named.copied_from().filter(|place| !hidden && writes(place))
-                && named.slot != NO_SLOT
-                && (self.is_borrowed(named, place)?
-                    || !self.slot_is_reference(named.slot, named.site)?)
-            {
-                changed.push(named.slot);
+        let writes = !is_pure(expr);
+        let mut copied = Vec::new();
+        for named in names.iter().filter(|it| writes && it.slot != NO_SLOT) {
+            let part = matches!(named.stands, Value::Slice(_));
+            if part && !self.slot_is_reference(named.slot, named.site)? {
+                copied.push(named.slot);
             }
         }
-        if changed.is_empty() {
-            self.out.extend(stmts);
-            return Ok(value);
+        self.copy_names(names, |named| named.mutable || copied.contains(&named.slot))?;
+        let known = names.len();
+        let mut placeholders = Vec::new();
+        for at in (0..known).filter(|_| writes) {
+            let Named { name, slot, stands, site, .. } = &names[at];
+            let Value::Place(place) = stands else { continue };
+            // Nothing reads one behind another of its name.
+            let hidden = names[at + 1..].iter().any(|it| it.name == *name);
+            if !hidden
+                && *slot != NO_SLOT
+                && (self.is_borrowed(&names[at], place)?
+                    || !self.slot_is_reference(*slot, *site)?)
+            {
+                let placeholder = Placeholder::of(self, place.clone());
+                self.bind(name, Value::Place(placeholder.stands()));
+                placeholders.push((at, placeholder));
+            }
         }
-        // It is lowered anew, and reads the copies.
-        self.lenders.forget(open);
-        names.truncate(known);
-        self.copy_names(names, |named| changed.contains(&named.slot))?;
-        self.pattern_condition(expr, names)
+        let (mut value, mut stmts) = self.apart(|inner| inner.pattern_condition(expr, names))?;
+        let written = [effects::writes(&stmts), effects::lent(&value)].concat();
+        let mut copied = Vec::new();
+        for (at, placeholder) in placeholders {
+            let mut place = placeholder.place.clone();
+            if is_among(&place, &written) {
+                self.bind_names(&names[at..=at])?;
+                let copy = self.lookup(&names[at].name, names[at].site)?;
+                place = self.place_of(&copy, place.span).unwrap_or(place);
+                copied.push(at);
+            } else {
+                self.alias_names(&names[at..=at]);
+            }
+            let mut put = placeholder.replaced(self, place);
+            put.expr(&mut value);
+            stmts.iter_mut().for_each(|stmt| put.stmt(stmt));
+            names[known..].iter_mut().for_each(|named| put.value(&mut named.stands));
+        }
+        self.alias_names(&names[known..]);
+        copied.iter().rev().for_each(|at| drop(names.remove(*at)));
+        self.out.extend(stmts);
+        Ok(value)
     }
 
     /// Emits the branches of a pattern, or the one that is taken where the lengths alone decide.

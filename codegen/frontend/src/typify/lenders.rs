@@ -21,6 +21,7 @@ use super::call::lent;
 use super::lengths::is_number;
 use super::lowering::{Lowering, UNNAMED};
 use super::order::indices;
+use super::value::{Slice, Submatrix, Value};
 use super::{Needed, Problem, Result, problem, refusals, refused};
 use bessemer_ir::effects::same_place;
 
@@ -347,12 +348,50 @@ fn mentions_from(index: &Expr, root: LocalId) -> bool {
     index.any_expr(|it| matches!(&it.kind, ExprKind::Load(place) if place.root >= root))
 }
 
-/// Puts an array in the place of what stands for it.
-struct Put {
+/// Puts a place where a local stands for it.
+pub(super) struct Put {
     stands: LocalId,
     lender: Place,
     /// Whether what lends is the one element itself.
     whole: bool,
+}
+
+impl Put {
+    pub(super) fn new(stands: LocalId, place: Place) -> Put {
+        Put { stands, lender: place, whole: false }
+    }
+
+    /// Puts the place into what a name stands for.
+    pub(super) fn value(&mut self, value: &mut Value) {
+        match value {
+            Value::Place(place) => self.place(place, Access::Read),
+            Value::Word(word) => self.expr(word),
+            Value::Slice(slice) => self.slice(slice),
+            Value::Submatrix(part) => self.submatrix(part),
+            Value::Tuple(parts, _) => parts.iter_mut().for_each(|part| self.value(part)),
+            Value::Maybe(there, lent) => {
+                self.expr(there);
+                self.value(lent);
+            }
+            Value::Local(_) | Value::Closure(_) | Value::Nothing => {}
+        }
+    }
+
+    fn slice(&mut self, slice: &mut Slice) {
+        self.place(&mut slice.base, Access::Read);
+        for end in [&mut slice.from, &mut slice.to, &mut slice.length] {
+            self.expr(end);
+        }
+        if let Some(part) = &mut slice.within {
+            self.submatrix(part);
+        }
+    }
+
+    fn submatrix(&mut self, part: &mut Submatrix) {
+        self.place(&mut part.matrix, Access::Read);
+        self.expr(&mut part.row);
+        self.expr(&mut part.column);
+    }
 }
 
 impl VisitMut for Put {

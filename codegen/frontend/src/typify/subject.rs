@@ -6,9 +6,10 @@
 //! Must not know: what patterns ask of it ([`pattern`](super::pattern)).
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern};
-use bessemer_ir::{Expr, Place, Stmt, Type};
+use bessemer_ir::{Expr, LocalId, Place, Stmt, StmtKind, Type};
 
-use super::lowering::{Lowering, local_since};
+use super::lenders::Put;
+use super::lowering::{Lowering, UNNAMED, local_since};
 use super::order::is_settled;
 use super::value::Value;
 use super::{Result, words};
@@ -107,40 +108,42 @@ impl Lowering<'_, '_> {
         self.settle_parts((subject, expr), later, &|place| is_among(place, &written));
     }
 
-    /// Copies those parts of a subject that are values in places which something writes.
-    pub(super) fn copy_subject(
-        &mut self,
-        subject: &mut Value,
-        expr: &tree::Expr,
-        written: &[Place],
-    ) {
-        self.settle_parts((subject, expr), &[], &|place| is_among(place, written));
-    }
-
     /// Settles each place of a subject that is lent, and copies each other that `changes`; all else is another name for what is
     /// there, whatever becomes of it.
     fn settle_parts(
         &mut self,
-        (subject, expr): (&mut Value, &tree::Expr),
+        both: (&mut Value, &tree::Expr),
         later: &[Stmt],
         changes: &dyn Fn(&Place) -> bool,
+    ) {
+        self.value_parts(both, later, &mut |inner, place| {
+            if changes(place) {
+                *place = inner.temporary_place(words::SELECTOR, place.load());
+            }
+        });
+    }
+
+    /// Settles each place of a subject that is lent, and changes each other by `change`.
+    pub(super) fn value_parts(
+        &mut self,
+        (subject, expr): (&mut Value, &tree::Expr),
+        later: &[Stmt],
+        change: &mut dyn FnMut(&mut Self, &mut Place),
     ) {
         match (subject, &expr.kind) {
             (Value::Tuple(parts, _), Tree::Tuple(exprs)) => {
                 for both in parts.iter_mut().zip(exprs) {
-                    self.settle_parts(both, later, changes);
+                    self.value_parts(both, later, change);
                 }
             }
             (Value::Tuple(parts, _), _) => {
-                parts.iter_mut().for_each(|part| self.settle_parts((part, expr), later, changes));
+                parts.iter_mut().for_each(|part| self.value_parts((part, expr), later, change));
             }
             // One that holds a reference is a value: another may come to stand there.
             (Value::Place(place), _) if self.is_lent(expr) && !self.is_loan(place) => {
                 self.settle_place(place, later);
             }
-            (Value::Place(place), _) if changes(place) => {
-                *place = self.temporary_place(words::SELECTOR, place.load());
-            }
+            (Value::Place(place), _) => change(self, place),
             _ => {}
         }
     }
@@ -158,8 +161,60 @@ impl Lowering<'_, '_> {
     }
 }
 
+/// A local, and the place that it stands for while it is open whether the place is read or a copy of it: what comes next, a guard or
+/// a further condition, may write the place. None is left in what is lowered, so that nothing is lowered twice.
+pub(super) struct Placeholder {
+    local: LocalId,
+    pub place: Place,
+}
+
+impl Placeholder {
+    pub(super) fn of(lowering: &mut Lowering, place: Place) -> Placeholder {
+        let local = lowering.local(UNNAMED, place.ty.clone(), place.span);
+        lowering.held.insert(local);
+        lowering.follow(&StmtKind::Let { local, value: Some(place.load()) });
+        Placeholder { local, place }
+    }
+
+    /// Puts one in the place of each part of a subject that is a value.
+    pub(super) fn of_parts(
+        lowering: &mut Lowering,
+        subject: &mut Value,
+        expr: &tree::Expr,
+    ) -> Vec<Placeholder> {
+        let mut all = Vec::new();
+        lowering.value_parts((subject, expr), &[], &mut |inner, place| {
+            let placeholder = Placeholder::of(inner, place.clone());
+            *place = placeholder.stands();
+            all.push(placeholder);
+        });
+        all
+    }
+
+    /// The local, as a place.
+    pub(super) fn stands(&self) -> Place {
+        Place::local(self.local, self.place.ty.clone(), self.place.span)
+    }
+
+    /// Gives way to a copy that is made here if something writes the place, else to the place itself.
+    pub(super) fn decided(self, lowering: &mut Lowering, written: &[Place]) -> Put {
+        let place = match is_among(&self.place, written) {
+            true => lowering.temporary_place(words::SELECTOR, self.place.load()),
+            false => self.place.clone(),
+        };
+        self.replaced(lowering, place)
+    }
+
+    /// Gives way to a place.
+    pub(super) fn replaced(self, lowering: &mut Lowering, place: Place) -> Put {
+        lowering.held.remove(&self.local);
+        lowering.locals[self.local.index()].ty = Type::BOOL;
+        Put::new(self.local, place)
+    }
+}
+
 /// Whether a place is one of those that something writes, or a part of one.
-fn is_among(place: &Place, written: &[Place]) -> bool {
+pub(super) fn is_among(place: &Place, written: &[Place]) -> bool {
     written.iter().any(|written| effects::overlap(place, written))
 }
 
