@@ -343,6 +343,26 @@ fn a_full_disk_ends_the_recording_and_nothing_else() {
 }
 
 #[test]
+fn a_recording_that_cannot_begin_is_shown_on_the_page() {
+    let mut served = served();
+    let token = served.hub.token().to_owned();
+    let mut page = Page::open(&served);
+    assert!(page.claim(&token, false));
+    std::fs::remove_dir(served.folder.path()).expect("it is empty");
+    page.ask(&json!({ "type": "record" }));
+    page.settle();
+    served.until("a second", |testbed| testbed.now() > 1.0);
+    let mut state = page.hear("state");
+    while state["recording"]["error"].is_null() {
+        state = page.hear("state");
+    }
+    let error = state["recording"]["error"].as_str().unwrap_or_default().to_owned();
+    assert!(error.contains("cannot be written: No such file or directory"), "{state}");
+    assert_eq!(served.live.failure().as_ref(), Some(&error), "and on the terminal");
+    assert_eq!(served.live.failure(), None, "once");
+}
+
+#[test]
 fn a_flight_that_is_over_is_shown_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("flight.mcap");
