@@ -115,7 +115,7 @@ typedef struct {
     uint32_t outliers;
 } estimator_t;
 
-/** What `Estimator::step` works with; its content means nothing between calls. */
+/** Working memory of its entry point; the contents are undefined between calls. */
 typedef struct {
     double numbers[180];
 } estimator_step_work_t;

@@ -57,7 +57,7 @@ typedef struct {
     uint32_t period;
 } logger_t;
 
-/** What `Logger::step` works with; its content means nothing between calls. */
+/** Working memory of its entry point; the contents are undefined between calls. */
 typedef struct {
     record_t record;
 } logger_step_work_t;

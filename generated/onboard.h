@@ -124,11 +124,11 @@ typedef struct {
 } onboard_t;
 
 /**
- * What `Onboard::step` works with; its content means nothing between calls.
+ * Working memory of its entry point; the contents are undefined between calls.
  * No two of its fields are in use at one time.
  */
 typedef union {
-    /** What `Onboard::step` works with at one time. */
+    /** Memory in use at one time. */
     struct {
         double signals[64];
         logger_step_work_t logger_step;

@@ -129,7 +129,7 @@ typedef struct {
     bool has_last;
 } receiver_t;
 
-/** What `Receiver::step` works with; its content means nothing between calls. */
+/** Working memory of its entry point; the contents are undefined between calls. */
 typedef struct {
     trajectory_t trajectory;
 } receiver_step_work_t;

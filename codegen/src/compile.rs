@@ -1,6 +1,6 @@
 //! The whole way: tree, typed IR, checked IR, explicit IR, C.
 //!
-//! Validation is the only gate, and stands before and after the passes: what comes behind it may
+//! Validation is the only gate, and precedes and after the passes: what comes behind it may
 //! assume what it checks.
 
 use bessemer_ir::tree::Package;
@@ -37,7 +37,7 @@ pub struct Compiled {
     pub entries: Vec<EntryReport>,
     /// The checks that are left in each function, and why.
     pub checks: passes::Report,
-    /// The kernels that the user's own functions stand for, and whose these are.
+    /// The kernels that the user's own functions represent, and whose these are.
     pub replaced: Vec<(String, String)>,
     /// The kernels that are made in the fast mode, whose bits need not be the Rust's, and the bounds of their errors.
     pub fast: Vec<(String, String)>,
@@ -201,7 +201,7 @@ fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {
         };
         Diagnostic { help: help.to_owned(), ..place(module, site.span, &message) }
     };
-    // A line is told once.
+    // A line is reported once.
     let mut sites: Vec<&Site> = entry.wide.iter().collect();
     sites.dedup_by_key(|site| (site.span.file, site.span.line));
     sites.into_iter().map(told).collect()

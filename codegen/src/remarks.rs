@@ -109,7 +109,7 @@ fn uncalled<'a>(
     module: &'a Module,
     idle: &'a [&tree::Definition],
 ) -> impl Iterator<Item = Diagnostic> + 'a {
-    // Private functions that are no methods of components stand in the C even if nothing calls them.
+    // Private functions that are no methods of components are in the C even if nothing calls them.
     let of_component = |function: &Function| match (function.role, function.owner) {
         (Role::Private, Some(Owner::Struct(owner))) => {
             module.structs[owner.index()].initial.is_some().then_some(owner)

@@ -84,9 +84,9 @@ struct Uses<'m> {
     moved: BTreeMap<LocalId, Vec<Path>>,
     /// Those that are used while the result is written, or behind.
     others: BTreeSet<LocalId>,
-    /// Whether the local that is the result has its first value.
+    /// True if the local that is the result has its first value.
     built: bool,
-    /// Whether each `return` gives a struct part by part, or the one local begins so.
+    /// True if each `return` gives a struct part by part, or the one local begins so.
     by_parts: bool,
 }
 

@@ -1,8 +1,8 @@
-//! Copies that the C does not make: a local that begins as what lies somewhere, is never written, and is read only while
-//! that stays as it is, becomes a name for that place; one that is made of numbers and only read is a table.
+//! Copies that the C avoids. A local that begins as a copy of a place, is never written, and is read only while the
+//! place is unchanged, becomes a name for that place. A constant aggregate that is only read becomes a table.
 //!
 //! Invariant: from the declaration to the last statement that mentions the local, nothing writes what it copies. Memory that
-//! such a local stands for is alive as long as the local is. Must not know: what the name looks like in C.
+//! such a local represents is alive as long as the local is. Must not know: what the name looks like in C.
 
 use std::collections::BTreeMap;
 
@@ -36,14 +36,14 @@ const STORED: usize = 4;
 /// Equal numbers that a list says at most.
 const LISTED: usize = 16;
 
-/// Whether a value is worth a table: an aggregate of numbers.
+/// Returns true if a value is worth a table: an aggregate of numbers.
 pub(crate) fn is_table(module: &Module, value: &Expr) -> bool {
     let words = module.width(&value.ty);
     value.ty.is_aggregate() && (WORDS + 1..=TABLE).contains(&words) && is_of_numbers(module, value)
 }
 
-/// Whether a value is a table that is copied to where it is wanted: an aggregate of so many numbers that they are not written
-/// one by one.
+/// Returns true if a value is a table that is copied to its destination: an aggregate with too many numbers for single
+/// assignments.
 pub(crate) fn is_stored_whole(module: &Module, value: &Expr) -> bool {
     let words = module.width(&value.ty);
     let overlaid = |expr: &Expr| match &expr.ty {
@@ -56,7 +56,7 @@ pub(crate) fn is_stored_whole(module: &Module, value: &Expr) -> bool {
         && !value.any_expr(overlaid)
 }
 
-/// How many statements would write a value, equal elements at once.
+/// Returns the number of statements that would write a value, equal elements at once.
 fn statements(value: &Expr) -> usize {
     match &value.kind {
         ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
@@ -105,7 +105,7 @@ impl Visit for Names<'_> {
 }
 
 impl Names<'_> {
-    /// Whether a name would spare a copy, and C has one for it.
+    /// Returns true if a name would spare a copy, and C has one for it.
     fn is_wanted(&self, id: LocalId) -> bool {
         let local = self.function.local(id);
         let pointed = match &local.ty {
@@ -136,7 +136,7 @@ impl Names<'_> {
     }
 }
 
-/// Whether nothing writes a place as long as a local may be read.
+/// Returns true if nothing writes a place as long as a local may be read.
 fn holds_still(local: LocalId, place: &Place, rest: &[Stmt]) -> bool {
     let Some(last) = rest.iter().rposition(|stmt| mentions(stmt, local)) else { return false };
     !writes(&rest[..=last]).iter().any(|written| overlap(written, place))

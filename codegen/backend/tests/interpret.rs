@@ -437,8 +437,8 @@ macro_rules! against_nalgebra {
 
 against_nalgebra! { nalgebra_f64: f64 nalgebra_f32: f32 }
 
-/// What the gate lets through runs: to a value or a fault, never to a panic. The programs are those of the
-/// folder with a token or two exchanged.
+/// Checks that validated modules run to a value or a fault, never to a panic. The programs are those of the folder with
+/// a token or two exchanged.
 #[test]
 fn what_validates_runs() {
     let texts: Vec<String> = (files().iter())
@@ -472,7 +472,7 @@ fn what_validates_runs() {
     assert!(accepted > 100, "only {accepted} of 4000 were valid");
 }
 
-/// Whether two tokens are numbers, names or marks, with the same mark behind.
+/// Returns true if two tokens are numbers, names or marks, with the same mark behind.
 fn alike(a: &str, b: &str) -> bool {
     let class = |token: &str| {
         let first = token.chars().next().unwrap_or(' ');

@@ -90,7 +90,7 @@ impl VisitMut for LeaveOut {
     }
 }
 
-/// Whether the verifier believes that the functions need no check at all.
+/// Returns true if the verifier believes that the functions need no check at all.
 fn believed(functions: &str) -> bool {
     let mut module = module(functions);
     module.functions.iter_mut().for_each(|function| LeaveOut.block(&mut function.body));

@@ -9,7 +9,7 @@ use bessemer_ir::{
     UnaryOp,
 };
 
-/// What all bodies below may use.
+/// Declarations that all bodies below may use.
 const PRELUDE: &str = "
     enum M { A, B }
     struct P { x: f64, y: f64, a: [P0; 3] }
@@ -322,7 +322,7 @@ fn stmt(kind: StmtKind) -> Stmt {
     Stmt { kind, span: Span::default(), comments: Vec::new() }
 }
 
-/// What the text form cannot say.
+/// Checks modules that the text form cannot express.
 #[test]
 fn more_parameters_than_locals_are_refused() {
     let mut module = read("fn f(x: f64) { }");
@@ -334,7 +334,7 @@ fn more_parameters_than_locals_are_refused() {
     assert_eq!(problems(&module), ["ParameterCount"]);
 }
 
-/// What walks a module may recurse: endless nesting is found before anything does.
+/// Checks that endless nesting is found before any recursive walk of the module.
 #[test]
 fn endless_nesting_is_refused() {
     let mut deep = literal();

@@ -65,8 +65,8 @@ impl Sources {
         comments
     }
 
-    /// What a file says of itself by `//!` at its head, up to a heading or an example; as comments of items are, with the space
-    /// behind the mark.
+    /// Returns the `//!` comment at the head of a file, up to a heading or an example. As in comments of items, the
+    /// space after the mark is kept.
     pub fn about(&self, file: &str) -> Vec<String> {
         let file = self.file(file);
         // A licence may stand above.
@@ -86,7 +86,7 @@ impl Sources {
         defaults::computed(&self.file(file).lines.join("\n"), name)
     }
 
-    /// Whether a `use` of `file` gives something else the name `name`.
+    /// Returns true if a `use` of `file` gives something else the name `name`.
     pub fn renames(&self, file: &str, name: &str) -> bool {
         let file = self.file(file);
         file.renamed.get_or_init(|| renamed(&file.lines)).contains(name)

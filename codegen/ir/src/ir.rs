@@ -86,7 +86,7 @@ pub struct Module {
 pub struct Const {
     /// The author's name, `GRAVITY`.
     pub name: String,
-    /// The Rust module that it stands in if the DSL sees it, else that of its first use.
+    /// The Rust module that it is in if the DSL sees it, else that of its first use.
     pub module: String,
     /// Its type.
     pub ty: Type,

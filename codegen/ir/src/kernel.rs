@@ -1,7 +1,7 @@
 //! Kernels: routines of linear algebra that are functions of their own, one for each routine, element
 //! type and shape.
 //!
-//! A [`Kernel`] says which; [`Kernel::function`] is the function of the module that stands for it:
+//! A [`Kernel`] says which; [`Kernel::function`] is the function of the module that represents it:
 //! a face without a body. Whoever runs IR brings its own body: the interpreter plain loops, the C back
 //! end a file for each kernel. Calls of it are calls like any other.
 //!
@@ -31,7 +31,7 @@ pub struct Kernel {
     pub dims: Vec<u32>,
 }
 
-/// Up to so many multiplications a product is written out where it stands.
+/// Up to so many multiplications a product is written out at its place.
 pub const WRITTEN_OUT: u32 = 24;
 
 /// Up to so many multiplications a product of the scalar products of columns is.
@@ -78,7 +78,7 @@ impl Kernel {
         }
     }
 
-    /// The function that stands for it: a face, without a body.
+    /// The function that represents it: a face, without a body.
     pub fn function(&self) -> Function {
         let name = self.name();
         let (params, result) = self.face();

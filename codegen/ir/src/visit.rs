@@ -279,7 +279,7 @@ impl<F: FnMut(&Stmt)> Visit for Stmts<F> {
         (self.0)(stmt);
         walk_stmt(self, stmt);
     }
-    // No statement stands in one.
+    // No statement is in one.
     fn expr(&mut self, _: &Expr) {}
     fn place(&mut self, _: &Place, _: Access) {}
 }

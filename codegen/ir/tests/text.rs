@@ -85,7 +85,7 @@ fn long_sums_pass() {
     assert_eq!(print(&module), format!("module \"\"\n\n{text}"));
 }
 
-/// The value that `text` stands for.
+/// The value that `text` represents.
 fn literal(text: &str) -> Expr {
     let module = parse(&format!("fn f() {{ {text}; }}")).unwrap_or_else(|error| panic!("{error}"));
     match module.functions[0].body.0[0].kind.clone() {

@@ -50,7 +50,7 @@ pub enum Error {
     /// The workspace has no package of this name.
     #[error("the workspace has no package `{package}`")]
     NoPackage {
-        /// As it was asked for.
+        /// As it was requested.
         package: String,
         /// Those that there are.
         known: Vec<String>,
@@ -73,7 +73,7 @@ pub enum Error {
         /// Name of the package.
         package: String,
     },
-    /// Members of one workspace ask for different mathematics of `f32`.
+    /// Members of one workspace request different mathematics of `f32`.
     #[error(
         "`{with}` enables the feature `single` of `bessemer` and `{without}` does not, but cargo builds `bessemer` once for both"
     )]

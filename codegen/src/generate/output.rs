@@ -189,7 +189,7 @@ fn stages(folder: &Path) -> String {
     format!(".bessemer-{}-", folder.file_name().unwrap_or_default().to_string_lossy())
 }
 
-/// The folder that `folder` stands in.
+/// The folder that `folder` is in.
 fn parent(folder: &Path) -> PathBuf {
     folder.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf)
 }

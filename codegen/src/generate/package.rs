@@ -1,7 +1,7 @@
 //! Runs the generation build of a package, and the program that prints its tree.
 //!
 //! The build is cargo's own, of the package's library with the DSL's feature `generate`, so that the package itself
-//! needs neither a feature nor a program for it; what rustc says about the builders is told in the author's terms.
+//! needs neither a feature nor a program for it; what rustc says about the builders is reported in the author's terms.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
@@ -116,7 +116,7 @@ pub fn settings(package: &str) -> impl Iterator<Item = String> {
     [package, "bessemer"].into_iter().flat_map(of).chain([whole])
 }
 
-/// Bytes of rustc's stack in a generation build. In the witness copy each value of an expression stands in a call, so
+/// Bytes of rustc's stack in a generation build. In the witness copy each value of an expression is in a call, so
 /// what nests as deep as an author's Rust may nests three times as deep there. Only what is used of it is memory.
 const RUSTC_STACK: usize = 1 << 30;
 

@@ -84,7 +84,7 @@ fn units(compiled: &Compiled) -> String {
     text
 }
 
-/// The functions for which the firmware's C has to give the bits of what stands in for it.
+/// The functions for which the firmware's C has to give the bits of what is in for it.
 fn externals(compiled: &Compiled) -> String {
     let functions = compiled.explicit.functions.iter();
     let lines = functions.filter_map(|function| {

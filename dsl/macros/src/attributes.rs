@@ -1,7 +1,7 @@
 //! The author's wishes for the C of a function: `#[c(name = "…", section = "…")]`,
 //! `#[inline(never)]`, `#[entry(atomic)]`, `#[entry(single)]`, `#[external(header = "…")]`.
 //!
-//! The attributes are the DSL's alone: the native item goes without them. What they ask for reaches the
+//! The attributes are the DSL's alone: the native item goes without them. What they request reaches the
 //! tree as [`Attributes`].
 
 use bessemer_tree::Role;
@@ -22,7 +22,7 @@ pub struct Asked {
     pub attributes: Attributes,
 }
 
-/// Of a free function.
+/// Reads the attributes of a free function.
 pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked {
     let attributes = &mut function.attrs;
     let inlining = inlining(attributes);
@@ -63,7 +63,7 @@ pub fn mark_inner(body: &mut syn::Block, depth: u32) {
     }
 }
 
-/// Whether others see it.
+/// Returns true if others see it.
 pub fn is_public(visibility: &syn::Visibility) -> bool {
     !matches!(visibility, syn::Visibility::Inherited)
 }
@@ -73,7 +73,7 @@ fn visible(visibility: &syn::Visibility) -> Role {
     if is_public(visibility) { Role::Public } else { Role::Private }
 }
 
-/// Of a method of a type's own.
+/// Reads the attributes of an inherent method.
 pub fn of_own_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusals) -> Asked {
     let mut asked = of_method(kind, method, refusals);
     match &mut asked.role {
@@ -84,7 +84,7 @@ pub fn of_own_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Re
     asked
 }
 
-/// Of a method, which a trait makes as visible as itself.
+/// Reads the attributes of a trait's method, which is as visible as the trait.
 pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusals) -> Asked {
     let attributes = &mut method.attrs;
     let inlining = inlining(attributes);
@@ -108,7 +108,7 @@ pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusa
     asked
 }
 
-/// Of a method of an interface; what one of its implementations asks for is its own.
+/// Reads the attributes of an interface's method; each implementation has its own.
 pub fn of_interface(method: &mut syn::TraitItemFn, refusals: &mut Refusals) -> Asked {
     let mut asked = Asked { role: Role::Public, attributes: Attributes::default() };
     asked.take(&mut method.attrs, refusals);
@@ -219,7 +219,7 @@ fn is_header(text: &str) -> bool {
     text.len() > 2 && text.ends_with(".h") && text.chars().all(allowed)
 }
 
-/// Whether the author wants the function where it is called: `#[inline]`.
+/// Returns true if the author wants the function where it is called: `#[inline]`.
 fn is_inline(attributes: &[syn::Attribute]) -> bool {
     let is_inline = attributes.iter().any(|attribute| attribute.path().is_ident("inline"));
     is_inline && inlining(attributes) != Inlining::Never

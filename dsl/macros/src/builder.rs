@@ -21,7 +21,7 @@ use crate::witness::{Copy, result_type};
 pub struct Subject<'a> {
     /// Its attributes: doc comments.
     pub attributes: &'a [syn::Attribute],
-    /// Who may call it.
+    /// Visibility of the function.
     pub visibility: &'a syn::Visibility,
     /// Its signature.
     pub signature: &'a syn::Signature,
@@ -29,7 +29,7 @@ pub struct Subject<'a> {
     pub body: &'a syn::Block,
     /// Its role for its callers, and the author's wishes for the C.
     pub asked: Asked,
-    /// Where it stands.
+    /// Span of the node.
     pub home: Home<'a>,
 }
 
@@ -51,7 +51,7 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Where a function stands.
+/// Context of a function's declaration.
 #[derive(Clone, Copy)]
 pub enum Home<'a> {
     /// In a module.
@@ -68,7 +68,7 @@ pub enum Home<'a> {
     OfRust(&'a syn::Path),
 }
 
-/// Refuses what the DSL does not take; in a generation build gives the items that stand beside a
+/// Refuses what the DSL does not take; in a generation build gives the items that are beside a
 /// free function. For a method see [`method`].
 pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let signature = closures::with_names(subject.signature);
@@ -102,7 +102,7 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     }
 }
 
-/// The items that stand beside the `impl` block of `owner` for one of its methods.
+/// The items that are beside the `impl` block of `owner` for one of its methods.
 pub fn method(
     owner: &syn::Type,
     generics: &syn::Generics,
@@ -152,7 +152,7 @@ pub fn method(
     }
 }
 
-/// What stands for a free function in slots: what is not generic is its own marker.
+/// Returns the marker of a free function in slots: a function that is not generic is its own marker.
 pub fn function_marker(name: &syn::Ident, scope: Scope<'_>) -> syn::Ident {
     match scope.is_generic() {
         true => format_ident!("__function_{}", lower::text(name)),
@@ -160,7 +160,7 @@ pub fn function_marker(name: &syn::Ident, scope: Scope<'_>) -> syn::Ident {
     }
 }
 
-/// The type that stands for the function in slots.
+/// The type that represents the function in slots.
 pub fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     let (parameters, types) = (scope.unbounded(), scope.types());
     quote! {
@@ -170,7 +170,7 @@ pub fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     }
 }
 
-/// The companion that callers' witness copies call, of a function that `marker` stands for.
+/// The companion that callers' witness copies call, of a function that `marker` represents.
 pub fn companion(
     subject: &Subject<'_>,
     name: &syn::Ident,
@@ -191,7 +191,7 @@ pub fn companion(
     }
 }
 
-/// How a marker builds its function.
+/// Implements the construction of a marker's function.
 pub fn callee(
     owner: &TokenStream,
     marker: &syn::Ident,
@@ -208,7 +208,7 @@ pub fn callee(
     callee_by(marker, scope, bound, &build)
 }
 
-/// The same, of which `build` is the function that does it.
+/// Implements the construction by the function `build`.
 fn callee_by(
     marker: &syn::Ident,
     scope: Scope<'_>,
@@ -298,7 +298,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let end = walk.here(copy.stmts.len());
     walk.begins.push(end);
     if subject.asked.role == Role::Rewritten && end.callees > 0 {
-        // What it calls is known by numbers of its own, which mean others where it stands.
+        // What it calls is known by numbers of its own, which mean others at its place.
         walk.refusals.add(&subject.signature.ident, refuse::REWRITTEN_CALL);
     }
     if signature_refused > before {
@@ -321,7 +321,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         operators: std::mem::take(&mut walk.operators),
     };
     let builder = builder(subject, scope, &tree, &parameters, &walk, (signature, &copy));
-    // What is lent has the lifetime that its author wrote, and so has what is gone through.
+    // What is lent has the lifetime that its author wrote, and so has what is iterated.
     let named = items.is_some() || expands || lower::borrows(signature);
     let told = if named { subject.signature } else { signature };
     let result = match items {
@@ -383,7 +383,7 @@ fn builder(
     } else {
         quote! { ::core::option::Option::None }
     };
-    // Where the methods of a generic type are built, what its implementations ask for is known.
+    // Where the methods of a generic type are built, what its implementations request is known.
     let of_instance = subject.is_method() && !matches!(subject.home, Home::Interface(_));
     let implied =
         (of_instance && scope.outer().is_generic()).then(|| implied::ask(&quote! { Self }));
@@ -421,7 +421,7 @@ fn builder(
     }
 }
 
-/// The bounds of a builder on the types in its scope; those of an `impl` block stand there.
+/// The bounds of a builder on the types in its scope; those of an `impl` block are there.
 pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
     let this = || quote! { Self: ::bessemer::generate::Value };
     let types = || scope.values();
@@ -445,7 +445,7 @@ pub fn owner_bound(scope: Scope<'_>, owner: &TokenStream) -> Option<TokenStream>
     scope.outer().is_generic().then(|| quote! { #owner: ::bessemer::generate::DslType })
 }
 
-/// The interface that a function is part of, with what stands for its parameters.
+/// The interface that a function is part of, with what represents its parameters.
 fn interface(home: Home<'_>, scope: Scope<'_>) -> TokenStream {
     let (name, told, module) = match home {
         Home::Module | Home::Function(_) | Home::Block => {

@@ -1,5 +1,5 @@
-//! Parameters that take closures: `f: impl Fn(f64) -> f64`, or `f: F` with `F: Fn(f64) -> f64`; and those that take
-//! iterators: `items: impl IntoIterator<Item = f64>`.
+//! Parameters that take closures or iterators. Examples: `f: impl Fn(f64) -> f64`, `f: F` with `F: Fn(f64) -> f64`, and
+//! `items: impl IntoIterator<Item = f64>`.
 //!
 //! Such a function is built with another type in their place, since neither has one that a builder could name: a function
 //! pointer, or the DSL's iterator. What becomes C is a copy of the function for each closure that it is called with; one
@@ -12,15 +12,15 @@ use syn::{GenericParam, TypeParamBound, WherePredicate};
 
 use crate::lower::refuse;
 
-/// What stands in the builder for a type that it cannot name.
+/// Substitute in the builder for a type that it cannot name.
 pub struct StandsFor {
     /// The type.
     pub ty: TokenStream,
-    /// Whether it is that of an iterator.
+    /// True if it is that of an iterator.
     pub items: bool,
 }
 
-/// What stands for the type of a parameter that takes a closure or an iterator; none if it is another type.
+/// Returns the substitute for the type of a closure or iterator parameter; none for another type.
 pub fn stands_for(ty: &syn::Type, generics: &syn::Generics) -> Option<StandsFor> {
     match ty {
         syn::Type::ImplTrait(it) => it.bounds.iter().find_map(of_bound),
@@ -63,8 +63,8 @@ pub fn without(generics: &syn::Generics) -> syn::Generics {
     rest
 }
 
-/// A signature in which a type behind an interface, `rng: &mut impl Rng`, has a name; and without `?Sized`: what the C has
-/// has a size.
+/// Returns the signature with a name for each type behind an interface, as in `rng: &mut impl Rng`, and without
+/// `?Sized`.
 pub fn with_names(signature: &syn::Signature) -> syn::Signature {
     let mut named = Interfaces(Vec::new());
     let mut signature = signature.clone();
@@ -78,13 +78,14 @@ pub fn with_names(signature: &syn::Signature) -> syn::Signature {
     signature
 }
 
-/// Whether a bound may be an interface, and no trait of Rust's own, nor one of closures and iterators, which stand for no type.
+/// Returns true if a bound may be an interface. Traits of Rust and those of closures and iterators are none, since they
+/// represent no type.
 fn is_interface(bound: &TypeParamBound) -> bool {
     let TypeParamBound::Trait(it) = bound else { return false };
     of_bound(bound).is_none() && refuse::known_trait(&it.path).is_none()
 }
 
-/// Whether a bound is `?Sized`.
+/// Returns true if a bound is `?Sized`.
 fn is_relaxed(bound: &TypeParamBound) -> bool {
     matches!(bound, TypeParamBound::Trait(it) if it.maybe.is_some())
 }
@@ -161,7 +162,7 @@ fn of_closure(bound: &TypeParamBound) -> Option<TokenStream> {
     Some(quote! { fn(#inputs) #output })
 }
 
-/// The traits of iterators, and of what is gone through as one.
+/// The traits of iterators, and of what is iterated as one.
 const ITERATORS: [&str; 4] =
     ["Iterator", "DoubleEndedIterator", "ExactSizeIterator", "IntoIterator"];
 

@@ -94,7 +94,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     }
     let borrows = kind == Kind::Data && it.generics.lifetimes().next().is_some();
     check_fields(&it.fields, borrows, refusals);
-    // What is lent is told at the field that holds it.
+    // What is lent is reported at the field that holds it.
     if refusals.is_empty() {
         refuse_lifetimes(kind, &it.generics, refusals);
     }
@@ -114,7 +114,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     }
     let members: Vec<_> = it.fields.members().collect();
     let types: Vec<_> = it.fields.iter().map(|field| &field.ty).collect();
-    // Spanned at the field's type: a type that is not plain is told there.
+    // Spanned at the field's type: a type that is not plain is reported there.
     let words = types.iter().map(|ty| {
         quote_spanned! { ty.span() => + <#ty as ::bessemer::Plain>::WORDS }
     });
@@ -235,7 +235,7 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
     quote! { #definition #ranked #template }
 }
 
-/// A generic component announces itself: without an instance it has no C, of which its author is told.
+/// A generic component announces itself: without an instance it has no C, of which its author is reported.
 fn template(name: &syn::Ident) -> TokenStream {
     let (named, site) = (place::named(name), place::site(name));
     let build = quote! { Other(|__cx| __cx.template(#named, #site)) };
@@ -279,7 +279,7 @@ fn said(attributes: &[syn::Attribute], on: On) -> TokenStream {
     given::tokens(&given::read(attributes, on, &mut Refusals::default()))
 }
 
-/// Whether a trait is derived, as far as the attributes below the DSL's show it.
+/// Returns true if a trait is derived, as far as the attributes below the DSL's show it.
 fn derives(name: &str, attributes: &[syn::Attribute]) -> bool {
     attributes.iter().filter(|it| it.path().is_ident("derive")).any(|derive| {
         use syn::punctuated::Punctuated;
@@ -401,8 +401,8 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     quote! { #plain #definition }
 }
 
-/// A type that borrows has no words, and is no plain data for anybody; but while C is generated, it stands for parameters
-/// as a type that owns does, and rustc evaluates its variants without payload: their words are their index.
+/// Implements the plain-data traits for a type with borrows in generation builds. It has no words, but acts as a
+/// parameter type there, and rustc evaluates its variants without payload: their words are their index.
 fn plain_while_generating(
     name: &syn::Ident,
     scope: Scope<'_>,
@@ -427,8 +427,8 @@ fn plain_while_generating(
     }
 }
 
-/// The words of an enum: the index of its variant, then the words of each payload in order; those of a
-/// payload that is not there are zero.
+/// Returns the words of an enum: the index of its variant, then the words of each payload in order, zero for inactive
+/// payloads.
 fn enum_words(it: &syn::ItemEnum) -> TokenStream {
     let name = &it.ident;
     let (mut stores, mut loads, mut skips) = (Vec::new(), Vec::new(), Vec::new());
@@ -470,7 +470,7 @@ fn enum_words(it: &syn::ItemEnum) -> TokenStream {
         }
     }
     let types: Vec<_> = it.variants.iter().flat_map(|it| &it.fields).map(|it| &it.ty).collect();
-    // Spanned at the field's type: a type that is not plain is told there.
+    // Spanned at the field's type: a type that is not plain is reported there.
     let words = types.iter().map(|ty| {
         quote_spanned! { ty.span() => + <#ty as ::bessemer::Plain>::WORDS }
     });
@@ -496,7 +496,7 @@ fn enum_words(it: &syn::ItemEnum) -> TokenStream {
     }
 }
 
-/// The `impl` block as Rust runs it, and what stands beside it.
+/// The `impl` block as Rust runs it, and what is beside it.
 fn methods(
     kind: Kind,
     more: bool,

@@ -1,4 +1,4 @@
-//! How the author computes a constant, as a comment of the C says it: rustc gives the value alone.
+//! The author's expression of a constant, for a comment in the C: rustc provides the value only.
 //!
 //! What is no more than its value says nothing, nor does what is long. Absent: what the names in it mean.
 
@@ -17,7 +17,7 @@ pub fn told(value: &Expr) -> Option<String> {
     (computes(value) && fits && !generic).then_some(text)
 }
 
-/// Whether a value is more than the numbers that stand there, and what they are put into.
+/// Returns true if a value is more than the numbers that are there, and what they are put into.
 fn computes(value: &Expr) -> bool {
     match value {
         Expr::Binary(_) | Expr::MethodCall(_) => true,
@@ -43,7 +43,7 @@ fn computes(value: &Expr) -> bool {
     }
 }
 
-/// Whether a function only puts its arguments together: `Vector3::new`, `Some`.
+/// Returns true if a function only puts its arguments together: `Vector3::new`, `Some`.
 fn constructs(function: &Expr) -> bool {
     let Expr::Path(path) = function else { return false };
     let name = path.path.segments.last().map(|it| it.ident.to_string()).unwrap_or_default();

@@ -11,8 +11,8 @@ use crate::generics::Scope;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
 
-/// `#[function]`; `#[function(expand)]` stands where it is called, and so does `#[function(rewrite)]`, as if its caller had
-/// written its body: its types are those of the call, of which the DSL need not know any.
+/// `#[function]`; with `expand` the body replaces each call. With `rewrite` it does so as if its caller had written the
+/// body: its types are those of the call, which the DSL need not know.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut refusals = Refusals::default();
     let word = syn::parse2::<syn::Ident>(arguments.clone()).map(|it| it.to_string());
@@ -41,7 +41,7 @@ pub fn expand_external(arguments: TokenStream, item: TokenStream) -> TokenStream
     })
 }
 
-/// A free function with what its attribute itself asks for; `depth`: in how many functions it stands.
+/// A free function with what its attribute itself requests; `depth`: in how many functions it stands.
 fn marked(
     item: TokenStream,
     mut refusals: Refusals,

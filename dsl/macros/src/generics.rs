@@ -20,17 +20,17 @@ pub struct Scope<'a> {
 }
 
 impl<'a> Scope<'a> {
-    /// Of a free function.
+    /// Returns the scope of a free function.
     pub fn of_function(own: &'a syn::Generics) -> Scope<'a> {
         Scope { this: None, outer: None, own: Some(own) }
     }
 
-    /// Of a type, or of an `impl` block.
+    /// Returns the scope of a type or an `impl` block.
     pub fn of_type(outer: &'a syn::Generics) -> Scope<'a> {
         Scope { this: None, outer: Some(outer), own: None }
     }
 
-    /// Of a method with parameters of its own.
+    /// Returns the scope of a method with parameters of its own.
     pub fn with_method(self, own: &'a syn::Generics) -> Scope<'a> {
         Scope { own: Some(own), ..self }
     }
@@ -50,7 +50,7 @@ impl<'a> Scope<'a> {
         Scope { this: None, outer: None, ..self }
     }
 
-    /// Whether there is anything to be generic over.
+    /// Returns true if there is anything to be generic over.
     pub fn is_generic(self) -> bool {
         self.params().next().is_some()
     }
@@ -136,7 +136,7 @@ impl<'a> Scope<'a> {
         })
     }
 
-    /// The author's `where`, and what `more` asks for.
+    /// The author's `where`, and what `more` requests.
     pub fn bounds(self, more: impl IntoIterator<Item = TokenStream>) -> TokenStream {
         let both = self.outer.into_iter().chain(self.own);
         let clauses = both.filter_map(|generics| generics.where_clause.as_ref());
@@ -150,12 +150,12 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// The same, each type a value of the DSL.
+    /// Returns the bounds by which each type is a value of the DSL.
     pub fn value_bounds(self, more: impl IntoIterator<Item = TokenStream>) -> TokenStream {
         self.bounds(self.values().chain(more))
     }
 
-    /// What a generation build asks of the types among them besides their author.
+    /// Returns the bounds that a generation build adds to the types' own.
     pub fn values(self) -> impl Iterator<Item = TokenStream> {
         self.types().flat_map(move |name| {
             let both = self.outer.into_iter().chain(self.own);
@@ -199,21 +199,21 @@ impl<'a> Scope<'a> {
         quote! { &[#(#told),*] }
     }
 
-    /// Whether what looks like a type is a number among the parameters.
+    /// Returns true if what looks like a type is a number among the parameters.
     fn is_number(self, ty: &syn::Type) -> bool {
         let syn::Type::Path(path) = ty else { return false };
         self.params()
             .any(|param| matches!(param, GenericParam::Const(it) if path.path.is_ident(&it.ident)))
     }
 
-    /// What is known of the types among them that may be floats; none, if there are no types.
+    /// Returns the bounds of those types that may be floats; none if there are no types.
     pub fn floats(self) -> Option<Floats> {
         self.types().next()?;
         let is_real = self.types().any(|name| self.is_real(name));
         Some(if is_real { Floats::Real } else { Floats::Number })
     }
 
-    /// Whether nalgebra's `RealField` is asked of a type, which then is one of the DSL's floats.
+    /// Returns true if nalgebra's `RealField` is asked of a type, which then is one of the DSL's floats.
     fn is_real(self, name: &syn::Ident) -> bool {
         let mut both = self.outer.into_iter().chain(self.own);
         both.any(|generics| bounds_of(generics, name).any(is_real))
@@ -226,7 +226,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Whether all arguments of `ty` are parameters: a block for it is one for every instance.
+    /// Returns true if all arguments of `ty` are parameters: a block for it is one for every instance.
     pub fn is_for_all(self, ty: &syn::Type) -> bool {
         let syn::Type::Path(path) = ty else { return true };
         let arguments = path.path.segments.last().map(|last| &last.arguments);
@@ -241,19 +241,19 @@ impl<'a> Scope<'a> {
             .all(|it| matches!(it, syn::GenericArgument::Lifetime(_)) || is_parameter(it))
     }
 
-    /// Whether `ty` names one of the parameters.
+    /// Returns true if `ty` names one of the parameters.
     pub fn is_named_in(self, ty: &syn::Type) -> bool {
         let names: Vec<_> = self.params().map(|param| name(param).to_string()).collect();
         mentions(ty.to_token_stream(), &names)
     }
 }
 
-/// Whether a bound asks for nalgebra's `RealField`.
+/// Returns true if a bound is nalgebra's `RealField`.
 pub fn is_real(bound: &syn::TypeParamBound) -> bool {
     mentions(bound.to_token_stream(), &["RealField", "ComplexField"].map(str::to_owned))
 }
 
-/// A conversion that a bound asks for.
+/// A conversion that a bound requires.
 #[derive(Clone, Copy)]
 pub enum Conversion {
     /// `From`.
@@ -265,7 +265,7 @@ pub enum Conversion {
 }
 
 impl Conversion {
-    /// The same of the DSL, asked of a type.
+    /// Returns the predicate that a type has the DSL's bound.
     pub fn predicate(self, of: &TokenStream, other: &syn::Type) -> TokenStream {
         match self {
             Conversion::From => quote! { #of: ::bessemer::generate::FromBuiltin<#other> },
@@ -275,7 +275,7 @@ impl Conversion {
     }
 }
 
-/// The conversion that a bound asks for, and the other type; none if it asks for something else.
+/// The conversion that a bound requires, and the other type; none if it requires something else.
 pub fn conversion(bound: &syn::TypeParamBound) -> Option<(Conversion, &syn::Type)> {
     let syn::TypeParamBound::Trait(bound) = bound else { return None };
     let last = bound.path.segments.last()?;
@@ -292,7 +292,7 @@ pub fn conversion(bound: &syn::TypeParamBound) -> Option<(Conversion, &syn::Type
     }
 }
 
-/// What bounds may say of a type that stands for a float: it decides which of the DSL's traits answer its methods.
+/// Bounds of a type that represents a float: they decide which of the DSL's traits provides its methods.
 #[derive(Clone, Copy)]
 pub enum Floats {
     /// `num_traits::Float`, or a trait that implies it.
@@ -310,7 +310,7 @@ impl Floats {
         }
     }
 
-    /// That of their companions.
+    /// Returns the trait of their companions.
     pub fn companions(self) -> TokenStream {
         match self {
             Floats::Number => quote! { AnyFloatBuiltins },
@@ -319,7 +319,7 @@ impl Floats {
     }
 }
 
-/// What a parameter is called; a lifetime without its tick.
+/// Returns the name of a parameter; a lifetime without its tick.
 pub fn ident(param: &GenericParam) -> &syn::Ident {
     match param {
         GenericParam::Type(it) => &it.ident,

@@ -24,7 +24,7 @@ pub enum On {
     Table,
 }
 
-/// Whether an attribute is one of these.
+/// Returns true if an attribute is one of these.
 fn is_ours(attribute: &syn::Attribute) -> bool {
     ["c", "unit", "range"].iter().any(|name| attribute.path().is_ident(name))
 }

@@ -1,4 +1,5 @@
-//! What instances of generic types have that is called by no name: `[…]`, `==`, `next` and `iter` of the author's own.
+//! Items of generic types' instances that are called other than by name: `[…]`, `==`, and the author's own `next` and
+//! `iter`.
 //!
 //! Nobody knows all instances, and a generic type does not know what its implementations ask of its parameters. So an
 //! instance is asked wherever it is built, by its definition, by its methods and by its name; one of these knows the bounds.

@@ -43,7 +43,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     quote! { #errors #it #beside }
 }
 
-/// Gives the trait its hidden items; what stands beside it are the markers of its methods.
+/// Gives the trait its hidden items; what is beside it are the markers of its methods.
 fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
     let (name, generics) = (it.ident.clone(), it.generics.clone());
     let (mut hidden, mut beside) = (Vec::new(), TokenStream::new());
@@ -61,7 +61,7 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
         let asked: Vec<syn::WherePredicate> = asked.map(|it| syn::parse_quote!(#it)).collect();
         for predicate in asked {
             match predicate {
-                // Whoever asks for the interface asks for this, too.
+                // A bound on the interface requires this, too.
                 syn::WherePredicate::Type(of_self) if is_self(&of_self.bounded_ty) => {
                     it.supertraits.extend(of_self.bounds);
                 }
@@ -92,7 +92,7 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
             other => refusals.add(refuse::first_token(other), refuse::INTERFACE_ITEM),
         }
     }
-    // Implementations ask for it: a trait without the attribute is told in every build. It tells the module, since another may
+    // Implementations request it: a trait without the attribute is reported in every build. It tells the module, since another may
     // have an interface of this name.
     hidden.push(syn::parse_quote! {
         #[doc(hidden)]
@@ -102,7 +102,7 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
     beside
 }
 
-/// Whether a type is `Self`.
+/// Returns true if a type is `Self`.
 fn is_self(ty: &syn::Type) -> bool {
     matches!(ty, syn::Type::Path(it) if it.path.is_ident("Self"))
 }
@@ -191,7 +191,7 @@ impl Method<'_> {
     }
 }
 
-/// The `impl` block of an interface as Rust runs it, and what stands beside it.
+/// The `impl` block of an interface as Rust runs it, and what is beside it.
 pub fn implementation(
     kind: Kind,
     mut it: syn::ItemImpl,

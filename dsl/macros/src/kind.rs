@@ -1,6 +1,6 @@
-//! Which attribute stands on a type: state that lives on, or values.
+//! The attribute of a type: persistent state or values.
 
-/// Which attribute stands on the item.
+/// Attribute of the item.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// `#[data]`.

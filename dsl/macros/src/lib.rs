@@ -34,8 +34,8 @@ use proc_macro::TokenStream;
 
 use kind::Kind;
 
-/// Bytes of a stack for an expansion, of which only those that are used take memory: syntax nests as deep as the author's
-/// expressions, a sum by a level for each term.
+/// Stack size of an expansion, in bytes, which takes memory only as used. Syntax nests as deep as the author's
+/// expressions: a sum has a level for each term.
 const STACK: usize = 1 << 28;
 
 /// Expands on a stack of its own.
@@ -43,8 +43,8 @@ fn deep(expand: impl FnOnce() -> proc_macro2::TokenStream) -> TokenStream {
     stacker::grow(STACK, expand).into()
 }
 
-/// Plain data: a struct, an enum, or the `impl` block of one; a `const` or a `static` of which more is to be
-/// said than its value.
+/// Plain data: a struct, an enum, or an `impl` block of one; a `const` or a `static` with more information than its
+/// value.
 ///
 /// The struct or enum becomes a C `typedef`; its methods become C functions, `pid_torque(…)` for
 /// `Pid::torque`. Derives are the author's: `Clone`, `Copy`, `Debug`, `Default`, `PartialEq`.
@@ -166,7 +166,7 @@ pub fn library(arguments: TokenStream, item: TokenStream) -> TokenStream {
     deep(|| library::expand(arguments.into(), item.into()))
 }
 
-/// A function that the firmware brings in C; its body stands in for it in the simulation and in the tests.
+/// A function that the firmware brings in C; its body is in for it in the simulation and in the tests.
 ///
 /// `#[external(header = "board.h")]` includes the header and calls the function by its name, or by that of
 /// `name = "…"`. The body must not fault. What the C then computes is the firmware's own: that it gives the
@@ -202,7 +202,7 @@ pub fn external(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// ```
 /// use bessemer::prelude::*;
 ///
-/// /// What the valve is told.
+/// /// What the valve is reported.
 /// #[data]
 /// #[c(name = "Valve_t")]
 /// #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -64,7 +64,7 @@ fn block(arguments: TokenStream, item: TokenStream) -> syn::Result<TokenStream> 
     })
 }
 
-/// What stands above a function of a block, beside its documentation.
+/// Attributes of a function in a block, beside its documentation.
 struct Asked {
     /// `#[function(expand)]`: the arguments, those of the block where it is left out.
     function: TokenStream,
@@ -97,7 +97,7 @@ impl Asked {
         Ok(asked)
     }
 
-    /// Whether calls of it are rewritten, whatever their types.
+    /// Returns true if calls of it are rewritten, whatever their types.
     fn is_rewritten(&self) -> bool {
         self.function.to_string() == "rewrite"
     }
@@ -141,14 +141,14 @@ impl Asked {
         }
     }
 
-    /// Whether methods take a parameter by value.
+    /// Returns true if methods take a parameter by value.
     fn takes(&self, pattern: &syn::Pat) -> bool {
         matches!(pattern, syn::Pat::Ident(it) if self.by_value.contains(&it.ident))
     }
 }
 
-/// What a function is generic over besides its block, whose parameters join its own: types before numbers, as functions
-/// have them. One that names the block's itself says the order of all.
+/// Returns the generics of a function with those of its block: types before numbers, as functions order them. A
+/// function that names the block's own decides the order of all.
 fn own_generics(generics: &mut syn::Generics, block: &syn::Generics) -> syn::Generics {
     let outer: Vec<_> = block.params.iter().map(ident).collect();
     let mut own = generics.clone();

@@ -1,8 +1,8 @@
 //! Operators and conversions of authors' own types: `#[data] impl Add for Phasor`, `impl From<f64> for Phasor`,
 //! `impl FromIterator<usize> for Inputs`, `impl Iterator for Countdown`.
 //!
-//! The trait is Rust's own and has no room for a builder, so that stands in a trait of the DSL beside it, which the
-//! witness copies of callers ask for. A conversion has a companion besides, since it is called by a name. `==`, the
+//! The trait is Rust's own and has no room for a builder, so that is in a trait of the DSL beside it, which the
+//! witness copies of callers request. A conversion has a companion besides, since it is called by a name. `==`, the
 //! conversion that `?` makes and what a loop goes through are looked up by type when all is built, in a registry.
 
 use proc_macro2::{Span, TokenStream};
@@ -31,7 +31,7 @@ pub enum Known {
     Iteration,
 }
 
-/// Whether a trait of Rust's own is one that the DSL calls.
+/// Returns the known trait if a path is a trait of Rust that the DSL calls.
 pub fn known(path: &syn::Path) -> Option<Known> {
     let name = last(path);
     match name.as_str() {
@@ -49,7 +49,7 @@ fn last(path: &syn::Path) -> String {
     path.segments.last().map(|last| lower::text(&last.ident)).unwrap_or_default()
 }
 
-/// The `impl` block as Rust runs it, and what stands beside it.
+/// The `impl` block as Rust runs it, and what is beside it.
 pub fn implementation(
     kind: Kind,
     known: Known,
@@ -79,7 +79,7 @@ pub fn implementation(
     }
     let mut named = associated(&it);
     if last(&path) == "IndexMut" {
-        // It stands in the other block.
+        // It is in the other block.
         let output = syn::parse_quote!(<Self as ::core::ops::Index<#other>>::Output);
         named.push((format_ident!("Output"), output));
     }
@@ -116,8 +116,8 @@ pub fn implementation(
     (it.into_token_stream(), beside)
 }
 
-/// An iterator of one's own, of which the builder asks whether it is `Copy`: a loop would go through a copy, and leave it as it
-/// was.
+/// Returns a check that an author's own iterator is not `Copy`: a loop would iterate over a copy, and leave the
+/// original unchanged.
 fn gone_through(owner: &syn::Type) -> Option<TokenStream> {
     let syn::Type::Path(path) = owner else { return None };
     let (name, held) = (&path.path.segments.last()?.ident, lower::lasting_type(owner));
@@ -219,7 +219,7 @@ impl Beside<'_> {
                 implied::noted(&of, (owner, other), (scope, None), &build)
             }),
         };
-        // Of what is converted, the copy also asks for the type of the error.
+        // Of what is converted, the copy also requests the type of the error.
         let error = named.0.iter().find(|(it, _)| name == "TryFrom" && it == "Error");
         let error = error.map(|(_, ty)| quote! { type Error = #ty; });
         let found = match known {
@@ -252,8 +252,8 @@ impl Beside<'_> {
         })
     }
 
-    /// The item that announces it to its package, and to those who know the types only in the end; of something generic, its
-    /// instances are built where they are called.
+    /// Returns the item that registers it with its package, and with code that learns the types only at the end.
+    /// Instances of generic items are built where they are called.
     fn registered(&self, name: &str, sign: &TokenStream) -> TokenStream {
         let [owner, other] = [self.owner, self.other].map(lower::lasting_type);
         let build = quote! { <#owner as ::bessemer::generate::Implements<#sign, #other>>::build };
@@ -272,7 +272,7 @@ impl Beside<'_> {
     }
 }
 
-/// Whether a type is one that Rust makes of others, as far as its syntax shows: nobody can mark it.
+/// Returns true if a type is one that Rust makes of others, as far as its syntax shows: nobody can mark it.
 pub fn is_composed(ty: &syn::Type) -> bool {
     matches!(ty, syn::Type::Array(_) | syn::Type::Tuple(_) | syn::Type::Reference(_))
 }

@@ -11,8 +11,8 @@ use syn::visit_mut::{self, VisitMut};
 
 use crate::{lower, owned};
 
-/// The DSL's name of a method that is called as one of numbers: what the DSL owns is called by its name in annotated items,
-/// whatever it is called on. It borrows, as its companion does, so that a number's own method is found before it.
+/// Returns the DSL's name of a method that is named like one of numbers: annotated items call those by the DSL's name
+/// on any type. It borrows, as its companion does, so that a number's own method has priority.
 pub fn alias(method: &syn::TraitItemFn) -> Option<syn::TraitItem> {
     let (name, own) = (&method.sig.ident, owned::owned(&method.sig.ident)?);
     let mut signature = method.sig.clone();
@@ -47,13 +47,13 @@ pub fn alias(method: &syn::TraitItemFn) -> Option<syn::TraitItem> {
     })
 }
 
-/// Whether a method has a second name, by which it borrows what it takes by value.
+/// Returns true if a method has a second name, by which it borrows what it takes by value.
 pub fn is_borrowed(signature: &syn::Signature) -> bool {
     owned::owned(&signature.ident).is_some() && is_moved(signature)
 }
 
-/// Lets an implementation of methods of these names call the numbers' own as methods: `f64::sin(self)` is `self.sin()` there,
-/// since by its path it may be either trait's.
+/// Makes an implementation call the numbers' own methods of these names as methods: `f64::sin(self)` becomes
+/// `self.sin()`, since the path could be either trait's.
 pub fn by_methods(it: &mut syn::ItemImpl) {
     let names = it.items.iter().filter_map(|item| match item {
         syn::ImplItem::Fn(method) => owned::owned(&method.sig.ident).map(|_| &method.sig.ident),
@@ -91,7 +91,7 @@ impl VisitMut for OfNumbers {
     }
 }
 
-/// Whether a method takes `self` by value.
+/// Returns true if a method takes `self` by value.
 fn is_moved(signature: &syn::Signature) -> bool {
     signature.receiver().is_some_and(|it| matches!(it.kind, syn::ReceiverKind::Value))
 }

@@ -1,7 +1,7 @@
-//! Which methods of numbers and slices the DSL owns, and what paths lead to them.
+//! The methods of numbers and slices that the DSL owns, and the paths to them.
 
-/// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
-/// platform, they do not exist without std, or core leaves open which of equal elements they find.
+/// The methods that the DSL owns. Their results depend on the platform in the last bits, at ±0 or for NaN; or they do
+/// not exist without std; or core does not specify which of equal elements they find.
 pub const OWNED: &[&str] = &[
     "abs",
     "acos",
@@ -118,8 +118,8 @@ pub fn of_path(path: &syn::Path) -> Option<syn::Ident> {
 /// nalgebra's traits of numbers, by whose paths methods are called.
 pub const FIELDS: [&str; 2] = ["ComplexField", "RealField"];
 
-/// A method that is called by the path of its trait, as Rust without std has to where it has no type to name:
-/// `ComplexField::sin(x)` is `x.sin()`.
+/// Rewrites a call by the path of its trait as a method call: `ComplexField::sin(x)` becomes `x.sin()`. Code without
+/// std has to use such paths where it cannot name a type.
 pub fn by_method(it: &syn::ExprCall) -> Option<syn::Expr> {
     let syn::Expr::Path(syn::ExprPath { qself: None, path, .. }) = &*it.func else { return None };
     let mut last = path.segments.iter().rev();
@@ -129,7 +129,7 @@ pub fn by_method(it: &syn::ExprCall) -> Option<syn::Expr> {
     Some(syn::parse_quote! { (#receiver).#name(#(#rest),*) })
 }
 
-/// What stands in the witness copy for a free function of nalgebra that the DSL has.
+/// Returns the DSL's function in the witness copy for a free function of nalgebra.
 pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
     let [home, last] = path.segments.iter().collect::<Vec<_>>()[..] else { return None };
     let is = |ident: &syn::Ident, known: &[&str]| known.iter().any(|it| ident == it);
@@ -149,7 +149,7 @@ pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
 /// The module and the name of core's iterator through one value.
 pub const ONCE: (&str, &str) = ("iter", "once");
 
-/// What `libm` calls otherwise than Rust does.
+/// Functions of `libm` with other names than in Rust.
 const LIBM: &[(&str, &str)] = &[
     ("expm1", "exp_m1"),
     ("fabs", "abs"),
@@ -161,7 +161,7 @@ const LIBM: &[(&str, &str)] = &[
     ("pow", "powf"),
 ];
 
-/// Whether a path ends in a function of a type, and not of a module.
+/// Returns true if a path ends in a function of a type, and not of a module.
 pub fn associated(qself: Option<&syn::QSelf>, path: &syn::Path) -> bool {
     let before = path.segments.iter().rev().nth(1).map(|segment| segment.ident.to_string());
     qself.is_some()

@@ -1,5 +1,5 @@
-//! Where an item stands, and how it tells of that: its module, and the folder of its package, by which generation knows a crate that another
-//! workspace has built into the same target folder.
+//! Place of an item: its module, and the folder of its package. By the folder, generation recognises a crate that
+//! another workspace has built into the same target folder.
 //!
 //! The folder is said as the file system knows it: a package that two workspaces reach by links is one package to cargo,
 //! built once, and a link may be gone when it is used.

@@ -1,5 +1,5 @@
-//! The attributes' changes to the native item: a closed set of scalar methods goes to the DSL,
-//! and loops with a declared bound count their passes.
+//! Changes of the native item by the attributes. A closed set of scalar methods is redirected to the DSL, and loops
+//! with a declared bound count their passes.
 //!
 //! `x.sin()` becomes `x.dsl_sin()`, `f64::sin(x)` becomes `f64::dsl_sin(x)` (and so for every type,
 //! since `f64` may go by another name); the traits of `bessemer::math` answer. Inherent methods win over traits in Rust, so a prelude could not do it:
@@ -13,8 +13,8 @@ use crate::lower::macros::{expanded, in_every_build};
 use crate::lower::{Refusals, generating, loops, sort};
 use crate::owned::{associated, by_method, of_libm, of_path, owned};
 
-/// The body as Rust runs it; or the errors in its place: rustc has nothing to add to what was refused, and callers still
-/// find the function.
+/// Writes the body that Rust runs, or the errors in its place. rustc then reports nothing else about the item, and
+/// callers still find the function.
 pub fn native(
     (attributes, body): (&mut Vec<syn::Attribute>, &mut syn::Block),
     scope: Scope<'_>,

@@ -1,6 +1,6 @@
 //! `#[data]` on a `const` or a `static`: a constant of which its author says more than its value.
 //!
-//! A reader of it needs no mark: a constant is told by its name, its type and its value. So the mark only
+//! A reader of it needs no mark: a constant is reported by its name, its type and its value. So the mark only
 //! announces what is said of these.
 
 use bessemer_tree::attributes::Given;
@@ -54,7 +54,7 @@ fn announced(
     }
 }
 
-/// Whether numbers of a value are written in base sixteen.
+/// Returns true if numbers of a value are written in base sixteen.
 fn is_hexadecimal(value: TokenStream) -> bool {
     value.into_iter().any(|token| match token {
         TokenTree::Literal(it) => it.to_string().starts_with("0x"),

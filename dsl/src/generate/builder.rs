@@ -16,14 +16,14 @@ use bessemer_tree::{Argument, DefinitionKind, Package, Refusal, Site, Ty};
 use super::own::Own;
 use crate::Plain;
 
-/// What a package is made of, so far.
+/// Contents of a package so far.
 #[derive(Default)]
 pub struct Builder {
     pub(super) package: Package,
     pub(super) known: BTreeSet<String>,
     /// The functions being built, outermost first.
     pub(super) stack: Vec<Underway>,
-    /// What instances of generic types have that is called by no name, by the names of trait, type and operand.
+    /// Items of generic types' instances that are called other than by name, by trait, type and operand.
     pub(super) untold: BTreeMap<[&'static str; 3], OwnOperator>,
 }
 
@@ -34,7 +34,7 @@ pub struct OwnOperator {
     pub name: &'static str,
     /// The type of the first operand.
     pub left: fn(&mut Builder) -> Ty,
-    /// That of the second; of the sign, the same.
+    /// Type of the second operand; for the sign, that of the first.
     pub right: fn(&mut Builder) -> Ty,
     /// Builds the function.
     pub build: fn(&mut Builder) -> tree::Callee,
@@ -52,14 +52,14 @@ pub(super) struct Underway {
     pub suffix: Vec<Argument>,
 }
 
-/// What rustc decided about one function.
+/// rustc's decisions on one function.
 #[derive(Default)]
 pub struct Witness {
     /// The types of its slots.
     pub slots: Vec<Ty>,
-    /// What its calls call.
+    /// Callees of its calls.
     pub callees: Vec<tree::Callee>,
-    /// What its operators call, where their author wrote that.
+    /// Functions of its operators, if their author wrote them.
     pub operators: Vec<Option<tree::Callee>>,
     /// The values of its constants.
     pub constants: Vec<tree::Constant>,
@@ -75,7 +75,7 @@ pub trait Callee {
     fn callee(cx: &mut Builder) -> tree::Callee;
 }
 
-/// Where an item stands, and what it is called.
+/// Place and name of an item.
 pub struct Named {
     /// Its module.
     pub module: &'static str,
@@ -85,9 +85,9 @@ pub struct Named {
     pub name: &'static str,
 }
 
-/// What the author of an item asks of its C: the name and its place, the unit, the range, the section.
+/// The author's attributes of an item for its C: name and site, unit, range, section.
 pub struct Said {
-    /// The name in the C, and the line and column where it stands.
+    /// The name in the C, and the line and column at its place.
     pub name: Option<&'static str>,
     /// The unit.
     pub unit: Option<&'static str>,
@@ -95,13 +95,13 @@ pub struct Said {
     pub range: Option<(f64, f64)>,
     /// The section of the object file.
     pub section: Option<&'static str>,
-    /// Whether it is written in base sixteen.
+    /// True if it is written in base sixteen.
     pub hexadecimal: bool,
-    /// How it is computed, where that is more than its value.
+    /// Expression of the value, if it is more than a literal.
     pub expression: Option<&'static str>,
     /// The constants that say how many elements it has.
     pub sizes: &'static [&'static str],
-    /// Where the name stands, or else the range.
+    /// Site of the name, or else of the range.
     pub site: (u32, u32),
 }
 
@@ -195,7 +195,7 @@ pub(super) fn type_text(ty: &Ty) -> String {
 }
 
 impl Builder {
-    /// Whether the package has a type; those without a name are everywhere.
+    /// Returns true if the package has a type; those without a name are everywhere.
     pub(super) fn knows(&self, ty: &Ty) -> bool {
         match ty {
             Ty::Named(path) => self.known.contains(path),
@@ -252,7 +252,7 @@ impl Builder {
         self.refuse_copied(named.name, named.file, Site(site.0, site.1));
     }
 
-    /// The same of an instance, if its type derives that.
+    /// Refuses an iterator whose type derives `Copy`.
     pub(super) fn check_iterator(&mut self, owner: &Ty) {
         let is_it = |it: &&tree::Definition| matches!(owner, Ty::Named(path) if *path == it.path);
         let copied = self.package.types.iter().find(is_it).filter(|it| it.copied);
@@ -270,7 +270,7 @@ impl Builder {
         self.refuse(file, site, message, "derive `Clone` without `Copy`");
     }
 
-    /// How a function comes back to itself.
+    /// Returns the chain of calls by which a function calls itself.
     pub(super) fn round_trip(&self, path: &str) -> String {
         let from = self.stack.iter().position(|known| known.path == path).unwrap_or_default();
         let through: Vec<_> = self.stack[from + 1..].iter().map(|it| it.path.as_str()).collect();

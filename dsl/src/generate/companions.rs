@@ -1,5 +1,4 @@
-//! How companions are written: of each method and function of std and nalgebra that the DSL has, one that is asked for its
-//! types.
+//! Templates of companions, one for each method and function of std and nalgebra that the DSL has.
 //!
 //! One trait per kind of receiver, resolved by rustc as it resolves the method itself. The marker
 //! names the operation; what it means is the typifier's business.
@@ -18,10 +17,10 @@ macro_rules! markers {
 }
 pub(super) use markers;
 
-/// Traits of companions, asked for their types alone: none is ever run. One is written as the `impl` of the type that has
-/// the methods, or as a trait where that is not one type. What it is generic over stands in square brackets, and so does
-/// what a method is generic over besides. Each companion has its marker: what that stands for is said where it is not
-/// another's as well; a marker that is named by a path stands in square brackets, and in angle brackets one that each
+/// Traits of companions, which are queried for their types only: none is ever run. One is written as the `impl` of the type that has
+/// the methods, or as a trait where that is not one type. What it is generic over is in square brackets, and so is
+/// what a method is generic over besides. Each companion has its marker: what that represents is said where it is not
+/// another's as well; a marker that is named by a path is in square brackets, and in angle brackets one that each
 /// type with the methods has of its own. The prelude takes the traits from `traits`, which gathers them as they come.
 macro_rules! companions {
     () => {};

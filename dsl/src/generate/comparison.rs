@@ -18,7 +18,7 @@ dsl_types! {
     [T: Value] [T: Seen] Reverse<T> as Reverse<T::Slot> => |cx| comparison::Reverse::<T>::ty(cx);
 }
 
-/// What has an order of its own: plain enums that derive that of their numbers, structs that derive that of their
+/// Types with an order of their own: plain enums that derive that of their numbers, structs that derive that of their
 /// parts, tuples and arrays.
 pub trait Ranked: Value {}
 
@@ -28,14 +28,14 @@ impl<A: Value, B: Value, C: Value, D: Value> Ranked for (A, B, C, D) {}
 impl<T: Value, const N: usize> Ranked for [T; N] {}
 impl<T: Value> Ranked for Reverse<T> {}
 
-/// What is compared by a function of the DSL: these, integers and `bool`.
+/// Types that a function of the DSL compares: the above, integers and `bool`.
 pub trait Compared: Value {}
 
 impl<T: Ranked> Compared for T {}
 
 companions! {
     pub mod traits[];
-    /// What [`Compared`] types have.
+    /// Companions of [`Compared`] types.
     pub trait CompareBuiltins: Sized {
         fn __b_cmp(&self, _other: &Self) -> Ordering where Self: Ord = [comparison::__function_compare<Self>];
         fn __b_partial_cmp(&self, _other: &Self) -> Option<Ordering> where Self: PartialOrd
@@ -47,14 +47,14 @@ companions! {
         fn __b_max(self, _other: Self) -> Self = [comparison::__function_greater<Self>];
         fn __b_clamp(self, _low: Self, _high: Self) -> Self = [comparison::__function_limited<Self>];
     }
-    /// The same of references to what has `Ord`: rustc finds it there before it looks behind the reference. The function is that
-    /// of the values: what it gives can only be read.
+    /// Companions of references to types with `Ord`: rustc finds the method there before it looks behind the reference.
+    /// The function is that of the values: its result can only be read.
     impl[T: Extremes] ReferredOrderBuiltins<T> for &T {
         fn __b_min(self, _other: Self) -> Self = [T::Min];
         fn __b_max(self, _other: Self) -> Self = [T::Max];
         fn __b_clamp(self, _low: Self, _high: Self) -> Self = [T::Clamp];
     }
-    /// What floats have.
+    /// Companions of floats.
     pub trait FloatCompareBuiltins: Sized {
         fn __b_partial_cmp(&self, _other: &Self) -> Option<Ordering> = [comparison::__function_partial<Self>];
         fn __b_total_cmp(&self, _other: &Self) -> Ordering = [comparison::__function_total<Self>];
@@ -65,7 +65,7 @@ impl<T: Compared + Copy> CompareBuiltins for T {}
 impl<T: Ranked + Copy + Ord> RankedOrderBuiltins for T {}
 impl<T: Value + Real> FloatCompareBuiltins for T {}
 
-/// What `core::cmp::max` and `core::cmp::min` take.
+/// Types of `core::cmp::max` and `core::cmp::min`.
 #[diagnostic::on_unimplemented(
     message = "`core::cmp::max` and `core::cmp::min` do not accept `{Self}`"
 )]

@@ -62,12 +62,12 @@ companions! {
         fn __b_and[U](self, _other: Result<U, E>) -> Result<U, E> = And;
         fn __b_as_ref(&self) -> Result<&T, &E> = AsRef;
     }
-    /// What lends on what an `Option` refers to: the same reference, or one that only reads.
+    /// Companions that reborrow the content of an `Option`: mutably, or only to read.
     impl[T: ?Sized] LentOnBuiltin<T> for Option<&mut T> {
         fn __b_as_deref_mut(&mut self) -> Option<&mut T> = [AsRef];
         fn __b_as_deref(&self) -> Option<&T> = [optional::as_deref];
     }
-    /// The same of what is only read.
+    /// Companions that reborrow content that is only read.
     impl[T: ?Sized] ReadOnBuiltin<T> for Option<&T> {
         fn __b_as_deref(&self) -> Option<&T> = [AsRef];
     }
@@ -85,7 +85,7 @@ companions! {
     }
     /// `list.extend(items)`, of items of type `E`: elements, or references to them.
     pub trait ListExtends[E]: Sized {
-        /// Which function it is.
+        /// Marker of the function.
         type Marker;
         fn __b_extend[I: IntoIterator<Item = E>](&mut self, _items: I) -> () = [Self::Marker];
     }
@@ -95,19 +95,19 @@ companions! {
         fn __b_start(&self) -> &T = [range::__function_start<T>];
         fn __b_end(&self) -> &T = [range::__function_end<T>];
     }
-    /// What a range with a last number contains.
+    /// Companions of ranges that include their end.
     impl[T: Value + Copy + PartialOrd] ClosedContents<T> for RangeInclusive<T> {
         fn __b_contains(&self, _number: &T) -> bool = [range::__function_closed_contains<T>];
         fn __b_is_empty(&self) -> bool = [range::__function_closed_is_empty<T>];
     }
-    /// What one without contains.
+    /// Companions of ranges that exclude their end.
     impl[T: Value + Copy + PartialOrd] Contents<T> for Range<T> {
         fn __b_contains(&self, _number: &T) -> bool = [range::__function_contains<T>];
         fn __b_is_empty(&self) -> bool = [range::__function_is_empty<T>];
     }
-    /// How many numbers a range has.
+    /// Companion of a range's number of elements.
     pub trait RangeLength: Sized {
-        /// Which function says so.
+        /// Marker of the function.
         type Marker;
         fn __b_len(&self) -> usize = [Self::Marker];
     }
@@ -167,7 +167,7 @@ pub mod mem {
     pub struct swap;
     pub struct replace;
 
-    /// Of no value: one of its name is core's.
+    /// Marker without a value: core has one of its name.
     pub struct drop {}
 }
 

@@ -62,8 +62,8 @@ fn told<A, C: CompanionOf<A>, R>(_: C) -> Called<C::Marker, R> {
     unreachable!("a witness copy is never run")
 }
 
-/// Companions of the methods of one of nalgebra's types, each as that of a method of the DSL's struct or of a function: the
-/// marker of a method has no name here. It holds nothing of what the companion borrows.
+/// Writes companions of the methods of one of nalgebra's types, for a method of the DSL's struct or a function. The
+/// marker of a method has no name here, and contains no borrow of the companion.
 macro_rules! methods {
     (
         $(#[$doc:meta])*

@@ -114,14 +114,14 @@ macro_rules! either {
         constants { $($constant:ident $function:ident;)* }
     ) => {
         companions! {
-            /// Of a `num_traits::Float`.
+            /// Companions of a `num_traits::Float`.
             pub trait AnyFloatBuiltins: Sized {
                 $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
                 $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
                 fn __b_max_value() -> Self = [Either<Self, constants::__function_max_value<f64>, constants::__function_max_value<f32>>];
                 fn __b_min_value() -> Self = [Either<Self, constants::__function_min_value<f64>, constants::__function_min_value<f32>>];
             }
-            /// Of nalgebra's `RealField`, which may be a number without a largest one.
+            /// Companions of nalgebra's `RealField`, which may have no largest number.
             pub trait AnyRealBuiltins: Sized {
                 $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
                 $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*

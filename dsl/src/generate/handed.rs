@@ -1,4 +1,4 @@
-//! Functions and constructors as arguments: what rustc says of them, and the closures that they stand for.
+//! Functions and constructors as arguments: what rustc says of them, and the closures that they represent.
 //!
 //! A tree that travels has closures alone: each calls its function with what it is given.
 
@@ -16,7 +16,7 @@ use super::slot::{Called, DslType, Evaluated, Seen, Slot};
 
 /// A companion with parameters of the types `A`.
 pub trait CompanionOf<A> {
-    /// Which function it is.
+    /// Marker of the function.
     type Marker;
     /// The type of its result.
     type Result: Seen;
@@ -50,7 +50,7 @@ pub trait Made<K>: Sized {
     fn constant(self, cx: &mut Builder) -> tree::Constant;
 }
 
-/// What tells values apart.
+/// Key of implementations for values themselves.
 pub struct Itself;
 
 impl<T: Evaluated> Made<Itself> for T {
@@ -116,7 +116,7 @@ pub(super) fn as_closures(tree: &mut tree::FunctionTree, witness: &mut Witness) 
     }
 }
 
-/// What a constant refers to.
+/// Returns the array to which a constant refers.
 pub(super) fn array(ty: &Ty) -> Option<&Ty> {
     match ty {
         Ty::Ref(array, _) => Some(array),
@@ -130,7 +130,7 @@ struct Closures<'w> {
 }
 
 impl Closures<'_> {
-    /// Whether a path is that of a constant which refers to an array.
+    /// Returns true if a path is that of a constant which refers to an array.
     fn refers(&self, path: &ExprKind) -> bool {
         let ExprKind::Path(constant, _) = path else { return false };
         let constant = self.witness.constants.get(*constant as usize);
@@ -155,7 +155,7 @@ impl Closures<'_> {
         self.witness.slots.len() as u32 - 1
     }
 
-    /// The parameters of a closure, by the slot that has their types, and the same as arguments.
+    /// The parameters of a closure, by the slot that has their types, and equal to arguments.
     fn parameters(&mut self, slot: u32, site: tree::Site) -> (Vec<Pattern>, Vec<Expr>) {
         let types = match self.witness.slots.get(slot as usize) {
             Some(Ty::Tuple(types)) => types.clone(),
@@ -177,7 +177,7 @@ impl Closures<'_> {
         types.into_iter().zip(names).map(of).unzip()
     }
 
-    /// What a path makes, if it is no value.
+    /// Returns the type that a path constructs, if it is not a value.
     fn made(&self, constant: u32, slot: u32) -> Option<Ty> {
         let constant = self.witness.constants.get(constant as usize)?;
         let made = self.witness.slots.get(slot as usize) != Some(&constant.ty);

@@ -1,4 +1,5 @@
-//! What instances of generic types have that is called by no name: `[…]`, `==`, `next` and `iter` of the author's own.
+//! Items of generic types' instances that are called other than by name: `[…]`, `==`, and the author's own `next` and
+//! `iter`.
 //!
 //! The link-time registry has those of types that are not generic. An instance says what it has wherever it is built; the
 //! functions are built when all else is.
@@ -12,7 +13,8 @@ use super::operators::sign;
 use super::own::Asked;
 use super::slot::{DslType, Slot};
 
-/// What is called by no name, of a generic type: each of its instances says so, wherever its methods are built.
+/// Trait by which each instance of a generic type registers the items that are called other than by name, wherever its
+/// methods are built.
 pub trait OwnImplied<O> {
     /// Notes the function for this instance.
     fn note(cx: &mut Builder);
@@ -74,8 +76,8 @@ pub fn __asked<T>(_: &Slot<T>) -> Asked<T> {
 }
 
 impl Builder {
-    /// What an instance of a generic type has that is called by no name. It is built when all else is, since its function may
-    /// call what is being built.
+    /// Registers an item of an instance that is called other than by name. It is built last, since its function may
+    /// call one that is being built.
     pub fn implied<Owner: DslType, Other: DslType>(
         &mut self,
         name: &'static str,

@@ -18,10 +18,10 @@ use super::slot::{DslType, Evaluated, ScalarType};
 use super::{handed, operators};
 use crate::Plain;
 
-/// Where an item stands: its module, and the folder of its package.
+/// Place of an item: its module, and the folder of its package.
 pub type Place = (&'static str, &'static str);
 
-/// How an item is built: its own function is named, and rustc compiles none around it.
+/// Construction of an item: it names its own function, and rustc compiles none around it.
 pub enum Build {
     /// A function.
     Function(fn(&mut Builder) -> tree::Callee),
@@ -36,7 +36,7 @@ pub struct Registered {
     place: Place,
     site: (u32, u32),
     build: Build,
-    /// Whether it comes along with whatever package uses its crate.
+    /// True if it comes along with whatever package uses its crate.
     everywhere: bool,
 }
 
@@ -48,7 +48,7 @@ impl Registered {
         Registered { place, site, build, everywhere: false }
     }
 
-    /// A table, which is told by its value wherever it is used.
+    /// A table, which is reported by its value wherever it is used.
     pub const fn table(place: Place, site: (u32, u32), build: fn(&mut Builder)) -> Registered {
         Registered { place, site, build: Build::Other(build), everywhere: true }
     }
@@ -91,24 +91,24 @@ pub fn variant(
     tree::Variant { name: name.to_owned(), docs: owned(docs), fields, value, given: said(given) }
 }
 
-/// What stands for the parameters of a function.
+/// Arguments for the parameters of a function.
 pub struct Generics<'a> {
-    /// Of all in scope.
+    /// Arguments of all parameters in scope.
     pub scope: &'a [(String, Argument)],
-    /// Of its own.
+    /// Arguments of its own parameters.
     pub own: &'a [(String, Argument)],
-    /// The interface that it is part of, what stands for its parameters, and the module that it stands in.
+    /// The interface that it is part of, what represents its parameters, and the module that it is in.
     pub interface: Option<(&'static str, &'a [(String, Argument)], &'static str)>,
     /// In how many functions it stands.
     pub depth: u32,
 }
 
-/// The type that stands for the parameter `name`.
+/// The type that represents the parameter `name`.
 pub fn argument<T: DslType>(cx: &mut Builder, name: &str) -> (String, Argument) {
     (name.to_owned(), Argument::Type(T::ty(cx)))
 }
 
-/// The number that stands for the parameter `name`.
+/// The number that represents the parameter `name`.
 pub fn number<T: Plain + ScalarType>(name: &str, value: T) -> (String, Argument) {
     let word = words(&value).first().copied().unwrap_or_default();
     (name.to_owned(), Argument::Number(T::SCALAR, word))
@@ -250,8 +250,8 @@ impl Builder {
         tree::Callee::Function(path)
     }
 
-    /// What a function is called, and where it stands: one in the body of another belongs to what that belongs to, and has its
-    /// name and what stands for its parameters beside its own.
+    /// Returns name and place of a function. A function in the body of another has that one's name as a prefix and its
+    /// arguments before its own.
     fn underway(&self, named: &Named, owner: Option<Ty>, generics: &Generics<'_>) -> Underway {
         let (name, depth) = (named.name, generics.depth);
         if let Some(outer) = self.stack.iter().rfind(|it| it.depth < depth) {
@@ -291,8 +291,8 @@ impl Builder {
         Underway { path, depth, owner, interface, name, suffix }
     }
 
-    /// What tells a function from others of its name and owner: what stands for its parameters and for
-    /// those of its interface, as far as the owner does not tell.
+    /// Returns the arguments that distinguish a function from others of its name and owner. They are those of its
+    /// parameters and of its interface's, unless the owner determines them.
     fn suffix(&self, owner: Option<&str>, generics: &Generics<'_>) -> Vec<Argument> {
         let known = self.package.types.iter().find(|it| Some(it.path.as_str()) == owner);
         let known = known.map(|owner| owner.arguments.as_slice()).unwrap_or_default();

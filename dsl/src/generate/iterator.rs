@@ -1,4 +1,4 @@
-//! Iterators that authors' functions give or take: nothing in the C, where what goes through them stands in the loop that
+//! Iterators that authors' functions give or take: nothing in the C, where what goes through them is in the loop that
 //! gives them.
 
 #![allow(missing_docs)]
@@ -15,7 +15,8 @@ use super::containers;
 use super::slot::{Called, DslType, Exclusive, Seen, Shared, Slot, dsl_types, never_held};
 use crate::{List, adapt, iterate};
 
-/// What the companion of a function gives that gives an iterator of `T`, and what the builder of one that takes it has.
+/// Result of the companion of a function that returns an iterator of `T`, and argument in the builder of one that takes
+/// it.
 pub struct Items<T>(PhantomData<T>);
 
 impl<T> Clone for Items<T> {
@@ -52,7 +53,7 @@ dsl_types! {
 
 never_held! { [T] Items<T>; }
 
-/// What a reference to it is gone through for.
+/// Items of a reference to a sequence.
 pub trait Held {
     /// References to these.
     type Of;
@@ -73,7 +74,7 @@ held! {
     [T, const N: usize] List<T, N>: T;
 }
 
-/// A reference is a value where a function stands in place: it is what it refers to.
+/// A reference argument is a value for an expanded function: it is what it refers to.
 macro_rules! references {
     ($($reference:ident)*) => {$(
         impl<T: ?Sized> PartialEq for $reference<T> {
@@ -103,15 +104,15 @@ references! { Shared Exclusive }
 /// The type of an item in a slot.
 pub(super) type Item<I> = <<I as Iterator>::Item as Seen>::Slot;
 
-/// What a `try_fold` gives.
+/// Result of a `try_fold`.
 pub trait Tried<A> {}
 
 impl<A> Tried<A> for Option<A> {}
 impl<A, E> Tried<A> for Result<A, E> {}
 
-/// What is made of each item of type `T`, where a failure ends it.
+/// Function that is applied to each item of type `T` until one fails.
 pub trait TriesEach<T> {
-    /// Which function goes through them.
+    /// Marker of the function that iterates.
     type Marker;
 }
 
@@ -123,12 +124,12 @@ impl<T, E: Seen> TriesEach<T> for Result<(), E> {
     type Marker = iterate::__function_try_for_each_ok<T, E::Slot>;
 }
 
-/// What an expression is gone through for.
+/// Returns the items of an expression.
 pub fn __items<I: IntoIterator>(_: I) -> Items<I::Item> {
     unreachable!("a witness copy is never run")
 }
 
-/// Passes through what stands beside other items, and the function that takes its next item into the slot.
+/// Passes through what is beside other items, and the function that takes its next item into the slot.
 pub fn __beside<I: IntoIterator<Item: Seen>>(
     _: &Slot<iterate::__function_next<<I::Item as Seen>::Slot>>,
     items: I,
@@ -145,17 +146,18 @@ companions! {
         note = "mark an own `impl FromIterator<{A}>` block `#[data]`; fill a `List` with `extend`"
     )]
     pub trait FromIteratorBuiltin[A]: Sized {
-        /// Which function it is.
+        /// Marker of the function.
         type Marker;
         fn __b_from_iter[I: IntoIterator<Item = A>](_items: I) -> Self = [Self::Marker];
     }
     /// `gathered.extend(items)`: the function of an author's that takes items of type `A` into what is there.
     pub trait ExtendBuiltin[A] {
-        /// Which function it is.
+        /// Marker of the function.
         type Marker;
         fn __b_extend[I: IntoIterator<Item = A>](&mut self, _items: I) -> () = [Self::Marker];
     }
-    /// What iterators end in. What std takes by `&mut` is taken so, so that an author's own method of the name comes first.
+    /// Companions of consumers. Those that std takes by `&mut` take it so here, so that an author's own method of the
+    /// name has priority.
     pub trait Ends: Iterator<Item: Seen>, Sized {
         fn __b_sum[S: core::iter::Sum<Self::Item>](self) -> S = Sum: Desugared(Desugared::Together(Together::Sum));
         fn __b_product[P: core::iter::Product<Self::Item>](self) -> P
@@ -208,8 +210,8 @@ companions! {
         fn __b_last(self) -> Option<Self::Item> = [iterate::__function_last<Item<Self>>];
         fn __b_next(&mut self) -> Option<Self::Item> = [iterate::__function_next<Item<Self>>];
     }
-    /// What iterators are made of others with. Each gives [`Items`], so that a witness copy has one type of iterators, which
-    /// no closure borrows.
+    /// Companions of adapters. Each returns [`Items`], so that a witness copy has one type of iterators, which no
+    /// closure borrows.
     pub trait Adapters: Iterator<Item: Seen>, Sized {
         fn __b_map[U: Seen, F: FnMut(Self::Item) -> U](self, _: F) -> Items<U>
             = [adapt::__function_map<Item<Self>, U::Slot>];
@@ -242,12 +244,12 @@ companions! {
             = [adapt::__function_chain<Item<Self>>];
         fn __b_collect[C: FromIteratorBuiltin<Self::Item>](self) -> C = [C::Marker];
     }
-    /// What gives the values behind references.
+    /// Companions of adapters that copy the values behind references.
     pub trait CopiedItems[T]: Sized {
         fn __b_copied(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
         fn __b_cloned(self) -> Items<T> where T: Seen = [adapt::__function_copied<T::Slot>];
     }
-    /// What lends an iterator that is gone through by hand.
+    /// Companion that borrows an iterator with explicit `next` calls.
     pub trait ByHand: Iterator<Item: Seen>, Sized {
         fn __b_by_ref(&mut self) -> &mut Items<Self::Item> = ByRef: Desugared(Desugared::ByRef);
     }

@@ -1,5 +1,5 @@
-//! The companions of matrices that the library does not write: operations, kernels, views, swizzles, what converts, what takes
-//! more than one type where nalgebra does, and what gives a matrix of another size.
+//! Companions of matrices that the library does not write. They are operations, kernels, views, swizzles, conversions,
+//! functions of several types as in nalgebra, and functions that change the size.
 
 #![allow(missing_docs)]
 
@@ -126,7 +126,7 @@ companions! {
     pub trait CloneBuiltin: Clone, Value {
         fn __b_clone(&self) -> Self = Owned: Owned;
     }
-    /// Of a view: what is read is a copy already.
+    /// Companions of a view: a view that is read is already a copy.
     impl[T: Element, const R: usize, const C: usize] OwnedBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_into_owned(self) -> Self = Owned;
         fn __b_clone_owned(&self) -> Self = Owned;
@@ -169,7 +169,7 @@ companions! {
             where Const<C>: DimSub<U1>, DefaultAllocator: Allocator<Const<R>, DimDiff<Const<C>, U1>>
             = [RemoveColumn<T, Narrower<T, R, C>, R, C>];
     }
-    /// The same of vectors.
+    /// Companions of vectors that grow.
     impl[T: Real, const N: usize] PushBuiltin<T, N> for SVector<T, N> {
         fn __b_push(&self, _element: T) -> Larger<T, N, 1>
             where Const<N>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<N>, U1>>
@@ -257,8 +257,8 @@ swizzles! {
     }
 }
 
-/// What chooses the function of a method whose result is of another size by the type of the result: that size is a projection
-/// of nalgebra's.
+/// Writes companions of methods whose result has another size. The type of the result selects the function, since the
+/// size is a projection of nalgebra's.
 macro_rules! resized {
     ($($(#[$doc:meta])* $marker:ident<$($n:ident),*> $method:ident => $function:ident<$($argument:ident),*>;)*) => {
         /// A matrix as a result of known size.

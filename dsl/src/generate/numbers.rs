@@ -140,7 +140,7 @@ companions! {
         note = "mark the `impl From<{T}>` block of your own type `#[data]`"
     )]
     pub trait FromBuiltin[T]: Sized {
-        /// Which function it is.
+        /// Marker of the function.
         type Marker: Callee;
         fn __b_from(_value: T) -> Self = [Self::Marker];
     }
@@ -155,7 +155,7 @@ companions! {
         note = "write `{Self}::from(x)` where every value fits; a value of that type needs no conversion"
     )]
     pub trait TryFromBuiltin[T]: Sized {
-        /// Which function it is.
+        /// Marker of the function.
         type Marker: Callee;
         /// Why there is no value.
         type Error: Value;
@@ -206,7 +206,7 @@ integers! {
     usize: usize pow_usize wrapping_pow_usize, add_usize sub_usize mul_usize div_usize rem_usize neg_usize shl_usize shr_usize pow_usize;
 }
 
-/// Those of each signed integer.
+/// Writes companions for each signed integer.
 macro_rules! signed {
     ($($int:ident $neg:ident $abs:ident;)*) => {$(
         impl SignedBuiltins for $int {
@@ -225,7 +225,7 @@ signed! {
     isize neg_isize abs_isize;
 }
 
-/// Those of each unsigned integer.
+/// Writes companions for each unsigned integer.
 macro_rules! unsigned {
     ($($int:ident $signed:ident $add:ident $saturating_add:ident $wrapping_add:ident;)*) => {$(
         impl UnsignedBuiltins for $int {
@@ -279,7 +279,7 @@ bytes! {
     8: i64 u64 isize usize f64;
 }
 
-/// What is made of what by `from`, and by which function.
+/// Writes the conversions by `from`, with their functions.
 macro_rules! converts {
     ($([$($g:tt)*] $from:ty => $to:ty: $marker:ty;)*) => {$(
         impl<$($g)*> FromBuiltin<$from> for $to {
@@ -335,7 +335,7 @@ dsl_types! {
     [] [] TryFromIntError as Self => |_| Ty::Unit;
 }
 
-/// What `u8` and `char` know of letters and digits.
+/// Writes companions of `u8` and `char` for letters and digits.
 macro_rules! letters {
     ($($kind:ident $companion:ident: $of_byte:ident $of_char:ident -> $result:ty;)*) => {
         companions! {

@@ -39,14 +39,14 @@ macro_rules! signs {
 
         $(impl OfOneType for sign::$of_one_type {})*
 
-        /// Whether an interface is one of them.
+        /// Returns true if an interface is one of them.
         pub(super) fn is_sign(interface: &str) -> bool {
             [$(stringify!($of_one_type),)* $(stringify!($other)),*].contains(&interface)
         }
     };
 }
 
-/// Whether an interface is an operator or a conversion, of an operand.
+/// Returns true if an interface is an operator or a conversion, of an operand.
 pub(super) fn has_operand(interface: &str) -> bool {
     let other = ["FromIterator", "Extend", tree::ITERATOR];
     is_sign(interface) && !other.contains(&interface)
@@ -73,10 +73,10 @@ impl<O, A: Implements<O, B>, B> builder::Callee for Operation<O, A, B> {
     }
 }
 
-/// What is known to have the operator `O`, for an operand of type `B`: types of authors, and for those whose type rustc
-/// decides later, numbers and matrices.
+/// Types with the operator `O` for an operand of type `B`: types of authors; and, if rustc infers a type later, numbers
+/// and matrices.
 pub trait Operates<O, B> {
-    /// Which function it is.
+    /// Marker of the function.
     type Marker: PerhapsOwn;
 }
 
@@ -133,7 +133,7 @@ pub fn __operands<O, A, B>(_: &Slot<A>, _: &Slot<B>) -> Operands<O, A, B> {
     Operands(PhantomData)
 }
 
-/// The same of operands that have a name, the left one, the right one or both.
+/// Returns the operands if the left one, the right one or both have a name.
 pub fn __named_left<O, A, B>(_: &A, _: &Slot<B>) -> Operands<O, A, B> {
     Operands(PhantomData)
 }
@@ -150,7 +150,7 @@ pub fn __named<O, A, B>(_: &A, _: &B) -> Operands<O, A, B> {
 
 /// Every type. Of its [`Type`](Itself::Type) rustc expects nothing before it knows the type itself.
 pub trait Itself {
-    /// The same.
+    /// The type itself.
     type Type;
 }
 
@@ -194,8 +194,8 @@ pub fn __operand<T: Itself>(_: &Slot<T>, _: T) -> T::Type {
 /// Tells a slot the type of a place.
 pub fn __placed<T>(_: &Slot<T>, _: &T) {}
 
-/// Passes the value of an operator through, its type into the second slot, and which function it is into the first: one call in place of
-/// two, since rustc's time goes with the calls.
+/// Passes the value of an operator through, its type into the second slot, and its function into the first. One call
+/// replaces two, since rustc's time is proportional to the calls.
 pub fn __computed<M, R>(_: &Slot<M>, _: &Slot<R>, value: R, _: Slot<M>) -> R {
     value
 }
@@ -212,7 +212,7 @@ pub fn __operated<M, R>(_: &Slot<M>, value: R, _: Slot<M>) -> R {
 
 inventory::collect!(OwnOperator);
 
-/// What the operators of a function call.
+/// Returns the functions that the operators of a function call.
 pub(super) fn called(
     cx: &mut Builder,
     operators: &[tree::Operator],
@@ -278,7 +278,7 @@ fn own(name: &str, operands: &[Option<&Ty>]) -> Option<&'static OwnOperator> {
     if !operands.iter().flatten().any(|operand| matches!(operand, Ty::Named(_))) {
         return None;
     }
-    // Only to name types: nothing that it is told becomes part of the package.
+    // Only to name types: nothing that it is reported becomes part of the package.
     let scratch = &mut Builder::default();
     let mut list = inventory::iter::<OwnOperator>.into_iter().filter(|own| {
         own.name == name

@@ -1,5 +1,4 @@
-//! What Rust does with a type by itself, and its author may have written otherwise: copies, the order of values, their end,
-//! what they lend.
+//! Implicit behaviour of Rust's types that an author may have replaced: copies, the order of values, drops, borrows.
 //!
 //! The C copies and compares part by part, and does nothing where a value ends.
 
@@ -9,7 +8,7 @@ use core::marker::PhantomData;
 use core::mem::needs_drop;
 use core::ops::Deref;
 
-/// What of this an author wrote for a type, as far as it is not derived where the DSL sees it.
+/// Such implementations by an author for a type, if they are not derived where the DSL sees it.
 pub struct Own {
     /// `Clone`.
     pub clone: bool,
@@ -22,7 +21,7 @@ pub struct Own {
 }
 
 impl Own {
-    /// What there is to tell of a type, with what to do about it.
+    /// Returns the diagnostics for a type, with remedies.
     pub(super) fn told(&self, name: &str) -> impl Iterator<Item = (String, &'static str)> + use<> {
         let derived = |of: &str| format!("`{name}` has no `#[derive({of})]` below `#[data]`");
         let told = [
@@ -62,35 +61,35 @@ impl<T> Asked<T> {
         Asked(PhantomData)
     }
 
-    /// Whether something is done where a value of it ends.
+    /// Returns true if something is done where a value of it ends.
     pub fn drops(&self) -> bool {
         needs_drop::<T>()
     }
 }
 
 impl<T: Clone> Asked<T> {
-    /// Whether it has `Clone`.
+    /// Returns true if it has `Clone`.
     pub fn clones(&self) -> bool {
         true
     }
 }
 
 impl<T: Copy> Asked<T> {
-    /// Whether it has `Copy`.
+    /// Returns true if it has `Copy`.
     pub fn copies(&self) -> bool {
         true
     }
 }
 
 impl<T: Ord> Asked<T> {
-    /// Whether it has `Ord`.
+    /// Returns true if it has `Ord`.
     pub fn orders(&self) -> bool {
         true
     }
 }
 
 impl<T: Deref> Asked<T> {
-    /// Whether it has `Deref`.
+    /// Returns true if it has `Deref`.
     pub fn lends(&self) -> bool {
         true
     }

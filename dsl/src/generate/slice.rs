@@ -54,7 +54,7 @@ companions! {
         fn __b_split_first_chunk[const N: usize](&self) -> Option<(&[T; N], &[T])> = [SplitFirstChunk<N>];
         fn __b_split_last_chunk[const N: usize](&self) -> Option<(&[T], &[T; N])> = [SplitLastChunk<N>];
     }
-    /// What slices are cut into.
+    /// Companions of iterators over parts of slices.
     impl[T: Seen] SliceCuts<T> for [T] {
         fn __b_split['a, F: FnMut(&T) -> bool](&'a self, _: F) -> Items<&'a [T]> = [cut::__function_split<T::Slot>];
         fn __b_split_inclusive['a, F: FnMut(&T) -> bool](&'a self, _: F) -> Items<&'a [T]>
@@ -66,7 +66,7 @@ companions! {
     impl[T: Value + Copy + Ord] SliceSearch<T> for [T] {
         fn __b_binary_search(&self, _wanted: &T) -> Result<usize, usize> = [search::__function_binary_search<T>];
     }
-    /// The same by a key.
+    /// Companions of searches by a key.
     impl[T: Value + Copy] SliceSearches<T> for [T] {
         fn __b_binary_search_by_key[B: Value + Copy + Ord, F: Fn(&T) -> B](&self, _wanted: &B, _key: F) -> Result<usize, usize>
             = [search::__function_binary_search_by_key<T, B>];

@@ -21,7 +21,7 @@ pub type Slot<T> = [T; 0];
 /// Is of the types `T`, and holds none of them.
 pub(super) type Of<T> = PhantomData<fn() -> T>;
 
-/// What a companion returns: the type of the result, and the marker of the function.
+/// Result of a companion: the type of the result, and the marker of the function.
 pub struct Called<M, R>(Of<(M, R)>);
 
 /// A type of the DSL.
@@ -46,12 +46,12 @@ pub trait Seen {
     type Slot;
 }
 
-/// What stands for a parameter of something generic: a value of the DSL.
+/// Type argument of a generic item: a value of the DSL.
 pub trait Value: DslType + Seen<Slot = Self> + Plain + Sized + 'static {}
 
 impl<T: DslType + Seen<Slot = T> + Plain + 'static> Value for T {}
 
-/// An instance with a name of its own, asked for its entry points.
+/// An instance with a name of its own, queried for its entry points.
 pub struct Instance<T>(Of<T>);
 
 impl<T> Instance<T> {
@@ -92,7 +92,7 @@ pub struct Shared<T: ?Sized>(PhantomData<T>);
 /// Stands for `&mut T` in a slot.
 pub struct Exclusive<T: ?Sized>(PhantomData<T>);
 
-/// What passes values through a slot in the form of a method, so that the expression stays a method call.
+/// Passes values through a slot as a method, so that the expression remains a method call.
 pub trait Through {
     /// The type in the slot.
     type Of;
@@ -108,7 +108,7 @@ pub trait Through {
     }
 }
 
-/// Where a witness copy ends, were it run.
+/// End of a witness copy, never executed.
 pub fn __unreached() -> ! {
     unreachable!("a witness copy is never run")
 }
@@ -154,7 +154,7 @@ pub fn __take<M, R>(_: &Slot<M>, _: Called<M, R>) -> R {
 /// A slot that tells an `R`. Builders ask their slots by reference: rustc compiles a table of addresses faster than a call for
 /// each.
 pub trait Tells<R> {
-    /// What rustc put here.
+    /// Returns the type that rustc inferred.
     fn told(&self, cx: &mut Builder) -> R;
 }
 
@@ -185,7 +185,7 @@ impl Witness {
     }
 }
 
-/// What rustc evaluates: plain data, or a reference to an array or a slice of such, of which the tree has the array.
+/// Types that rustc evaluates: plain data, or a reference to an array or a slice of such, whose array is in the tree.
 #[diagnostic::on_unimplemented(
     message = "a constant of the type `{Self}` is not part of the DSL",
     label = "not a constant of the DSL",
@@ -272,7 +272,7 @@ pub(super) use never_held;
 
 /// A scalar of the DSL.
 pub trait ScalarType {
-    /// Which one.
+    /// The scalar.
     const SCALAR: Scalar;
 }
 

@@ -89,7 +89,7 @@ companions! {
     impl[T: Real] NewPlaneRotation<T> for Rotation2<T> {
         fn __b_new(_turn: T) -> Self = PlatformAngles;
     }
-    /// The same in space.
+    /// Companions of rotations in space.
     impl[T: Real] NewSpaceRotation<T> for Rotation3<T> {
         fn __b_new(_turn: Vector3<T>) -> Self = PlatformAngles;
     }
@@ -123,7 +123,7 @@ companions! {
     pub trait NewInPlane[T]: Sized {
         fn __b_new(_x: T, _y: T) -> Self = New;
     }
-    /// The same in space.
+    /// Companions of constructors in space.
     pub trait NewInSpace[T]: Sized {
         fn __b_new(_x: T, _y: T, _z: T) -> Self = New;
     }
@@ -149,7 +149,7 @@ impl<T: Real> NewInSpace<T> for OPoint<T, Const<3>> {}
 impl<T: Real> NewInPlane<T> for Translation<T, 2> {}
 impl<T: Real> NewInSpace<T> for Translation<T, 3> {}
 
-/// What a `Unit` is made of.
+/// Types that a `Unit` wraps.
 pub trait Unitary: Sized {
     type Wrap: Callee;
     type Normalized: Callee;
@@ -180,7 +180,7 @@ converts! {
     [T: Real] UnitQuaternion<T> => Rotation3<T>: unit_quaternion::__function_to_rotation_matrix<T>;
 }
 
-/// What an operator means, as far as the types of its operands say.
+/// Returns the function of an operator, as far as the types of its operands determine it.
 pub(super) fn operator(
     cx: &mut Builder,
     operator: &tree::Operator,
@@ -200,7 +200,7 @@ pub(super) fn operator(
     }
 }
 
-/// What a type is to an operator.
+/// Kind of an operand.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     None,

@@ -35,7 +35,7 @@ pub struct Given {
     pub site: Site,
 }
 
-/// The least and the greatest number that the author means a field or a parameter to have. It is told to whoever sets it;
+/// The least and the greatest number that the author means a field or a parameter to have. It is reported to whoever sets it;
 /// nothing that is computed depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Range {
@@ -76,7 +76,7 @@ pub struct Attributes {
     /// An entry point that reaches no operation in double and none of 64 bits.
     #[serde(default)]
     pub single: bool,
-    /// The header of a function that the firmware brings; what stands in the Rust stands in for it.
+    /// The header of a function that the firmware brings; what is in the Rust is in for it.
     pub external: Option<String>,
     /// The attributes of its parameters, each by its name in the Rust.
     #[serde(default)]

@@ -28,7 +28,7 @@ builtins! {
         Number(NumberMethod),
         /// The bytes of a number as an array, or the number that they make.
         Bytes(ByteOrder),
-        /// `real(0.5)`: a number in double precision as a float of the type that is asked for.
+        /// `real(0.5)`: a number in double precision as a float of the type that is requested.
         Real,
         /// `x.as_f64()`.
         AsF64,
@@ -52,7 +52,7 @@ builtins! {
         Slice(SliceMethod),
         /// A method of `Option` or `Result` without a closure.
         Option(OptionMethod),
-        /// A method that stands for a `match` or a loop in the author's own language.
+        /// A method that represents a `match` or a loop in the author's own language.
         Desugared(Desugared),
     }
 
@@ -145,7 +145,7 @@ builtins! {
         GetOrInsertWith,
     }
 
-    /// Methods that stand for a `match` or a loop in the author's own language.
+    /// Methods that represent a `match` or a loop in the author's own language.
     Desugared {
         ArrayMap, AsRef,
         /// `core::array::from_fn`.

@@ -31,7 +31,7 @@ pub struct Alias {
 /// A `const` or `static` with an attribute of the DSL's.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
-    /// The Rust module that it stands in.
+    /// The Rust module that it is in.
     pub module: String,
     /// The author's name.
     pub name: String,
@@ -54,7 +54,7 @@ pub struct Table {
 pub struct Definition {
     /// Its Rust path, `models::attitude::Pid`, with its arguments: unique.
     pub path: String,
-    /// The module that it stands in, `models::attitude`.
+    /// The module that it is in, `models::attitude`.
     pub module: String,
     /// The author's name.
     pub name: String,

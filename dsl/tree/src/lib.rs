@@ -99,7 +99,7 @@ pub enum Argument {
 pub struct Function {
     /// Its Rust path, `models::attitude::Pid::torque`, with its arguments: unique.
     pub path: String,
-    /// The module that it stands in, `models::attitude`.
+    /// The module that it is in, `models::attitude`.
     pub module: String,
     /// The source file, as rustc names it.
     pub file: String,
@@ -195,7 +195,7 @@ pub enum Role {
     },
     /// Stands where it is called: nothing in the C.
     Expanded,
-    /// A call of it stands for its body, which has no types of its own: nothing in the C.
+    /// A call of it represents its body, which has no types of its own: nothing in the C.
     Rewritten,
 }
 
@@ -426,7 +426,7 @@ pub struct Closure {
     pub body: Box<Expr>,
 }
 
-/// The slot of a name that no author wrote: its type is that of what it stands for.
+/// The slot of a name that no author wrote: its type is that of what it represents.
 pub const NO_SLOT: u32 = u32::MAX;
 
 /// The variant that `?` goes on with, in a pattern: `Some`, or `Ok`.
@@ -436,7 +436,7 @@ pub const GOES_ON: &str = "?";
 /// passes each item.
 pub const EACH: &str = "__each";
 
-/// The method of a type that gives an iterator of what it holds, `set.iter()`: the macro leaves it to whom it stands before.
+/// The method of a type that gives an iterator of what it holds, `set.iter()`: the macro leaves it to whom it precedes.
 pub const ITER: &str = "iter";
 
 /// The trait by which a type of the author's is an iterator.

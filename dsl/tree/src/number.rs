@@ -88,7 +88,7 @@ impl Int {
         }
     }
 
-    /// The value that a word stands for.
+    /// The value that a word represents.
     pub const fn from_word(self, word: u64) -> i128 {
         if self.signed() { word as i64 as i128 } else { word as i128 }
     }

@@ -130,7 +130,7 @@ impl Intrinsic {
     }
 }
 
-/// Routines of linear algebra: each in the operation order of the nalgebra routine it stands for.
+/// Routines of linear algebra: each in the operation order of the nalgebra routine it represents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Routine {
     /// `a + b`, each element.

@@ -37,7 +37,7 @@ pub struct Package {
 /// A generic component.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Template {
-    /// The module that it stands in.
+    /// The module that it is in.
     pub module: String,
     /// The author's name.
     pub name: String,

@@ -291,7 +291,7 @@ pub trait Walk {
         names
     }
 
-    /// The names of the locals that stand there, wherever they are declared.
+    /// The names of the locals that are there, wherever they are declared.
     fn locals(&self) -> BTreeSet<String> {
         let mut names = BTreeSet::new();
         self.each_expr(|expr| {

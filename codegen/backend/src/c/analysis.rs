@@ -1,4 +1,4 @@
-//! Facts of a module that several parts of the back end ask for: who can fault, which locals are
+//! Facts of a module that several parts of the back end request: who can fault, which locals are
 //! written, which are read.
 //!
 //! Invariant: a fact about a function depends on that function and its callees only.
@@ -11,19 +11,19 @@ use bessemer_ir::{
     StmtKind, Struct, StructId, Type,
 };
 
-/// Who can fault.
+/// Set of functions that can fault.
 #[derive(Clone, Debug, Default)]
 pub struct Faults {
     functions: Vec<bool>,
     latched: Vec<bool>,
     /// Checks in each function, its callees' included once per call.
     pub checks: Vec<u32>,
-    /// Whether a hook of the user's is called at a fault, and nothing returns a status.
+    /// True if a hook of the user's is called at a fault, and nothing returns a status.
     hook: bool,
 }
 
 impl Faults {
-    /// Looks at every function; callees stand before callers.
+    /// Looks at every function; callees precede callers.
     pub fn new(module: &Module, hook: bool) -> Faults {
         let mut faults = Faults {
             hook,
@@ -56,17 +56,17 @@ impl Faults {
         faults
     }
 
-    /// Whether the function returns a status.
+    /// Returns true if the function returns a status.
     pub fn fallible(&self, function: FunctionId) -> bool {
         !self.hook && self.functions[function.index()]
     }
 
-    /// Whether the component's state holds the fault that stopped it.
+    /// Returns true if the component's state holds the fault that stopped it.
     pub fn latched(&self, component: StructId) -> bool {
         self.latched[component.index()]
     }
 
-    /// Whether any function can fault.
+    /// Returns true if any function can fault.
     pub fn any(&self) -> bool {
         self.functions.iter().any(|fallible| *fallible)
     }
@@ -82,7 +82,7 @@ fn entry_owner(module: &Module, function: &Function) -> Option<StructId> {
     }
 }
 
-/// What a function does with its locals.
+/// Use of a function's locals.
 #[derive(Clone, Debug, Default)]
 pub struct Usage {
     /// Written after their declaration, or lent out as `RefMut`.
@@ -160,7 +160,7 @@ pub fn reachable(
 
 /// Marks what marked functions call, as far as `through` goes on from them.
 fn follow(module: &Module, marked: &mut [bool], through: impl Fn(FunctionId) -> bool) {
-    // Callees stand before callers.
+    // Callees precede callers.
     for index in (0..marked.len()).rev() {
         if marked[index] && through(FunctionId(index as u32)) {
             module.functions[index].body.each_expr(|expr| {
@@ -214,6 +214,6 @@ pub fn inline_callees(
             }
         });
     }
-    // Callees stand before callers in the module.
+    // Callees precede callers in the module.
     found
 }

@@ -63,7 +63,7 @@ impl Macro {
     }
 }
 
-/// The macros that a function's author asks for, each as it stands before the function.
+/// The macros that a function's author requests, each as it precedes the function.
 pub fn of(attributes: &Attributes, options: &Options) -> Vec<(Macro, String)> {
     let mut asked: Vec<_> =
         attributes.section.iter().map(|name| (Macro::Section, section(name, options))).collect();
@@ -79,12 +79,12 @@ pub fn of(attributes: &Attributes, options: &Options) -> Vec<(Macro, String)> {
     asked
 }
 
-/// The section of a function or a constant, as it stands before it.
+/// The section of a function or a constant, as it precedes it.
 pub fn section(section: &str, options: &Options) -> String {
     format!("{}(\"{section}\")", Macro::Section.name(options))
 }
 
-/// The name of memcpy by which the compiler knows it, whatever it is told of the library.
+/// The name of memcpy by which the compiler knows it, whatever it is reported the library.
 fn copy(name: &str, docs: &str) -> String {
     format!(
         "/* {docs} */\n#ifndef {name}\n#if defined(__GNUC__)\n#define {name} __builtin_memcpy\n#else\n\

@@ -35,7 +35,7 @@ pub(super) fn assemble(
     CFile { name: name.to_owned(), text, map }
 }
 
-/// Whether an item is defined in another file than it is declared in.
+/// Returns true if an item is defined in another file than it is declared in.
 fn links(item: &Item) -> bool {
     matches!(item, Item::Prototype { .. } | Item::Constant { storage: Storage::Extern, .. })
 }

@@ -1,6 +1,6 @@
-//! The names of constants, and which of them stand beside all sources.
+//! The names of constants, and which of them are beside all sources.
 //!
-//! A constant that its author marked, and that is `pub`, stands once, with its module's name before it, as a function has; so where it stands and
+//! A constant that its author marked, and that is `pub`, stands once, with its module's name before it, as a function has; so at its place and
 //! what it is called follow from it alone. So does one of an inline function that other modules may call. Any other is `static` in each file that uses it, under the author's own name; it is
 //! qualified where two in one file differ in value, or where a type, a variant or a function has the name. So what another
 //! file uses changes nothing.
@@ -68,7 +68,7 @@ impl ConstNames {
         ConstNames { files, shared, all }
     }
 
-    /// The name of a constant that stands beside all sources.
+    /// The name of a constant that is beside all sources.
     pub fn shared(&self, id: ConstId) -> Option<&str> {
         self.shared.get(&id).map(String::as_str)
     }
@@ -79,19 +79,19 @@ impl ConstNames {
         self.shared(id).or_else(own).unwrap_or_default()
     }
 
-    /// Whether a constant has another name than this in some file.
+    /// Returns true if a constant has another name than this in some file.
     pub fn renamed(&self, id: ConstId, name: &str) -> bool {
         let files = self.files.values().chain([&self.shared]);
         files.filter_map(|names| names.get(&id)).any(|own| own != name)
     }
 
-    /// Whether any constant has this name.
+    /// Returns true if any constant has this name.
     pub fn contains(&self, name: &str) -> bool {
         self.all.contains(name)
     }
 }
 
-/// The names of those that stand beside all sources.
+/// The names of those that are beside all sources.
 fn beside_all(
     module: &Module,
     ids: &BTreeSet<ConstId>,

@@ -23,17 +23,17 @@ pub struct Uses {
     pub headers: BTreeSet<String>,
     /// Headers of C's library.
     pub system: BTreeSet<&'static str>,
-    /// The macro that asks for a loop to be written out.
+    /// The macro that asks the compiler to unroll a loop.
     pub unroll: bool,
 }
 
-/// What all functions share.
+/// Data shared by the lowering of all functions.
 #[derive(Clone, Copy)]
 pub struct Context<'a> {
     /// The module.
     pub module: &'a Module,
     /// Its names.
     pub names: &'a Names,
-    /// Who can fault.
+    /// Set of functions that can fault.
     pub faults: &'a Faults,
 }

@@ -82,7 +82,7 @@ pub fn function(names: &Names, function: &Function, signature: &Signature) -> Ve
     lines
 }
 
-/// How the author computes a value.
+/// Returns the comment with the author's expression of a value.
 pub fn in_rust(expression: &str) -> String {
     format!("In Rust: `{expression}`.")
 }
@@ -97,7 +97,7 @@ fn ends(range: Range) -> String {
     format!("{} to {}", shown(range.low()), shown(range.high()))
 }
 
-/// How a matrix of several rows and columns lies in its array.
+/// Returns the comment on the element order of a matrix with several rows and columns.
 fn order(layout: Layout, ty: &Type) -> Option<String> {
     match ty {
         Type::Matrix { rows, cols, .. } if *rows > 1 && *cols > 1 => match layout {

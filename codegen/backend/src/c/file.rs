@@ -5,9 +5,9 @@
 pub struct CFile {
     /// `height.h`.
     pub name: String,
-    /// What is in it.
+    /// Text of the file.
     pub text: String,
-    /// Where its lines come from, in order.
+    /// Source positions of its lines, in order.
     pub map: Vec<MapLine>,
 }
 

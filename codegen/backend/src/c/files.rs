@@ -1,8 +1,8 @@
-//! Which file holds what, in which order.
+//! Assignment of items to files, and their order.
 //!
 //! * A component has its own pair of files; a Rust module's data, enums and functions share another.
-//! * Types stand in headers; functions in sources, prototypes of public ones in headers.
-//! * Inside a file everything stands in the order of the Rust source, save that C wants types before
+//! * Types are in headers; functions in sources, prototypes of public ones in headers.
+//! * Inside a file everything is in the order of the Rust source, save that C wants types before
 //!   their uses; static functions are declared at the top instead of being moved.
 
 mod about;
@@ -31,7 +31,7 @@ use super::{
 use crate::kernels;
 use includes::Includes;
 
-/// What one pair of files holds.
+/// Contents of one pair of files.
 #[derive(Default)]
 struct Unit {
     types: Vec<TypeId>,
@@ -157,8 +157,8 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
     units
 }
 
-/// Which functions stand in a file, or are called in a library. What is annotated does, used or not;
-/// of the mathematics, beside a library's, what is called.
+/// Returns true for each function that a file defines or a library provides. Annotated functions are always included;
+/// functions of the mathematics only if they are called.
 pub fn reached(context: Context<'_>) -> Vec<bool> {
     let (module, names) = (context.module, context.names);
     let storage = |id: FunctionId| names.signature(id).storage;
@@ -514,7 +514,7 @@ impl Writer<'_> {
     }
 }
 
-/// Whether it is a function that other files may call.
+/// Returns true if it is a function that other files may call.
 fn declares(item: &Item) -> bool {
     match item {
         Item::Prototype { .. } => true,
@@ -548,7 +548,7 @@ fn by_instruction(fast: &str, name: &str, head: &Head, body: Vec<Stmt>) -> Vec<S
 /// The callables with their places, in an order in which a function comes after those that call it.
 fn callers_first(callables: &[Callable]) -> Vec<(usize, Callable)> {
     let mut list: Vec<(usize, Callable)> = callables.iter().copied().enumerate().collect();
-    // Callees stand before callers in the module.
+    // Callees precede callers in the module.
     list.sort_by_key(|(_, callable)| match callable {
         Callable::Init(_) => None,
         Callable::Function(id) => Some(std::cmp::Reverse(id.index())),

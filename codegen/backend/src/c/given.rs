@@ -10,7 +10,7 @@ use super::names::{Names, OVERLAY};
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
 use super::tree::Storage;
 
-/// What is wrong with a name that an author gave.
+/// Errors of a name chosen by the author.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Taken {
     /// C, C++ or POSIX have it.
@@ -49,7 +49,7 @@ pub fn taken(module: &Module, names: &Names) -> Vec<(Span, Taken)> {
             found.local(&function.attributes.result, &output.name, function.span);
         }
     }
-    // Where an author gave the name, it is that which is told.
+    // Where an author gave the name, it is that which is reported.
     let (made, mut list): (Vec<_>, Vec<_>) =
         found.list.into_iter().partition(|(_, it)| matches!(it, Taken::Made(_)));
     let known = |name: &str| {
@@ -62,7 +62,7 @@ pub fn taken(module: &Module, names: &Names) -> Vec<(Span, Taken)> {
     list
 }
 
-/// How many items want each name that is seen everywhere.
+/// Returns the number of items that request each global name.
 fn wanted(names: &Names) -> BTreeMap<String, u32> {
     let types = names.structs.iter().flat_map(|it| [Some(&it.ty), it.init.as_ref()]).flatten();
     let enums = names.enums.iter().flat_map(|it| it.variants.iter().chain([&it.ty]));
@@ -128,7 +128,7 @@ impl Found {
         }
     }
 
-    /// Whether two things would have this name.
+    /// Returns true if two things would have this name.
     fn is_twice(&self, name: &str) -> bool {
         self.wanted.get(name).is_some_and(|count| *count > 1)
     }
@@ -172,7 +172,7 @@ impl Found {
     }
 }
 
-/// Where a name stands; in a file that is not known to be another than its item's.
+/// Returns the span of a name; that of its item if the name's file is unknown.
 fn at(given: &Given, item: Span) -> Span {
     match given.site.0 {
         0 => item,

@@ -73,15 +73,15 @@ pub enum Helper {
     UnsignedAbs(Int),
     /// The distance of two integers, unsigned.
     AbsDiff(Int),
-    /// How many bits are set; of 32 or 64.
+    /// Number of bits set, of 32 or 64.
     CountOnes(Int),
-    /// How many bits stand above the highest that is set; of 32 or 64.
+    /// Number of zero bits above the highest bit set, of 32 or 64.
     LeadingZeros(Int),
-    /// How many bits stand below the lowest that is set; of 32 or 64.
+    /// Number of zero bits below the lowest bit set, of 32 or 64.
     TrailingZeros(Int),
     /// The bytes turned round.
     SwapBytes(Int),
-    /// A `bool` of the caller's as a number, whatever byte stands for it.
+    /// A `bool` of the caller's as a number, whatever byte represents it.
     Flag,
     /// The sign of a float.
     Signum(Float),
@@ -187,7 +187,7 @@ impl Helper {
         }
     }
 
-    /// Whether it needs `math.h`.
+    /// Returns true if it needs `math.h`.
     pub fn needs_math(self) -> bool {
         match self {
             Helper::Min(ty) | Helper::Max(ty) => matches!(ty, Scalar::Float(_)),
@@ -198,7 +198,7 @@ impl Helper {
         }
     }
 
-    /// Whether it needs `string.h`.
+    /// Returns true if it needs `string.h`.
     pub fn needs_string(self) -> bool {
         matches!(self, Helper::Bits(_) | Helper::RawBits(_) | Helper::FromBits(_) | Helper::Flag)
     }
@@ -247,7 +247,7 @@ impl Helper {
     }
 }
 
-/// Whether a helper function has this name. No other function or variable may have it, in any file.
+/// Returns true if a helper function has this name. No other function or variable may have it, in any file.
 pub fn is_helper_name(name: &str) -> bool {
     static NAMES: LazyLock<BTreeSet<String>> = LazyLock::new(|| all().map(Helper::name).collect());
     NAMES.contains(name)

@@ -25,9 +25,9 @@ pub struct Interface {
 /// Bytes, as compilers lay types out: all of them alike, but for enums.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bytes {
-    /// Where an enum is an `int`, as on Linux.
+    /// Layout in which an enum is an `int`, as on Linux.
     pub int_enums: u64,
-    /// Where an enum is the smallest integer that holds its values, as on ARM without an operating system.
+    /// Layout in which an enum is the smallest integer that holds its values, as on bare ARM.
     pub short_enums: u64,
 }
 
@@ -42,9 +42,9 @@ pub struct Struct {
     pub docs: Vec<String>,
     /// The header that declares it.
     pub header: String,
-    /// Whether it is the state of a component.
+    /// True if it is the state of a component.
     pub component: bool,
-    /// Whether each of its fields holds a value at any time: not so of an enum with payload, an `Option`, a list.
+    /// True if each of its fields holds a value at any time: not so of an enum with payload, an `Option`, a list.
     pub whole: bool,
     /// The function that sets it to its initial state or its default, if it has one.
     pub set_by: Option<String>,
@@ -59,13 +59,13 @@ pub struct Struct {
 /// A field of a struct.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
-    /// What follows the dot behind the struct: `gain`, `as.speed`.
+    /// Text after the dot behind the struct: `gain`, `as.speed`.
     pub name: String,
     /// The author's comment, a line each.
     pub docs: Vec<String>,
-    /// Where it begins.
+    /// Offset of its first byte.
     pub offset: Bytes,
-    /// What it holds.
+    /// Type of the field.
     pub value: Value,
 }
 
@@ -74,7 +74,7 @@ pub struct Field {
 pub struct Value {
     /// The type of each element: a scalar of C's, or the name of a struct or an enum.
     pub ty: String,
-    /// How many elements there are, from the outside in; none behind a slice's pointer, whose length is the next parameter.
+    /// Lengths from the outside in. A slice's pointer has none, since its length is the next parameter.
     pub dimensions: Vec<Option<u32>>,
     /// Rows and columns, of a matrix.
     pub matrix: Option<(u32, u32)>,
@@ -112,9 +112,9 @@ pub struct Entry {
     pub header: String,
     /// The parameters, the state first, a result by pointer last.
     pub parameters: Vec<Parameter>,
-    /// What it returns by value.
+    /// Type that it returns by value.
     pub result: Option<Value>,
-    /// Whether what it returns is the status.
+    /// True if what it returns is the status.
     pub status: bool,
 }
 
@@ -123,9 +123,9 @@ pub struct Entry {
 pub struct Parameter {
     /// Its name.
     pub name: String,
-    /// How it is passed.
+    /// Passing mode.
     pub passing: Passing,
-    /// What it is.
+    /// Type of the parameter.
     pub value: Value,
 }
 
@@ -174,12 +174,12 @@ pub fn interface(context: Context<'_>) -> Interface {
 struct Writer<'a> {
     context: Context<'a>,
     face: Interface,
-    /// What stands there already.
+    /// Types described so far.
     seen: Vec<Type>,
 }
 
 impl Writer<'_> {
-    /// A value, after its type stands in the face.
+    /// A value, after its type is in the face.
     fn value(&mut self, ty: &Type, given: &Given) -> Value {
         let (mut inner, mut dimensions, mut matrix) = (ty.clone(), Vec::new(), None);
         let element = loop {
@@ -372,9 +372,9 @@ impl Writer<'_> {
 pub struct Leaf<'f> {
     /// The way: `height.p`, `axes[2].gain`.
     pub path: String,
-    /// Where it begins, from the beginning of the struct.
+    /// Offset from the beginning of the struct.
     pub offset: Bytes,
-    /// What it is: of a scalar of C's or an enum, with the dimensions that are left.
+    /// Type: a C scalar or an enum, with the remaining dimensions.
     pub value: &'f Value,
     /// The author's comment.
     pub docs: &'f [String],
@@ -396,7 +396,7 @@ impl Interface {
         self.leaves_of(of, &|_| true)
     }
 
-    /// The same, with nothing of the structs that are not `wanted`.
+    /// Returns the leaves of the structs that are `wanted`.
     pub fn leaves_of<'f>(
         &'f self,
         of: &'f Struct,

@@ -3,12 +3,12 @@
 use super::options::Options;
 use super::spelling::identifier;
 
-/// Of the inline functions.
+/// Returns the name of the header of inline functions.
 pub fn inline(options: &Options) -> String {
     named(options, "inline")
 }
 
-/// Of the constants.
+/// Returns the name of the header of constants.
 pub fn constants(options: &Options) -> String {
     named(options, "constants")
 }

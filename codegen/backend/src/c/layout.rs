@@ -4,7 +4,7 @@ use bessemer_ir::{EnumId, Form, Scalar, StructId, Type};
 
 use super::context::Context;
 
-/// How large an enum is.
+/// Size of enums.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Enums {
     /// As an `int`.
@@ -53,7 +53,7 @@ fn size_and_align(context: Context<'_>, ty: &Type, enums: Enums) -> (u64, u64) {
     }
 }
 
-/// Where the fields of a struct begin; its size and its alignment.
+/// Returns the offsets of a struct's fields, its size and its alignment.
 fn laid_out(context: Context<'_>, id: StructId, enums: Enums) -> (Vec<u64>, (u64, u64)) {
     let item = &context.module.structs[id.index()];
     let fields = item.fields.iter().map(|field| size_and_align(context, &field.ty, enums));

@@ -26,7 +26,7 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Appends text that must not be parted from what stands before.
+    /// Appends text that must not be parted from what precedes.
     pub fn glue(&mut self, text: &str) {
         self.open.push_str(text);
     }
@@ -142,8 +142,8 @@ impl Pieces {
     }
 }
 
-/// Whether a reader wants parentheses that C does not need: bit operations and shifts among other
-/// operators, `&&` under `||`, comparisons under comparisons.
+/// Returns true if a reader wants parentheses that C does not need: bit operations and shifts among other operators,
+/// `&&` under `||`, comparisons under comparisons.
 fn wants_parens(op: &str, child: &Expr) -> bool {
     let Expr::Binary(inner, ..) = child else {
         return matches!(child, Expr::Conditional(..));
@@ -183,8 +183,7 @@ pub fn fill(pieces: &[Piece], indent: usize, further: usize) -> Vec<String> {
     }
 }
 
-/// How many pieces go on a line of `room` columns: all, or up to the last of the outermost breaks
-/// that fit.
+/// Returns the number of pieces on a line of `room` columns: all, or those up to the last fitting outermost break.
 fn line_length(pieces: &[Piece], room: usize) -> usize {
     let mut column = 0;
     let mut best: Option<(u32, usize)> = None;

@@ -11,7 +11,7 @@ pub enum Math {
     /// The DSL's, emitted with the models: the same bits as the Rust on every target.
     #[default]
     Portable,
-    /// Those of the target's `math.h`: the bits are the library's, and need not be the Rust's.
+    /// Functions of the target's `math.h`: the bits are the library's and can differ from the Rust's.
     Target,
 }
 
@@ -32,8 +32,8 @@ fn is_of_f32(module: &str) -> bool {
     module == "bessemer::math::single" || module.starts_with("bessemer::math::narrow::")
 }
 
-/// The macro of C99's `math.h` that says that the processor computes a function in an instruction, and that
-/// function, where one rounding, or none, leaves it no choice of bits.
+/// Returns a macro of C99's `math.h` and its function. The macro says that the processor computes the function in an
+/// instruction; with at most one rounding its bits are determined.
 pub fn instruction(function: &Function) -> Option<(&'static str, &'static str)> {
     if function.owner.is_some() || !is_mathematics(&function.module) {
         return None;
@@ -45,7 +45,7 @@ pub fn instruction(function: &Function) -> Option<(&'static str, &'static str)> 
     }
 }
 
-/// Whether a Rust module is one of the mathematics.
+/// Returns true if a Rust module is one of the mathematics.
 pub fn is_mathematics(module: &str) -> bool {
     module == "bessemer::math" || module.starts_with("bessemer::math::")
 }

@@ -45,7 +45,7 @@ pub fn number(float: Float, bits: u64) -> Expr {
     if negative { Expr::unary("-", value) } else { value }
 }
 
-/// Whether [`number`] needs `math.h` for these bits.
+/// Returns true if [`number`] needs `math.h` for these bits.
 pub fn needs_math(ty: &Type, word: u64) -> bool {
     match ty.as_float() {
         Some(Float::F64) => !f64::from_bits(word).is_finite(),
@@ -54,7 +54,7 @@ pub fn needs_math(ty: &Type, word: u64) -> bool {
     }
 }
 
-/// What C calls a constant of Rust's floats, such as `f64::NAN` or `f64::MAX`, and the header that says so.
+/// Returns C's name of a constant of Rust's floats, such as `f64::NAN` or `f64::MAX`, and its header.
 ///
 /// An author's own of that name and value means the same.
 pub fn word_of_c(item: &Const) -> Option<(Expr, &'static str)> {
@@ -88,7 +88,7 @@ pub fn word_of_c(item: &Const) -> Option<(Expr, &'static str)> {
     (bits == word).then_some((expr, "float.h"))
 }
 
-/// Whether a number is read by its bits, and not by its size.
+/// Returns true if a number is read by its bits, and not by its size.
 pub fn is_by_bits(ty: &Type, word: u64) -> bool {
     ty.as_int().is_some_and(|int| {
         let value = int.from_word(word);
@@ -136,7 +136,7 @@ pub fn integer(int: Int, value: i128) -> Expr {
     if value < 0 { Expr::unary("-", magnitude) } else { magnitude }
 }
 
-/// Whether a number is read by its bits: one that nobody counts to, and that is not round in decimal.
+/// Returns true if a number is read by its bits: one that nobody counts to, and that is not round in decimal.
 fn is_pattern(int: Int, value: u128) -> bool {
     !int.signed() && value >= 1 << 20 && !value.is_multiple_of(100)
 }

@@ -1,4 +1,4 @@
-//! How matrices lie in memory: by columns, by rows, or as C's own arrays of rows.
+//! Layout of matrices in memory: by columns, by rows, or as C's own arrays of rows.
 //!
 //! Of a matrix with one row or one column there is one way, an array of its elements. Only this module knows
 //! where an element stands; what reads memory in a row goes through it, or takes a copy by columns.
@@ -9,7 +9,7 @@ use bessemer_ir::{Scalar, Type};
 
 use super::tree::{Expr, Init, Lines};
 
-/// How matrices of several rows and columns lie in memory.
+/// Layout of matrices with several rows and columns in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Layout {
     /// `double m[6]`, by columns, as nalgebra stores them: `m[row + 2 * column]`.
@@ -46,7 +46,7 @@ fn flat(near: Expr, count: u32, far: Expr) -> Expr {
 /// So many elements, and the name of the number, if it has one.
 #[derive(Clone, Copy)]
 pub struct Size<'n> {
-    /// How many.
+    /// Number of elements.
     pub number: u32,
     /// The name.
     pub name: Option<&'n str>,
@@ -88,7 +88,7 @@ impl Layout {
         self.element(matrix, shape, index % shape.0, index / shape.0)
     }
 
-    /// What stands behind the name of a matrix for the element that is so many from the first, by columns.
+    /// Returns the subscript of the element with an index counted by columns.
     pub fn subscript(self, shape @ (rows, cols): (u32, u32), index: u32) -> String {
         let (row, column) = (index % rows, index / rows);
         match self {
@@ -98,17 +98,17 @@ impl Layout {
         }
     }
 
-    /// Whether the columns of a matrix of this shape lie one behind the other.
+    /// Returns true if the columns of a matrix of this shape lie one behind the other.
     pub fn has_columns(self, shape: (u32, u32)) -> bool {
         self == Layout::Columns || is_vector(shape)
     }
 
-    /// Whether one index reaches each element.
+    /// Returns true if one index reaches each element.
     pub fn is_flat(self, shape: (u32, u32)) -> bool {
         self != Layout::Array || is_vector(shape)
     }
 
-    /// What stands between the brackets of a declaration.
+    /// Returns the text between the brackets of a declaration.
     pub fn dimensions(self, (rows, cols): (Size<'_>, Size<'_>)) -> String {
         let shape = (rows.number, cols.number);
         let is_named = rows.name.is_some() || cols.name.is_some();

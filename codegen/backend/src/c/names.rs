@@ -34,11 +34,11 @@ use super::tree::{Declarator, Head};
 /// The names of a struct.
 #[derive(Clone, Debug)]
 pub struct StructNames {
-    /// What its functions are prefixed with, `pid`.
+    /// Prefix of its functions, `pid`.
     pub base: String,
     /// The type, `pid_t`.
     pub ty: String,
-    /// Whether C calls it so: else it is written inside of the one that has it as a field.
+    /// True if C calls it so: else it is written inside of the one that has it as a field.
     pub named: bool,
     /// The fields, in order.
     pub fields: Vec<String>,
@@ -53,7 +53,7 @@ pub struct StructNames {
 /// The names of an enum.
 #[derive(Clone, Debug)]
 pub struct EnumNames {
-    /// What its functions are prefixed with, `mode`.
+    /// Prefix of its functions, `mode`.
     pub base: String,
     /// The type.
     pub ty: String,
@@ -77,9 +77,9 @@ pub struct Names {
     pub functions: Vec<Signature>,
     /// The status type.
     pub status: StatusNames,
-    /// How matrices lie in memory.
+    /// Layout of matrices in memory.
     pub layout: Layout,
-    /// Where everything stands.
+    /// Placement of items in files.
     pub placing: Placing,
 }
 
@@ -121,7 +121,7 @@ impl Names {
         self.sized(ty, name, &[])
     }
 
-    /// The same of what callers see: a field, a parameter.
+    /// Returns the declarator of a public item: a field, a parameter.
     pub fn sized(&self, ty: &Type, name: &str, sizes: &[Option<ConstId>]) -> Declarator {
         let (ty, dimensions) = self.sized_parts(ty, sizes);
         Declarator { ty, name: name.to_owned(), dimensions }
@@ -144,7 +144,7 @@ impl Names {
         self.sized_parts(ty, &[])
     }
 
-    /// The same, with the sizes that have names.
+    /// Returns the parts of a declarator, with the lengths that have names.
     fn sized_parts(&self, ty: &Type, sizes: &[Option<ConstId>]) -> (String, String) {
         let name = |at: usize| self.shared_constant((*sizes.get(at)?)?);
         match ty {
@@ -341,7 +341,7 @@ impl Names {
     }
 }
 
-/// What stands before the name of a field that shares its memory: `state.as.running`.
+/// Prefix of the name of a field that shares its memory: `state.as.running`.
 pub const OVERLAY: &str = "as.";
 
 /// The name that an author gave, or another.
@@ -355,7 +355,7 @@ pub fn field_name(name: &str) -> String {
     if is_keyword(&name) { format!("{name}_") } else { name }
 }
 
-/// The name that a local asks for.
+/// The name that a local requests.
 pub fn local_name(name: &str) -> String {
     let name = identifier(name);
     if is_reserved_for_locals(&name) { format!("{name}_") } else { name }
@@ -375,7 +375,7 @@ fn long_name(names: &Names, module: &Module, function: &Function, options: &Opti
 }
 
 impl Names {
-    /// Whether a name has a meaning of its own in some file: a local would hide it.
+    /// Returns true if a name has a meaning of its own in some file: a local would hide it.
     pub(super) fn is_global(&self, name: &str) -> bool {
         is_helper_name(name) || self.globals.contains(name) || self.consts.contains(name)
     }
@@ -402,7 +402,7 @@ impl Names {
         self.consts.shared(id)
     }
 
-    /// Whether a constant could not have its name in some file that uses it.
+    /// Returns true if a constant could not have its name in some file that uses it.
     pub(super) fn renamed(&self, id: ConstId, name: &str) -> bool {
         self.consts.renamed(id, name)
     }
@@ -417,14 +417,14 @@ impl Names {
         &self.functions[id.index()]
     }
 
-    /// Whether functions of a library stand for some.
+    /// Returns true if functions of a library represent some.
     pub fn has_library(&self) -> bool {
         self.functions.iter().any(|signature| signature.storage == Storage::Library)
     }
 }
 
-/// What the function is called that sets a struct to the value that it begins with, if it has one: `init` of a component,
-/// `defaults` of data that an entry point takes.
+/// Returns the name of the function that sets a struct to its initial value, if any. It is `init` of a component, or
+/// `defaults` of an entry point's argument.
 fn set_by(module: &Module, id: StructId) -> Option<&'static str> {
     let item = &module.structs[id.index()];
     if item.initial.is_some() {

@@ -8,22 +8,22 @@ use crate::kernels::replace::Replacement;
 /// The standard of C that the project is compiled by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Standard {
-    /// That of 1999, which every compiler has.
+    /// Standard of 1999, which every compiler has.
     #[default]
     C99,
-    /// That of 2011.
+    /// Standard of 2011.
     C11,
-    /// That of 2017.
+    /// Standard of 2017.
     C17,
-    /// That of 2024.
+    /// Standard of 2024.
     C23,
-    /// That of 1999 with GNU's extensions around it: the C uses none.
+    /// Standard of 1999 with GNU's extensions enabled: the C uses none.
     Gnu99,
-    /// That of 2011 with them.
+    /// Standard of 2011 with GNU's extensions enabled.
     Gnu11,
-    /// That of 2017 with them.
+    /// Standard of 2017 with GNU's extensions enabled.
     Gnu17,
-    /// That of 2024 with them.
+    /// Standard of 2024 with GNU's extensions enabled.
     Gnu23,
 }
 
@@ -45,7 +45,7 @@ impl Standard {
         self.flags()[0]
     }
 
-    /// The same as a list.
+    /// Returns the flags as a list.
     pub fn flags(self) -> &'static [&'static str] {
         match self {
             Standard::C99 => &["-std=c99"],
@@ -77,7 +77,7 @@ impl Standard {
     }
 }
 
-/// What the user decides about the C.
+/// Options of the C that the user selects.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Stands before the name of every type, function and file, and so of every include guard.
@@ -95,19 +95,19 @@ pub struct Options {
     pub standard: Standard,
     /// The user's own functions in place of kernels.
     pub replacements: Vec<Replacement>,
-    /// How kernels are made.
+    /// Variants of the kernels.
     pub kernels: Tuning,
-    /// How many threads of POSIX share the work of a large kernel, unless `BESSEMER_THREADS` says otherwise; up to 1, none. The text
-    /// of no kernel depends on it.
+    /// Number of POSIX threads that share the work of a large kernel, unless `BESSEMER_THREADS` is set; up to 1, none.
+    /// The text of no kernel depends on it.
     pub threads: u32,
     /// Whose elementary functions are called.
     pub math: Math,
-    /// How matrices lie in memory.
+    /// Layout of matrices in memory.
     pub layout: Layout,
-    /// Whether `bessemer_self_test` comes along, which tells on the target whether its arithmetic is as the C needs it.
+    /// True if `bessemer_self_test` comes along, which tells on the target whether its arithmetic is as the C needs it.
     pub self_test: bool,
-    /// Whether checks that were proved stand in the C all the same, and end the program where one fails: to test the
-    /// compiler with, not for a target.
+    /// True if proved checks stay in the C and end the program when one fails. This tests the compiler and is not for a
+    /// target.
     pub keep_checks: bool,
 }
 

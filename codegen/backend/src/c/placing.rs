@@ -1,9 +1,9 @@
-//! Which file each definition stands in, so that no header needs one that needs it.
+//! Placement of definitions in files, such that the headers' includes are acyclic.
 //!
-//! * A component has files of its own; whatever else names a component stands beside the last that it names, since
+//! * A component has files of its own; whatever else names a component is beside the last that it names, since
 //!   that component's header may need the module's, which must then not need the component's.
 //! * The rest of a Rust module shares another pair.
-//! * The project's prefix stands before each, so that two packages can share a folder of headers.
+//! * The project's prefix precedes each, so that two packages can share a folder of headers.
 //! * Rust's modules may need each other; headers of C may not: files that do are one, which has the first one's name.
 //!
 //! What it must not know: what the C of a definition looks like.
@@ -23,7 +23,7 @@ use super::spelling::{identifier, last_segment, relative, snake, wanted};
 /// The file, without extension, of each definition.
 #[derive(Clone, Debug, Default)]
 pub struct Placing {
-    /// Of each Rust module, before files become one: what the names in C begin with.
+    /// Prefix of the C names of each Rust module, before files are merged.
     modules: BTreeMap<String, String>,
     structs: Vec<String>,
     enums: Vec<String>,
@@ -38,7 +38,7 @@ impl Placing {
         placing.enums = enums;
         let components = module.structs.iter().filter(|item| item.initial.is_some());
         let components = wanted(components.map(|item| snake(&item.name)));
-        // What a struct holds stands before it.
+        // What a struct holds precedes it.
         for id in (0..module.structs.len() as u32).map(StructId) {
             let file = placing.of_struct(module, &components, id);
             placing.structs.push(file);
@@ -55,27 +55,27 @@ impl Placing {
         self.structs.iter_mut().chain(&mut self.enums).chain(&mut self.functions)
     }
 
-    /// What a Rust module's names begin with; its file, unless that became one with another.
+    /// Returns the prefix of a Rust module's names; it is its file, unless that was merged with another.
     pub fn module(&self, path: &str) -> String {
         self.modules.get(path).cloned().unwrap_or_else(|| last_segment(path))
     }
 
-    /// Where a struct stands.
+    /// Returns the file of a struct.
     pub fn struct_file(&self, id: StructId) -> &str {
         &self.structs[id.index()]
     }
 
-    /// Where an enum stands.
+    /// Returns the file of an enum.
     pub fn enum_file(&self, id: EnumId) -> &str {
         &self.enums[id.index()]
     }
 
-    /// Where a function stands.
+    /// Returns the file of a function.
     pub fn function_file(&self, id: FunctionId) -> &str {
         &self.functions[id.index()]
     }
 
-    /// Which functions are `static`: those that are private in Rust and called from their own file alone.
+    /// Returns true for each function that is `static`: private in Rust and called only from its own file.
     ///
     /// One that nothing calls is for others, or it would vanish without a word; a method of a component is not, since a remark
     /// tells of it.
@@ -102,13 +102,13 @@ impl Placing {
         locally.into_iter().zip(called).map(|(locally, called)| locally && called).collect()
     }
 
-    /// Which inline functions stand in the header that the sources share: those that other modules may call, and what these
-    /// call inline. The others are of their own file, whatever else is in the package.
+    /// Returns true for each inline function in the header that the sources share: those that other modules may call,
+    /// and their inline callees. The others are in their own file, whatever else is in the package.
     pub fn moved(&self, module: &Module) -> Vec<bool> {
         let is_inline = |function: &Function| matches!(function.role, Role::Inline { .. });
         let is_public = |function: &Function| function.role == Role::Inline { public: true };
         let mut moved: Vec<bool> = module.functions.iter().map(is_public).collect();
-        // Callees stand before callers.
+        // Callees precede callers.
         for caller in (0..moved.len()).rev() {
             module.functions[caller].body.each_expr(|expr| {
                 let ExprKind::Call(callee, _) = &expr.kind else { return };
@@ -121,7 +121,7 @@ impl Placing {
         moved
     }
 
-    /// Where a struct stands; `components` says how many components ask for a name.
+    /// Returns the file of a struct; `components` has the number of components that request a name.
     fn of_struct(
         &self,
         module: &Module,
@@ -211,7 +211,7 @@ impl Placing {
     }
 }
 
-/// What a header needs, what those need, and so on.
+/// Returns the headers that a header includes, directly or not.
 fn reached<'n>(needs: &'n BTreeMap<String, BTreeSet<String>>, file: &str) -> BTreeSet<&'n str> {
     let mut all: BTreeSet<&str> = BTreeSet::new();
     let mut open: Vec<&str> = needs.get(file).into_iter().flatten().map(String::as_str).collect();

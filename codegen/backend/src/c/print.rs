@@ -327,7 +327,7 @@ impl<'a> Printer<'a> {
         self.put_filled(pieces, 2 * INDENT);
         self.block(then);
         match otherwise {
-            // Who reads a chain is told that nothing was forgotten.
+            // Who reads a chain is reported that nothing was forgotten.
             [] if !before.is_empty() => {
                 self.put("} else {");
                 self.level += 1;
@@ -461,7 +461,7 @@ fn is_value(init: &Init) -> bool {
     matches!(init, Init::Value(_))
 }
 
-/// Whether a list has more lines than one whatever its length.
+/// Returns true if a list has more lines than one whatever its length.
 fn by_lines(init: &Init) -> bool {
     match init {
         Init::Value(_) => false,
@@ -498,7 +498,7 @@ pub fn comment_lines(lines: &[String]) -> Vec<String> {
     lines
 }
 
-/// Whether a line says where a link leads: `` [`name`]: path ``. Rustdoc shows none of it.
+/// Returns true if a line says where a link leads: `` [`name`]: path ``. Rustdoc shows none of it.
 fn defines_link(line: &str) -> bool {
     let named = line.trim_start().strip_prefix('[').and_then(|line| line.split_once("]:"));
     named.is_some_and(|(name, path)| !name.contains(']') && path.split_whitespace().count() == 1)

@@ -14,7 +14,7 @@ use super::units::{self, Measured};
 use super::wide::{Wide, Width};
 use crate::{kernels, passes};
 
-/// What a call costs beside the variables: return address, saved registers, alignment.
+/// Stack use of a call beside the variables: return address, saved registers, alignment.
 const FRAME: u64 = 64;
 
 /// One entry point.
@@ -46,16 +46,16 @@ pub struct EntryReport {
     pub longs: usize,
     /// The author's lines that lead to them.
     pub wide: Vec<Site>,
-    /// What its author gave a unit.
+    /// Items with a unit from their author.
     pub units: Vec<Measured>,
 }
 
-/// A place at which the author asks for an operation that is too wide for a small processor.
+/// A place at which the author requests an operation that is too wide for a small processor.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Site {
-    /// Where.
+    /// Span of the operation.
     pub span: Span,
-    /// What it is too wide for.
+    /// Width that it exceeds.
     pub width: Width,
     /// The function of another package that is called there, and carries it out.
     pub through: Option<FunctionId>,
@@ -123,7 +123,7 @@ struct Widths<'m> {
     module: &'m Module,
     /// Each function's own.
     direct: Vec<Vec<Wide>>,
-    /// What a call of each function leads to.
+    /// Widths that a call of each function reaches.
     reached: Vec<BTreeSet<Width>>,
 }
 
@@ -144,7 +144,7 @@ impl Widths<'_> {
         reached.iter().flat_map(|at| &self.direct[*at]).filter(|it| it.width == width).count()
     }
 
-    /// Whether a function is of the package that is compiled, and its lines are the author's.
+    /// Returns true if a function is of the package that is compiled, and its lines are the author's.
     fn is_own(&self, function: &Function) -> bool {
         let root = self.module.name.replace('-', "_");
         function.kernel.is_none() && function.module.split("::").next() == Some(&*root)

@@ -1,5 +1,5 @@
-//! The identifiers that are taken: C's and C++'s keywords, the names of the standard headers that a
-//! firmware is likely to include, POSIX's types, and the macros that compilers predefine.
+//! Reserved identifiers. They are the keywords of C and C++, the names of standard headers that firmware is likely to
+//! include, POSIX's types, and predefined macros.
 //!
 //! A list only ever grows at its end, for a name that enters it changes the C of those who use it.
 
@@ -456,13 +456,13 @@ const TYPES: &[&str] = &[
     "string_t",
 ];
 
-/// Whether nothing at all may have this name.
+/// Returns true if nothing at all may have this name.
 pub fn is_keyword(name: &str) -> bool {
     KEYWORDS.contains(&name) || is_macro(name)
 }
 
-/// Whether a name is of a family of macros of the headers that emitted code includes, or of
-/// `inttypes.h` and `limits.h`: `UINT8_MAX`, `INT64_C`, `PRIu32`, `DBL_MANT_DIG`, `FP_NAN`.
+/// Returns true if a name belongs to a family of macros of included headers, `inttypes.h` or `limits.h`. Examples are
+/// `UINT8_MAX`, `INT64_C`, `PRIu32`, `DBL_MANT_DIG` and `FP_NAN`.
 fn is_macro(name: &str) -> bool {
     if name.chars().any(|letter| letter.is_ascii_lowercase()) {
         return ["PRI", "SCN"].iter().any(|format| {
@@ -566,17 +566,17 @@ const HEADERS: &[&str] = &[
     "index",
 ];
 
-/// Whether a local may not have this name: it would hide what the emitted code calls or declares.
+/// Returns true if a local may not have this name: it would hide what the emitted code calls or declares.
 pub fn is_reserved_for_locals(name: &str) -> bool {
     is_keyword(name) || CALLED.contains(&name) || TYPES.contains(&name)
 }
 
-/// Whether a name of global reach may not be this one.
+/// Returns true if a name of global reach may not be this one.
 pub fn is_reserved_globally(name: &str) -> bool {
     is_keyword(name) || FUNCTIONS.contains(&name) || TYPES.contains(&name)
 }
 
-/// Whether a file may not have this name, without extension.
+/// Returns true if a file may not have this name, without extension.
 pub fn is_reserved_file(name: &str) -> bool {
     HEADERS.contains(&name)
 }

@@ -11,10 +11,10 @@ use super::print::comment_lines;
 /// The mark that the body takes the place of.
 const BODY: &str = "\u{1}body\u{1}";
 
-/// What a source says of all that stands in it, a function of a header says of itself: other files include it.
+/// Pragmas against contraction, per file in a source, and per function in a header, since other files include it.
 pub const NO_CONTRACTION: &str = include_str!("../../templates/contraction.tera");
 
-/// What a shell needs to know.
+/// Data of a file's template.
 pub struct Shell<'a> {
     /// `height.h`.
     pub file: &'a str,
@@ -22,7 +22,7 @@ pub struct Shell<'a> {
     pub header: &'a str,
     /// A line that says what is inside.
     pub summary: &'a str,
-    /// What the author says of its module.
+    /// Author's comment of its module.
     pub about: &'a [String],
     /// The Rust modules it comes from.
     pub source: &'a str,
@@ -32,15 +32,15 @@ pub struct Shell<'a> {
     pub system_includes: Vec<String>,
     /// `"…"`, sorted.
     pub own_includes: Vec<String>,
-    /// Whether it declares functions: then it says what they ask of their callers.
+    /// True if it declares functions: then it says what they ask of their callers.
     pub calls: bool,
-    /// Whether it refuses compilers that would compute other bits.
+    /// True if it refuses compilers that would compute other bits.
     pub refuses: bool,
-    /// Whether it is a header of which others, too, may include what computes.
+    /// True if it is a header of which others, too, may include what computes.
     pub computes: bool,
 }
 
-/// The text before and after the body. `links`: whether it declares what other files define, which C++ is told of.
+/// The text before and after the body. `links`: whether it declares what other files define, which C++ is reported.
 pub fn frame(shell: &Shell<'_>, is_header: bool, links: bool) -> (String, String) {
     let template = if is_header {
         include_str!("../../templates/header.h.tera")

@@ -4,7 +4,7 @@ use bessemer_ir::{ConstId, Type};
 
 use super::tree::Storage;
 
-/// How a parameter is passed in C.
+/// Passing mode of a parameter in C.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Passing {
     /// A word, by value.
@@ -26,11 +26,11 @@ pub struct Param {
     pub ty: Type,
     /// The constants that say how many elements it has.
     pub sizes: Vec<Option<ConstId>>,
-    /// How it is passed.
+    /// Passing mode.
     pub passing: Passing,
 }
 
-/// What a C function returns.
+/// Result of a C function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Returned {
     /// `void`.
@@ -46,11 +46,11 @@ pub enum Returned {
 pub struct Signature {
     /// Its name.
     pub name: String,
-    /// Who can call it.
+    /// Storage class.
     pub storage: Storage,
     /// The parameters of the Rust function, in order; after them the result's, if it has one.
     pub params: Vec<Param>,
-    /// What it returns.
+    /// Result.
     pub returned: Returned,
     /// The header that declares it (for a static function, the one beside its source).
     pub header: String,

@@ -15,7 +15,7 @@ pub fn header(options: &Options) -> String {
     options.header(&format!("{}_sizes", identifier(&options.status)))
 }
 
-/// Whether a constant stands among them.
+/// Returns true if a constant stands among them.
 pub fn is_one(item: &Const) -> bool {
     item.given.public && item.given.section.is_none() && item.ty == Type::USIZE
 }

@@ -61,7 +61,7 @@ pub fn relative(path: &str) -> Vec<String> {
     if segments.len() > 1 { segments[1..].to_vec() } else { segments }
 }
 
-/// How many ask for each name.
+/// Returns the number of requests for each name.
 pub fn wanted(names: impl Iterator<Item = String>) -> BTreeMap<String, usize> {
     let mut wanted = BTreeMap::new();
     names.for_each(|name| *wanted.entry(name).or_default() += 1);

@@ -1,5 +1,4 @@
-//! The names of the status type and of what a call can come to; and of the hook that a fault calls if there is
-//! one.
+//! Names of the status type and its values, and of the hook that a fault calls, if there is one.
 
 use bessemer_ir::Fault;
 
@@ -48,7 +47,7 @@ impl StatusNames {
         }
     }
 
-    /// The macro that asks for a loop to be written out.
+    /// The macro that asks the compiler to unroll a loop.
     pub fn unroll(&self) -> String {
         format!("{}_UNROLL", self.prefix.trim_end_matches("_STATUS"))
     }

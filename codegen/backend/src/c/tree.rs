@@ -133,12 +133,12 @@ pub enum Init {
     List {
         /// The items, each with its designator if it is a field.
         items: Vec<(Option<String>, Init)>,
-        /// How it is laid out.
+        /// Layout of the list.
         lines: Lines,
     },
 }
 
-/// How a list is laid out.
+/// Layout of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lines {
     /// On one line, or as many items on each as fit.
@@ -180,13 +180,13 @@ pub struct Origin {
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stmt {
-    /// What it does.
+    /// Its action.
     pub kind: StmtKind,
-    /// Where it comes from.
+    /// Source position.
     pub origin: Option<Origin>,
 }
 
-/// What a statement does.
+/// Kinds of statements.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StmtKind {
     /// `/* … */`, a line each.
@@ -210,7 +210,7 @@ pub enum StmtKind {
     },
     /// `switch`.
     Switch {
-        /// What decides.
+        /// Value that selects the case.
         scrutinee: Expr,
         /// In order.
         arms: Vec<SwitchArm>,
@@ -223,14 +223,14 @@ pub enum StmtKind {
         condition: Expr,
         /// After each pass, if anything is left to do.
         step: Option<Step>,
-        /// What is repeated.
+        /// Body of the loop.
         body: Vec<Stmt>,
     },
     /// `while (condition)`.
     While {
         /// While it holds.
         condition: Expr,
-        /// What is repeated.
+        /// Body of the loop.
         body: Vec<Stmt>,
     },
     /// `return`.
@@ -261,13 +261,13 @@ pub enum Step {
 pub struct SwitchArm {
     /// The values.
     pub labels: Vec<Expr>,
-    /// Whether `default:` stands here too.
+    /// True if `default:` stands here too.
     pub default: bool,
-    /// What it does.
+    /// Its action.
     pub body: Vec<Stmt>,
 }
 
-/// Who sees a function.
+/// Storage class of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
     /// Every file.
@@ -287,7 +287,7 @@ pub enum Storage {
 /// The head of a function, as C writes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Head {
-    /// What is asked of the compiler, a macro each.
+    /// Attributes for the compiler, one macro each.
     pub asked: Vec<String>,
     /// `static`, or `static inline`.
     pub storage: Storage,
@@ -308,7 +308,7 @@ pub enum Member {
     Inside {
         /// The doc comment.
         docs: Vec<String>,
-        /// Whether they share their memory.
+        /// True if they share their memory.
         shared: bool,
         /// They.
         fields: Vec<Member>,
@@ -317,12 +317,12 @@ pub enum Member {
     },
 }
 
-/// What stands at the top level of a file.
+/// Items at the top level of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
     /// `typedef struct { … } name;`, or `typedef union`.
     Struct {
-        /// Whether all fields share their memory.
+        /// True if all fields share their memory.
         shared: bool,
         /// The author's doc comment.
         docs: Vec<String>,
@@ -330,7 +330,7 @@ pub enum Item {
         name: String,
         /// The fields.
         fields: Vec<Member>,
-        /// Where it comes from.
+        /// Source position.
         origin: Origin,
     },
     /// `typedef enum { … } name;`
@@ -341,16 +341,16 @@ pub enum Item {
         name: String,
         /// The enumerators, each with its doc comment and its value.
         variants: Vec<(Vec<String>, String, i32)>,
-        /// Where it comes from.
+        /// Source position.
         origin: Origin,
     },
     /// `static const …;` at the top of a file, or one that several files see.
     Constant {
-        /// Who sees it.
+        /// Storage class.
         storage: Storage,
         /// The author's doc comment.
         docs: Vec<String>,
-        /// What is asked of the compiler: a line before it.
+        /// Attribute for the compiler, on the line before.
         asked: Option<String>,
         /// Its name and type.
         declarator: Declarator,
@@ -372,7 +372,7 @@ pub enum Item {
         docs: Vec<String>,
         /// The head.
         head: Head,
-        /// Where it comes from.
+        /// Source position.
         origin: Origin,
         /// The Rust path.
         function: String,
@@ -385,7 +385,7 @@ pub enum Item {
         head: Head,
         /// The body.
         body: Vec<Stmt>,
-        /// Where it comes from.
+        /// Source position.
         origin: Origin,
         /// The Rust path.
         function: String,
@@ -394,12 +394,12 @@ pub enum Item {
     Verbatim(String),
 }
 
-/// A statement that no line of the author's stands for.
+/// A statement that no line of the author's represents.
 pub fn plain(kind: StmtKind) -> Stmt {
     Stmt { kind, origin: None }
 }
 
-/// Whether a text is a literal without a sign, of `int` or `unsigned int`.
+/// Returns true if a text is a literal without a sign, of `int` or `unsigned int`.
 fn is_counted(text: &str) -> bool {
     let digits = text.trim_end_matches('U');
     let hexadecimal = digits.strip_prefix("0x");

@@ -5,7 +5,7 @@ use bessemer_ir::{Function, Module, Type};
 use super::names::{Names, OVERLAY};
 use super::signature::{Param, Passing, Signature};
 
-/// What a value is to whoever calls an entry point.
+/// Role of a value for the caller of an entry point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Port {
     /// A parameter that is read.
@@ -14,7 +14,7 @@ pub enum Port {
     Parameter,
     /// A part of the component.
     State,
-    /// What is returned.
+    /// Output.
     Output,
 }
 
@@ -33,9 +33,9 @@ impl Port {
 /// A number at the face of an entry point, and its unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Measured {
-    /// What it is to the caller.
+    /// Role for the caller.
     pub port: Port,
-    /// Where it is, by its names in the C: `target.position`, `axes[].gain`.
+    /// Place by its names in the C: `target.position`, `axes[].gain`.
     pub place: String,
     /// Its unit.
     pub unit: String,

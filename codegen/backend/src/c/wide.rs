@@ -2,7 +2,7 @@
 
 use bessemer_ir::Span;
 
-/// What an operation is too wide for.
+/// Width that an operation exceeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Width {
     /// A unit for `float` alone.
@@ -14,8 +14,8 @@ pub enum Width {
 /// An operation that a small processor carries out in software, or in several instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Wide {
-    /// What it is too wide for.
+    /// Width that it exceeds.
     pub width: Width,
-    /// Where it stands.
+    /// Span of the node.
     pub span: Span,
 }

@@ -1,5 +1,5 @@
-//! The promise of the fast mode: the order of a sum is free and steps may be fused, so the bits are not the Rust's, but
-//! the error has a bound that holds for any order, fused or not.
+//! Contract of the fast mode. The order of a sum is free and multiply-add may be fused, so the bits can differ from the
+//! Rust's. The error has a bound that is valid for any order, fused or not.
 //!
 //! The bounds are Higham's (*Accuracy and Stability of Numerical Algorithms*, second edition). With `u` half a unit in the
 //! last place of 1 and `γ(n) = n u / (1 − n u)`:
@@ -61,7 +61,7 @@ fn upwards(number: f64) -> String {
     if is_below { format!("{:.1e}", 1.05 * number) } else { nearest }
 }
 
-/// What stands in a kernel of the fast mode.
+/// Returns the note in a kernel of the fast mode.
 pub(super) fn note(kernel: &Kernel) -> String {
     format!(
         "/* The fast mode: steps are fused and sums are split, where the target gains by it. The last bits may\n   \

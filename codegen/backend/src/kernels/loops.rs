@@ -1,5 +1,5 @@
-//! The plain loops that a kernel computes, at the head of its file, before the ways that are faster: a reviewer reads them or
-//! certifies them, and a bench holds the others against them.
+//! Plain loops that define a kernel, at the head of its file before the faster variants. A reviewer reads or certifies
+//! them, and a benchmark compares the variants with them.
 //!
 //! Invariant: without `BESSEMER_LOOPS` nothing of this is compiled.
 
@@ -68,7 +68,7 @@ pub(super) fn before(kernel: &Kernel, ways: Source, buffers: &[Buffer]) -> Sourc
     Source { before: fill(HEAD, &values), body, math, string, dot }
 }
 
-/// What the loops take of the memory that the kernel is lent: type, name and place. None where it does not serve them.
+/// Returns the parts of the passed memory that the loops use: type, name and place. None if the memory does not fit.
 fn lent(kernel: &Kernel, buffers: &[Buffer]) -> Option<Vec<(String, String, String)>> {
     let needed = plain::buffers(kernel);
     if !are_lent(&needed) {
@@ -91,7 +91,7 @@ fn element(constant: &str, ty: &Type) -> String {
     format!("{constant}{}", scalar(element))
 }
 
-/// Whether a text is one choice of the preprocessor's, from its first line to its last.
+/// Returns true if a text is one choice of the preprocessor's, from its first line to its last.
 fn is_one_choice(text: &str) -> bool {
     let mut depth = 0;
     let mut lines = text.lines().peekable();

@@ -1,7 +1,7 @@
 //! The C of kernels: routines of linear algebra, each in a file of its own, named by routine, type and
 //! shape.
 //!
-//! The interface: [`source`] gives the body of a kernel's function and what stands before it;
+//! The interface: [`source`] gives the body of a kernel's function and what precedes it;
 //! [`buffers`] gives the memory that it needs. The head follows from [`Kernel::function`] and is the
 //! back end's, as are file, header and includes. The parameters keep their names: `a`, `b`, `result`.
 //!
@@ -49,11 +49,11 @@ pub struct Source {
     pub before: String,
     /// The lines of its body, indented from 0.
     pub body: String,
-    /// Whether it needs `math.h`.
+    /// True if it needs `math.h`.
     pub math: bool,
-    /// Whether it needs `string.h`.
+    /// True if it needs `string.h`.
     pub string: bool,
-    /// Whether it calls the scalar product of columns, `dot_f64(x, y, rows, 1U)`.
+    /// True if it calls the scalar product of columns, `dot_f64(x, y, rows, 1U)`.
     pub dot: bool,
 }
 
@@ -64,13 +64,13 @@ pub struct Buffer {
     pub name: &'static str,
     /// The type of its elements.
     pub element: Scalar,
-    /// How many.
+    /// Number of elements.
     pub len: u32,
-    /// What it holds, as a comment says it.
+    /// Contents, for the comment.
     pub holds: &'static str,
 }
 
-/// How kernels round.
+/// Rounding of kernels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
     /// As the Rust does, bit for bit.
@@ -82,12 +82,12 @@ pub enum Mode {
     Plain,
 }
 
-/// What a project can choose about all of its kernels.
+/// Options of a project for all of its kernels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tuning {
     /// Bytes of code that a kernel may take, by an estimate of four bytes an instruction without vectors.
     pub code_bytes: u32,
-    /// How they round.
+    /// Rounding mode.
     pub mode: Mode,
     /// Whose ways their files have.
     pub processors: Processors,
@@ -99,7 +99,7 @@ impl Default for Tuning {
     }
 }
 
-/// How a kernel is made; the fastest first.
+/// Variants of a kernel, the fastest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Way {
     /// Every operation by itself.
@@ -136,7 +136,7 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     if tuning.mode == Mode::Exact && has_loops(kernel) {
         source = loops::before(kernel, source, &buffers(kernel, tuning));
     }
-    // What stands in a header is compiled as its callers are; tiles are stored as they are loaded.
+    // What is in a header is compiled as its callers are; tiles are stored as they are loaded.
     let tiled =
         matches!(kernel.routine, LuSolve | Solve | Inverse) && way(kernel, tuning) == Way::Tiles;
     if kernel.element == Float::F32 && !stands_in_header(kernel) && !tiled {
@@ -145,7 +145,7 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     of_processors(source, tuning.processors)
 }
 
-/// A line of no C between what stands before a kernel's function and its body, which decide together what is left of both.
+/// A line of no C between what precedes a kernel's function and its body, which decide together what is left of both.
 const BODY: &str = "\u{1}\n";
 
 fn of_processors(source: Source, processors: Processors) -> Source {
@@ -166,8 +166,8 @@ fn of_processors(source: Source, processors: Processors) -> Source {
     Source { before: end(&before, &source.before), body: end(body, &source.body), ..source }
 }
 
-/// Four numbers of `f32` would go to the stack and from there, as one vector, to their place: up to a fifth more
-/// instructions, and a vector that waits for four stores.
+/// Code against combined stores of `f32`: gcc would assemble four numbers on the stack and load them as one vector.
+/// That takes up to a fifth more instructions, and the vector waits for four stores.
 const SINGLE_STORES: &str = "\
 /* Numbers are stored as they come: gathered for stores of NEON, they would go through the stack. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__ARM_NEON)
@@ -192,7 +192,7 @@ fn of_routine(kernel: &Kernel, tuning: &Tuning) -> Source {
         }
         _ => {
             let by_rows = by_rows(kernel, tuning);
-            // Rows are exact, and so is what stands beside them.
+            // Rows are exact, and so is what is beside them.
             let mode = if by_rows { Mode::Exact } else { tuning.mode };
             let source = match way(kernel, tuning) {
                 Way::WrittenOut => written_out::source(kernel, tuning.code_bytes),
@@ -207,20 +207,20 @@ fn of_routine(kernel: &Kernel, tuning: &Tuning) -> Source {
     }
 }
 
-/// Whether the file of a kernel opens with its loops: where other ways may follow.
+/// Returns true if the file of a kernel opens with its loops: where other ways may follow.
 fn has_loops(kernel: &Kernel) -> bool {
     use KernelRoutine::{Cholesky, CholeskyLower};
     // Of Cholesky's factor the loops are one of the ways.
     !stands_in_header(kernel) && !matches!(kernel.routine, Cholesky | CholeskyLower)
 }
 
-/// Whether a kernel goes by rows where there are vectors.
+/// Returns true if a kernel goes by rows where there are vectors.
 fn by_rows(kernel: &Kernel, tuning: &Tuning) -> bool {
     rows::fits(kernel) && way(kernel, tuning) != Way::Loops && rows::BUDGET <= tuning.code_bytes
 }
 
-/// Whether a kernel stands in its header, as a function that its callers' compilers may put where it is called: at these
-/// sizes a call, and what it copies, would be a good part of it.
+/// Returns true if a kernel is in its header as an inline function. At these sizes, the call and its copies would be a
+/// large part of its cost.
 pub fn stands_in_header(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Inverse, &[size]) => size <= 4,
@@ -267,7 +267,7 @@ fn declarations(buffers: &[Buffer]) -> String {
     buffers.iter().map(declare).collect()
 }
 
-/// Whether the bits of a kernel may differ from the Rust's, as it is made.
+/// Returns true if the bits of a kernel may differ from the Rust's, as it is made.
 pub fn is_fast(kernel: &Kernel, tuning: &Tuning) -> bool {
     tuning.mode == Mode::Fast
         && source(kernel, tuning) != source(kernel, &Tuning { mode: Mode::Exact, ..*tuning })

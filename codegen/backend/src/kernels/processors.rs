@@ -10,30 +10,30 @@
 
 use std::collections::BTreeSet;
 
-/// Whose ways the files of kernels have.
+/// Processors whose variants the files of kernels have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Processors {
     /// All that there are.
     #[default]
     Every,
-    /// Those of the Cortex-A.
+    /// Processors of the Cortex-A family.
     CortexA,
-    /// Those of the Cortex-M.
+    /// Processors of the Cortex-M family.
     CortexM,
-    /// Those of x86-64.
+    /// Processors of x86-64.
     X86,
 }
 
-/// Begins the names of macros that compilers for x86-64 define.
+/// Prefixes of the macros that compilers for x86-64 define.
 const X86: [&str; 6] = ["__x86_64__", "__AVX", "__SSE", "__FMA", "__BMI", "__i386__"];
-/// The same for ARM.
+/// Prefixes of the macros that compilers for ARM define.
 const ARM: [&str; 2] = ["__arm__", "__ARM_"];
 /// The letter of the Cortex-M in `__ARM_ARCH_PROFILE`, and its comparison.
 const PROFILE: &str = "__ARM_ARCH_PROFILE";
 const IS_M: &str = "__ARM_ARCH_PROFILE == 'M'";
 
 impl Processors {
-    /// Whether a macro is defined, if that is known.
+    /// Returns whether a macro is defined, if that is known.
     fn defines(self, name: &str) -> Option<bool> {
         let begins = |list: &[&str]| list.iter().any(|it| name.starts_with(it));
         match self {
@@ -46,7 +46,7 @@ impl Processors {
         }
     }
 
-    /// Whether a comparison holds, if that is known.
+    /// Returns the value of a comparison, if that is known.
     fn holds(self, comparison: &str) -> Option<bool> {
         (comparison == IS_M && self != Processors::Every).then_some(self == Processors::CortexM)
     }
@@ -87,7 +87,7 @@ fn defined(text: &str) -> BTreeSet<String> {
 
 type Lines<'t> = std::iter::Peekable<std::str::Lines<'t>>;
 
-/// What is left of the lines up to the end of the block that they are in.
+/// Collects the lines that remain up to the end of their block.
 fn resolve(lines: &mut Lines<'_>, decide: &dyn Fn(&str) -> Condition, left: &mut Vec<String>) {
     while let Some(line) = lines.peek() {
         if ["#elif", "#else", "#endif"].iter().any(|it| line.starts_with(it)) {
@@ -165,7 +165,7 @@ fn without_comment(left: &mut Vec<String>) {
 /// A condition of the preprocessor, as far as it is decided.
 enum Condition {
     Known(bool),
-    /// What is left of it, and what binds its parts.
+    /// Remaining condition, and the operator that binds its parts.
     Open(String, Binds),
 }
 
@@ -214,7 +214,7 @@ impl Condition {
         known.map_or_else(|| Condition::Open(text.to_owned(), binds), Condition::Known)
     }
 
-    /// Of parts that are all to hold, or of which one is.
+    /// Combines parts by `&&` or `||`.
     fn together(parts: Vec<Condition>, binds: Binds) -> Condition {
         // What decides the whole by itself, and what says nothing.
         let decides = binds == Binds::Or;
@@ -234,7 +234,7 @@ impl Condition {
         }
     }
 
-    /// How it is written as a part of what binds so.
+    /// Returns the text of the condition as a part of an expression with this operator.
     fn text(&self, binds: Binds) -> String {
         match self {
             Condition::Known(value) => u8::from(*value).to_string(),
@@ -247,7 +247,7 @@ impl Condition {
     }
 }
 
-/// The parts of a condition between operators that stand in no parentheses.
+/// The parts of a condition between operators that are in no parentheses.
 fn parts<'t>(text: &'t str, operator: &str) -> Vec<&'t str> {
     let (mut depth, mut start, mut parts) = (0_u32, 0, Vec::new());
     for (at, letter) in text.char_indices() {
@@ -265,7 +265,7 @@ fn parts<'t>(text: &'t str, operator: &str) -> Vec<&'t str> {
     parts
 }
 
-/// What stands in the parentheses around a whole condition.
+/// Returns the text in the parentheses around a whole condition.
 fn within(text: &str) -> Option<&str> {
     let inside = text.strip_prefix('(')?.strip_suffix(')')?;
     let mut depth = 0_i32;

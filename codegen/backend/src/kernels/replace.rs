@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use super::Source;
 
-/// What stands in place of some kernels.
+/// Replacement of some kernels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Replacement {
     /// The routine.
@@ -25,23 +25,23 @@ pub struct Replacement {
     pub at_most: u32,
     /// Whose it is, for the report.
     pub library: String,
-    /// What to include: `<cblas.h>`, `"fast.h"`.
+    /// Header to include: `<cblas.h>`, `"fast.h"`.
     pub include: String,
-    /// Lines of C: the body of the kernel's function. `{0}` to `{2}` stand for its dimensions.
+    /// Lines of C: the body of the kernel's function. `{0}` to `{2}` represent its dimensions.
     pub body: Vec<String>,
 }
 
-/// What is wrong with a table.
+/// Errors of a replacement table.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
     /// It is not JSON.
     #[error("line {line}, column {column}: {message}")]
     Text {
-        /// Where.
+        /// Line of the error.
         line: usize,
-        /// Where in the line.
+        /// Column of the error.
         column: usize,
-        /// What the parser said.
+        /// Message of the parser.
         message: String,
     },
     /// It is not a list of objects.
@@ -50,11 +50,11 @@ pub enum Error {
     /// An entry lacks a field, or has one that means nothing.
     #[error("entry {entry}, `{field}`: {expected}")]
     Field {
-        /// Which entry, from 1.
+        /// Index of the entry, from 1.
         entry: usize,
-        /// Which field.
+        /// Name of the field.
         field: String,
-        /// What should be there.
+        /// Expected value.
         expected: String,
     },
 }

@@ -1,4 +1,4 @@
-//! Templates of C: `$name` stands for a value, everything else for itself.
+//! Templates of C: `$name` represents a value, everything else for itself.
 //!
 //! `$` has no meaning in C, so that a template looks like the C that it becomes.
 
@@ -31,7 +31,7 @@ pub fn bytes(float: Float) -> u32 {
     }
 }
 
-/// What C calls the numbers of a float type: `$real`, `$zero`, `$one`, `$abs`, `$sqrt`, `$nan`.
+/// Returns C's names for the numbers of a float type: `$real`, `$zero`, `$one`, `$abs`, `$sqrt`, `$nan`.
 pub fn numbers(float: Float) -> Vec<(&'static str, String)> {
     let words: [(&str, &str); 6] = match float {
         Float::F64 => [
@@ -54,7 +54,7 @@ pub fn numbers(float: Float) -> Vec<(&'static str, String)> {
     words.into_iter().map(|(name, word)| (name, word.to_owned())).collect()
 }
 
-/// The same, with sizes as C has them: `("n", 6)` gives `6U`.
+/// Returns the values with sizes as C literals: `("n", 6)` becomes `6U`.
 pub fn values(float: Float, sizes: &[(&'static str, u32)]) -> Vec<(&'static str, String)> {
     let mut values = numbers(float);
     values.extend(sizes.iter().map(|(name, size)| (*name, format!("{size}U"))));
@@ -62,7 +62,7 @@ pub fn values(float: Float, sizes: &[(&'static str, u32)]) -> Vec<(&'static str,
 }
 
 /// The condition of the preprocessor under which vectors of a target are used. x86-64's are shuffled, which gcc can from
-/// version 12 on; ARM's are not. On i386, which has the same vectors, `double` stands at multiples of 4, where they may not.
+/// version 12 on; ARM's are not. On i386, which has the same vectors, `double` is at multiples of 4, where they may not.
 pub fn vectors_if(target: &str) -> String {
     let compiler = match target.contains("ARM") {
         true => "defined(__GNUC__)",
@@ -73,7 +73,7 @@ pub fn vectors_if(target: &str) -> String {
     format!("{compiler} && {target} && !defined(BESSEMER_PLAIN)")
 }
 
-/// What stands before what [`fused`] gives, up to an `#endif`.
+/// Text before that of [`fused`], up to an `#endif`.
 pub const FUSED: &str = "#if defined(__FMA__)\n#include <immintrin.h>\n";
 
 /// The fused operation of x86-64 on vectors of so many bytes: a number in each lane, and two vectors.

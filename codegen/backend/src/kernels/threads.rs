@@ -8,19 +8,19 @@ use super::text::fill;
 
 const THREADS: &str = include_str!("threads.c");
 
-/// A function of C that does a share of the work: its last two parameters are the first part, and how far apart the
-/// parts are.
+/// A C function that does a share of the work. Its last two parameters are the first part and the distance between
+/// parts.
 pub(super) struct Work<'a> {
     /// Its name.
     pub name: &'a str,
-    /// What the threads share: types and names of its first parameters.
+    /// Parameters shared by the threads: types and names.
     pub shared: &'a [(&'a str, &'a str)],
-    /// What each has of its own, the parameter behind those: its type and name, the memory that a thread declares for it,
-    /// and the value that it passes.
+    /// Parameter private to each thread, after the shared ones: type and name, the memory that a thread declares for
+    /// it, and the passed value.
     pub own: Option<Own<'a>>,
 }
 
-/// What each thread has of its own.
+/// Private memory of a thread.
 pub(super) struct Own<'a> {
     pub ty: &'a str,
     pub name: &'a str,

@@ -5,7 +5,7 @@ use bessemer_ir::{Expr, ExprKind, Fault, Function, FunctionId, Module, Stmt, Stm
 
 use super::positions::Callee;
 
-/// Which functions of an explicit module may end in a fault.
+/// Returns true for each function of an explicit module that may fault.
 pub fn fallible(module: &Module) -> Vec<bool> {
     callees(module).into_iter().map(|callee| callee.fallible).collect()
 }
@@ -46,7 +46,7 @@ impl Visit for Calls {
     }
 }
 
-/// The facts about a function that its callers need; its callees stand before it.
+/// The facts about a function that its callers need; its callees precede it.
 pub(super) fn callee(function: &Function, callees: &[Callee]) -> Callee {
     let calls = Calls::of(function);
     let any = |is: fn(&Callee) -> bool| {

@@ -1,7 +1,7 @@
-//! Operations that stand behind their own checks, as they are written.
+//! Operations that follow their own checks, as they are written.
 //!
 //! An operation whose proof is doubted keeps its whole check: all conditions of [`faults`](super::faults), of which
-//! nothing is left out. Whether that check stands before it shows by its text alone, and needs no proof: the same
+//! nothing is left out. Whether that check precedes it shows by its text alone, and needs no proof: the same
 //! condition, earlier in the same block, and nothing that it reads is written in between.
 //!
 //! Must not know: what is proved.
@@ -17,8 +17,9 @@ use super::places::erased;
 use super::proof::written::{by_stmts, touches};
 use super::sites::Site;
 
-/// Whether a condition was checked by the statements before a point of a block, and still holds there.
-/// `changes`: whether a statement may change its value. Who leaves a check out and who verifies that answer by themselves.
+/// Returns true if a condition was checked by the statements before a point of a block, and still holds there.
+/// `changes`: whether a statement may change its value. Who leaves a check out and who verifies that answer by
+/// themselves.
 pub(super) fn before(
     stmts: &[Stmt],
     condition: &Expr,
@@ -44,7 +45,7 @@ fn changes(stmt: &Stmt, condition: &Expr) -> bool {
     touches(condition, &by_stmts([stmt]))
 }
 
-/// Of operations of a function that may fault: those that do not stand behind their checks.
+/// Returns those operations of a function that may fault without a check before them.
 pub(super) fn without(open: Vec<Site>, module: &Module, function: &Function) -> Vec<Site> {
     if open.is_empty() {
         return open;
@@ -68,7 +69,7 @@ fn found(module: &Module, function: &Function) -> Found {
 #[derive(Default)]
 struct Found {
     checks: Vec<Needed>,
-    /// The operations that stand behind their checks.
+    /// The operations that follow their checks.
     checked: HashSet<Site>,
     /// Those that are part of a check's condition.
     within: HashMap<Site, Part>,
@@ -88,8 +89,8 @@ struct Part {
 }
 
 impl Found {
-    /// Whether an operation cannot fault, as it stands: it is checked, or it is what a condition that another needs asks
-    /// of the operands (`x <= MAX / y`, where `y` is above 0), which never faults.
+    /// Returns true if an operation cannot fault in its position. It is checked, or it is part of a check of another
+    /// operation (`x <= MAX / y`, where `y` is above 0), which never faults.
     fn stands(&self, site: &Site) -> bool {
         let asks = |Part { condition, of }: &Part| {
             let Some(of) = of else { return false };
@@ -125,7 +126,7 @@ impl Visit for Blocks<'_> {
 /// The operations of one statement, without those of its blocks.
 struct Operations<'a, 'm> {
     of: &'a mut Blocks<'m>,
-    /// Those of the block before it.
+    /// Statements of the block before it.
     stmts: &'a [Stmt],
     /// The condition, if it is a check.
     within: Option<Expr>,

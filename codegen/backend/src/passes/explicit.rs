@@ -40,7 +40,7 @@ pub enum Rule {
 pub struct Problem {
     /// The function.
     pub function: String,
-    /// Where in the author's source.
+    /// Span in the author's source.
     pub span: Span,
     /// The rule that is broken.
     pub rule: Rule,

@@ -1,4 +1,4 @@
-//! Which conditions an operation needs so as not to fault, and which of them are not known to hold.
+//! Conditions that an operation needs in order not to fault, and those of them that are not proved.
 //!
 //! Precondition: the operands are fault-free themselves. Postcondition: each condition is fault-free
 //! IR, true exactly where Rust would not panic; what [`State`] proves is left out, half by half.
@@ -18,7 +18,7 @@ use super::places::located;
 pub(crate) struct Obligation {
     pub(crate) condition: Expr,
     pub(crate) fault: Fault,
-    /// Where the operation stands.
+    /// Span of the operation.
     pub(crate) span: Span,
     /// Why it could not be proved, in words.
     pub(crate) reason: String,
@@ -82,8 +82,7 @@ pub(crate) fn of_step(
     }
 }
 
-/// Which operands of an operator a condition asks for their sign first: facts have to hold of them, so
-/// they have to be locals or fields.
+/// Returns the operands whose sign a condition tests first. Facts must apply to them, so they must be locals or fields.
 pub(crate) fn signs_matter(op: BinaryOp, ty: &Type) -> (bool, bool) {
     let Some(int) = ty.as_int().filter(|int| int.bits() == 64) else { return (false, false) };
     match op {
@@ -93,7 +92,7 @@ pub(crate) fn signs_matter(op: BinaryOp, ty: &Type) -> (bool, bool) {
     }
 }
 
-/// How many elements the slice has that is this parameter.
+/// Returns the length of the slice that is this parameter.
 fn length_of(slice: LocalId, span: Span) -> Expr {
     Expr::local(LocalId(slice.0.saturating_add(1)), &Type::USIZE, span)
 }
@@ -122,7 +121,7 @@ impl Needs<'_, '_> {
         self.all(conditions, Fault::Index, reason)
     }
 
-    /// Of an index into a slice: its length is the local behind it.
+    /// Returns the condition of an index into a slice: its length is the local behind it.
     fn of_slice(&self, op: CompareOp, index: &Expr, root: LocalId) -> Vec<Obligation> {
         let length = length_of(root, self.span);
         let reason = format!("index {} of a slice", self.described(index));

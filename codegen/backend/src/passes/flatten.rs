@@ -180,8 +180,8 @@ impl<'m> Lowering<'m> {
         self.chain(op, a, b, span).0
     }
 
-    /// The same, and what is known where the next of a chain of this operator is asked: each operand of a long chain is
-    /// taken for true, or for false, once.
+    /// Flattens a chain of one logical operator, and returns the state in which its next operand is evaluated. Each
+    /// operand of a long chain is assumed once.
     fn chain(&mut self, op: LogicOp, a: Expr, b: Expr, span: Span) -> (Expr, State<'m>) {
         let (a, behind) = self.before_next(op, a);
         let (before, asked) = (std::mem::replace(&mut self.facts, behind.clone()), b.clone());
@@ -244,7 +244,7 @@ impl<'m> Lowering<'m> {
         self.place_beside(place, &[])
     }
 
-    /// The same; indices that read one of the places `changed` are computed once, into locals.
+    /// Flattens a place; indices that read one of the places `changed` are first computed into locals.
     pub(super) fn place_beside(&mut self, place: Place, changed: &[Place]) -> Place {
         let Place { root, steps, ty, span } = place;
         let mut container = Some(self.function.local(root).ty.clone());
@@ -295,7 +295,7 @@ impl<'m> Lowering<'m> {
         self.keep_proved(|blank| faults::of_step(root, container, step, blank), checked);
     }
 
-    /// Whether the proof of what comes from there is not believed.
+    /// Returns true if the proof of what comes from there is not believed.
     pub(super) fn doubts(&self, span: Span) -> bool {
         self.doubted.contains(&span)
     }
@@ -308,7 +308,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Whether checks of an operation stand although they were proved.
+    /// Returns true if checks of an operation stand although they were proved.
     fn keeps_any(&self, of: impl Fn(&State) -> Vec<Obligation>) -> bool {
         self.keeps && !of(&State::new(self.module)).is_empty()
     }
@@ -482,12 +482,12 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// Whether a value may be written twice: a place, and no call.
+/// Returns true if a value may be written twice: a place, and no call.
 fn comes_light(expr: &Expr) -> bool {
     matches!(expr.kind, ExprKind::Load(_)) && weight(expr) <= LIGHT
 }
 
-/// Whether a value is a number, a constant, a local or a field.
+/// Returns true if a value is a number, a constant, a local or a field.
 fn bare(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Literal(_) | ExprKind::Const(_) => true,

@@ -12,7 +12,7 @@ use super::remaining::{Doubted, Remaining};
 /// A function on its way.
 pub(super) struct Lowering<'m> {
     pub(super) module: &'m Module,
-    /// Of the functions before this one.
+    /// Summaries of the functions before this one.
     pub(super) callees: &'m [Callee],
     pub(super) function: Function,
     pub(super) facts: State<'m>,
@@ -21,7 +21,7 @@ pub(super) struct Lowering<'m> {
     /// The destination of the statement, as the stem of names.
     pub(super) base: String,
     pub(super) names: Names,
-    /// Whether an enum that may be none of its variants is brought to one where it is read.
+    /// True if an enum that may be none of its variants is brought to one where it is read.
     pub(super) brings: bool,
     /// Operations whose proof is not believed.
     pub(super) doubted: &'m Doubted,
@@ -29,9 +29,9 @@ pub(super) struct Lowering<'m> {
     pub(super) pending: Vec<Place>,
     /// The conditions of checks that operations behind them need.
     pub(super) needed: Vec<Expr>,
-    /// Where such a check comes from, while its condition is lowered.
+    /// Span of the operation whose check is being lowered.
     pub(super) asked: Option<Span>,
-    /// Whether checks that are proved stand all the same.
+    /// True if checks that are proved stand all the same.
     pub(super) keeps: bool,
     pub(super) remaining: Vec<Remaining>,
     /// The numbers in what is returned so far.

@@ -53,11 +53,10 @@ use statements::{Before, Explicit};
 /// The checks that are left.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// Those of each function's own, without its callees', in the order of
+    /// Checks in each function itself, without its callees, in the order of
     /// [`Module::functions`](bessemer_ir::Module::functions).
     pub functions: Vec<Vec<Remaining>>,
-    /// Where the analysis would have left a check out that the verifier does not confirm, of each function. Such a check
-    /// stands.
+    /// Checks of each function that the analysis proved and the verifier did not. They stay. Such a check stands.
     pub doubted: Vec<Vec<Span>>,
 }
 
@@ -94,8 +93,7 @@ pub fn explicit(module: Module) -> Result<(Module, Report), Vec<Error>> {
     explicit_with(module, false)
 }
 
-/// The same; with `keep`, checks that were proved stand in the module all the same, and report
-/// [`Fault::LeftOut`].
+/// Makes a module explicit; with `keep`, proved checks stay in the module and report [`Fault::LeftOut`].
 ///
 /// # Errors
 /// As [`explicit`].

@@ -19,21 +19,21 @@ impl<F: Fn(Span) -> Span> VisitMut for Locate<F> {
     }
 }
 
-/// The same expression without its spans, to compare with others.
+/// Returns the expression without its spans, for comparisons.
 pub(crate) fn erased(expr: &Expr) -> Expr {
     let mut expr = expr.clone();
     Locate(|_| Span::default()).expr(&mut expr);
     expr
 }
 
-/// The same expression; what comes from nowhere comes from `span`.
+/// Returns the expression with `span` in place of missing spans.
 pub(crate) fn located(mut expr: Expr, span: Span) -> Expr {
     let nowhere = Span::default();
     Locate(|it| if it == nowhere { span } else { it }).expr(&mut expr);
     expr
 }
 
-/// How much text an expression makes: what is written twice should be light.
+/// Returns the size of an expression's text: one that is written twice should be short.
 pub(crate) fn weight(expr: &Expr) -> usize {
     let mut weight = 0;
     expr.each_expr(|expr| {
@@ -46,7 +46,7 @@ pub(crate) fn weight(expr: &Expr) -> usize {
     weight
 }
 
-/// Whether a routine works element by element, so that it may nest.
+/// Returns true if a routine works element by element, so that it may nest.
 pub(crate) fn elementwise(routine: Routine) -> bool {
     match routine {
         Routine::Add
@@ -66,12 +66,12 @@ pub(crate) fn elementwise(routine: Routine) -> bool {
     }
 }
 
-/// Whether a routine is a column times a row: an element is one product, so that it may nest too.
+/// Returns true if a routine is a column times a row: an element is one product, so that it may nest too.
 pub(crate) fn outer(routine: Routine, operands: &[Expr]) -> bool {
     routine == Routine::Product && matches!(operands[0].ty, Type::Matrix { cols: 1, .. })
 }
 
-/// Whether writing `value` into `destination` part by part would disturb what is still to be read.
+/// Returns true if writing `value` into `destination` part by part would disturb what is still to be read.
 /// `through_pointer`: whether a call delivers even a word through a pointer.
 pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: bool) -> bool {
     let written = std::slice::from_ref(destination);
@@ -94,14 +94,14 @@ pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: bool)
     }
 }
 
-/// Whether an index of `destination` reads `destination` itself, and C assigns `value` part by part: the index would be
-/// another one after the first part, `nodes[nodes[0].next] = Node { next: 3, value }`.
+/// Returns true if an index of `destination` reads `destination` itself, and C assigns `value` part by part. The index
+/// would change after the first part: `nodes[nodes[0].next] = Node { next: 3, value }`.
 pub(crate) fn moves_itself(destination: &Place, value: &Expr) -> bool {
     let at_once = value.ty.is_word() || matches!(value.kind, ExprKind::Call(..));
     !at_once && moves(destination, std::slice::from_ref(destination))
 }
 
-/// Whether a callee may see `destination` through `argument` while it runs.
+/// Returns true if a callee may see `destination` through `argument` while it runs.
 fn lends(argument: &Argument, destination: &Place) -> bool {
     let written = std::slice::from_ref(destination);
     match argument {

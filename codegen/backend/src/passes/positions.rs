@@ -4,7 +4,7 @@ use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine, Unary
 
 use super::places::{elementwise, outer};
 
-/// Where an expression stands.
+/// Position of an expression in a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Position {
     /// The whole value of a `let`, an assignment or a `return`.
@@ -58,7 +58,7 @@ impl Callee {
     }
 }
 
-/// Whether `expr`, itself well made, may stand at `position`.
+/// Returns true if `expr`, itself well made, may stand at `position`.
 pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bool {
     use Position::{Decision, Elementwise, Factor, Nested, Part, Reference, Repeated, Whole};
     match &expr.kind {

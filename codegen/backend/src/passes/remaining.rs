@@ -9,7 +9,7 @@ use bessemer_ir::{Fault, Span};
 pub struct Remaining {
     /// The fault that it reports.
     pub fault: Fault,
-    /// Where the operation stands.
+    /// Span of the operation.
     pub span: Span,
     /// Why it could not be proved, in words.
     pub reason: String,

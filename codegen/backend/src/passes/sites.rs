@@ -1,7 +1,7 @@
-//! Where in a function an operation stands.
+//! Sites of operations in a function.
 //!
 //! Several operations may come from one place of the source, so a span does not tell them apart: what does is where they
-//! stand in memory. Invariant: a site is compared only with others of the same function, borrowed all the while.
+//! are in memory. Invariant: a site is compared only with others of the same function, borrowed all the while.
 
 use std::hash::{Hash, Hasher};
 
@@ -11,7 +11,7 @@ use bessemer_ir::{Expr, Span, Step, Stmt};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Site {
     at: At,
-    /// Where it comes from.
+    /// Source position.
     pub(super) span: Span,
 }
 

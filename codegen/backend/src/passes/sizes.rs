@@ -1,4 +1,4 @@
-//! Which sizes fit into 32 bits: locals of `usize` that are assigned again, and what each holds.
+//! Sizes that fit into 32 bits: reassigned locals of `usize`, and their ranges.
 //!
 //! Precondition: an explicit function. Invariant: in each execution, what such a local holds lies within what is given for it.
 //! Both proofs have to show it, each with its own account of what is assigned, as of a check that is left out.
@@ -13,7 +13,7 @@ use super::{analysis, proof};
 /// The largest value that fits, also on the way to another.
 const LIMIT: i128 = 1 << 31;
 
-/// Of each local, the least and the greatest value, if it fits.
+/// Returns the least and greatest value of each local that fits.
 pub(crate) fn sizes(module: &Module, function: &Function) -> Vec<Option<(i128, i128)>> {
     let mut wanted = Wanted::of(function);
     wanted.block(&function.body);
@@ -38,12 +38,12 @@ struct Wanted {
     found: Vec<Fate>,
 }
 
-/// What is done with a local.
+/// Uses of a local.
 #[derive(Clone, Copy)]
 struct Fate {
-    /// Whether it is assigned behind its declaration.
+    /// True if it is assigned behind its declaration.
     assigned: bool,
-    /// Whether something else gives it a value, or it is no size of the function's own.
+    /// True if something else gives it a value, or it is no size of the function's own.
     refused: bool,
 }
 

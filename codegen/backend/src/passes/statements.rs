@@ -53,7 +53,7 @@ pub(super) fn function(
     if brought.remaining.len() < plain.remaining.len() { brought } else { plain }
 }
 
-/// Whether a function reads an enum.
+/// Returns true if a function reads an enum.
 fn reads_enum(function: &Function) -> bool {
     let reads = |expr: &Expr| {
         matches!(expr.ty, Type::Enum(_)) && !matches!(expr.kind, ExprKind::Literal(_))
@@ -182,7 +182,7 @@ impl Lowering<'_> {
         self.emit(StmtKind::Assign { place, value }, span);
     }
 
-    /// Whether a value is a call that has to be a statement.
+    /// Returns true if a value is a call that has to be a statement.
     fn is_statement(&self, value: &Expr) -> bool {
         match &value.kind {
             ExprKind::Call(callee, _) => !self.callees.get(callee.index()).is_some_and(|c| c.nests),
@@ -190,7 +190,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whether the result of a value that is a call travels through a pointer.
+    /// Returns true if the result of a value that is a call travels through a pointer.
     fn through_pointer(&self, value: &Expr) -> bool {
         match &value.kind {
             ExprKind::Call(callee, _) => {
@@ -236,11 +236,11 @@ impl Lowering<'_> {
         self.emit(StmtKind::If { condition, then, otherwise }, span);
     }
 
-    /// `if a && b { … }`: where `b` needs statements of its own, they stand in a branch of `a`, and no flag is needed.
+    /// Lowers `if a && b { … }` without a flag: statements that `b` needs go into a branch of `a`.
     fn within(&mut self, condition: Expr, then: Block, span: Span) {
         let mut parts = conjuncts(condition).into_iter();
         let Some(mut all) = parts.next().map(|(first, _)| self.word(first)) else { return };
-        // Where it goes on if one does not hold, and what stands before each branch.
+        // Where it goes on if one does not hold, and what precedes each branch.
         let (mut ends, mut open) = (Vec::new(), Vec::new());
         for (part, span) in parts {
             let known = self.facts.clone();
@@ -373,7 +373,7 @@ fn conjuncts(condition: Expr) -> Vec<(Expr, Span)> {
     }
 }
 
-/// Whether control never reaches the end of a block.
+/// Returns true if control never reaches the end of a block.
 pub(super) fn diverges(block: &Block) -> bool {
     block.0.iter().any(|stmt| match &stmt.kind {
         StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
@@ -389,8 +389,8 @@ pub(super) fn diverges(block: &Block) -> bool {
     })
 }
 
-/// Whether an assignment leaves a place as it is in C, where `usize` and `u64` are one type, so that a cast between them
-/// does nothing.
+/// Returns true if an assignment leaves a place unchanged in C. `usize` and `u64` are one type there, so a cast between
+/// them does nothing.
 fn is_own_in_c(value: &Expr, place: &Place) -> bool {
     let form = |ty: &Type| ty.as_int().map(|int| (int.bits(), int.signed()));
     match &value.kind {

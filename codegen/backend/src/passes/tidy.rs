@@ -40,9 +40,9 @@ struct Tidy<'f> {
     function: &'f Function,
     own: usize,
     callees: &'f [Callee],
-    /// How often each local is mentioned, its declaration apart.
+    /// Number of uses of each local, without its declaration.
     uses: Vec<usize>,
-    /// Whether what is gone may let more go.
+    /// True if what is gone may let more go.
     again: bool,
 }
 
@@ -83,7 +83,7 @@ impl Tidy<'_> {
         idle
     }
 
-    /// `let same = x; if … { x = y; } else { x = same; }`: what is put back on a way on which nothing was written.
+    /// Simplifies `let same = x; if … { x = y; } else { x = same; }`: the second branch assigns the old value.
     fn put_back_later(&mut self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
         let StmtKind::Let { local, value: Some(value) } = &stmts[at].kind else { return false };
         let ExprKind::Load(place) = &value.kind else { return false };
@@ -253,7 +253,7 @@ impl Tidy<'_> {
     }
 }
 
-/// Whether an expression is the whole of a local.
+/// Returns true if an expression is the whole of a local.
 fn is_load(expr: &Expr, local: LocalId) -> bool {
     matches!(&expr.kind, ExprKind::Load(place) if place.root == local && place.steps.is_empty())
 }

@@ -14,10 +14,10 @@ use super::flow::{Flow, join};
 use super::items::{Sizes, check_span};
 use super::problem::{Error, Problem, Subject};
 
-/// How deep blocks may nest: each `else if` is one in the one before.
+/// Largest nesting of blocks: each `else if` is inside the previous one.
 pub const MAX_BLOCKS: u32 = 1024;
 
-/// How many levels of operands an expression may have: a sum has one for each term.
+/// Largest number of operand levels of an expression: a sum has one for each term.
 pub const MAX_HEIGHT: u32 = 4096;
 
 /// Checks one function of a module whose definitions hold.
@@ -46,7 +46,7 @@ pub(super) fn check(module: &Module, sizes: &Sizes<'_>, index: usize) -> Vec<Err
     body.errors
 }
 
-/// How deep a body nests; stops where it nests too deep.
+/// Nesting of a body; the count stops at the limit.
 struct Depth {
     blocks: u32,
     exprs: u32,
@@ -88,7 +88,7 @@ pub(super) struct Body<'m> {
     pub index: usize,
     pub function: &'m Function,
     pub flow: Flow,
-    /// How many loops stand around.
+    /// Number of surrounding loops.
     loops: u32,
     /// The locals that the current block has declared.
     declared: Vec<LocalId>,
@@ -110,7 +110,7 @@ impl Body<'_> {
         }
     }
 
-    /// Whether the end of the block is reached.
+    /// Returns true if the end of the block is reached.
     fn block(&mut self, block: &Block) -> bool {
         let outer = core::mem::take(&mut self.declared);
         let mut falls_through = true;
@@ -144,7 +144,7 @@ impl Body<'_> {
         falls_through
     }
 
-    /// Whether the statement after this one is reached.
+    /// Returns true if the statement after this one is reached.
     fn stmt(&mut self, stmt: &Stmt) -> bool {
         self.note(stmt.span, check_span(self.module, stmt.span));
         match &stmt.kind {

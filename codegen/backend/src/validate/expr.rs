@@ -259,7 +259,7 @@ impl Body<'_> {
     }
 }
 
-/// Whether a place is an array or a matrix that lies within an array, `whole`, from a fixed element on.
+/// Returns true if a place is an array or a matrix that lies within an array, `whole`, from a fixed element on.
 fn is_part(place: &Place, whole: &Type) -> bool {
     let (Type::Array { element, len }, Some(Step::From(from))) = (whole, place.steps.last()) else {
         return false;

@@ -17,7 +17,7 @@ pub const MAX_WORDS: u64 = 1 << 24;
 /// The words of types, which this also checks.
 pub(super) struct Sizes<'m> {
     module: &'m Module,
-    /// Of each struct that has been checked.
+    /// Checked structs.
     structs: Vec<u64>,
 }
 
@@ -233,15 +233,15 @@ impl Items<'_> {
     }
 }
 
-/// Whether a local is a parameter by reference, with a length behind it.
+/// Returns true if a local is a parameter by reference, with a length behind it.
 fn is_lent(function: &Function, index: usize) -> bool {
     let by_reference = function.locals[index].mode != Mode::Value;
     let length = function.parameters().get(index + 1);
     by_reference && length.is_some_and(|it| it.ty == Type::USIZE && it.mode == Mode::Value)
 }
 
-/// Whether a function has the face of its kernel, no body, and beyond its parameters at most one that
-/// lends the kernel memory.
+/// Returns true if a function has the face of its kernel, no body, and beyond its parameters at most one that lends the
+/// kernel memory.
 fn has_face(function: &Function, kernel: &Kernel) -> bool {
     let Some(sound) = Kernel::new(kernel.routine, kernel.element, &kernel.dims) else {
         return false;

@@ -5,7 +5,7 @@
 //!   function, so nothing recurses. A span that stands somewhere names a file of the module.
 //! * Every type has between 1 and [`MAX_WORDS`] words: no empty struct, enum, array or matrix. `Unit` is
 //!   nothing but the result of a function. Types nest at most [`MAX_NESTING`] deep.
-//! * A function that stands for a kernel has the face of [`Kernel::function`] and no body; it may take one
+//! * A function that represents a kernel has the face of [`Kernel::function`] and no body; it may take one
 //!   more parameter, by which its caller lends it memory.
 //! * Fields of one struct, and variants of one enum, have different names.
 //! * A constant, and the initial state of a component, has exactly the words of its type, each a value of
@@ -20,7 +20,7 @@
 //! * Conditions are `bool`. A `Check` has a condition without calls.
 //! * A `match` is on an integer or an enum; its values are in range, distinct, at least one to an arm;
 //!   it has an `otherwise`, or names every variant.
-//! * Bounds of a loop and its variable have one integer type. `Break` and `Continue` stand in loops.
+//! * Bounds of a loop and its variable have one integer type. `Break` and `Continue` are in loops.
 //! * Every path returns a value of the function's type; a function of result `Unit` returns none.
 //! * A value of type `Unit` is never used: such a call is a statement.
 //!
@@ -41,7 +41,7 @@
 //!   array with its element type or a matrix with its scalar.
 //! * Routines take matrices of floats (`Transpose`: of anything) of shapes that fit; `Scale` and
 //!   `Unscale` a scalar second; `Cross` two of 3×1 or two of 1×3.
-//! * A call passes what the parameters' modes and types ask for. What one argument lends mutably
+//! * A call passes what the parameters' modes and types request. What one argument lends mutably
 //!   overlaps nothing that another argument of the call lends, and nothing that a call inside a later
 //!   argument writes is lent by an earlier one. (By-value arguments may read it: they are copies.)
 //! * Blocks nest at most [`MAX_BLOCKS`] deep and operands [`MAX_HEIGHT`], so that whatever walks them may recurse, on a stack

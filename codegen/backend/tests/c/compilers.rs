@@ -19,7 +19,7 @@ pub fn by_turn<T: Copy>(ways: &[T], count: usize, shift: usize) -> Vec<T> {
     (0..count).map(|index| ways[(first + index) % ways.len()]).collect()
 }
 
-/// Whether a program is installed.
+/// Returns true if a program is installed.
 pub fn is_there(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
 }
@@ -42,7 +42,7 @@ pub fn check(name: &str, files: &[CFile]) {
     once(name, &texts(files), || compile_each(name, files));
 }
 
-/// What a check of some C depends on.
+/// Returns the names and texts of the files, on which a check of the C depends.
 pub fn texts(files: &[CFile]) -> Vec<(&str, &str)> {
     files.iter().map(|file| (file.name.as_str(), file.text.as_str())).collect()
 }

@@ -1,5 +1,5 @@
-//! Bytes that are no variant of an enum, or no `bool`, handed to entries that have no status to tell of it: nothing beside the objects
-//! that are passed is touched, and each byte does what one of the variants does.
+//! Invalid bytes for enums and `bool` in entry points without a status. Only the passed objects are touched, and each
+//! byte acts as one of the variants.
 
 use std::path::Path;
 use std::process::Command;

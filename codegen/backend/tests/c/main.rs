@@ -209,7 +209,7 @@ fn random_modules_agree() {
     }
 }
 
-/// Checks that were proved stand in the C, and none of them fails.
+/// Checks that were proved are in the C, and none of them fails.
 #[test]
 fn kept_checks_hold() {
     let options = Options { keep_checks: true, ..Options::default() };

@@ -1,5 +1,5 @@
-//! The C of a package in somebody else's tree: beside another package's, and beside headers of the same names; by turns with
-//! each standard that a project can decide for.
+//! The C of a package in a foreign tree: beside another package's, and beside headers of the same names. The runs
+//! rotate through the standards that a project can select.
 
 use std::path::Path;
 use std::process::Command;
@@ -47,8 +47,8 @@ pub fn link_together(name: &str, module: &Module) {
     );
 }
 
-/// With headers in a folder of their own, a vendor's of the same names and guards do no harm, though the compiler finds them
-/// first; each compiler takes the C by the standard that was decided for, and refuses it by an older one.
+/// Checks headers in a folder of their own beside a vendor's with the same names and guards, which the compiler finds
+/// first. Each compiler accepts the C by the selected standard and rejects it by an older one.
 #[track_caller]
 pub fn stand_in_a_folder(name: &str, module: &Module) {
     let plain = emit(module, &Options { self_test: true, ..Options::default() });
@@ -91,8 +91,8 @@ pub fn stand_in_a_folder(name: &str, module: &Module) {
     }
 }
 
-/// A vendor has headers of the same names and guards: with a prefix, both can be included; without one, those of a folder of
-/// the package's own find each other, and the firmware finds them by the folder.
+/// Checks headers beside a vendor's of the same names and guards. With a prefix, both can be included; without one, the
+/// package's own folder resolves them.
 #[track_caller]
 pub fn stand_beside_a_vendors(name: &str, module: &Module) {
     if !is_there("gcc") {

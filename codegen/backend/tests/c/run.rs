@@ -28,7 +28,7 @@ pub fn compare(name: &str, module: &Module, explicit: &Module, files: &[CFile]) 
     compare_with(&COMPILERS, name, module, explicit, files);
 }
 
-/// The same with some compilers.
+/// Compares the legs with some compilers.
 pub fn compare_with(
     compilers: &[&str],
     name: &str,
@@ -78,7 +78,7 @@ fn run(compiler: &str, flags: &[&str], folder: &Path, input: &str) -> String {
         .map(|entry| entry.expect("readable").path());
     let sources: Vec<_> =
         sources.filter(|path| path.extension().is_some_and(|end| end == "c")).collect();
-    // Of one compiler what it documents, of the other what stands in for that elsewhere.
+    // Of one compiler what it documents, of the other what is in for that elsewhere.
     let plain = (compiler == "clang").then_some("-DBESSEMER_PLAIN");
     super::compilers::run(
         Command::new(compiler)
@@ -104,7 +104,7 @@ fn run(compiler: &str, flags: &[&str], folder: &Path, input: &str) -> String {
     String::from_utf8(output.stdout).expect("UTF-8")
 }
 
-/// What the interpreter says: the status, the words of what is lent, the words of the result.
+/// Returns the interpreter's status, words of the borrowed arguments, and words of the result.
 fn expected(module: &Module, calls: Vec<Call>) -> Vec<(Call, String)> {
     let mut interpreter = Interpreter::new(module);
     // A random program may count to 2^64.

@@ -77,7 +77,7 @@ fn compare(seed: u64, count: &mut Count) {
     count.modules += 1;
     let mut after = passed(&before, seed, count);
     after.functions.iter_mut().for_each(|function| Mark.block(&mut function.body));
-    // Those that were proved stand in this one.
+    // Those that were proved are in this one.
     let (kept, _) = explicit_with(before.clone(), true).expect("explicit before");
     show(&kept, "kept.ir");
     assert_eq!(validate(&kept), Ok(()), "seed {seed}");
@@ -119,7 +119,7 @@ fn agree(at: &str, expected: &Result<Vec<u64>, Stop>, found: &Result<Vec<u64>, S
     }
 }
 
-/// The same outcome; a check that was left out does not fail.
+/// Checks that both outcomes are equal, and that no removed check fails.
 fn told_alike(at: &str, expected: &Result<Vec<u64>, Stop>, found: &Result<Vec<u64>, Stop>) {
     match (expected, found) {
         (Ok(a), Ok(b)) => assert_eq!(canonical(a), canonical(b), "{at}"),

@@ -1,8 +1,8 @@
-//! How far what begins at a place goes: the tree has the beginnings of what the author wrote, and an author is
-//! shown the whole.
+//! Extent of the text at a position: the tree has the beginnings of the author's nodes, and a diagnostic marks the
+//! whole.
 
-/// The bytes, in its line, of what `text` begins with: a keyword with what belongs to it, or an operand with the calls
-/// and fields behind it, and the one behind an operator.
+/// Returns the length, in bytes and within its line, of the node at the beginning of `text`. It is a keyword with its
+/// syntax, or an operand with the calls and fields after it, and the operand after an operator.
 pub fn length(text: &str) -> usize {
     let first = word(text);
     let end = match &text[..first] {

@@ -16,7 +16,7 @@ use crate::source::Sources;
 /// The remedy where the tool contradicts itself.
 pub const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
 
-/// How bad it is.
+/// Severity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Level {
     /// No C is made.
@@ -39,7 +39,7 @@ impl Level {
 /// One thing that is wrong, and where.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Severity.
     pub level: Level,
     /// The source file, relative to the workspace.
     pub file: String,
@@ -262,7 +262,7 @@ impl Extent {
     }
 }
 
-/// Where a column, counted in characters from 1, begins in a line.
+/// Returns the byte offset of a column, counted in characters from 1.
 fn byte(line: &str, column: u32) -> usize {
     let mut starts = line.char_indices();
     starts.nth(column.saturating_sub(1) as usize).map_or(line.len(), |(index, _)| index)

@@ -1,5 +1,5 @@
-//! How an author computes the fields of a written-out `Default`, for the comments of the C: its `impl` needs no mark, so that
-//! no macro sees it, and rustc gives the numbers alone.
+//! The author's expressions for the fields of a written `Default`, for comments of the C. The `impl` needs no mark, so
+//! that no macro sees it, and rustc provides the numbers only.
 //!
 //! Read is one form: `impl Default for Name`, of which `default` gives a literal of the struct and does nothing else. What is
 //! of any other says nothing. Must not know: what the expressions mean.
@@ -13,7 +13,7 @@ pub(super) fn computed(text: &str, name: &str) -> Vec<(String, String)> {
     literal(&text, name).map(fields).unwrap_or_default()
 }
 
-/// What stands between the braces of the literal.
+/// Returns the text between the braces of the literal.
 fn literal<'t>(text: &'t str, name: &str) -> Option<&'t str> {
     let head = format!("impl Default for {name}");
     let mut found =
@@ -27,7 +27,7 @@ fn literal<'t>(text: &'t str, name: &str) -> Option<&'t str> {
     braced(inner).filter(|(_, rest)| rest.trim().is_empty()).map(|(literal, _)| literal)
 }
 
-/// What stands in the braces that a text begins with, and what behind them.
+/// Returns the text in the braces at the beginning of a text, and the rest.
 fn braced(text: &str) -> Option<(&str, &str)> {
     let inner = text.trim_start().strip_prefix('{')?;
     let mut depth = 1;
@@ -74,8 +74,8 @@ fn fields(literal: &str) -> Vec<(String, String)> {
     parts.iter().filter_map(field).collect()
 }
 
-/// Whether an expression calls something with arguments that is no constructor, has an operator between two operands, or names a
-/// constant that is no length.
+/// Returns true if an expression computes something. It calls a function that is no constructor, has a binary operator,
+/// or names a constant that is no length.
 fn computes(value: &str) -> bool {
     let value = value.split(';').next().unwrap_or_default();
     let operators = [" + ", " - ", " * ", " / ", " % ", " << ", " >> ", " | ", " & ", " ^ "];

@@ -1,4 +1,4 @@
-//! What a condition compares: numbers of which one is below another while it holds, and what shows of a number.
+//! Comparisons in a condition: pairs of numbers of which one is below the other while it is true, and known values.
 //!
 //! It looks at one condition alone; how the two move is for [`termination`](super) to follow.
 
@@ -9,8 +9,9 @@ use bessemer_ir::{
 
 use bessemer_ir::effects::{reads, same_place, writes};
 
-/// The comparisons `low < high` that have to hold for a condition behind the statements `before` it to be `truth`, and those that follow from them:
-/// `i + 2 < n` is false where `i < n` is, and so is `i < n - 2`. What follows comes first: it is what is counted in.
+/// Returns the comparisons `low < high` that must be true for a condition to be `truth`, and their consequences. The
+/// condition follows the statements `before`. Example: `i + 2 < n` is false if `i < n` is, and so is `i < n - 2`.
+/// Consequences come first, since the loop counts in them.
 pub(super) fn bounds<'e>(
     module: &Module,
     before: &'e [Stmt],
@@ -30,7 +31,7 @@ pub(super) fn bounds<'e>(
     follow.chain(compared.iter().copied()).collect()
 }
 
-/// What a number is, where the statements `before` the condition give it a name and leave it as it is.
+/// Returns the value of an expression that the statements `before` the condition name and leave unchanged.
 pub(super) fn meant<'e>(before: &'e [Stmt], expr: &'e Expr) -> &'e Expr {
     let Some(name) = place(expr).filter(|place| place.steps.is_empty()) else { return expr };
     let declares =

@@ -1,5 +1,5 @@
-//! An `Ordering` that is asked one thing and then forgotten is never computed: `a.cmp(&b).is_lt()` is lowered as `a < b`, and a
-//! closure that compares is inlined where it is called.
+//! Lowering of an `Ordering` that is queried at once: `a.cmp(&b).is_lt()` becomes `a < b`, and a comparing closure is
+//! inlined at its call.
 //!
 //! Must not know: what becomes of the answer.
 
@@ -21,8 +21,8 @@ const ASKED: [(&str, Op); 6] = [
     ("bessemer::comparison::is_unequal", Op::Ne),
 ];
 
-/// The functions of the library that compare: values of an ordered type, values of a partially ordered one, and floats in
-/// their total order, which calls `BELOW`.
+/// Names of the library's comparison functions: for ordered types, for partially ordered types, and for the total order
+/// of floats, which calls `BELOW`.
 const COMPARE: &str = "bessemer::comparison::compare";
 const PARTIAL: &str = "bessemer::comparison::partial";
 const TOTAL: &str = "bessemer::comparison::total";
@@ -108,7 +108,8 @@ impl Lowering<'_, '_> {
         self.value(&answer, Some(&Type::BOOL)).map(Some)
     }
 
-    /// Whether an expression can be computed before another that stands before it: it does nothing, and has no fault.
+    /// Returns true if an expression can be computed before another that stands before it: it does nothing, and has no
+    /// fault.
     fn is_calm(&self, expr: &tree::Expr) -> bool {
         let is_float = || {
             let ty = self.seen_as(expr);

@@ -16,7 +16,7 @@ use super::{Context, Problem, Result, refusals, refused};
 /// The fields that lead to a slice in a value; an element of an array is as any other.
 pub(super) type Path = Vec<u32>;
 
-/// Where a slice is: in a local or, without one, in the result; and the fields that lead to it there.
+/// Location of a slice: a local or, without one, the result; and the fields that lead to it.
 pub(super) type Spot = (Option<LocalId>, Path);
 
 /// Two slices in a struct that have one lender, since a function makes one a part of the other.
@@ -25,11 +25,11 @@ pub(super) type Joined = (StructId, [Path; 2]);
 /// A slice in a value.
 #[derive(Clone)]
 pub(super) struct Borrowed {
-    /// Of one element.
+    /// Type of one element.
     pub element: Type,
-    /// Whether its elements may be written through it.
+    /// True if its elements may be written through it.
     pub mutable: bool,
-    /// Whether it is one element, `&mut T`.
+    /// True if it is one element, `&mut T`.
     pub one: bool,
 }
 
@@ -46,7 +46,7 @@ pub(super) struct Lenders {
     pub awaited: Vec<Awaited>,
     /// Slices that were copied before their lender was known: to where, from where.
     pub copied: Vec<(Spot, Copied)>,
-    /// How many locals are parameters.
+    /// Number of locals that are parameters.
     pub params: usize,
     /// The first slice that was refused.
     pub problem: Option<Problem>,
@@ -58,7 +58,7 @@ impl Lenders {
         self.known.iter().find(|it| it.0 == *spot).map(|it| it.1.clone())
     }
 
-    /// How much is to be asked yet, and whether a slice was refused.
+    /// Returns the numbers of open queries, and true if a slice was refused.
     pub fn open(&self) -> (usize, usize, bool) {
         (self.awaited.len(), self.copied.len(), self.problem.is_some())
     }
@@ -85,7 +85,7 @@ pub(super) struct Awaited {
     pub site: Site,
 }
 
-/// Where the slice at a place is: the fields among its steps.
+/// Returns the location of the slice at a place: the fields among its steps.
 pub(super) fn spot_of(place: &Place) -> Spot {
     let field = |step: &Step| match step {
         Step::Field(at) => Some(*at),
@@ -108,7 +108,7 @@ fn struct_in(ty: &Type) -> Option<StructId> {
     }
 }
 
-/// Whether a type is a `&mut T` of one value.
+/// Returns true if a type is a `&mut T` of one value.
 pub(super) fn is_element(ty: &Ty) -> bool {
     matches!(ty, Ty::Ref(of, true) if !matches!(**of, Ty::Slice(_)))
 }

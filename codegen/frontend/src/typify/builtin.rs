@@ -73,7 +73,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// How many rows, columns or elements a matrix has.
+    /// Returns the number of rows, columns or elements of a matrix.
     fn size(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let shape = self.shape_of(&arguments[0])?;

@@ -73,7 +73,7 @@ impl<'a> Lowering<'a, '_> {
         all.find(|(counted, hand)| **counted == through || hand.again == through).map(|it| *it.0)
     }
 
-    /// The same iterator, of which items are taken one by one.
+    /// Returns the iterator as one with explicit `next` calls.
     pub(super) fn counted(&mut self, name: &str, through: usize, site: Site) -> Result<usize> {
         if let Some(counted) = self.counted_already(through) {
             return Ok(counted);
@@ -397,8 +397,8 @@ impl<'a> Lowering<'a, '_> {
         Some((pattern, Source::Elements(array.clone(), false)))
     }
 
-    /// `while let Some(x) = bytes.next()` with a body that takes more of `bytes`: a loop with as many passes as there are items
-    /// left, since each pass takes at least one.
+    /// Lowers `while let Some(x) = bytes.next()` with a body that takes more of `bytes`. The loop has as many passes as
+    /// items are left, since each pass takes at least one.
     pub(super) fn as_many_as_left(
         &mut self,
         condition: &tree::Expr,

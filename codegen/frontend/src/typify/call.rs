@@ -54,7 +54,7 @@ impl<'a> Lowering<'a, '_> {
         self.call_with(id, arguments, Vec::new(), expr)
     }
 
-    /// The same, with more that is passed behind the author's arguments.
+    /// Lowers a call with further arguments after the author's.
     pub(super) fn call_with(
         &mut self,
         id: FunctionId,
@@ -104,7 +104,8 @@ impl<'a> Lowering<'a, '_> {
         self.written_back(call, copies)
     }
 
-    /// What a call passes for an argument: for a slice its length, too, and nothing where no parameter is left of it.
+    /// Returns the arguments of the C for one argument: a slice also passes its length, and a zero-sized one passes
+    /// nothing.
     fn passed(
         &mut self,
         argument: &tree::Expr,

@@ -79,7 +79,7 @@ impl<'a> Lowering<'a, '_> {
         is_here.then_some(closure)
     }
 
-    /// The same, if what it uses means here what it means there; none else.
+    /// Returns the closure if the names in it have the same meaning here; none otherwise.
     fn text_here(&self, name: &str) -> Option<tree::Closure> {
         let closure = self.with_name(name)?;
         let same = |name: &String| {
@@ -347,7 +347,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// What an argument is to the parameter of a closure; `each`: it is an item that is handed on.
+    /// Returns the value of an argument for the parameter of a closure; `each`: it is an item.
     fn argument_for(
         &mut self,
         parameter: &tree::Pattern,
@@ -505,7 +505,7 @@ impl<'a> Lowering<'a, '_> {
 /// Begins the name of a local that has the name of the pattern that takes it, if there is one.
 pub(super) const UNTIL_NAMED: &str = "%%";
 
-/// Whether no author wrote a name.
+/// Returns true if no author wrote a name.
 pub(super) fn is_hidden(name: &str) -> bool {
     name.contains('%')
 }

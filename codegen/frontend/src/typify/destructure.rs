@@ -1,6 +1,5 @@
-//! `let` with a pattern: what is taken apart; and tuples that are never made: the items of `zip` and
-//! `enumerate` under one name, in functions that stand where they are called. The name means the parts, side by side; only
-//! where it is used as a value, one is made of them.
+//! `let` with a pattern; and tuples that are never made: the items of `zip` and `enumerate` under one name, in expanded
+//! functions. The name denotes the parts side by side; a tuple is made only where it is used as a value.
 
 use std::cell::RefCell;
 
@@ -118,8 +117,8 @@ impl Lowering<'_, '_> {
         self.meaning_lent(expr).filter(|it| matches!(it, Value::Tuple(..)))
     }
 
-    /// `let name = match lent { Some(x) => x, None => return 0 };`, where `x` refers to a place: all arms but one leave, so the
-    /// name is that of the place which the one gives. Says whether a value is of that kind.
+    /// Lowers `let name = match lent { Some(x) => x, None => return 0 };`, where `x` refers to a place. All arms but
+    /// one leave, so the name denotes the place of that arm. Returns true if a value has this form.
     pub(super) fn alias_of_arm(
         &mut self,
         (name, slot): (&str, u32),
@@ -166,7 +165,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether control leaves by an expression, whatever the input.
+/// Returns true if control leaves by an expression, whatever the input.
 fn leaves(expr: &tree::Expr) -> bool {
     let block = |block: &tree::Block| match (&block.tail, block.stmts.last()) {
         (Some(tail), _) => leaves(tail),

@@ -21,7 +21,7 @@ use super::{Problem, Result, diagnostic, problem, refusals, refused};
 /// The crate whose functions no author reads.
 const DSL: &str = "bessemer";
 
-/// Whether a function is one of the DSL's.
+/// Returns true if a function is one of the DSL's.
 pub(super) fn is_ours(function: &tree::Function) -> bool {
     function.module.split("::").next() == Some(DSL)
 }

@@ -28,7 +28,7 @@ use super::value::Value;
 use super::words;
 use super::{Result, refusals, refused};
 
-/// What gives the items.
+/// Source of the items.
 pub(super) enum By<'a, 'e> {
     /// A call of a function.
     Call(Called<'a, 'e>),
@@ -39,7 +39,7 @@ pub(super) enum By<'a, 'e> {
 }
 
 impl By<'_, '_> {
-    /// Whether it gives elements or numbers as they are.
+    /// Returns true if it gives elements or numbers as they are.
     pub(super) fn has_elements(&self) -> bool {
         matches!(self, By::Argument(through) if elements_through(through).is_some())
     }
@@ -56,7 +56,7 @@ pub(super) fn own_iterators(package: &tree::Package) -> Vec<&tree::Function> {
 }
 
 impl<'a> Lowering<'a, '_> {
-    /// What a loop goes through, if a function gives that.
+    /// Returns the sequence of a loop if a function generates it.
     pub(super) fn generated<'e>(&mut self, source: &'e Source) -> Result<Option<By<'a, 'e>>> {
         let leaves = source.leaves();
         for leaf in &leaves {
@@ -83,8 +83,8 @@ impl<'a> Lowering<'a, '_> {
         Ok(None)
     }
 
-    /// `for (a, b) in one.zip(other)` where `other` is an iterator without elements to index: the loop goes through `one`, and each
-    /// pass takes the next item of `other`. False if `other` has elements.
+    /// Lowers `for (a, b) in one.zip(other)` where `other` has no elements to index. The loop iterates over `one`, and
+    /// each pass takes the next item of `other`. Returns false if `other` has elements.
     pub(super) fn each_beside(&mut self, each: Each) -> Result<bool> {
         let (Source::Zip(one, other, Some(next)), site) = (each.source, each.site) else {
             return Ok(false);
@@ -178,8 +178,8 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// What a function hands on: of an element that has a name, its place, by the counter of the function's loop.
-    /// A value has the name that its taker gives it.
+    /// Returns the item that a function passes on. For a named element it is its place, by the counter of the
+    /// function's loop; a value is named by its consumer.
     pub(super) fn item(
         &mut self,
         expr: &tree::Expr,
@@ -214,7 +214,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// What a subject holds that was computed last, where it is read once, and next.
+    /// Returns the last computed value of a subject, if it is read once, and next.
     pub(super) fn just_computed(&mut self, subject: &Value, before: usize) -> Option<Expr> {
         let Value::Place(place) = subject else { return None };
         let own = local_since(place, before)?;
@@ -303,11 +303,11 @@ fn with_number(body: &mut tree::Block, number: &str) -> Option<()> {
     Some(())
 }
 
-/// How a pass of a loop hands on items.
+/// Ways in which a pass of a loop passes on items.
 struct Hands {
     /// In how many places; in a loop of its own, in more than one.
     each: usize,
-    /// Whether it may end the loop.
+    /// True if it may end the loop.
     ends: bool,
 }
 

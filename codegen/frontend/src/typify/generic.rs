@@ -20,11 +20,11 @@ pub(super) struct Case {
     pub name: String,
     /// The field that holds its payload.
     pub field: Option<u32>,
-    /// Whether the payload is the one part itself, not a struct of parts.
+    /// True if the payload is the one part itself, not a struct of parts.
     pub single: bool,
 }
 
-/// Where an author's type stands.
+/// Location of an author's type.
 #[derive(Clone)]
 pub(super) struct Home {
     /// Types are made of those with a lower one.
@@ -52,7 +52,7 @@ fn bare(ty: &Ty, copied: bool) -> Ty {
     }
 }
 
-/// Which field of a struct an author means by a name, or by the number of a part.
+/// Returns the index of the field with a name, or with the number of a part.
 pub(super) fn position(fields: &[Field], name: &str) -> Option<usize> {
     match name.parse::<usize>() {
         Ok(index) => (index < fields.len()).then_some(index),
@@ -223,7 +223,7 @@ impl Context<'_> {
         Ok(id)
     }
 
-    /// Where the author's type stands that a type is made of.
+    /// Returns the location of the author's type in a type.
     fn home(&self, ty: &Type) -> Option<Home> {
         match ty {
             Type::Array { element, .. } => self.home(element),
@@ -239,7 +239,7 @@ impl Context<'_> {
         }
     }
 
-    /// The same in the words of its author.
+    /// Returns the content as its author writes it.
     fn shown_content(&self, ty: &Ty, lowered: &Type) -> String {
         self.nothing_of(ty).map_or_else(|| self.show(lowered), |it| it.name.clone())
     }
@@ -266,8 +266,8 @@ impl Context<'_> {
         }
     }
 
-    /// The name of an author's type; with its module where two have the same, and with the modules around that where
-    /// these are named alike, too.
+    /// Returns the name of an author's type. It has its module if two types have the same name, and further modules if
+    /// these are equal too.
     fn qualified(&self, name: &str, module: &str) -> String {
         let homes = self.package.types.iter().filter(|it| it.name == name);
         let homes: Vec<&str> = homes.map(|it| it.module.as_str()).collect();

@@ -1,5 +1,5 @@
-//! Values that a loop does not go through as they are: a held range stands for its numbers, `for hour in window.hours.clone()`,
-//! and a value of a type with an own `iter` for the items of that.
+//! Values that are converted for iteration. A stored range becomes its numbers, as in `for hour in
+//! window.hours.clone()`, and a value with an own `iter` becomes the items of that.
 //!
 //! Invariant: no loop takes numbers from a range in a variable, since the variable would have to change.
 //!
@@ -85,7 +85,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What an expression copies.
+    /// Returns the operand that an expression copies.
     fn copied<'e>(&self, expr: &'e tree::Expr) -> Option<&'e tree::Expr> {
         match self.builtin_call(expr)? {
             (Builtin::Owned | Builtin::Desugared(Desugared::AsRef), of) => of.first(),

@@ -1,5 +1,5 @@
-//! Slices as values, and values as slices: what is read of a slice in a struct, a variant, a tuple or a result, and how one
-//! gets there.
+//! Slices as values, and values as slices: reads of a slice in a struct, a variant, a tuple or a result, and its
+//! construction.
 //!
 //! Invariant: a slice that was read stays what it is, whatever is written to the place that it was read from.
 //!
@@ -81,7 +81,7 @@ impl Lowering<'_, '_> {
         Ok(Some(self.borrowed_value(slice, id, expr.site)))
     }
 
-    /// What a `&mut T` in a value refers to, an element or a place by itself; none if the place is something else.
+    /// Returns the element or place to which a `&mut T` in a value refers; none for another place.
     pub(super) fn element_lent(&mut self, place: &Place, site: Site) -> Result<Option<Place>> {
         let Some((_, Borrowed { element, one: true, .. })) = self.cx.as_borrowed(&place.ty) else {
             return Ok(None);
@@ -241,7 +241,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether a type has a slice in it, or may have one element, by its syntax.
+/// Returns true if a type has a slice in it, or may have one element, by its syntax.
 fn borrows(ty: &Ty) -> bool {
     match ty {
         Ty::Tuple(parts) => parts.iter().any(borrows),

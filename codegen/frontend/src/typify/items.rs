@@ -14,8 +14,8 @@ use super::lowering::{Lowering, meaning_in};
 use super::syntax::generates;
 use super::value::Value;
 
-/// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
-/// types to see what it is, a loop through it.
+/// Returns an iterator argument as a closure that passes on each item. The macro wrote it as one, or, if only types
+/// decide what it is, it is a loop through it.
 pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     if let Tree::Closure(closure) = &argument.kind {
         return closure.clone();
@@ -40,7 +40,8 @@ pub(super) fn lent(argument: &tree::Expr) -> &tree::Expr {
     }
 }
 
-/// Whether a function goes through the one iterator that it takes before anything else that it takes is looked at.
+/// Returns true if a function goes through the one iterator that it takes before anything else that it takes is looked
+/// at.
 pub(super) fn begins_at_once(function: &tree::Function) -> bool {
     let params = &function.tree.params;
     let Some((_, before)) = function.tree.body.stmts.split_last() else { return false };
@@ -52,7 +53,7 @@ pub(super) fn begins_at_once(function: &tree::Function) -> bool {
 }
 
 impl<'a> Lowering<'a, '_> {
-    /// What goes through an argument.
+    /// Returns the iteration over an argument.
     pub(super) fn gone_through(&mut self, argument: &tree::Expr) -> Result<Value> {
         if let Some(known) = self.iterator_copied(argument) {
             return Ok(Value::Closure(self.copy_of_hand(known)));
@@ -63,7 +64,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(self.closure_here(closure))
     }
 
-    /// The same of the only argument but closures of a function that goes through it before anything else.
+    /// Returns the iteration over the only argument besides closures, in a function that begins with it.
     pub(super) fn gone_through_at_once(&mut self, argument: &tree::Expr) -> Result<Value> {
         self.check_taken(argument)?;
         Ok(match self.iterator_copied(argument) {
@@ -72,7 +73,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// What goes through a value, if that is an iterator.
+    /// Returns the iteration over a value that is an iterator.
     pub(super) fn iterator(&mut self, value: &tree::Expr) -> Result<Option<Value>> {
         let is_iterator = matches!(value.kind, Tree::Closure(_))
             || self.expansion(value).is_some_and(|(it, _)| generates(it))
@@ -100,7 +101,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// The same; a copy has a copy of what changes in it.
+    /// Returns the iterator; a copy has a copy of its state.
     pub(super) fn iterator_copied(&mut self, expr: &tree::Expr) -> Option<usize> {
         let known = self.iterator_named(expr)?;
         let of = self.builtin_call(expr).map(|it| it.0);

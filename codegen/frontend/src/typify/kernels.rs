@@ -1,5 +1,5 @@
-//! Routines of linear algebra: which kernel a call means, where the routine is a function of its own; and those of matrices of
-//! integers, loops over their elements, where each operation is checked as it is of two integers.
+//! Routines of linear algebra: the kernel of a call, if the routine is a function of its own. Routines on matrices of
+//! integers are loops over their elements, where each operation is checked as on two integers.
 //!
 //! The order is nalgebra's: a product adds its terms in the order of the columns of its left factor.
 

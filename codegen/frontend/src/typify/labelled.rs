@@ -92,7 +92,7 @@ struct Leaving {
     mark: LocalId,
     /// The marks of all blocks that may be left here, this one's among them.
     marks: Vec<LocalId>,
-    /// Whether a flag is needed.
+    /// True if a flag is needed.
     flagged: bool,
 }
 
@@ -179,7 +179,7 @@ fn branches_mut(stmt: &mut Stmt) -> Vec<&mut Block> {
     }
 }
 
-/// Whether the end of a block may be reached.
+/// Returns true if the end of a block may be reached.
 fn falls_through(block: &Block, marks: &[LocalId]) -> bool {
     !block.0.iter().any(|stmt| match &stmt.kind {
         StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => true,
@@ -202,8 +202,8 @@ fn turned(mut stmt: Stmt) -> Stmt {
     stmt
 }
 
-/// Takes what nothing reaches out of a body (MISRA C:2012, rule 2.1): it stands behind a `return`, `break` or `continue`
-/// where the sizes of an instance or the length of a slice decide a condition.
+/// Removes unreachable statements from a body (MISRA C:2012, rule 2.1). They follow a `return`, `break` or `continue`
+/// when the sizes of an instance or the length of a slice decide a condition.
 pub(super) fn leave_out(body: &mut Block) {
     Unreached.block(body);
 }
@@ -219,7 +219,8 @@ impl VisitMut for Unreached {
     }
 }
 
-/// Whether control leaves the block by this statement, whatever the input; the blocks in it have lost what nothing reaches.
+/// Returns true if control leaves the block by this statement, whatever the input; the blocks in it have lost what
+/// nothing reaches.
 fn leaves(stmt: &Stmt) -> bool {
     let left = |block: &Block| block.0.last().is_some_and(leaves);
     match &stmt.kind {

@@ -15,7 +15,7 @@ pub(super) fn is_number(expr: &Expr, wanted: u64) -> bool {
     expr.kind == ExprKind::Literal(wanted)
 }
 
-/// Whether both are the same but for where they stand.
+/// Returns true if both are the same but for where they stand.
 pub(super) fn same(one: &Expr, other: &Expr) -> bool {
     match (&one.kind, &other.kind) {
         (ExprKind::Load(one), ExprKind::Load(other)) => effects::same_place(one, other),

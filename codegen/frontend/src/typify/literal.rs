@@ -69,8 +69,8 @@ pub(super) fn type_of(suffix: Option<Scalar>, expected: Option<&Type>, default: 
 }
 
 impl<'a> Lowering<'a, '_> {
-    /// Whether a number is made of those that an instance of something generic is made with, of the size of a matrix, or of
-    /// those that an expanded function is called with.
+    /// Returns true if a number depends on the instance: its constants, the size of a matrix, or the arguments of an
+    /// expanded function.
     pub(super) fn is_of_instance(&self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             tree::ExprKind::Path(_, name) => {
@@ -89,7 +89,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// What an instance has for the parameter of this name.
+    /// Returns the instance's argument for the parameter of this name.
     fn generic(&self, wanted: &str) -> Option<&'a tree::Argument> {
         let mut generics = self.source.generics.iter();
         generics.find(|(known, _)| known == wanted).map(|(_, argument)| argument)

@@ -1,6 +1,6 @@
-//! What a value refers to and holds a copy of: where nothing else can write to that while it is lent, a `&T` in a tuple, an
-//! `Option`, a struct or an array is a `T` in the C. A name of it has to stay what it is when the value comes to refer to
-//! something else, so it is copied out of a value that its author may write again.
+//! Values that hold a copy of what they refer to. Where nothing else can write to the place during the borrow, a `&T`
+//! in a tuple, an `Option`, a struct or an array is a `T` in the C. A name of it must keep its value when the reference
+//! is assigned again, so it is copied out of a variable that its author may assign.
 //!
 //! Invariant: what is copied is read and never written, since only a shared reference is a copy.
 
@@ -70,7 +70,7 @@ impl Lowering<'_, '_> {
         self.rustc_along(place).pop()?
     }
 
-    /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
+    /// Returns true if a place holds a copy of a referenced value, and the reference may be assigned again.
     pub(super) fn is_loan(&self, place: &Place) -> bool {
         let changes = self.changing.contains_key(&place.root)
             || self.locals[place.root.index()].mode == Mode::RefMut

@@ -1,4 +1,4 @@
-//! How often a function uses an iterator: one that is used once needs no count of the items that were taken.
+//! Number of uses of an iterator in a function: one that is used once needs no count of its items.
 //!
 //! Invariant: the number may be too large, never too small. An iterator without a count begins anew at each use.
 
@@ -10,14 +10,14 @@ use bessemer_ir::tree::{self, ExprKind as Tree, Stmt};
 struct Mentions<'n> {
     name: &'n str,
     depth: usize,
-    /// That of the name's `let`.
+    /// Number of the name's `let`.
     declared: usize,
-    /// How many `let`s give the name: which one is meant does not show.
+    /// Number of `let`s with the name: if there are several, its meaning is ambiguous.
     lets: usize,
     count: usize,
 }
 
-/// How often a function uses the iterator called `name`, at least: 2 stands for every number above 1.
+/// Returns the number of uses of the iterator called `name`; 2 represents every number above 1.
 pub(super) fn mentions(name: &str, body: &tree::Block) -> usize {
     let mut mentions = Mentions { name, depth: 0, declared: 0, lets: 0, count: 0 };
     mentions.block(body);
@@ -25,7 +25,7 @@ pub(super) fn mentions(name: &str, body: &tree::Block) -> usize {
 }
 
 impl Mentions<'_> {
-    /// Whether an expression is the name, or lends what it means: `&mut bytes`, `bytes.by_ref()`.
+    /// Returns true if an expression is the name, or lends what it means: `&mut bytes`, `bytes.by_ref()`.
     fn is_it(&self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             Tree::Local(name) => name == self.name,

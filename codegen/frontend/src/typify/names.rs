@@ -45,7 +45,8 @@ pub(super) fn result(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type)
     }
 }
 
-/// The module and the name of a constant that a function of `module` (in an `impl` of `owner`) reads by `path`: `left::LIMIT` is `LIMIT` of `left`, `Gains::LIMIT` is `GAINS_LIMIT`, `i8::MAX` is `I8_MAX`.
+/// Returns module and name of a constant that a function of `module` (in an `impl` of `owner`) reads by `path`.
+/// Examples: `left::LIMIT` is `LIMIT` of `left`, `Gains::LIMIT` is `GAINS_LIMIT`, `i8::MAX` is `I8_MAX`.
 pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String, String) {
     let mut segments: Vec<&str> = path.split("::").collect();
     segments.retain(|segment| !matches!(*segment, "crate" | "self" | "super" | "core"));

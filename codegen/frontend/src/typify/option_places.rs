@@ -39,7 +39,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Whether an expression gives an `Option<&mut T>`.
+    /// Returns true if an expression gives an `Option<&mut T>`.
     fn may_lend_element(&self, expr: &tree::Expr) -> bool {
         matches!(self.seen_as(expr), Some(Ty::Option(value)) if is_element(value))
     }
@@ -177,7 +177,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether a value refers to something.
+/// Returns true if a value refers to something.
 fn refers(ty: &Ty) -> bool {
     match ty {
         Ty::Ref(..) => true,
@@ -186,7 +186,7 @@ fn refers(ty: &Ty) -> bool {
     }
 }
 
-/// Whether a value may be computed or not: a name, a number, or what is made of them.
+/// Returns true if a value may be computed or not: a name, a number, or what is made of them.
 fn is_of_names(expr: &tree::Expr) -> bool {
     match &expr.kind {
         Tree::Tuple(parts) | Tree::Array(parts) | Tree::Constructor(_, parts) => {

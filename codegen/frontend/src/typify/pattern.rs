@@ -18,7 +18,7 @@ use super::value::{Named, Value};
 use super::{Needed, Result, problem, refusals, refused};
 use bessemer_ir::effects;
 
-/// What has to hold for a pattern to take a value, if anything, and the names that it gives then.
+/// Condition under which a pattern matches, if any, and the names that it binds.
 #[derive(Default)]
 pub(super) struct Test {
     pub condition: Option<Expr>,
@@ -37,7 +37,7 @@ impl Test {
         Test { condition: None, names: vec![name] }
     }
 
-    /// The same names, which the author writes again if `mutable`.
+    /// Returns the test with names that the author may assign if `mutable`.
     #[must_use]
     pub(super) fn changeable(mut self, mutable: bool) -> Test {
         self.names.iter_mut().for_each(|name| name.mutable = mutable);
@@ -60,7 +60,7 @@ impl Test {
 }
 
 impl Lowering<'_, '_> {
-    /// What has to hold for `pattern` to take the subject.
+    /// Returns the condition under which `pattern` matches the subject.
     pub(super) fn test(&mut self, pattern: &Pattern, subject: &Value, site: Site) -> Result<Test> {
         match (pattern, subject) {
             (Pattern::Any | Pattern::Rest, _) => Ok(Test::default()),
@@ -338,7 +338,7 @@ impl Lowering<'_, '_> {
         self.bind_or(pattern, value, site, |_| Ok(None))
     }
 
-    /// The same of one that may not take the value: then control leaves by `otherwise`, if that gives anything.
+    /// Binds a pattern that may not match: then control leaves by `otherwise`, if that returns a block.
     pub(super) fn bind_or(
         &mut self,
         pattern: &Pattern,
@@ -399,8 +399,8 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Whether what a name stands for is a value that refers to something: a slice in a value, or what a value refers to, of
-    /// which it has a copy.
+    /// Returns true if a name denotes a value that refers to something: a slice in a value, or a copy of a referenced
+    /// value.
     pub(super) fn is_borrowed(&self, named: &Named, place: &Place) -> Result<bool> {
         Ok(self.cx.as_borrowed(&place.ty).is_some()
             || named.slot != NO_SLOT
@@ -408,8 +408,7 @@ impl Lowering<'_, '_> {
                 && !self.slot_is_exclusive(named.slot, named.site)?)
     }
 
-    /// Whether nothing can write to a place: it is behind `&`, or in a local that the author has no name
-    /// for.
+    /// Returns true if nothing can write to a place: it is behind `&`, or in a local that the author has no name for.
     pub(super) fn is_lasting(&self, place: &Place) -> bool {
         let local = &self.locals[place.root.index()];
         let stays = local.mode == Mode::Ref
@@ -419,7 +418,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether two names are one, and stand for one place.
+/// Returns true if two names are one, and stand for one place.
 fn same_names((one, other): (&Named, &Named)) -> bool {
     let same = match (&one.stands, &other.stands) {
         (Value::Place(one), Value::Place(other)) => effects::same_place(one, other),

@@ -30,8 +30,8 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The statements of a pass that leaves its loop at its end, without the loop; none if anything but an `if … { …; break; }`
-/// leaves it before.
+/// Returns the statements of a pass that leaves its loop at its end, without the loop. None if anything but an `if … {
+/// …; break; }` leaves it before.
 pub(super) fn single_pass(pass: &[Stmt]) -> Option<Block> {
     let (last, rest) = pass.split_last()?;
     matches!(last.kind, StmtKind::Break).then(|| without_breaks(rest)).flatten()

@@ -10,7 +10,7 @@ use super::lowering::Lowering;
 use super::words;
 use super::{OUR_FAULT, Result, problem, refusals, refused, struct_of};
 
-/// Whether the type at a path stands for a quaternion, and then whether for a unit one.
+/// Returns true if the type at a path represents a unit quaternion, false for any quaternion, none for another type.
 pub(super) fn quaternion(path: &str) -> Option<bool> {
     let path = path.strip_prefix("bessemer::linear::spatial::")?;
     match path.split('<').next()? {
@@ -112,7 +112,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Whether `expr` is `q.coords` of a quaternion, or an element of it: a value, and no place.
+    /// Returns true if `expr` is `q.coords` of a quaternion, or an element of it: a value, and no place.
     pub(super) fn in_coords(&mut self, expr: &tree::Expr) -> Result<bool> {
         match &expr.kind {
             tree::ExprKind::Field(base, name) if name == "coords" => {

@@ -11,7 +11,7 @@ pub(super) fn bare(expr: &tree::Expr) -> &tree::Expr {
     }
 }
 
-/// Whether `expr` is control flow that has a value.
+/// Returns true if `expr` is control flow that has a value.
 pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
     use tree::ExprKind::{Block, If, Labelled, Match, While};
     match &expr.kind {
@@ -21,7 +21,7 @@ pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
     }
 }
 
-/// Whether a loop gives the value of `expr`, or of a branch of it.
+/// Returns true if a loop gives the value of `expr`, or of a branch of it.
 pub(super) fn ends_in_loop(expr: &tree::Expr) -> bool {
     let block = |block: &tree::Block| block.tail.as_deref().is_some_and(ends_in_loop);
     match &expr.kind {
@@ -35,7 +35,7 @@ pub(super) fn ends_in_loop(expr: &tree::Expr) -> bool {
     }
 }
 
-/// Whether the arms of a `match` are those of `matches!`.
+/// Returns true if the arms of a `match` are those of `matches!`.
 pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
     let says =
         |arm: &tree::Arm, word| matches!(arm.body.kind, tree::ExprKind::Bool(it) if it == word);
@@ -51,7 +51,7 @@ pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
     }
 }
 
-/// Whether a pattern has names inside `|`, which stand for one place in one case and for another in another.
+/// Returns true if a pattern binds names inside `|`, which denote different places in different cases.
 pub(super) fn names_by_case(pattern: &tree::Pattern) -> bool {
     with_case(pattern, 0).1 > 0
 }
@@ -92,7 +92,8 @@ impl VisitMut for Cases {
     }
 }
 
-/// Whether an expression is a variable, a part of one or, if `lent`, a reference to that, so that to name it does nothing.
+/// Returns true if naming an expression has no effect. It is a variable, a part of one or, if `lent`, a reference to
+/// that.
 pub(super) fn is_named(expr: &tree::Expr, lent: bool) -> bool {
     match &expr.kind {
         tree::ExprKind::Local(_) => true,
@@ -133,12 +134,12 @@ pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
     }
 }
 
-/// Whether a function gives an iterator.
+/// Returns true if a function gives an iterator.
 pub(super) fn generates(function: &tree::Function) -> bool {
     function.tree.params.last().is_some_and(|param| param.name == tree::EACH)
 }
 
-/// Whether a function is one of the DSL's own.
+/// Returns true if a function is one of the DSL's own.
 pub(super) fn is_of_library(function: &tree::Function) -> bool {
     function.module.starts_with("bessemer::")
 }

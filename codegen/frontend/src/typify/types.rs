@@ -1,5 +1,5 @@
-//! Definitions and types: from paths to handles; and the constants by which an author says how many elements a field, a
-//! parameter or a result has.
+//! Definitions and types: from paths to handles; and the constants by which an author writes the lengths of fields,
+//! parameters and results.
 //!
 //! The name of a size stands for a constant where a marked one has this name and this number as its value, and other modules
 //! may read it; else it says nothing, and the C has the number.
@@ -195,8 +195,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The type of what a struct or a variant holds: of what it refers to and only reads, a copy, since nothing writes to
-    /// that as long as it does.
+    /// Returns the type of a struct's or a variant's content. A shared reference becomes a copy, since nothing writes
+    /// to its place during the borrow.
     pub(super) fn held_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
             Ty::Ref(inner, false) if !matches!(**inner, Ty::Slice(_)) => {
@@ -313,7 +313,8 @@ impl<'a> Context<'a> {
         self.module.consts[id.index()].path()
     }
 
-    /// The same of all parameters of a function, and of its result. What its own parameters are called is no constant.
+    /// Returns the length constants of a function's parameters and result; generic parameters are no constants. What
+    /// its own parameters are called is no constant.
     pub(super) fn sizes_of(
         &mut self,
         source: &tree::Function,

@@ -1,5 +1,5 @@
-//! What an expression denotes while it is lowered; so, too, what a name means and what a pattern is matched against. Among it,
-//! elements in a row: a slice, known by its base and its ends; and a part of a matrix, known by where it begins.
+//! Denotation of an expression during lowering, and of names and matched values. It includes consecutive elements: a
+//! slice, known by its base and ends; and a part of a matrix, known by its beginning.
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
@@ -23,7 +23,7 @@ pub(super) enum Value {
     Submatrix(Box<Submatrix>),
     /// A tuple that is never made: its parts, side by side, and its type, if a value of it can be.
     Tuple(Vec<Value>, Option<Type>),
-    /// What is lent if the condition holds.
+    /// Value that is borrowed if the condition is true.
     Maybe(Expr, Box<Value>),
     /// A closure, by its place among those of the function that is being lowered.
     Closure(usize),
@@ -69,14 +69,14 @@ pub(super) const SMALL: u32 = 16;
 pub(super) struct Slice {
     /// The array, or the parameter that is a slice.
     pub base: Place,
-    /// Of one element.
+    /// Type of one element.
     pub element: Type,
     /// The first element, and the one behind the last: numbers, or locals that nothing writes.
     pub from: Expr,
     pub to: Expr,
-    /// How many there are.
+    /// Number of elements.
     pub length: Expr,
-    /// Whether these are all elements of the base.
+    /// True if these are all elements of the base.
     pub whole: bool,
     /// The part of the base, a matrix, whose elements these are, by its columns.
     pub within: Option<Box<Submatrix>>,
@@ -99,7 +99,7 @@ impl Slice {
         Type::Slice(Box::new(self.element.clone()))
     }
 
-    /// Where the first element is.
+    /// Returns the place of the first element.
     pub fn place(&self) -> Place {
         match (&self.base.ty, is_number(&self.from, 0)) {
             (Type::Slice(_), true) => self.base.clone(),
@@ -140,7 +140,7 @@ impl Slice {
         Slice { from: plus(self.from.clone(), begin), length, whole: false, ..self.clone() }
     }
 
-    /// Whether there are `count` elements, or no fewer where not `exact`; known of an array.
+    /// True if there are `count` elements, or no fewer where not `exact`; known of an array.
     pub fn has(&self, count: u64, exact: bool, span: Span) -> Expr {
         let op = if exact { CompareOp::Eq } else { CompareOp::Ge };
         match self.length.kind {
@@ -172,7 +172,7 @@ impl Slice {
 #[derive(Clone, PartialEq)]
 pub(super) struct Submatrix {
     pub matrix: Place,
-    /// Where it begins: numbers, or locals that nothing writes, and sums of them.
+    /// First row: a number, a local that nothing writes, or a sum of them.
     pub row: Expr,
     pub column: Expr,
     pub element: Scalar,
@@ -195,7 +195,7 @@ impl Submatrix {
         self.matrix.inside(step, Type::Scalar(self.element))
     }
 
-    /// The same by its number, column by column.
+    /// Returns the element with an index counted by columns.
     pub fn nth(&self, index: Expr) -> Place {
         let zero = Expr::usize(0, index.span);
         match (self.rows, self.cols) {

@@ -7,8 +7,8 @@ pub(super) const TUPLES: [&str; 3] = ["single", "pair", "triple"];
 pub(super) const PARTS: [&str; 8] =
     ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
 
-/// The fields of a list, of an `Option` and a `Result`, of an enum with payload, and of a slice in a value: the index of
-/// its first element, and how many there are.
+/// Names of the fields of lists, `Option`, `Result`, enums with payload, and slices in values. A slice has the index of
+/// its first element, and its length.
 pub(super) const LENGTH: &str = "length";
 pub(super) const ITEMS: &str = "items";
 pub(super) const IS_SOME: &str = "is_some";
@@ -17,16 +17,16 @@ pub(super) const VALUE: &str = "value";
 pub(super) const ERROR: &str = "error";
 pub(super) const TAG: &str = "tag";
 pub(super) const ENDS: [&str; 2] = ["from", "length"];
-/// The same of what is one element.
+/// Names of the fields of a reference to one element.
 pub(super) const ENDS_OF_ONE: [&str; 2] = ["index", "length"];
 
-/// What a function that compares part by part is called, and its parameters.
+/// Names of a function that compares part by part, and of its parameters.
 pub(super) const EQUAL: &str = "equal";
 pub(super) const SAME_PARTS: &str = "same_parts";
 pub(super) const ALL_PARTS: &str = "all";
 pub(super) const COMPARED: [&str; 2] = ["one", "other"];
 
-/// What holds a value that is taken apart, by its type.
+/// Names of temporaries for destructured values, by type.
 pub(super) const OPTION: &str = "option";
 pub(super) const OUTCOME: &str = "outcome";
 pub(super) const VECTOR: &str = "vector";
@@ -36,7 +36,7 @@ pub(super) const PART: &str = "part";
 pub(super) const OTHERS: &str = "others";
 pub(super) const ELEMENT: &str = "element";
 
-/// What holds the result of an operation on matrices of integers.
+/// Names of the results of operations on matrices of integers.
 pub(super) const NEGATIVE: &str = "negative";
 pub(super) const SUM: &str = "sum";
 pub(super) const DIFFERENCE: &str = "difference";
@@ -44,7 +44,7 @@ pub(super) const PRODUCT: &str = "product";
 pub(super) const QUOTIENT: &str = "quotient";
 pub(super) const SCALED: &str = "scaled";
 
-/// What holds an operand or an argument that is computed before its turn.
+/// Names of operands and arguments that are computed early.
 pub(super) const OPERAND: &str = "operand";
 pub(super) const ARGUMENT: &str = "argument";
 pub(super) const INDEX: &str = "index";
@@ -56,7 +56,7 @@ pub(super) const BOUNDS: [&str; 2] = ["first", "end"];
 pub(super) const ROW: &str = "row";
 pub(super) const COLUMN: &str = "column";
 
-/// What is looked for; a loop and the flags behind one; a pass, and the counters, for which their author has no name.
+/// Names of search results, of a loop and its flags, of a pass, and of counters without an author's name.
 pub(super) const FOUND: &str = "found";
 pub(super) const LOOP: &str = "loop";
 pub(super) const DONE: &str = "done";

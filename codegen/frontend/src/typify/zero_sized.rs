@@ -44,7 +44,7 @@ impl Context<'_> {
         }
     }
 
-    /// Whether a type is one that holds nothing, and of which values may be unequal for all that the DSL sees.
+    /// Returns true if a type is one that holds nothing, and of which values may be unequal for all that the DSL sees.
     pub(super) fn may_differ(&self, ty: &Ty) -> bool {
         self.nothing_of(ty).is_some_and(|it| it.unequal)
     }
@@ -65,7 +65,8 @@ impl Context<'_> {
         self.leaves_out = true;
     }
 
-    /// Where the field is that an author means by a name, or by the number of a part; a zero-sized one is nowhere in the C.
+    /// Returns the index of the field with a name, or with the number of a part. None if a zero-sized field is absent
+    /// from the C.
     pub(super) fn field_at(&self, id: StructId, name: &str) -> Option<Option<usize>> {
         match self.known_of(id).fields.as_slice() {
             [] => position(self.fields(id), name).map(Some),
@@ -73,7 +74,7 @@ impl Context<'_> {
         }
     }
 
-    /// Where the author's fields of a struct are, in order.
+    /// Returns the indices of the author's fields of a struct, in order.
     pub(super) fn fields_at(&self, id: StructId) -> Vec<Option<usize>> {
         match self.known_of(id).fields.as_slice() {
             [] => (0..self.fields(id).len()).map(Some).collect(),
@@ -81,13 +82,13 @@ impl Context<'_> {
         }
     }
 
-    /// Whether an argument holds nothing, by its place among those of the author.
+    /// Returns true if an argument holds nothing, by its place among those of the author.
     pub(super) fn is_absent(&self, id: FunctionId, index: usize) -> bool {
         let absent = self.absent.get(&id).and_then(|absent| absent.get(index));
         absent.copied().unwrap_or_default()
     }
 
-    /// Whether a type, or what a reference refers to, holds nothing.
+    /// Returns true if a type, or what a reference refers to, holds nothing.
     pub(super) fn is_nothing(&self, ty: &Ty) -> bool {
         match ty {
             Ty::Unit => true,
@@ -99,13 +100,13 @@ impl Context<'_> {
 }
 
 impl Lowering<'_, '_> {
-    /// Whether rustc put a type that holds nothing, or a reference to one, into a slot.
+    /// Returns true if rustc put a type that holds nothing, or a reference to one, into a slot.
     pub(super) fn slot_is_nothing(&self, slot: u32) -> bool {
         slot != NO_SLOT
             && self.source.slots.get(slot as usize).is_some_and(|ty| self.cx.is_nothing(ty))
     }
 
-    /// Whether the value of an expression holds nothing.
+    /// Returns true if the value of an expression holds nothing.
     pub(super) fn holds_nothing(&mut self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             Tree::Local(name) => {

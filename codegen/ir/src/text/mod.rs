@@ -27,7 +27,7 @@
 //! * `@0:9:14 hexadecimal 32768`: the literal there, of that word, is written in base sixteen.
 //! * **Names** stand bare where they are unique and defined above, else behind their handle:
 //!   `%3.err` (local), `#3.step` (function), `const#3.LIMIT`, `struct#3.Pid`, `enum#3.Mode`. A name
-//!   that is no identifier or is a word of this language stands in double quotes. Locals are numbered
+//!   that is no identifier or is a word of this language is in double quotes. Locals are numbered
 //!   from the last declaration on; `let name: type` declares, `let name` refers to what is declared;
 //!   `var` declares without a statement.
 //! * **Types** of expressions follow from their operands; `(expression : type)` states another.

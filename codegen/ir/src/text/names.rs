@@ -51,7 +51,7 @@ pub(super) fn is_word(name: &str) -> bool {
     WORDS.contains(&name) || Scalar::from_name(name).is_some()
 }
 
-/// `name` as it stands in the text.
+/// `name` as it is in the text.
 pub(super) fn shown(name: &str) -> String {
     let mut chars = name.chars();
     let starts = chars.next().is_some_and(|first| first == '_' || first.is_ascii_alphabetic());

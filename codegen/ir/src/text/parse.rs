@@ -51,7 +51,7 @@ pub(super) enum Found<T> {
     Many,
 }
 
-/// Names and what they stand for, as far as the text has been read.
+/// Names and what they represent, as far as the text has been read.
 pub(super) type Names<K, T> = BTreeMap<K, Found<T>>;
 
 pub(super) struct Parser {

@@ -38,7 +38,7 @@ impl Draft {
 }
 
 impl Parser {
-    /// An expression of a statement that stands at `base`.
+    /// An expression of a statement that is at `base`.
     pub fn expr(&mut self, base: Span) -> Parsed<Expr> {
         let draft = self.draft(base)?;
         Ok(self.settle(draft)?.0)

@@ -13,7 +13,7 @@ use super::lex::Token;
 use super::parse::{Found, Parsed, Parser, define};
 use super::print::TypeId;
 
-/// A number as it stands in the text, before a type is known.
+/// A number as it is in the text, before a type is known.
 pub(super) enum Number {
     /// `0x…`.
     Bits(u64),

@@ -308,7 +308,7 @@ impl<'m> Printer<'m> {
         self.locals.next = id.0.wrapping_add(1);
     }
 
-    /// A type as it stands in the text.
+    /// A type as it is in the text.
     pub fn ty(&self, ty: &Type) -> String {
         match ty {
             Type::Unit => "unit".to_string(),

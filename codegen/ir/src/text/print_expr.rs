@@ -25,7 +25,7 @@ struct Draft {
 }
 
 impl Printer<'_> {
-    /// An expression of a statement that stands at `base`.
+    /// An expression of a statement that is at `base`.
     pub fn expr(&mut self, expr: &Expr, base: Span) {
         let text = self.tight(expr, 0, base);
         self.out.push_str(&text);

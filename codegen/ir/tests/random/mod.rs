@@ -4,7 +4,7 @@
 use bessemer_ir::tree::Site;
 use bessemer_ir::*;
 
-/// A module that these bytes stand for; when they run out, the simplest of everything.
+/// A module that these bytes represent; when they run out, the simplest of everything.
 pub fn module(bytes: &[u8]) -> Module {
     let mut source = Source { bytes, depth: 0, locals: 0 };
     let files = source.some(2, Source::text);

@@ -19,7 +19,7 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
     let of = Causes::of(&all, sources);
     let mut kept: Vec<bool> = all.iter().map(|one| !of.follows(one, sources)).collect();
     let is_error = |one: &Worded<'_, '_>| one.0.is_error;
-    // Whatever follows from what: an error is told.
+    // Whatever follows from what: an error is reported.
     if !all.iter().zip(&kept).any(|(one, kept)| *kept && is_error(one)) {
         kept.fill(true);
     }
@@ -160,7 +160,7 @@ struct Causes {
     items: BTreeSet<(String, String)>,
     /// The names that it refused.
     names: BTreeSet<(String, String)>,
-    /// The types that are told not to be the DSL's.
+    /// The types that are reported not to be the DSL's.
     types: BTreeSet<(String, String)>,
     /// The traits that are no interfaces.
     traits: BTreeSet<String>,
@@ -252,7 +252,7 @@ impl Causes {
             }
             None => {
                 let place = (file.clone(), mark.start.0, mark.start.1);
-                // A parameter of a refused item is not there for what stands in its place; nor is what rustc has not found, either.
+                // A parameter of a refused item is not there for what is in its place; nor is what rustc has not found, either.
                 let lost =
                     matches!(message.code, "E0261" | "E0425" | "E0433") && mark_of_macro(message);
                 let unresolved = matches!(message.code, "E0432" | "E0433") && named(&self.names);
@@ -301,11 +301,11 @@ impl Item {
         Item { name: String::new(), first, last: last.unwrap_or(first), file }
     }
 
-    /// The function or the type that something stands in: the nearest line above that begins one.
+    /// The function or the type that something is in: the nearest line above that begins one.
     fn around(mark: &Mark<'_>, sources: &Sources) -> Item {
         let file = mark.file.to_owned();
         let above = (1..=mark.start.0).rev();
-        // An attribute stands before what it is about.
+        // An attribute precedes what it is about.
         let below = mark.start.0 + 1..mark.start.0 + 4;
         let lines: Vec<u32> =
             if mark.is_attribute() { below.chain(above).collect() } else { above.collect() };

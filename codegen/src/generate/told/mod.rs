@@ -4,7 +4,7 @@
 //! tree. What is wrong in the model is wrong there, too, and is said in names that no author has seen. Each
 //! message of rustc's is read ([`rustc`]), reworded if it speaks of the DSL ([`wording`]) or gets a remedy that
 //! fits a model ([`hints`]), with types as authors write them ([`types`]), and left out where another one tells
-//! its cause ([`causes`]). A type that the DSL does not take is told where its author names it ([`place`]).
+//! its cause ([`causes`]). A type that the DSL does not take is reported where its author names it ([`place`]).
 //!
 //! Must not know: how cargo is called.
 

@@ -13,13 +13,13 @@ pub struct Words {
     pub help: String,
     /// The name of the type that it is about.
     pub of_type: Option<String>,
-    /// In what it is told once.
+    /// In what it is reported once.
     pub once: Once,
     /// True if an attribute reports it about its own item; false if the builders or the witness copy do.
     pub is_refusal: bool,
 }
 
-/// In what something is told once, however often it is found there.
+/// In what something is reported once, however often it is found there.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Once {
     /// In a line.
@@ -45,7 +45,7 @@ pub fn of(message: &Message<'_>) -> Option<Words> {
     EACH.iter().find_map(|it| it(message)).or_else(|| unnamed(message))
 }
 
-/// A refusal by an attribute: its remedies stand in lines of their own.
+/// A refusal by an attribute: its remedies are in lines of their own.
 fn refused(message: &Message<'_>) -> Option<Words> {
     let (title, help) = message.title.split_once("\nhelp: ")?;
     Some(Words { is_refusal: true, ..words(title, help)? })
@@ -225,7 +225,7 @@ const OWNED: &str = "dsl_";
 /// rustc's messages about the builders' own names.
 fn builders(message: &Message<'_>) -> Option<Words> {
     let (title, quoted) = (message.title, message.quoted());
-    // The builders ask for the one, what is simulated for the other, of the methods that the DSL owns.
+    // The builders request the one, what is simulated for the other, of the methods that the DSL owns.
     let owned = |name: &&str| message.code == "E0599" && name.starts_with(OWNED);
     let owned = quoted.iter().find(|name| owned(name)).and_then(|name| name.strip_prefix(OWNED));
     let method = quoted.iter().find_map(|name| name.strip_prefix("__b_")).or(owned);

@@ -3,7 +3,7 @@
 //! * `wrap(x)` becomes `wrap::__call(x)`: a struct of the function's name carries its companion, so
 //!   that aliases, globs and re-exports follow by themselves.
 //! * `x.torque(e)` becomes `x.__b_torque(e)`, `Pid::new(…)` becomes `Pid::__b_new(…)`: the companion
-//!   stands beside the method, so that rustc resolves it in its own order.
+//!   is beside the method, so that rustc resolves it in its own order.
 //!
 //! A companion returns what the function returns, and beside it, in a slot, which function it was.
 
@@ -51,7 +51,7 @@ impl Lowering {
         ExprKind::Call(self.take(it), arguments)
     }
 
-    /// Leads a path to what the DSL has in the place of a function of nalgebra or `libm`; the reason if it is out of reach.
+    /// Redirects a path from nalgebra or `libm` to the DSL's function; returns the reason if it is not available.
     pub(super) fn redirected(&self, function: &mut syn::ExprPath) -> Option<refuse::Reason> {
         let own = of_libm(&function.path).or_else(|| of_nalgebra(&function.path));
         if let Some(own) = own.filter(|_| function.qself.is_none()) {
@@ -88,7 +88,7 @@ impl Lowering {
         ExprKind::Call(self.take_method(it), arguments)
     }
 
-    /// Whether `path` names the function that is being lowered.
+    /// Returns true if `path` names the function that is being lowered.
     fn is_itself(&self, path: &syn::Path) -> bool {
         let names: Vec<_> = path.segments.iter().map(|segment| text(&segment.ident)).collect();
         let Some(name) = self.name.as_deref() else { return false };
@@ -142,7 +142,7 @@ fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
     of_type.or(outside.filter(|_| !answered))
 }
 
-/// Whether an expression is a call of a method, or what `?` gives of one: its value may refer to an element.
+/// Returns true if an expression is a call of a method, or what `?` gives of one: its value may refer to an element.
 pub(super) fn may_refer(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::MethodCall(_) | syn::Expr::Try(_) => true,

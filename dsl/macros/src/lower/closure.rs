@@ -32,7 +32,8 @@ impl Lowering {
         Some(tree::Stmt::Let { name, slot: NO_SLOT, value: Some(value), site, mutable: false })
     }
 
-    /// Whether an expression is the name of a function: of small letters alone, since a constant may begin with one.
+    /// Returns true if an expression is the name of a function: of small letters alone, since a constant may begin with
+    /// one.
     pub(super) fn names_function(&self, expr: &syn::Expr) -> bool {
         let syn::Expr::Path(path) = expr else { return false };
         let is_local = path.path.get_ident().is_some_and(|it| self.is_local(&text(it)));
@@ -86,7 +87,7 @@ impl Lowering {
         }
     }
 
-    /// Whether an expression is a closure, or the name of one.
+    /// Returns true if an expression is a closure, or the name of one.
     fn is_called_value(&self, expr: &syn::Expr) -> bool {
         match expr {
             syn::Expr::Closure(_) => true,
@@ -98,7 +99,7 @@ impl Lowering {
         }
     }
 
-    /// Whether a name is that of a parameter that takes a closure.
+    /// Returns true if a name is that of a parameter that takes a closure.
     pub(super) fn is_called(&self, name: &str) -> bool {
         self.called.iter().any(|known| known == name)
             && self.bindings(name) == 1
@@ -159,7 +160,7 @@ impl Lowering {
         }
     }
 
-    /// What a closure moves is a copy: of what nobody changes it is the same.
+    /// Checks captures: a `move` closure copies, which equals a borrow if nobody changes the variable.
     fn check_capture(&mut self, closure: &syn::ExprClosure) {
         if let Some(token) = &closure.capture
             && self.mutable.iter().any(|name| names(&closure.body, name))

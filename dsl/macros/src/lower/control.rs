@@ -182,7 +182,7 @@ fn has_let(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether a pattern has a name for all that is matched.
+/// Returns true if a pattern has a name for all that is matched.
 fn names_the_whole(pattern: &syn::Pat) -> bool {
     match pattern {
         syn::Pat::Ident(it) => {

@@ -1,9 +1,9 @@
 //! Ranges with a name: `let middle = 1..n - 1;`.
 //!
-//! A range does nothing before it is gone through, so it stands where that is, in the tree and in the copy, and its name is
+//! A range does nothing before it is iterated, so it stands where that is, in the tree and in the copy, and its name is
 //! nothing there.
 //!
-//! Invariants: what is copied when the range is made cannot change before it is gone through, so a number that may, or that
+//! Invariants: what is copied when the range is made cannot change before it is iterated, so a number that may, or that
 //! may fault, gets a name of its own where the range is made; no name in it means something else later. Any other range
 //! keeps its refusal.
 
@@ -17,7 +17,7 @@ use super::syntax::{bare, is_plain, names};
 use super::walk::Lowering;
 
 impl Lowering {
-    /// Puts the ranges that have names in a block where they are gone through.
+    /// Puts the ranges that have names in a block where they are iterated.
     pub(super) fn ranges_with_names(&self, stmts: &mut Vec<syn::Stmt>) {
         let mut at = 0;
         while at < stmts.len() {
@@ -33,7 +33,7 @@ impl Lowering {
         }
     }
 
-    /// The range that a statement gives a name, if it can stand in those behind it, and what is computed where it is made.
+    /// The range that a statement gives a name, if it can are in those behind it, and what is computed where it is made.
     fn range_with_name(
         &self,
         stmt: &syn::Stmt,
@@ -88,8 +88,8 @@ impl Lowering {
         }
     }
 
-    /// Whether what is copied where a range is made stays as it is, and whether that cannot fault. A field may change
-    /// behind a reference, and so may what a method gives; what is borrowed may not.
+    /// Returns true if what is copied where a range is made stays as it is, and whether that cannot fault. A field may
+    /// change behind a reference, and so may what a method gives; what is borrowed may not.
     fn is_settled(&self, expr: &syn::Expr) -> bool {
         match bare(expr) {
             syn::Expr::Closure(_) | syn::Expr::Lit(_) => true,
@@ -111,7 +111,7 @@ fn is_above_zero(expr: &syn::Expr) -> bool {
     number.base10_parse::<u64>().is_ok_and(|number| number > 0)
 }
 
-/// What is computed where a range is made.
+/// Values computed where a range is constructed.
 struct Made<'a> {
     /// The range's name.
     name: &'a syn::Ident,

@@ -38,7 +38,7 @@ impl Lowering {
         }))
     }
 
-    /// What an expression is gone through for.
+    /// Returns the sequence of an expression in iteration.
     fn source(&mut self, expr: &mut syn::Expr) -> Source {
         if let syn::Expr::Call(_) = expr
             && let Some(other) = self.rewritten(expr)
@@ -75,7 +75,7 @@ impl Lowering {
             Some(Link::Chain) => Source::Chain(
                 of,
                 match self.source(&mut it.args[0]) {
-                    // What stands beside references is one, whatever it is called.
+                    // What is beside references is one, whatever it is called.
                     Source::Elements(array, owned) => {
                         Box::new(Source::Elements(array, owned && !lent))
                     }

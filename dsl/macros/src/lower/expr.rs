@@ -292,8 +292,8 @@ impl Lowering {
     }
 }
 
-/// Whether an expression at the end of a block is a statement all the same: loops, `if` without
-/// `else`, assignments.
+/// Returns true if an expression at the end of a block is a statement all the same: loops, `if` without `else`,
+/// assignments.
 pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::ForLoop(_)

@@ -1,8 +1,8 @@
-//! Iterators that are values: what a function gives, `fn edges(&self) -> impl Iterator<Item = Edge>`; what stands before
+//! Iterators that are values: what a function gives, `fn edges(&self) -> impl Iterator<Item = Edge>`; what precedes
 //! `.map(…)`, or as an argument, `mean(values.iter().rev())`.
 //!
 //! In the tree both hand each item in turn to a closure, [`EACH`]: a loop, which stands where its taker goes through it, and
-//! whose body takes the closure's place. A function takes that closure; an iterator that stands for itself is one that does.
+//! whose body takes the closure's place. A function takes that closure; an iterator that represents itself is one that does.
 //! In the witness copy the latter stays what it is, and its items are looked at on their way, so that their types are known.
 //!
 //! Invariants: the body of a function ends in the iterator, and nothing leaves it before.
@@ -60,7 +60,7 @@ impl Lowering {
         let each = syn::Ident::new(EACH, Span::call_site());
         let mut through: syn::ExprForLoop = parse_quote! { for #pattern in () { #each(#item); } };
         *through.expr = expr.clone();
-        // Whatever stands in the place of handing it on means other names.
+        // Whatever is in the place of handing it on means other names.
         let outer = std::mem::replace(&mut self.apart, true);
         let body = self.scoped(|walk| walk.for_loop(&mut through)).unwrap_or(UNIT);
         self.apart = outer;
@@ -81,7 +81,7 @@ impl Lowering {
     }
 }
 
-/// Whether an expression begins with a struct that is written out.
+/// Returns true if an expression begins with a struct that is written out.
 fn begins_with_struct(expr: &syn::Expr) -> bool {
     use syn::Expr::{Assign, Binary, Call, Cast, Field, Index, MethodCall, Range, Struct, Try};
     match expr {
@@ -104,7 +104,7 @@ pub(super) fn named_item(iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
     named(iterator, &mut Vec::new())
 }
 
-/// The same beside items that have been `given` names: pairs have none of their own.
+/// Returns the pattern and the expression of an iterator beside named items: pairs have no name of their own.
 fn named(iterator: &syn::Expr, given: &mut Vec<&str>) -> (syn::Pat, syn::Expr) {
     let Some((first, second)) = pairs(iterator) else { return one(is_range(iterator), given) };
     let (left, one) = match first {

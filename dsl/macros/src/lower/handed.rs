@@ -46,7 +46,7 @@ impl Lowering {
         }
     }
 
-    /// A function. The closure that it stands for gets its parameters, and the call its arguments, where their types are
+    /// A function. The closure that it represents gets its parameters, and the call its arguments, where their types are
     /// known: they are those in its slot.
     fn function_argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         let syn::Expr::Path(function) = &*expr else { return self.value(expr) };
@@ -83,13 +83,13 @@ impl Lowering {
     }
 }
 
-/// Whether a path is that of a function, as its name shows: `π` may be a constant.
+/// Returns true if a path is that of a function, as its name shows: `π` may be a constant.
 pub(super) fn is_function(path: &syn::ExprPath) -> bool {
     let name = last_segment(&path.path);
     is_small(&name) && (name.is_ascii() || associated(path.qself.as_ref(), &path.path))
 }
 
-/// Whether a name is that of a function, and not of a constant or a variant.
+/// Returns true if a name is that of a function, and not of a constant or a variant.
 fn is_small(name: &str) -> bool {
     name.starts_with(|first: char| first.is_lowercase() || first == '_')
 }

@@ -13,7 +13,7 @@ use super::names::{generating, text};
 use super::refuse;
 use super::refuse::Refusals;
 
-/// Refuses a local whose name stands for another as well, that of a macro and that of its caller.
+/// Refuses a local whose name represents another as well, that of a macro and that of its caller.
 pub fn check_hygiene(signature: &syn::Signature, body: &syn::Block, refusals: &mut Refusals) {
     if !generating() {
         return;

@@ -32,7 +32,7 @@ pub(super) enum Link {
 }
 
 impl Link {
-    /// What a call is by its name and its number of arguments.
+    /// Classifies a call by its name and its number of arguments.
     pub(super) fn of(it: &syn::ExprMethodCall) -> Option<Link> {
         Some(match (shared(&it.method).as_str(), it.args.len()) {
             ("iter", 0) => Link::Iter,
@@ -54,7 +54,7 @@ impl Link {
         })
     }
 
-    /// Whether it turns round what comes, or leaves some of it out, and changes nothing of it.
+    /// Returns true if it turns round what comes, or leaves some of it out, and changes nothing of it.
     fn keeps(self) -> bool {
         matches!(self, Link::Rev | Link::Skip | Link::Take | Link::Sift)
     }
@@ -77,7 +77,7 @@ pub(super) fn pairs(expr: &syn::Expr) -> Option<(Option<&syn::Expr>, &syn::Expr)
     }
 }
 
-/// Whether an iterator gives references, as far as its syntax shows.
+/// Returns true if an iterator gives references, as far as its syntax shows.
 pub(super) fn gives_references(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Reference(_) => true,
@@ -90,7 +90,8 @@ pub(super) fn gives_references(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether an expression is an iterator through elements or numbers, one after the other, as far as its syntax shows.
+/// Returns true if an expression is an iterator through elements or numbers, one after the other, as far as its syntax
+/// shows.
 pub(super) fn is_source(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_source(&it.expr),
@@ -99,7 +100,7 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
             // What a method has itself is no array: its `iter` is its author's.
             Some(Link::Iter) => !is_self(&it.receiver),
             Some(Link::IntoIter | Link::Group(_)) => true,
-            // What is written, or gone through otherwise, is in one of two: a loop for each.
+            // What is written, or iterated otherwise, is in one of two: a loop for each.
             Some(Link::Chain) => is_lent(&it.receiver) && is_array(&it.args[0]),
             None | Some(Link::Sift) => false,
             Some(_) => is_source(&it.receiver),
@@ -108,17 +109,17 @@ pub(super) fn is_source(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether an expression is `values.iter()`, which may be an iterator of the author's own.
+/// Returns true if an expression is `values.iter()`, which may be an iterator of the author's own.
 pub(super) fn is_iter(expr: &syn::Expr) -> bool {
     matches!(expr, syn::Expr::MethodCall(it) if Link::of(it) == Some(Link::Iter))
 }
 
-/// Whether an expression is `self`.
+/// Returns true if an expression is `self`.
 fn is_self(expr: &syn::Expr) -> bool {
     matches!(expr, syn::Expr::Path(it) if it.path.get_ident().is_some_and(|it| text(it) == "self"))
 }
 
-/// Whether an iterator goes through elements that are lent to be read, from the first on.
+/// Returns true if an iterator goes through elements that are lent to be read, from the first on.
 fn is_lent(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Reference(it) => it.mutability.is_none(),
@@ -132,7 +133,7 @@ fn is_lent(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether what an iterator goes on with is an array, or its elements.
+/// Returns true if what an iterator goes on with is an array, or its elements.
 fn is_array(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Range(_) => false,
@@ -143,7 +144,7 @@ fn is_array(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether a loop counts through a range.
+/// Returns true if a loop counts through a range.
 pub(super) fn is_range(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Range(_) => true,

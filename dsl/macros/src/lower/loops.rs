@@ -1,4 +1,4 @@
-//! What authors say above loops, and what leaves loops.
+//! Attributes of loops, and exits from loops.
 //!
 //! `#[bound(64)]` above a `while`, a `loop`, or a `for` through an iterator of the author's own says how many passes there may be. The native loop counts them down and
 //! panics where another would begin, as the C reports a fault. `#[unroll(4)]` and `#[keep]` above a `for` ask it of C
@@ -10,14 +10,14 @@ use quote::quote_spanned;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-/// What is said of a loop without a range.
+/// Attributes of a loop without a range.
 pub(super) const BOUND: &[&str] = &["bound"];
-/// What is asked of C compilers for a `for`.
+/// Hints to C compilers for a `for`.
 pub(super) const HINTS: &[&str] = &["unroll", "keep"];
-/// What is said of a `for`: of one through an iterator of the author's own, how often it runs at most.
+/// Attributes of a `for`: over an author's own iterator, also the largest number of passes.
 const OF_FOR: &[&str] = &[HINTS[0], HINTS[1], BOUND[0]];
 
-/// Where a bound is said among attributes.
+/// Returns the span of a bound among attributes.
 pub(super) fn bound_at(attributes: &[syn::Attribute]) -> Option<Span> {
     let is_bound = |it: &&syn::Attribute| BOUND.iter().any(|name| it.path().is_ident(name));
     attributes.iter().find(is_bound).map(|it| it.path().span())
@@ -80,30 +80,30 @@ pub fn native(expr: &mut syn::Expr) {
     *expr = syn::Expr::Verbatim(quote_spanned! { span => { let mut #left = #bound; #expr } });
 }
 
-/// Whether a `loop` ends in `break` with a value.
+/// Returns true if a `loop` ends in `break` with a value.
 pub(super) fn gives_value(it: &syn::ExprLoop) -> bool {
     Exits::of(&it.body, it.label.as_ref()).value
 }
 
-/// Whether nothing breaks a `loop`: it ends in `return` alone.
+/// Returns true if nothing breaks a `loop`: it ends in `return` alone.
 pub(super) fn is_endless(it: &syn::ExprLoop) -> bool {
     !Exits::of(&it.body, it.label.as_ref()).breaks
 }
 
-/// Whether control may leave a loop by its body; what hands its items on is left by whoever goes through them.
+/// Returns true if control may leave a loop by its body; what hands its items on is left by whoever goes through them.
 pub(super) fn is_left(body: &syn::Block) -> bool {
     Exits::of(body, None).any
 }
 
-/// What leaves a loop.
+/// Search for the exits of a loop.
 struct Exits<'a> {
     label: Option<&'a syn::Ident>,
-    /// How many loops are around what is looked at, inside this one.
+    /// Number of inner loops around the present node.
     depth: u32,
-    /// Whether a `break` leaves it, and whether with a value.
+    /// True if a `break` leaves it, and whether with a value.
     breaks: bool,
     value: bool,
-    /// Whether anything may leave it, or a loop in it.
+    /// True if anything may leave it, or a loop in it.
     any: bool,
 }
 

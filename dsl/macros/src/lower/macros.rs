@@ -18,7 +18,7 @@ pub(super) const MATCHES: &str = "matches";
 const ROWS: [&str; 2] = ["vector", "matrix"];
 
 impl Lowering {
-    /// Whether a path may be that of a macro of Rust's; where it stands alone, rustc is asked.
+    /// Returns true if a path may be that of a macro of Rust's; at its place alone, rustc is asked.
     pub(super) fn is_rusts(&mut self, path: &syn::Path) -> bool {
         let Some(ident) = path.get_ident() else {
             return path.segments.len() == 2 && refuse::library(path).is_some();
@@ -34,8 +34,8 @@ impl Lowering {
         }
     }
 
-    /// Lets rustc be asked whether the module of [`in_module`] is Rust's, or the trait of a method's path nalgebra's, where it is
-    /// named without its crate.
+    /// Queries rustc whether the module of [`in_module`] is Rust's, or the trait of a method's path nalgebra's, if it
+    /// is named without its crate.
     pub(super) fn ask_home(&mut self, path: &syn::Path) {
         if let (2, Some(home)) = (path.segments.len(), path.segments.first()) {
             self.ask(&home.ident);
@@ -97,7 +97,7 @@ pub(super) fn in_module(path: &syn::Path) -> Option<(&syn::Ident, &syn::Ident)> 
     }
 }
 
-/// What a macro says.
+/// Meaning of a macro.
 enum Says {
     Holds(tree::Claim),
     Compares(tree::BinaryOp),
@@ -128,7 +128,7 @@ pub fn in_every_build(mac: &mut syn::Macro) {
     }
 }
 
-/// The expression that a macro stands for, whose tokens hide a pattern, or calls; none if they hide nothing.
+/// The expression that a macro represents, whose tokens hide a pattern, or calls; none if they hide nothing.
 pub fn expanded(mac: &syn::Macro) -> Option<syn::Expr> {
     match mac.path.is_ident(MATCHES) {
         true => matching(mac).map(syn::Expr::Match),
@@ -136,7 +136,7 @@ pub fn expanded(mac: &syn::Macro) -> Option<syn::Expr> {
     }
 }
 
-/// `matches!(value, pattern if guard)` as the `match` that it stands for.
+/// `matches!(value, pattern if guard)` as the `match` that it represents.
 fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
     use syn::parse::ParseStream;
     let parser = |input: ParseStream<'_>| {
@@ -150,7 +150,7 @@ fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
     syn::parse2(quote! { match #value { #(#arm)* => true, _ => false } }).ok()
 }
 
-/// `vector![a, b]`, `matrix![a, b; c, d]` as the call that they stand for.
+/// `vector![a, b]`, `matrix![a, b; c, d]` as the call that they represent.
 fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
     use syn::punctuated::Punctuated;
     type Elements = Punctuated<syn::Expr, syn::Token![,]>;
@@ -169,8 +169,8 @@ fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
     Some(syn::parse_quote! { ::bessemer::linear::by_rows([#([#(#rows),*]),*]) })
 }
 
-/// Calls that rustc finds ambiguous if a name is a macro of the author's own: one that stands above in the text
-/// beside the import of Rust's, one that the module has or imports beside Rust's own.
+/// Returns calls that rustc finds ambiguous if a name is an author's own macro. It is then defined above beside the
+/// import of Rust's, or the module has or imports it.
 pub fn asked(name: &syn::Ident) -> TokenStream {
     let module = format_ident!("__own_{}", text(name));
     let arguments = match says(&text(name)) {
@@ -203,7 +203,8 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
     }
 }
 
-/// The same for a module of Rust's or a trait of nalgebra's: a name that two globs bring is ambiguous unless both mean one thing.
+/// Returns the same query for a module of Rust's or a trait of nalgebra's. A name from two globs is ambiguous unless
+/// both mean one item.
 fn own_item(name: &syn::Ident, module: &syn::Ident, home: &TokenStream) -> TokenStream {
     quote! {
         mod #module {

@@ -1,4 +1,4 @@
-//! Where a node stands, what it is called, and the names that builder and witness copy agree on.
+//! Sites and names of nodes, and the names shared by builder and witness copy.
 
 use std::cell::Cell;
 

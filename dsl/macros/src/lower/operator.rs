@@ -37,7 +37,7 @@ impl Lowering {
         (operand, name)
     }
 
-    /// The value of `place op= value`. Of what is no part of a variable, nobody asks for a function.
+    /// The value of `place op= value`. Of what is no part of a variable, nobody requests a function.
     pub(super) fn assigned(
         &mut self,
         op: BinaryOp,
@@ -147,8 +147,8 @@ impl Lowering {
     }
 }
 
-/// A side of an operator, with a slot of its own in the witness copy: that of a function may be told the type later,
-/// and cannot hold a reference.
+/// Operand of an operator, with a slot of its own in the witness copy. The type of a function's result may be inferred
+/// later, and cannot hold a reference.
 #[derive(Clone, Copy)]
 pub(super) enum Side {
     Left,
@@ -230,7 +230,7 @@ pub(super) fn written(op: &syn::BinOp) -> Option<(BinaryOp, bool)> {
     })
 }
 
-/// Whether an expression is one of these operators between two operands.
+/// Returns true if an expression is one of these operators between two operands.
 pub(super) fn is_operator(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Binary(it) => {
@@ -242,7 +242,7 @@ pub(super) fn is_operator(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether what is behind a sign is a number or a condition by its form alone.
+/// Returns true if what is behind a sign is a number or a condition by its form alone.
 pub(super) fn is_builtin(operand: &tree::Expr) -> bool {
     match &operand.kind {
         ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bool(_) => true,
@@ -251,7 +251,7 @@ pub(super) fn is_builtin(operand: &tree::Expr) -> bool {
     }
 }
 
-/// The name in the witness copy of an operand that has one there: a local, or what stands in a statement before.
+/// The name in the witness copy of an operand that has one there: a local, or what is in a statement before.
 fn name_of(operand: &tree::Expr, expr: &syn::Expr) -> Option<syn::Ident> {
     match (&operand.kind, expr) {
         (ExprKind::Local(_), syn::Expr::Path(it)) => it.path.get_ident().cloned(),
@@ -260,7 +260,7 @@ fn name_of(operand: &tree::Expr, expr: &syn::Expr) -> Option<syn::Ident> {
     }
 }
 
-/// Whether a place is a variable, or a part of one.
+/// Returns true if a place is a variable, or a part of one.
 fn is_named(place: &tree::Expr) -> bool {
     match &place.kind {
         ExprKind::Local(_) => true,

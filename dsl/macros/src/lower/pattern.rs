@@ -50,9 +50,9 @@ pub fn make_mutable(pattern: &mut syn::Pat) {
     }
 }
 
-/// Writes `Mode::Idle {}` for `Mode::Idle`, which is the same of a variant: rustc refuses it of a constant
-/// (`Presets::Idle`), whose name says nothing of its value. Below a module, `presets::Idle`, and alone, a name may be
-/// another than the variant's own: there rustc is asked for the value.
+/// Writes `Mode::Idle {}` for `Mode::Idle`, which is equivalent for a variant; rustc rejects it for a constant
+/// (`Presets::Idle`). A single name, or one below a module as in `presets::Idle`, may be another name of the variant:
+/// there rustc is queried for the value.
 pub(super) fn brace_variants(pattern: &mut syn::Pat) {
     struct Braces;
     impl VisitMut for Braces {
@@ -79,7 +79,7 @@ pub(super) fn brace_variants(pattern: &mut syn::Pat) {
 }
 
 impl Lowering {
-    /// Whether an expression names a place, as far as its syntax shows: no copy is matched in its stead.
+    /// Returns true if an expression names a place, as far as its syntax shows: no copy is matched in its stead.
     pub(super) fn is_place(&self, expr: &syn::Expr) -> bool {
         match expr {
             syn::Expr::Path(it) => {
@@ -95,7 +95,7 @@ impl Lowering {
         }
     }
 
-    /// The same, of what is a place if `lent`.
+    /// Lowers a pattern; its value is a place if `lent`.
     pub(super) fn pattern_of(
         &mut self,
         lent: bool,
@@ -213,7 +213,7 @@ impl Lowering {
     }
 
     /// A look at what a pattern binds. With `@` the name is no constant: rustc says so where one of small letters
-    /// stands in the author's pattern, which would be taken for a name.
+    /// is in the author's pattern, which would be taken for a name.
     fn look_at_bound(&self, slot: u32, name: &syn::Ident) -> syn::Stmt {
         let slot = slot_name(slot);
         let look = quote_spanned! { name.span() =>
@@ -255,19 +255,19 @@ pub fn member(member: &syn::Member) -> String {
     }
 }
 
-/// Whether a path is `Option::None`, of which rustc cannot tell the type by itself.
+/// Returns true if a path is `Option::None`, of which rustc cannot tell the type by itself.
 fn is_of_option(path: &syn::Path) -> bool {
     let before = path.segments.iter().rev().nth(1);
     last_segment(path) == "None" && before.is_some_and(|before| before.ident == "Option")
 }
 
-/// Whether a name in a pattern is that of a constant or a variant: it begins with a capital.
+/// Returns true if a name in a pattern is that of a constant or a variant: it begins with a capital.
 pub fn is_constant_name(ident: &syn::Ident) -> bool {
     ident.to_string().starts_with(|first: char| first.is_uppercase())
 }
 
-/// `Point { x, y } = p;`, `(a, b) = (b, a);`: a `let` with a name for each part, and an assignment of each, which is what
-/// Rust makes of it. A literal beside its place is assigned as it is. None of an assignment to one place.
+/// Rewrites a destructuring assignment, such as `(a, b) = (b, a);`, as a `let` with a name for each part and an
+/// assignment of each. A literal beside its place is assigned directly. Returns none for an assignment to one place.
 pub(super) fn by_let(it: &syn::ExprAssign) -> Option<syn::Expr> {
     if !matches!(&*it.left, Tuple(_) | Array(_) | Struct(_) | Call(_)) {
         return None;
@@ -345,7 +345,7 @@ impl Parts<'_> {
     }
 }
 
-/// What a place is called: its last field, or its variable.
+/// Returns the name of a place: its last field, or its variable.
 fn name_of(place: &syn::Expr) -> Option<String> {
     match place {
         syn::Expr::Path(it) => Some(last_segment(&it.path)),
@@ -368,7 +368,7 @@ fn is_literal(value: &syn::Expr) -> bool {
     }
 }
 
-/// Whether `..` stands for the parts that nobody wants.
+/// Returns true if `..` represents the parts that nobody wants.
 fn is_rest(left: &syn::Expr) -> bool {
     matches!(left, Range(it) if it.start.is_none() && it.end.is_none())
 }

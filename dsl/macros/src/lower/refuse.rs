@@ -28,7 +28,7 @@ impl Display for Reason {
     }
 }
 
-/// Where something is refused: a token, or syntax from its first to its last one.
+/// Place of a refusal: a token, or syntax from its first to its last one.
 pub trait Place {
     /// The error there.
     fn error(self, reason: Reason) -> syn::Error;
@@ -53,12 +53,12 @@ pub struct Refusals {
 }
 
 impl Refusals {
-    /// Refuses what stands at `place`.
+    /// Refuses what is at `place`.
     pub fn add(&mut self, place: impl Place, reason: Reason) {
         self.errors.push(place.error(reason));
     }
 
-    /// How much was refused.
+    /// Returns the number of refusals.
     pub fn len(&self) -> usize {
         self.errors.len()
     }
@@ -68,7 +68,7 @@ impl Refusals {
         self.errors.truncate(len);
     }
 
-    /// Whether nothing was refused.
+    /// Returns true if nothing was refused.
     pub fn is_empty(&self) -> bool {
         self.errors.is_empty()
     }
@@ -89,7 +89,7 @@ impl From<syn::Error> for Refusals {
     }
 }
 
-/// Where `syntax` begins, behind its attributes: its first token.
+/// Returns the span of the first token of `syntax`, after its attributes.
 pub fn first_token(syntax: &impl ToTokens) -> Span {
     let mut tokens = syntax.to_token_stream().into_iter();
     loop {

@@ -1,4 +1,4 @@
-//! Methods that stand for other code: `range.contains(&x)`, `values.get(a..b)`. In the tree and in the copy that code stands
+//! Methods that represent other code: `range.contains(&x)`, `values.get(a..b)`. In the tree and in the copy that code stands
 //! in their place.
 //!
 //! Its names are those of nothing in scope, so that no name of the author's changes their meaning.
@@ -20,7 +20,7 @@ const OF_CORE: [(&str, &[&str]); 3] =
     [("array", &["from_fn"]), ("cmp", &["max", "min"]), ("mem", &["swap", "replace"])];
 
 impl Lowering {
-    /// The expansion of an expression; none if it stands for itself.
+    /// The expansion of an expression; none if it represents itself.
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
@@ -125,13 +125,13 @@ impl Lowering {
     }
 }
 
-/// Whether a call is that of `iter::once`.
+/// Returns true if a call is that of `iter::once`.
 pub(super) fn is_once(it: &syn::ExprCall) -> bool {
     let syn::Expr::Path(syn::ExprPath { path, .. }) = &*it.func else { return false };
     macros::in_module(path).is_some_and(|(home, name)| home == ONCE.0 && name == ONCE.1)
 }
 
-/// Whether computing `value` may change what `end` reads: whoever writes a variable names it.
+/// Returns true if computing `value` may change what `end` reads: whoever writes a variable names it.
 fn may_change(value: &syn::Expr, end: &syn::Expr) -> bool {
     !is_plain(value) && root(end).is_some_and(|root| names(value, &text(root)))
 }
@@ -182,13 +182,13 @@ pub(super) fn held(expr: &syn::Expr) -> Option<syn::Expr> {
     })
 }
 
-/// Whether a range is a value wherever it stands: a closed one, and one of floats, which nothing goes through.
+/// Returns true if a range is a value wherever it stands: a closed one, and one of floats, which nothing goes through.
 fn is_held(it: &syn::ExprRange) -> bool {
     let ends = [&it.start, &it.end].into_iter().flatten();
     matches!(it.limits, syn::RangeLimits::Closed(_)) || ends.map(|end| &**end).any(is_float)
 }
 
-/// Whether an expression is the literal of a float.
+/// Returns true if an expression is the literal of a float.
 fn is_float(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => is_float(expr),

@@ -22,9 +22,9 @@ pub struct Parameter {
     pub ident: syn::Ident,
     /// The pattern in the witness copy.
     pub pattern: proc_macro2::TokenStream,
-    /// Its type; of a closure or an iterator, what stands for that.
+    /// Its type; of a closure or an iterator, what represents that.
     pub ty: proc_macro2::TokenStream,
-    /// Where its type stands.
+    /// Span of its type.
     pub place: Span,
 }
 
@@ -89,7 +89,7 @@ fn parameter(
     }
 }
 
-/// Where the name in a type stands, behind references and brackets.
+/// Returns the span of the name in a type, behind references and brackets.
 pub fn named_part(ty: &syn::Type) -> Span {
     match ty {
         syn::Type::Reference(it) => named_part(&it.elem),
@@ -102,18 +102,18 @@ pub fn named_part(ty: &syn::Type) -> Span {
     }
 }
 
-/// Whether a function gives a reference.
+/// Returns true if a function gives a reference.
 pub fn gives_reference(signature: &syn::Signature) -> bool {
     matches!(&signature.output, syn::ReturnType::Type(_, ty) if matches!(**ty, syn::Type::Reference(_)))
 }
 
-/// Whether that is one to a value, which is its place; a slice is a value itself.
+/// Returns true if that is one to a value, which is its place; a slice is a value itself.
 pub fn lends(signature: &syn::Signature) -> bool {
     let syn::ReturnType::Type(_, ty) = &signature.output else { return false };
     matches!(&**ty, syn::Type::Reference(it) if !matches!(*it.elem, syn::Type::Slice(_)))
 }
 
-/// Whether the syntax of a function's result shows that it borrows.
+/// Returns true if the syntax of a function's result shows that it borrows.
 pub fn borrows(signature: &syn::Signature) -> bool {
     struct Borrows(bool);
     impl<'ast> Visit<'ast> for Borrows {
@@ -129,8 +129,8 @@ pub fn borrows(signature: &syn::Signature) -> bool {
     found.0
 }
 
-/// Gives a parameter that is taken apart a name, and takes it apart at the beginning of the body:
-/// `(x, y): (f64, f64)` is `x_y`, and `let (x, y) = x_y;`.
+/// Names a destructured parameter and moves its pattern into the body: `(x, y): (f64, f64)` becomes `x_y`, and `let (x,
+/// y) = x_y;`.
 pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
     let mut taken: Vec<String> = Vec::new();
     Names(|it: &syn::PatIdent| taken.push(text(&it.ident))).visit_signature(signature);
@@ -192,7 +192,7 @@ pub fn check_type(ty: &syn::Type, refusals: &mut Refusals) {
     Types { refusals, field: false }.visit_type(ty);
 }
 
-/// The same for the field of a struct, which holds no reference.
+/// Checks the type of a struct's field, which contains no reference.
 pub fn check_field(ty: &syn::Type, refusals: &mut Refusals) {
     Types { refusals, field: true }.visit_type(ty);
 }

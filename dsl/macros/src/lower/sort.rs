@@ -1,5 +1,5 @@
-//! `values.sort_by_key(|x| …)` and the like: a call of the DSL's own routine, in the simulation as in the C, since
-//! another would put equal elements in another order.
+//! Calls such as `values.sort_by_key(|x| …)`. They use the DSL's own routine in the simulation and in the C, since
+//! another one would order equal elements differently.
 
 use quote::ToTokens;
 use syn::spanned::Spanned;
@@ -8,7 +8,7 @@ use syn::{parse_quote, parse_quote_spanned};
 use super::names::text;
 use super::syntax::{fresh, names};
 
-/// Where a comparison stands: in the native item, or in the tree and the copy.
+/// Leg of a comparison: in the native item, or in the tree and the witness copy.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Leg {
     /// The simulation.
@@ -30,7 +30,7 @@ pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
     Some(parse_quote! { ::bessemer::sort::sort_by(#values, #below) })
 }
 
-/// What a call sorts by.
+/// Criterion of a sort.
 enum By {
     Key,
     Comparison,
@@ -70,7 +70,7 @@ fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
     let (pattern, key) = (&closure.inputs[0], &closure.body);
     let [one, other] = two_beside(closure);
     match leg {
-        // What has no order is told where the key stands.
+        // What has no order is reported where the key stands.
         Leg::Native => parse_quote_spanned! { key.span() => |#one, #other| {
             let (#one, #other) = ({ let #pattern = #one; #key }, { let #pattern = #other; #key });
             ::core::cmp::Ord::cmp(&#one, &#other).is_lt()

@@ -52,7 +52,7 @@ impl Lowering {
         lowered
     }
 
-    /// Whether a block is the body itself, whose names come behind those of the parameters.
+    /// Returns true if a block is the body itself, whose names come behind those of the parameters.
     fn is_outermost(&self) -> bool {
         self.scopes.len() == 2
     }
@@ -135,7 +135,7 @@ impl Lowering {
         let value = self.whole(&mut init.expr);
         let otherwise = match init.diverge.as_mut().map(|(_, expr)| &mut **expr) {
             Some(syn::Expr::Block(it)) => {
-                // It leaves: its last expression has no value, nor a type that a slot could be told.
+                // It leaves: its last expression has no value, nor a type that a slot could be reported.
                 if let Some(syn::Stmt::Expr(_, end)) = it.block.stmts.last_mut() {
                     end.get_or_insert_default();
                 }
@@ -201,7 +201,7 @@ fn without_value(stmt: &mut syn::Stmt) {
     }
 }
 
-/// Whether a `let` takes its value apart.
+/// Returns true if a `let` takes its value apart.
 fn takes_apart(local: &syn::Local) -> bool {
     let bare = match &local.pat {
         syn::Pat::Type(it) => &it.pat,
@@ -211,7 +211,7 @@ fn takes_apart(local: &syn::Local) -> bool {
     diverges || !matches!(bare, syn::Pat::Wild(_)) && alone(bare).is_none()
 }
 
-/// Whether what a pattern names may be changed.
+/// Returns true if what a pattern names may be changed.
 fn is_mutable(pattern: &syn::Pat) -> bool {
     match pattern {
         syn::Pat::Ident(it) => it.mutability.is_some(),

@@ -18,7 +18,7 @@ pub fn check_attributes(attributes: &[syn::Attribute], refusals: &mut Refusals) 
     }
 }
 
-/// Whether an attribute leaves out what it stands on, by how the crate is built.
+/// Returns true if an attribute leaves out what it is on, by how the crate is built.
 fn is_conditional(attribute: &syn::Attribute) -> bool {
     attribute.path().get_ident().is_some_and(|name| name.to_string().starts_with("cfg"))
 }
@@ -33,7 +33,7 @@ pub fn strip(signature: &mut syn::Signature, body: &mut syn::Block, refusals: &m
     strip.visit_block_mut(body);
 }
 
-/// Gives the lifetimes that an `impl` block leaves out, `Reader<'_>`, `From<&Reading>`, names that stand before it.
+/// Gives the lifetimes that an `impl` block leaves out, `Reader<'_>`, `From<&Reading>`, names that precede it.
 pub fn name_lifetimes(block: &mut syn::ItemImpl) {
     struct Named(Vec<syn::Lifetime>);
     impl VisitMut for Named {
@@ -59,14 +59,14 @@ pub fn name_lifetimes(block: &mut syn::ItemImpl) {
     block.generics.params = declared.chain(std::mem::take(&mut block.generics.params)).collect();
 }
 
-/// A type of an `impl` block as what stands beside the block names it: the lifetimes of the block are not known there.
+/// A type of an `impl` block as what is beside the block names it: the lifetimes of the block are not known there.
 pub fn lasting_type(ty: &syn::Type) -> syn::Type {
     let mut ty = ty.clone();
     Lasting.visit_type_mut(&mut ty);
     ty
 }
 
-/// The same of the path of a trait.
+/// Makes the lifetimes in the path of a trait `'static`.
 pub fn lasting_path(path: &syn::Path) -> syn::Path {
     let mut path = path.clone();
     Lasting.visit_path_mut(&mut path);
@@ -110,7 +110,7 @@ impl VisitMut for Strip<'_> {
         visit_mut::visit_local_mut(self, it);
     }
 
-    /// What is said of loops is the walk's to read.
+    /// Keeps loop attributes for the walk.
     fn visit_expr_mut(&mut self, it: &mut syn::Expr) {
         loops::without(it, |it| visit_mut::visit_expr_mut(self, it));
     }

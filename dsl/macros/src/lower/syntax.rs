@@ -16,7 +16,7 @@ pub(super) fn bare(expr: &syn::Expr) -> &syn::Expr {
     }
 }
 
-/// Whether an expression may be written twice, or left out: a number, a name, a part of one.
+/// Returns true if an expression may be written twice, or left out: a number, a name, a part of one.
 pub(super) fn is_plain(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
@@ -31,12 +31,12 @@ pub(super) fn is_plain(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether a name stands somewhere in an expression. Answers yes too often rather than too rarely.
+/// Returns true if a name stands somewhere in an expression. Answers yes too often rather than too rarely.
 pub(super) fn names(expr: &impl ToTokens, name: &str) -> bool {
     times_named(expr, name) > 0
 }
 
-/// How often a name, which is without the `r#` of a raw one, stands in an expression, as what it may be.
+/// Returns the number of occurrences of a name (without `r#`) in an expression, as anything that it may be.
 pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
     fn count(tokens: proc_macro2::TokenStream, name: &str) -> usize {
         let of = |token| match token {
@@ -58,12 +58,12 @@ pub(super) fn fresh(name: &str, is_taken: impl Fn(&str) -> bool) -> syn::Ident {
     syn::Ident::new(&fresh, proc_macro2::Span::call_site())
 }
 
-/// Whether a path is that of a variant.
+/// Returns true if a path is that of a variant.
 pub(super) fn is_variant(path: &syn::Path) -> bool {
     path.segments.len() > 1 && is_constructor_name(&last_segment(path))
 }
 
-/// Whether a path is that of a constant of a type which may be generic: what stands for its parameters, only its use says.
+/// Returns true if a path is a constant of a type that may be generic: its arguments follow only from its use.
 pub(super) fn is_of_type(path: &syn::Path) -> bool {
     let owner = path.segments.iter().rev().nth(1);
     owner.is_some_and(|it| {
@@ -71,7 +71,7 @@ pub(super) fn is_of_type(path: &syn::Path) -> bool {
     })
 }
 
-/// Whether a name is that of a variant or a struct: a constant has no small letters.
+/// Returns true if a name is that of a variant or a struct: a constant has no small letters.
 pub(super) fn is_constructor_name(name: &str) -> bool {
     name.starts_with(|first: char| first.is_uppercase())
         && name.contains(|letter: char| letter.is_lowercase())

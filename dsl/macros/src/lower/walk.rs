@@ -20,7 +20,7 @@ pub struct Lowering {
     pub(super) closures: Vec<String>,
     /// The parameters that take closures.
     pub called: Vec<String>,
-    /// Whether the names of patterns are kept apart from those around them.
+    /// True if the names of patterns are kept apart from those around them.
     pub(super) apart: bool,
     /// The names of the alternative before, which those behind it in a pattern share.
     pub(super) alternative: Vec<(String, String)>,
@@ -30,13 +30,13 @@ pub struct Lowering {
     pub operators: Vec<tree::Operator>,
     /// The slots of structs that are written out by their names: what they are an instance of may be an iterator.
     pub literals: Vec<u32>,
-    /// Whether what is lowered next is the left operand of an operator.
+    /// True if what is lowered next is the left operand of an operator.
     pub(super) chained: bool,
     /// The names that the operands of the operator have that is being lowered, where they are names.
     pub(super) sides: [Option<syn::Ident>; 2],
     /// The statements of the witness copy before the operator that is being lowered: those of its left operand.
     pub(super) before: Vec<TokenStream>,
-    /// Where each statement of the body begins in the witness copy, and where the last ends.
+    /// Positions in the witness copy at which each statement begins, and at which the last ends.
     pub begins: Vec<Begin>,
     /// Paths that rustc has to evaluate: the slot, the path, and what it is that of.
     pub constants: Vec<(u32, TokenStream, Constant)>,
@@ -48,7 +48,7 @@ pub struct Lowering {
     /// method of this name, which Rust takes first.
     pub(super) name: Option<String>,
     pub(super) method: bool,
-    /// Whether what is matched is a place, so that `ref` in a pattern names a part of it.
+    /// True if what is matched is a place, so that `ref` in a pattern names a part of it.
     pub(super) lent: bool,
     /// The label of the closure's body that is being lowered, which `return` and `?` leave; none of a function's.
     pub(super) leaves: Option<String>,
@@ -56,7 +56,7 @@ pub struct Lowering {
     pub mutable: Vec<String>,
 }
 
-/// Where a statement of the body begins: how much of each there is before it.
+/// Position at which a statement begins: the counts of everything before it.
 #[derive(Clone, Copy, Default)]
 pub struct Begin {
     /// Statements of the witness copy.
@@ -74,9 +74,9 @@ pub struct Begin {
 /// A path that rustc evaluates.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Constant {
-    /// That of a value.
+    /// Slot of a value.
     Value,
-    /// That of a value, or of what makes one of its parts.
+    /// Slot of a value, or of an expression that makes one of its parts.
     Made,
 }
 
@@ -87,13 +87,13 @@ impl Lowering {
         Lowering { refusals, scopes, name, method, ..Lowering::default() }
     }
 
-    /// Refuses what stands at `place`; gives what stands for it.
+    /// Refuses what is at `place`; gives what represents it.
     pub(super) fn refused(&mut self, place: impl Place, reason: Reason) -> tree::ExprKind {
         self.refusals.add(place, reason);
         UNIT
     }
 
-    /// Where what comes next begins, behind so many statements of the witness copy.
+    /// Returns the position of the next node, after a number of statements of the witness copy.
     pub fn here(&self, statements: usize) -> Begin {
         Begin {
             statements,
@@ -121,8 +121,8 @@ impl Lowering {
         self.bind_as(name, name);
     }
 
-    /// The same under a name in the tree that hides none there, and that none of the author's hides: what is lowered out of
-    /// its place keeps its meaning, also where it gets a second name. Marks in a name of the tree do not reach the C.
+    /// Binds a name that neither hides another in the tree nor is hidden. A node that is moved keeps its meaning, even
+    /// under a second name. Marks in such a name do not reach the C.
     pub(super) fn bind_apart(&mut self, name: &str) -> String {
         let apart = self.hidden(&format!("{name}%"));
         self.bind_as(name, &apart);
@@ -158,7 +158,7 @@ impl Lowering {
         }
     }
 
-    /// How often a name was bound, as far as that is in scope.
+    /// Returns the number of bindings of a name in scope.
     pub(super) fn bindings(&self, name: &str) -> usize {
         self.scopes.iter().flatten().filter(|(known, _)| known == name).count()
     }
@@ -189,7 +189,7 @@ impl Lowering {
         slot
     }
 
-    /// The same for a value with references in it, of which a slot holds the type without their lifetime.
+    /// Returns the slot of a value with references, as a type without their lifetime.
     pub(super) fn glance(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
         glance_in(slot, expr);

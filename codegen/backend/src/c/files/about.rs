@@ -1,10 +1,10 @@
-//! What stands at the head of a file: what the author says of the module for which it is named, by `//!`.
+//! Head comment of a file: the author's `//!` comment of the module for which the file is named.
 
 use super::{Callable, TypeId, Writer, place, type_span};
 use crate::c::spelling::{identifier, last_segment};
 
 impl Writer<'_> {
-    /// What the author says of the module that the file is named for; a header that has a source says the first paragraph.
+    /// Returns the author's comment of the file's module; a header that has a source gets the first paragraph.
     pub(super) fn about(&self, extension: &str) -> &[String] {
         let module = self.context.module;
         let types = self.unit.types.iter().map(|id| match id {
@@ -35,7 +35,7 @@ impl Writer<'_> {
     }
 }
 
-/// Whether the file is that of a module of this name.
+/// Returns true if the file is that of a module of this name.
 fn is_of(file: &str, name: &str) -> bool {
     let path = file.strip_suffix(".rs").unwrap_or(file);
     let path = path.strip_suffix("/mod").unwrap_or(path);

@@ -1,6 +1,6 @@
 //! Constants in files: of one source, those that its functions use; and those that other modules may read, once.
 //!
-//! Of these, sizes stand in a header for callers, too ([`sizes`]); other words in the header, for C's compilers to compute with, and so do the
+//! Of these, sizes are in a header for callers, too ([`sizes`]); other words in the header, for C's compilers to compute with, and so do the
 //! polynomials of inline functions; of tables it says that they are, and a source beside it holds them.
 
 use std::collections::BTreeSet;
@@ -36,7 +36,7 @@ impl Writer<'_> {
     }
 }
 
-/// The constants that stand beside all sources: a header, and a source if there are tables among them.
+/// The constants that are beside all sources: a header, and a source if there are tables among them.
 pub(super) fn shared(
     context: Context<'_>,
     options: &Options,
@@ -117,8 +117,8 @@ pub(super) fn shared(
     files
 }
 
-/// Whether its value is to be seen where it is used: that of a word, and those of the few words of an inline function's own, of which
-/// compilers leave no table.
+/// Returns true if its value must be visible at its uses. These are scalars, and the short aggregates of inline
+/// functions, which compilers fold completely.
 fn stands_in_header(item: &Const) -> bool {
     let few = !item.given.public && item.words.len() <= FEW;
     item.given.section.is_none() && (item.ty.is_word() || few)

@@ -1,4 +1,4 @@
-//! What a file includes: of C's library, and of the package.
+//! Includes of a file: headers of C's library and of the package.
 //!
 //! Invariant: a file includes what its own text needs, whatever its other headers include.
 
@@ -11,7 +11,7 @@ use crate::c::options::Options;
 use crate::c::signature::{Returned, Signature};
 use crate::c::{helpers_header, internal, sizes, target};
 
-/// What a file includes.
+/// Includes of a file.
 #[derive(Default)]
 pub(super) struct Includes {
     pub(super) system: BTreeSet<&'static str>,
@@ -42,7 +42,7 @@ impl Includes {
         }
     }
 
-    /// What the text of functions uses in every source.
+    /// Adds the headers that the text of functions uses in every source.
     pub(super) fn uses(&mut self, context: Context<'_>, options: &Options, uses: &mut Uses) {
         self.system.extend(["stdbool.h", "stdint.h"]);
         self.own.insert(target::name(options));

@@ -28,7 +28,7 @@ pub(super) fn shared(
     let (mut includes, mut asked) = (Includes::default(), BTreeSet::new());
     let writer = Writer { context, options, name: String::new(), unit: Unit::default() };
     let mut definitions = Vec::new();
-    // Callees stand before callers: what one calls is known when its turn comes.
+    // Callees precede callers: what one calls is known when its turn comes.
     for index in (0..context.module.functions.len()).rev() {
         let id = FunctionId(index as u32);
         let is_inline = context.names.signature(id).storage == Storage::Inline;

@@ -12,7 +12,7 @@ use crate::kernels;
 use crate::kernels::replace::Replacement;
 
 impl Writer<'_> {
-    /// The kernel that a function is, if it is one that stands in its header.
+    /// The kernel that a function is, if it is one that is in its header.
     pub(super) fn in_header(&self, callable: &Callable) -> Option<&Kernel> {
         let Callable::Function(id) = callable else { return None };
         let kernel = self.context.module.functions[id.index()].kernel.as_ref()?;
@@ -41,7 +41,7 @@ impl Writer<'_> {
         items
     }
 
-    /// A kernel, and what stands before it.
+    /// A kernel, and what precedes it.
     pub(super) fn kernel(&self, kernel: &Kernel, id: FunctionId, uses: &mut Uses) -> Vec<Item> {
         let tuning = &self.options.kernels;
         let own = kernels::source(kernel, tuning);

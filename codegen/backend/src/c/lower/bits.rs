@@ -6,7 +6,7 @@ use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::place::is_small;
 
-/// Whether a value is of unsigned bits that were put together, shifted or picked out.
+/// Returns true if a value is of unsigned bits that were put together, shifted or picked out.
 pub(super) fn is_bits(value: &Ir) -> bool {
     let unsigned = value.ty.as_int().is_some_and(|int| !int.signed());
     let of_bits = |op: &BinaryOp| {
@@ -16,8 +16,8 @@ pub(super) fn is_bits(value: &Ir) -> bool {
     unsigned && matches!(&value.kind, ExprKind::Binary(op, ..) if of_bits(op))
 }
 
-/// What is compared: bits that a number picks out are within their type without the cast to it, as a quotient and a remainder
-/// by a number are.
+/// Returns an operand of a comparison without a redundant cast. Bits masked by a number are within their type, as are a
+/// quotient and a remainder by a number.
 pub(super) fn masked(value: Expr, ir: &Ir) -> Expr {
     let ExprKind::Binary(op, a, b) = &ir.kind else { return value };
     let Some(int) = ir.ty.as_int().filter(|int| !int.signed()) else { return value };
@@ -29,12 +29,12 @@ pub(super) fn masked(value: Expr, ir: &Ir) -> Expr {
     if within { uncast(value, &ir.ty) } else { value }
 }
 
-/// Whether a value is shifted to the left: C computes it in 32 bits at least.
+/// Returns true if a value is shifted to the left: C computes it in 32 bits at least.
 pub(super) fn is_raised(value: &Ir) -> bool {
     is_bits(value) && matches!(value.kind, ExprKind::Binary(BinaryOp::Shl, ..))
 }
 
-/// Whether a value comes from a smaller unsigned type.
+/// Returns true if a value comes from a smaller unsigned type.
 pub(super) fn is_widened(value: &Ir) -> bool {
     let ExprKind::Cast(from) = &value.kind else { return false };
     matches!((from.ty.as_int(), value.ty.as_int()), (Some(from), Some(to)) if !from.signed() && fits(from, to))
@@ -48,7 +48,7 @@ pub(super) fn uncast(value: Expr, ty: &Type) -> Expr {
     }
 }
 
-/// Whether every value of one integer type is one of another.
+/// Returns true if every value of one integer type is one of another.
 pub(super) fn fits(from: Int, to: Int) -> bool {
     from.min() >= to.min() && from.max() <= to.max()
 }

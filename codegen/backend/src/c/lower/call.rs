@@ -166,7 +166,7 @@ impl Lower<'_> {
         list
     }
 
-    /// Whether a value that C passes by address could change under the callee's hands.
+    /// Returns true if a value that C passes by address could change under the callee's hands.
     fn needs_copy(&self, value: &Ir, arguments: &[Argument]) -> bool {
         arguments.iter().any(|other| match other {
             Argument::RefMut(place) => reads_place(value, place),
@@ -187,7 +187,7 @@ impl Lower<'_> {
     }
 }
 
-/// Whether an argument lends the callee storage that `dest` shares.
+/// Returns true if an argument lends the callee storage that `dest` shares.
 fn lends(argument: &Argument, dest: &Place) -> bool {
     match argument {
         Argument::RefMut(place) => overlap(place, dest),

@@ -66,7 +66,7 @@ impl Lower<'_> {
         }
     }
 
-    /// What the small type `to` holds under a cast to `int`: that of the same width has its complements, too.
+    /// Returns a value of the small type `to` under a cast to `int`, with complements in that of the same width.
     fn held(&mut self, int: Int, to: String, operand: Expr) -> Expr {
         let signed = match (int, to.as_str()) {
             (Int::U8, "int8_t") => Int::I8,
@@ -104,7 +104,7 @@ impl Lower<'_> {
         Expr::binary(op, left, right)
     }
 
-    /// What is cast to a type; of a complement that is small, from a function.
+    /// Returns a cast to a type; the cast of a small complement comes from a function.
     fn turned_over(&mut self, ty: String, inner: Expr) -> Expr {
         let mut small = [Int::U8, Int::U16].into_iter();
         let int = small.find(|int| scalar_type(Scalar::Int(*int)) == ty);
@@ -136,7 +136,7 @@ impl Lower<'_> {
         self.helper(Helper::Xor(int), vec![operand, all])
     }
 
-    /// Whether a compiler might know a value: a number, or what is no parameter.
+    /// Returns true if a compiler might know a value: a number, or what is no parameter.
     fn may_be_constant(&self, value: &Expr) -> bool {
         match value {
             Expr::Name(name) => !self.signature.params.iter().any(|param| param.name == *name),

@@ -12,11 +12,11 @@ use bessemer_ir::effects::{overlap, reads_place};
 
 /// Up to so many words are copied by a line each.
 const LINES: u32 = 4;
-/// Up to so many zeros stand in an initialiser.
+/// Up to so many zeros are in an initialiser.
 const SHOWN: u32 = 8;
 /// Words of a value at most that one statement builds: a compiler may keep it on the stack.
 const BRIEF: usize = 16;
-/// Up to so many equal words stand in an initialiser.
+/// Up to so many equal words are in an initialiser.
 const LISTED: u32 = 16;
 
 impl Lower<'_> {
@@ -159,7 +159,7 @@ impl Lower<'_> {
         Some((ty, self.initialiser(value)))
     }
 
-    /// Whether a field holds nothing as the first is, and is zero in C, too.
+    /// Returns true if a field holds nothing as the first is, and is zero in C, too.
     fn is_nothing(&self, id: StructId, index: usize, items: &[Ir]) -> bool {
         let definition = &self.context.module.structs[id.index()];
         let tag = match (&definition.form, items.first().map(|first| &first.kind)) {
@@ -170,7 +170,7 @@ impl Lower<'_> {
         in_source && !definition.holds(index, tag) && self.is_zero_in_c(&items[index])
     }
 
-    /// Whether each byte of a value is zero in C.
+    /// Returns true if each byte of a value is zero in C.
     fn is_zero_in_c(&self, value: &Ir) -> bool {
         match (&value.kind, &value.ty) {
             (ExprKind::Literal(0), Type::Enum(id)) => {
@@ -186,8 +186,8 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether a value is zero everywhere, and so is what C leaves out of an initialiser: of an enum, the first variant may
-    /// have another number.
+    /// Returns true if a value is zero everywhere, as is the part that an initialiser omits. The first variant of an
+    /// enum may have another number.
     fn is_zero(&self, value: &Ir) -> bool {
         match &value.kind {
             ExprKind::Literal(_) => self.is_zero_in_c(value),
@@ -196,13 +196,13 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether a value stands where it belongs from the start.
+    /// Returns true if a value stands where it belongs from the start.
     fn is_part(&self, item: &Ir) -> bool {
         matches!(&item.kind, ExprKind::Load(place)
             if place.steps.is_empty() && self.parts.contains_key(&place.root))
     }
 
-    /// Whether a part of a struct is written: not what shares its memory with the part that is there.
+    /// Returns true if a part of a struct is written: not what shares its memory with the part that is there.
     fn is_held(&self, id: StructId, index: usize, parts: &[Ir]) -> bool {
         let definition = &self.context.module.structs[id.index()];
         let word = match parts.first().map(|first| &first.kind) {
@@ -212,7 +212,7 @@ impl Lower<'_> {
         !definition.overlaid() || definition.holds(index, word)
     }
 
-    /// The same value everywhere.
+    /// Writes one value to every element.
     fn fill(&mut self, dest: Expr, ty: &Type, item: &Ir) {
         if let Type::Matrix { element, rows, cols } = ty
             && !self.context.names.layout.is_flat((*rows, *cols))
@@ -243,7 +243,7 @@ impl Lower<'_> {
         });
     }
 
-    /// The same value in each element of arrays.
+    /// Writes one value to each element of arrays.
     fn fill_rows(&mut self, dest: Expr, ty: &Type, value: &Expr) {
         match ty {
             Type::Array { element, len } => self.count_up(*len, &dest.clone(), |lower, index| {
@@ -264,7 +264,7 @@ impl Lower<'_> {
         self.count_to("i", 0, count, end, body);
     }
 
-    /// The same, with a name for the counter and a first value.
+    /// Writes a loop with a name for the counter and a first value.
     pub(super) fn count_from(
         &mut self,
         name: &str,
@@ -329,7 +329,7 @@ impl Lower<'_> {
         self.emit(StmtKind::Expr(Expr::cast("void", call)));
     }
 
-    /// Whether C has an initialiser for a value.
+    /// Returns true if C has an initialiser for a value.
     pub(super) fn initialisable(&self, value: &Ir) -> bool {
         match &value.kind {
             ExprKind::Call(callee, _) => {
@@ -449,7 +449,7 @@ impl Lower<'_> {
     }
 }
 
-/// How many lines would write a value.
+/// Returns the number of lines that would write a value.
 fn lines(value: &Ir) -> usize {
     match &value.kind {
         ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
@@ -460,7 +460,7 @@ fn lines(value: &Ir) -> usize {
     }
 }
 
-/// Whether a value is copied word by word: a few words in a row.
+/// Returns true if a value is copied word by word: a few words in a row.
 fn is_short(ty: &Type) -> bool {
     let flat = match ty {
         Type::Array { element, .. } => element.is_word(),
@@ -470,20 +470,20 @@ fn is_short(ty: &Type) -> bool {
     flat && length(ty) <= LINES
 }
 
-/// Whether a matrix is mostly zeros, so that a loop and what differs say more than a line for each element. Only
-/// of numbers: what else there is might be read after the loop.
+/// Returns true if a matrix is mostly zeros, so that a loop and what differs say more than a line for each element.
+/// Only of numbers: what else there is might be read after the loop.
 fn is_sparse(items: &[Ir]) -> bool {
     let numbers = items.iter().all(|item| matches!(item.kind, ExprKind::Literal(_)));
     let zeros = items.iter().filter(|item| item.kind == ExprKind::Literal(0)).count();
     items.len() > LINES as usize && numbers && 2 * zeros > items.len()
 }
 
-/// Whether values are numbers, of which C's `0` is one.
+/// Returns true if values are numbers, of which C's `0` is one.
 fn is_number(ty: &Type) -> bool {
     ty.as_int().is_some() || ty.as_float().is_some()
 }
 
-/// Whether a place has an index that reads what one of `written` holds.
+/// Returns true if a place has an index that reads what one of `written` holds.
 pub(super) fn indexed_by(place: &Place, written: &[&Place]) -> bool {
     place.steps.iter().any(|step| match step {
         Step::Field(_) => false,

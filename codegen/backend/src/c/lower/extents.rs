@@ -1,4 +1,4 @@
-//! How many elements a local has, by the constants that its author named for it.
+//! Lengths of locals, by the constants that their author named for them.
 //!
 //! No type of Rust keeps the name. What a local is lent to as a whole has it, if it is a parameter. Loops through all of an array
 //! count to it.
@@ -35,8 +35,8 @@ impl Lower<'_> {
     }
 }
 
-/// The constants of the sizes of a function's locals: those of the parameters that they are lent to as a whole, unless two of
-/// these differ.
+/// Returns the constants of the lengths of a function's locals. They come from the parameters to which the locals are
+/// passed as a whole, unless two of these differ.
 pub(super) fn of_locals(
     names: &Names,
     function: &Function,

@@ -1,5 +1,5 @@
-//! Arrays and matrices that a loop fills, and structs of which each field is written: the value that they start with is never
-//! seen, so C goes without; of an array that is filled in part, the rest alone gets it.
+//! Detection of arrays, matrices and structs that are completely overwritten after their declaration. Their initial
+//! value is never read, so C omits it; a partly filled array is initialised in the rest only.
 //!
 //! Invariant: where [`filled`] or [`rewritten`] say so, and outside of what [`unwritten`] tells, every element is assigned before
 //! anything reads it, on each path.
@@ -13,11 +13,11 @@ use bessemer_ir::{
 
 use bessemer_ir::effects::{mentions, whole};
 
-/// Elements of an array from which on those are told apart that are written before anything reads them.
+/// Elements of an array from which on those are reported apart that are written before anything reads them.
 const MOST: u32 = 4096;
 
-/// The elements of an array, from and to, that statements after its declaration do not write before anything else of it is
-/// touched: counters and numbers tell which they write.
+/// Returns the ranges of an array's elements that are not written before the array is otherwise used. Counters and
+/// literals determine the written ones.
 pub(super) fn unwritten(
     module: &Module,
     local: LocalId,
@@ -93,7 +93,7 @@ fn each<'s>(
     true
 }
 
-/// What is added to a counter, and whether it is.
+/// Returns the offset that is added to a counter, and true if there is one.
 fn position(module: &Module, index: &Expr, counter: Option<(LocalId, u32)>) -> Option<(u64, bool)> {
     match &index.kind {
         ExprKind::Literal(word) => Some((*word, false)),
@@ -110,7 +110,7 @@ fn position(module: &Module, index: &Expr, counter: Option<(LocalId, u32)>) -> O
     }
 }
 
-/// Whether a loop of `rest`, the first statement that mentions `local`, assigns each of its elements.
+/// Returns true if a loop of `rest`, the first statement that mentions `local`, assigns each of its elements.
 pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
     let Some(first) = rest.iter().find(|stmt| mentions(*stmt, local)) else {
         return false;
@@ -138,8 +138,8 @@ pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) 
     to == count && assigns(local, &element, body)
 }
 
-/// Whether the statements behind a struct's declaration write each of its fields before anything else of it is touched: whole,
-/// or as an array in a loop over all of it.
+/// Returns true if the statements after a struct's declaration write each of its fields before it is otherwise used. A
+/// field is written as a whole, or as an array by a loop over all of it.
 pub(super) fn rewritten(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
     let Type::Struct(id) = ty else { return false };
     let item = &module.structs[id.index()];
@@ -177,7 +177,7 @@ pub(super) fn rewritten(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt
     false
 }
 
-/// Whether a step leads to each element of an array or a vector as `counter` goes from 0 to `to`.
+/// Returns true if a step leads to each element of an array or a vector as `counter` goes from 0 to `to`.
 fn is_each(ty: &Type, step: &Step, counter: LocalId, to: u32) -> bool {
     let place = |steps| Place { steps, ..whole(counter) };
     let (len, at) = match *ty {
@@ -210,8 +210,8 @@ fn through<'s>(module: &Module, stmt: &'s Stmt) -> Option<(LocalId, u32, &'s Blo
     }
 }
 
-/// Whether each path through a block that nothing leaves assigns the element at these counters (none: at 0), before anything
-/// else of the local is touched; behind that, this element alone is.
+/// Returns true if each path through a block assigns the element at these counters (none: at 0) before the local is
+/// otherwise used. Nothing may leave the block, and afterwards only this element is used.
 fn assigns(local: LocalId, at: &[Option<LocalId>], block: &Block) -> bool {
     let Some(first) = block.0.iter().position(|stmt| mentions(stmt, local)) else { return false };
     let assigned = match &block.0[first].kind {
@@ -240,14 +240,14 @@ fn is_element(place: &Place, at: &[Option<LocalId>]) -> bool {
     }
 }
 
-/// Whether something in a statement leaves a loop or the function.
+/// Returns true if something in a statement leaves a loop or the function.
 fn leaves(stmt: &Stmt) -> bool {
     stmt.any_stmt(|stmt| {
         matches!(stmt.kind, StmtKind::Break | StmtKind::Continue | StmtKind::Return(_))
     })
 }
 
-/// How many elements an array or a matrix has.
+/// Returns the number of elements of an array or a matrix.
 pub(super) fn length(ty: &Type) -> u32 {
     match ty {
         Type::Array { len, .. } => *len,

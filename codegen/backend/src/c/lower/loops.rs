@@ -14,7 +14,7 @@ use super::bits::masked;
 use super::place::is_small;
 use bessemer_ir::effects::mentions;
 
-/// What C counts in where a range fits into 32 bits.
+/// Type of C's counter if a range fits into 32 bits.
 const U32: Type = Type::Scalar(Scalar::Int(Int::U32));
 
 /// The pieces of a loop that its form decides.
@@ -22,7 +22,7 @@ struct Head {
     first: Expr,
     condition: Expr,
     step: Option<Step>,
-    /// What the body begins with.
+    /// First statement of the body.
     begin: Option<StmtKind>,
 }
 
@@ -100,7 +100,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A loop that its body ends, where it begins if it can be told there.
+    /// A loop that its body ends, where it begins if it can be reported there.
     pub(super) fn while_(&mut self, body: &Block) {
         let (condition, first) = match body.head() {
             Some(end) => (self.negated(end), 1),
@@ -213,7 +213,8 @@ impl Lower<'_> {
     }
 }
 
-/// A loop that a flag ends: `for (T i = from; more; i = more ? i + 1 : i) { more = i < to; … }`.
+/// Returns the head of a loop that a flag ends. Its form is `for (T i = from; more; i = more ? i + 1 : i) { more = i <
+/// to; … }`.
 fn flagged_head(
     counter: &str,
     (from, to): (Expr, Expr),
@@ -263,14 +264,14 @@ fn literal_like(other: &Expr, int: Int, value: i128) -> Expr {
     }
 }
 
-/// Whether a bound keeps its value while the body runs, and costs little to read.
+/// Returns true if a bound keeps its value while the body runs, and costs little to read.
 fn holds_still(value: &Ir, body: &Block) -> bool {
     let computes = |expr: &Ir| matches!(expr.kind, ExprKind::Call(..) | ExprKind::Routine(..));
     let written = |place: &Place, access| access != Access::Read && mentions(value, place.root);
     !value.any_expr(computes) && !body.any_place(written)
 }
 
-/// Whether an expression calls anything.
+/// Returns true if an expression calls anything.
 fn calls(expr: &Expr) -> bool {
     match expr {
         Expr::Call(..) => true,

@@ -3,7 +3,7 @@
 //! It relies on this (the passes establish it, the validator checks it):
 //! * aggregates stand only as the whole value of `Let`, `Assign`, `Return`, or are lent as arguments;
 //! * calls stand only as the whole value of a statement, save pure ones of words;
-//! * no operation faults: `Check` statements stand before them.
+//! * no operation faults: `Check` statements precede them.
 //!
 //! It adds conversions where C's promotions differ from Rust's types; a name for every local; a
 //! temporary wherever a result would be written over an operand.
@@ -54,13 +54,13 @@ pub struct Lowered {
     pub wide: Vec<Wide>,
 }
 
-/// How a local is written in C.
+/// Representation of a local in C.
 #[derive(Clone, Debug)]
 struct Binding {
     name: String,
-    /// A pointer to what the local stands for.
+    /// A pointer to what the local represents.
     pointer: bool,
-    /// The constant that the local stands for: the file needs it where the local is mentioned.
+    /// The constant that the local represents: the file needs it where the local is mentioned.
     constant: Option<ConstId>,
 }
 
@@ -88,22 +88,22 @@ pub(super) struct Lower<'a> {
     uses: &'a mut Uses,
     /// The variable that holds a callee's status.
     status: String,
-    /// Where the component keeps the fault that stopped it.
+    /// Place in the component of the latched fault.
     latch: Option<Expr>,
-    /// Whether the function looks at that before it runs.
+    /// True if the function looks at that before it runs.
     looks: bool,
-    /// The local that is the result, and stands in the caller's storage from the start.
+    /// The local that is the result, and is in the caller's storage from the start.
     in_place: Option<LocalId>,
     /// The locals that are names for what lies elsewhere.
     names: BTreeMap<LocalId, Place>,
     /// The constants that say how many elements a local has, of those that are not declared yet.
     sizes: BTreeMap<LocalId, Vec<Option<ConstId>>>,
-    /// The same of variables, by the names that they have in C.
+    /// Length constants of variables, by their names in C.
     declared: BTreeMap<String, Vec<Option<ConstId>>>,
     /// The locals that are parts of the result from the start.
     parts: BTreeMap<LocalId, built::Path>,
     bytes: u64,
-    /// How far the author wants the next loop written out.
+    /// Unroll factor of the next loop, from the author.
     unroll: Option<u32>,
 }
 
@@ -158,7 +158,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// What stands before the author's first statement.
+    /// Writes the code before the author's first statement.
     fn prologue(&mut self) {
         let function = self.function;
         if self.calls_fallible() {
@@ -291,7 +291,7 @@ impl<'a> Lower<'a> {
     /// `place = value`, or `place += …` where it is that.
     fn assign(&mut self, place: Expr, value: Expr) {
         match value {
-            // What C has no need to convert may stand there already: `kept = kept as i32 as u32`.
+            // What C has no need to convert may are there already: `kept = kept as i32 as u32`.
             value if value == place => {}
             Expr::Binary(op, left, right) if *left == place && compound(op).is_some() => {
                 self.emit(StmtKind::Assign(place, compound(op).expect("just seen"), *right));
@@ -354,7 +354,7 @@ impl<'a> Lower<'a> {
         self.declare_sized(ty, name, &[], init, constant);
     }
 
-    /// The same, with the constants that name its sizes.
+    /// Declares a variable with the constants that name its lengths.
     fn declare_sized(
         &mut self,
         ty: &Type,
@@ -374,8 +374,8 @@ impl<'a> Lower<'a> {
         self.emit(StmtKind::Declare(declarator, init));
     }
 
-    /// Declares a variable whose parts are written after that, perhaps by a callee: a variant writes no more of a
-    /// union than it has, and where the whole is then copied, compilers warn of the rest.
+    /// Declares a variable whose parts are written later, possibly by a callee. It is initialised because a variant
+    /// writes only its part of a union, and compilers warn when the whole is then copied.
     fn begin(&mut self, ty: &Type, name: &str, sizes: &[Option<ConstId>]) {
         if !self.has_union(ty) {
             self.declare_sized(ty, name, sizes, None, false);
@@ -393,7 +393,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Whether a value has parts that share their memory.
+    /// Returns true if a value has parts that share their memory.
     fn has_union(&self, ty: &Type) -> bool {
         match ty {
             Type::Struct(id) => {

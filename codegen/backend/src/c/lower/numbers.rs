@@ -297,7 +297,7 @@ impl Lower<'_> {
         if int.signed() { self.helper(Helper::Wrap(int), vec![bits]) } else { bits }
     }
 
-    /// The same before it is brought back to a signed type.
+    /// Computes a wrapping operation before its conversion back to a signed type.
     fn wrapping_bits(&mut self, op: &'static str, int: Int, operands: &[Ir]) -> Expr {
         let wide = if is_small(int) { Int::U32 } else { unsigned(int) };
         let own = int.signed() || is_small(int);
@@ -354,7 +354,8 @@ fn wrapping_sign(intrinsic: Intrinsic) -> Option<&'static str> {
     }
 }
 
-/// Whether an expression is composite in the sense of MISRA C:2012: its outermost operator computes in the type of its operands.
+/// Returns true if an expression is composite in the sense of MISRA C:2012: its outermost operator computes in the type
+/// of its operands.
 fn is_composite(value: &Expr) -> bool {
     match value {
         Expr::Binary(op, ..) => {

@@ -7,7 +7,7 @@ use super::super::tree::Expr;
 use super::{Lower, bound};
 
 impl Lower<'_> {
-    /// Where a local stands that is a part of the result.
+    /// Returns the place of a local that is a part of the result.
     pub(super) fn part_of_result(&self, local: LocalId) -> Option<Expr> {
         let (path, mut value) = (self.parts.get(&local)?, self.result_storage()?);
         let mut ty = &self.function.result;
@@ -31,7 +31,7 @@ impl Lower<'_> {
         value
     }
 
-    /// What a local stands for.
+    /// Returns the expression of a local.
     fn local(&mut self, local: LocalId) -> Expr {
         let binding = self.bindings[local.index()].as_ref();
         let binding = binding.expect("a local is declared before its use");
@@ -114,8 +114,8 @@ impl Lower<'_> {
         }
     }
 
-    /// One of two indices that make one: what has 64 bits is brought into 32 beside what has no more, since both are within
-    /// the matrix.
+    /// Returns one of two indices that form one. A 64-bit index is cast to 32 bits beside a 32-bit one, since both are
+    /// within the matrix.
     fn beside_index(&mut self, index: &Ir, other: &Ir) -> Expr {
         let is_long = |index: &Ir| {
             let long = index.ty.as_int().is_some_and(|int| int.bits() == 64);
@@ -127,7 +127,7 @@ impl Lower<'_> {
         if alone && flat { Expr::cast("uint32_t", value) } else { value }
     }
 
-    /// The value that stands at an aggregate's place or in its constant.
+    /// The value that is at an aggregate's place or in its constant.
     pub(super) fn operand(&mut self, expr: &Ir) -> Expr {
         match &expr.kind {
             ExprKind::Load(place) => self.place(place),
@@ -144,7 +144,7 @@ impl Lower<'_> {
         }
     }
 
-    /// What is passed for a parameter that C takes by address.
+    /// Returns the argument for a parameter that C takes by address.
     pub(super) fn address(value: Expr, ty: &Type) -> Expr {
         match ty {
             ty if ty.is_array() => value,
@@ -165,7 +165,7 @@ pub(super) fn shape(ty: &Type) -> (Scalar, u32, u32) {
     }
 }
 
-/// Whether an integer type is narrower than C's `int`.
+/// Returns true if an integer type is narrower than C's `int`.
 pub(super) fn is_small(int: Int) -> bool {
     int.bits() < 32
 }

@@ -1,5 +1,5 @@
-//! Sizes in 32 bits: a counter over `usize` whose bounds are known, a local that stays as it began within 32 bits, and one that
-//! is assigned again but always fits, need no 64-bit arithmetic in C.
+//! Sizes in 32 bits. Counters over `usize` with known bounds, locals that keep their initial value within 32 bits, and
+//! reassigned locals that always fit, need no 64-bit arithmetic in C.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr as Ir, ExprKind, Int, Intrinsic, LocalId, Place, Scalar, Type,
@@ -48,7 +48,7 @@ impl Lower<'_> {
         (range.0 >= 0 && range.1 <= LIMIT).then_some(range)
     }
 
-    /// What a comparison comes to if the types alone decide it: compilers warn of such.
+    /// Returns the result of a comparison that the types alone decide: compilers warn about such comparisons.
     pub(super) fn decided(&self, op: CompareOp, left: &Ir, right: &Ir) -> Option<bool> {
         if matches!(op, CompareOp::Eq | CompareOp::Ne)
             && (bits_differ(left, right) || bits_differ(right, left))
@@ -96,7 +96,7 @@ impl Lower<'_> {
         }
     }
 
-    /// What is at most in the bits of two operands that are not negative.
+    /// Returns the range of a bit operation on two operands that are not negative.
     fn range_of_bits(&self, op: BinaryOp, left: &Ir, right: &Ir) -> Option<(i128, i128)> {
         let (a, b) = (self.type_range(left)?, self.type_range(right)?);
         let bits = |value: i128| (1i128 << (128 - value.leading_zeros())) - 1;
@@ -109,7 +109,7 @@ impl Lower<'_> {
         Some((0, high))
     }
 
-    /// The same as numbers: those of an enum's variants.
+    /// Returns the range of an expression as numbers, including the numbers of an enum's variants.
     fn number_range(&self, expr: &Ir) -> Option<(i128, i128)> {
         let range = self.type_range(expr)?;
         let Type::Enum(id) = expr.ty else { return Some(range) };
@@ -124,7 +124,7 @@ impl Lower<'_> {
         if place.steps.is_empty() { self.counters[root as usize] } else { None }
     }
 
-    /// Whether an expression computes with a local that C holds in 32 bits.
+    /// Returns true if an expression computes with a local that C holds in 32 bits.
     pub(super) fn counts(&self, expr: &Ir) -> bool {
         match &expr.kind {
             ExprKind::Load(place) => self.counter(place).is_some(),
@@ -159,8 +159,8 @@ impl Lower<'_> {
         }
     }
 
-    /// The same as an operand beside another: a constant, which has 64 bits in C, has 32 beside what is computed in 32, and
-    /// what is computed in 32 has 64 beside what needs them.
+    /// Returns an operand cast to the width of the other one. A constant has 64 bits in C and gets 32 beside a 32-bit
+    /// computation; a 32-bit computation gets 64 beside a 64-bit one.
     fn beside(&mut self, expr: &Ir, other: &Ir) -> Expr {
         let value = self.narrow(expr, false);
         if self.is_shortened(expr, other) {
@@ -175,7 +175,8 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether the constant `expr`, which has 64 bits, is cast to 32, since the operator `other` beside it computes in 32.
+    /// Returns true if the constant `expr`, which has 64 bits, is cast to 32, since the operator `other` beside it
+    /// computes in 32.
     fn is_shortened(&self, expr: &Ir, other: &Ir) -> bool {
         let computed = matches!(other.kind, ExprKind::Binary(..)) && !self.is_wide(other);
         matches!(expr.kind, ExprKind::Const(_)) && computed
@@ -190,7 +191,7 @@ impl Lower<'_> {
         if wide { Expr::cast("uint32_t", value) } else { value }
     }
 
-    /// Whether a narrow expression has 64 bits in C all the same, for what it is made of.
+    /// Returns true if a narrow expression has 64 bits in C all the same, for what it is made of.
     pub(super) fn is_wide(&self, expr: &Ir) -> bool {
         match &expr.kind {
             ExprKind::Const(_) | ExprKind::Intrinsic(..) => true,
@@ -205,12 +206,12 @@ impl Lower<'_> {
     }
 }
 
-/// Whether an integer has no sign.
+/// Returns true if an integer has no sign.
 fn is_unsigned(value: &Ir) -> bool {
     value.ty.as_int().is_some_and(|int| !int.signed())
 }
 
-/// Whether an integer has 64 bits.
+/// Returns true if an integer has 64 bits.
 fn is_long(value: &Ir) -> bool {
     value.ty.as_int().is_some_and(|int| int.bits() == 64)
 }
@@ -228,14 +229,14 @@ pub(super) fn limit(expr: &Ir) -> Option<Expr> {
     }
 }
 
-/// The value of an integer expression that compilers know by its text, modulo 2^bits: of literals alone, or of which a
-/// literal decides, `x & 0` and `x % 1`. Its operands have no effects.
+/// Returns the value of an integer expression that compilers know from its text, modulo 2^bits. It consists of
+/// literals, or one literal decides it, as in `x & 0` and `x % 1`. Its operands have no effects.
 pub(super) fn const_value(expr: &Ir) -> Option<i128> {
     let int = expr.ty.as_int()?;
     exact_value(expr).map(|value| wrapped(int, value))
 }
 
-/// The same before it is brought into its type; none where it has none.
+/// Returns the value before its conversion to its type, if it is known.
 fn exact_value(expr: &Ir) -> Option<i128> {
     let int = expr.ty.as_int()?;
     match &expr.kind {
@@ -255,7 +256,7 @@ fn exact_value(expr: &Ir) -> Option<i128> {
     }
 }
 
-/// What one operand decides, whatever the other is.
+/// Returns the result that one operand decides, whatever the other is.
 fn by_one(int: Int, op: BinaryOp, a: Option<i128>, b: Option<i128>) -> Option<i128> {
     let all = Some(wrapped(int, -1));
     let is_none = match op {
@@ -268,7 +269,7 @@ fn by_one(int: Int, op: BinaryOp, a: Option<i128>, b: Option<i128>) -> Option<i1
     is_none.then_some(0)
 }
 
-/// What both operands decide, before it is brought into its type.
+/// Returns the result that both operands decide, before its conversion to its type.
 fn by_both(int: Int, op: BinaryOp, a: i128, b: i128) -> Option<i128> {
     match op {
         BinaryOp::Add => Some(a + b),
@@ -285,7 +286,7 @@ fn by_both(int: Int, op: BinaryOp, a: i128, b: i128) -> Option<i128> {
     }
 }
 
-/// Whether a constant lacks a bit that `|` sets in a value, or has one that `&` clears.
+/// Returns true if a constant lacks a bit that `|` sets in a value, or has one that `&` clears.
 fn bits_differ(value: &Ir, constant: &Ir) -> bool {
     let (ExprKind::Binary(op, left, right), Some(constant)) = (&value.kind, const_value(constant))
     else {
@@ -316,7 +317,7 @@ fn unchanged<'e>(op: BinaryOp, left: &'e Ir, right: &'e Ir) -> Option<&'e Ir> {
     (by_left.is_some() && a == by_left).then_some(right)
 }
 
-/// Whether two operands load one place.
+/// Returns true if two operands load one place.
 fn same_load(left: &Ir, right: &Ir) -> bool {
     match (&left.kind, &right.kind) {
         (ExprKind::Load(one), ExprKind::Load(other)) => same_place(one, other),
@@ -330,8 +331,8 @@ fn wrapped(int: Int, value: i128) -> i128 {
     if low > Int::max(int) { low - (1i128 << int.bits()) } else { low }
 }
 
-/// What stands for an operation that certainly faults: a check before it has ended the function, yet
-/// compilers complain of it.
+/// Returns a value for an operation that certainly faults. A check before it has ended the function, but compilers warn
+/// about it.
 pub(super) fn never_reached(expr: &Ir) -> Option<i128> {
     let int = expr.ty.as_int()?;
     if let ExprKind::Binary(op, _, right) = &expr.kind {

@@ -39,7 +39,7 @@ impl Stored {
         self.layout.at(self.matrix.clone(), self.shape, row, column)
     }
 
-    /// Whether elements lie in memory in the order of what is meant, and one index reaches each.
+    /// Returns true if elements lie in memory in the order of what is meant, and one index reaches each.
     fn is_flat(&self) -> bool {
         self.layout.is_flat(self.shape)
             && (!self.transposed || self.shape.0 == 1 || self.shape.1 == 1)
@@ -51,13 +51,13 @@ enum Fused {
     Matrix(Stored),
     /// A column times a row.
     Outer(Stored, Stored),
-    /// The same value everywhere.
+    /// One value for every element.
     Scalar(Expr),
     Binary(BinaryOp, Box<Fused>, Box<Fused>),
     Neg(Box<Fused>),
 }
 
-/// Which element.
+/// Selection of an element.
 enum At<'e> {
     Fixed(u32, u32),
     /// By its place in memory.
@@ -81,7 +81,7 @@ impl Column {
 }
 
 impl Lower<'_> {
-    /// Whether a routine's result is written out element by element.
+    /// Returns true if a routine's result is written out element by element.
     pub(super) fn is_straight(&self, routine: Routine, operands: &[Ir], ty: &Type) -> bool {
         let (_, rows, cols) = shape(ty);
         match routine {
@@ -225,8 +225,8 @@ impl Lower<'_> {
         }
     }
 
-    /// Writes a straight product to `dest` once all of it is known: a compiler cannot know that no
-    /// operand lies there, and would load each anew after every element.
+    /// Writes an unrolled product to `dest` after all of it is computed. A compiler cannot know that no operand is in
+    /// `dest`, and would reload each after every element.
     fn store_beside(&mut self, dest: &Expr, value: &Ir) {
         let (_, rows, cols) = shape(&value.ty);
         let block = self.scope(|lower| {
@@ -526,7 +526,7 @@ fn small_dot(terms: Vec<Expr>) -> Expr {
 }
 
 impl Fused {
-    /// Whether all that it is made of lies in memory in one order.
+    /// Returns true if all that it is made of lies in memory in one order.
     fn is_flat(&self) -> bool {
         match self {
             Fused::Matrix(stored) => stored.is_flat(),
@@ -542,7 +542,7 @@ fn number(value: u32) -> Expr {
     Expr::name(value.to_string())
 }
 
-/// Whether a routine is a column times a row: one product an element.
+/// Returns true if a routine is a column times a row: one product an element.
 fn is_outer(routine: Routine, operands: &[Ir]) -> bool {
     routine == Routine::Product && shape(&operands[0].ty).2 == 1
 }

@@ -99,8 +99,8 @@ impl Lower<'_> {
         self.count_from("i", from, to, |lower, index| lower.store(place.at(index), None, item));
     }
 
-    /// Whether nothing misses a value that is not computed: it reads no place, and calls at most a function that others may call
-    /// and that reaches nothing of the firmware's.
+    /// Returns true if a value need not be computed: it reads no place, and calls at most a pure function that others
+    /// may call.
     fn is_idle(&self, value: &Ir) -> bool {
         let functions = &self.context.module.functions;
         let called = match &value.kind {
@@ -360,7 +360,7 @@ impl Lower<'_> {
         let mut list: Vec<SwitchArm> = Vec::new();
         for (index, arm) in arms.iter().enumerate() {
             let labels = arm.values.iter().map(|value| self.label(&scrutinee.ty, *value)).collect();
-            // Where the arms name every variant, the last stands for whatever else there might be.
+            // Where the arms name every variant, the last represents whatever else there might be.
             let default = otherwise.is_none() && index + 1 == arms.len();
             list.push(SwitchArm { labels, default, body: self.block(&arm.body, tail) });
         }
@@ -429,7 +429,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether the value could change while the arms are tried or run.
+    /// Returns true if the value could change while the arms are tried or run.
     fn is_assigned(&self, expr: &Ir) -> bool {
         match &expr.kind {
             ExprKind::Load(place) => self.usage.assigned[place.root.index()],
@@ -442,7 +442,7 @@ impl Lower<'_> {
     }
 }
 
-/// Whether a value can be read again without cost or harm.
+/// Returns true if a value can be read again without cost or harm.
 pub(super) fn is_simple(value: &Expr) -> bool {
     match value {
         Expr::Name(_) => true,
@@ -453,7 +453,7 @@ pub(super) fn is_simple(value: &Expr) -> bool {
     }
 }
 
-/// Whether a block leaves the loop around it.
+/// Returns true if a block leaves the loop around it.
 fn breaks(block: &Block) -> bool {
     block.0.iter().any(|stmt| match &stmt.kind {
         IrKind::Break => true,

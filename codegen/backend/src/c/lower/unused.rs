@@ -1,6 +1,6 @@
 //! Locals that nothing in the C reads: a comparison that the types decide, a part that only checks needed.
 //!
-//! `(void)name;` stands behind the declaration of such a one. What does no more than copy a place that is read elsewhere
+//! `(void)name;` follows the declaration of such a one. What does no more than copy a place that is read elsewhere
 //! goes, and with it the only mention, and so does a list of literals; what has another value stays, for it may call.
 
 use crate::c::tree::{Expr, Init, Step, Stmt, StmtKind, plain};
@@ -28,8 +28,8 @@ fn say(body: &mut Vec<Stmt>, names: &[String]) {
     }
 }
 
-/// Takes out the declaration and its `(void)` of one copy that nothing in its block reads, and whose place is read elsewhere
-/// in `body`; whether there was one.
+/// Removes the declaration and the `(void)` of one copy that its block does not read and whose place `body` reads
+/// elsewhere. Returns true if there was one.
 fn drop_copy(block: &mut Vec<Stmt>, body: &[Stmt]) -> bool {
     let unread = |at: &usize| {
         let [Stmt { kind: StmtKind::Declare(declarator, Some(init)), .. }, next, rest @ ..] =
@@ -62,7 +62,7 @@ fn root(place: &Expr) -> Option<&str> {
     }
 }
 
-/// Whether an initialiser has literals alone.
+/// Returns true if an initialiser has literals alone.
 fn is_constant(init: &Init) -> bool {
     match init {
         Init::List { items, .. } => items.iter().all(|(_, item)| is_constant(item)),
@@ -98,7 +98,7 @@ fn inner_mut(kind: &mut StmtKind) -> Vec<&mut Vec<Stmt>> {
     }
 }
 
-/// Whether a variable of this name is read or written.
+/// Returns true if a variable of this name is read or written.
 fn names(body: &[Stmt], name: &str) -> bool {
     body.iter().any(|stmt| {
         let written = match &stmt.kind {
@@ -110,7 +110,7 @@ fn names(body: &[Stmt], name: &str) -> bool {
     })
 }
 
-/// How many variables have this name.
+/// Returns the number of variables of this name.
 fn declarations(body: &[Stmt], name: &str) -> usize {
     let count = |stmt: &Stmt| {
         let own = match &stmt.kind {
@@ -124,7 +124,7 @@ fn declarations(body: &[Stmt], name: &str) -> usize {
     body.iter().map(count).sum()
 }
 
-/// How often the variable is read: a write to it, or to a part of it, is none.
+/// Returns the number of reads of the variable; a write to it, or to a part of it, is none.
 fn reads(body: &[Stmt], name: &str) -> usize {
     let inner_reads = |stmt: &Stmt| -> usize {
         inner(&stmt.kind).into_iter().map(|block| reads(block, name)).sum()

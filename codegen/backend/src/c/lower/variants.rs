@@ -1,6 +1,6 @@
 //! Handles an enum that comes from outside and holds none of its variants.
 //!
-//! Where a proof rests on it ([`Intrinsic::Variant`](bessemer_ir::Intrinsic::Variant)), the last variant stands for it.
+//! Where a proof rests on it ([`Intrinsic::Variant`](bessemer_ir::Intrinsic::Variant)), the last variant represents it.
 //! One that returns a status says so before it does anything; one that is claimed to be infallible has no way to,
 //! and takes the last arm of a `match`. Looked at are enums that are passed, by themselves or as fields of
 //! structs; not the elements of arrays, and not payloads.

@@ -18,13 +18,13 @@ impl Lower<'_> {
         found.wide
     }
 
-    /// Whether C computes a size in 32 bits.
+    /// Returns true if C computes a size in 32 bits.
     fn is_narrow(&self, expr: &Ir) -> bool {
         self.range(expr).is_some_and(|(low, high)| low == high || self.counts(expr))
             && !self.is_wide(expr)
     }
 
-    /// Whether compilers know the value.
+    /// Returns true if compilers know the value.
     fn is_known(&self, expr: &Ir) -> bool {
         let one = |(low, high): (i128, i128)| low == high;
         matches!(expr.kind, ExprKind::Literal(_) | ExprKind::Const(_))
@@ -32,7 +32,7 @@ impl Lower<'_> {
             || self.range(expr).is_some_and(one)
     }
 
-    /// What values of a type are too wide for.
+    /// Returns the width that values of a type exceed.
     fn width(&self, expr: &Ir) -> Option<Width> {
         match &expr.ty {
             Type::Scalar(Scalar::Float(Float::F64))
@@ -55,7 +55,7 @@ impl Found<'_, '_> {
         self.wide.extend(width.map(|width| Wide { width, span }));
     }
 
-    /// Whether C compares two sizes in 32 bits.
+    /// Returns true if C compares two sizes in 32 bits.
     fn narrow_comparison(&self, left: &Ir, right: &Ir) -> bool {
         let fits = |expr: &Ir| self.lower.is_narrow(expr) || self.lower.is_known(expr);
         let ranges = self.lower.range(left).is_some() && self.lower.range(right).is_some();

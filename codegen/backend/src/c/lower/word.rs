@@ -126,12 +126,12 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether the author writes a literal in base sixteen; a digit says the same in both.
+    /// Returns true if the author writes a literal in base sixteen; a digit says the same in both.
     fn is_hexadecimal(&self, expr: &Ir, word: u64) -> bool {
         word >= 10 && self.context.module.hexadecimal.contains(&(expr.span, word))
     }
 
-    /// Whether a value is a counter that C holds in 32 bits.
+    /// Returns true if a value is a counter that C holds in 32 bits.
     fn is_counter(&self, expr: &Ir) -> bool {
         matches!(&expr.kind, ExprKind::Load(place) if self.counter(place).is_some())
     }
@@ -164,8 +164,8 @@ impl Lower<'_> {
         Expr::binary(comparison(op), self.comparable(a), self.comparable(b))
     }
 
-    /// The negation of a condition, as a reader would put it: comparisons turned round where that is
-    /// the same (on floats only `==` and `!=`, for the sake of NaN).
+    /// Returns the negation of a condition, with comparisons reversed where that is equivalent. For floats these are
+    /// only `==` and `!=`, because of NaN.
     pub(super) fn negated(&mut self, condition: &Ir) -> Expr {
         match &condition.kind {
             ExprKind::Literal(word) => Expr::name(if *word == 0 { "true" } else { "false" }),
@@ -257,7 +257,7 @@ fn has_negation(condition: &Ir) -> bool {
     }
 }
 
-/// A `bool` as a number, without the mask that it stands behind: gcc takes `~(uint8_t)((uint8_t)flag & 1U)` for a slip.
+/// A `bool` as a number, without the mask that it follows: gcc takes `~(uint8_t)((uint8_t)flag & 1U)` for a slip.
 fn of_bool(operand: &Ir) -> Option<&Ir> {
     match &operand.kind {
         ExprKind::Cast(from) if from.ty == Type::BOOL => Some(operand),

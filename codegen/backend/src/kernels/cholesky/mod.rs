@@ -43,12 +43,12 @@ pub(super) fn loops(kernel: &Kernel) -> Source {
     tiles::loops(kernel, kernel.dims[0])
 }
 
-/// Whether the matrix stays, and the factor is the result.
+/// Returns true if the matrix stays, and the factor is the result.
 fn is_beside(kernel: &Kernel) -> bool {
     kernel.routine == KernelRoutine::CholeskyLower
 }
 
-/// What is left where there is no factor.
+/// Code that fills the result if there is no factor.
 const SPOIL: &str = "\
 /* There is no factor: NaN in the lower triangle. */
 static bool spoil($real *a)
@@ -75,8 +75,8 @@ pub(super) fn solve(kernel: &Kernel, size: u32, columns: u32) -> Source {
     written_out::solve(kernel, size, columns)
 }
 
-/// The code of a factorisation that is written out, four bytes an instruction: a multiplication takes three,
-/// an element its load, its store and a share of its division.
+/// Returns the code size of an unrolled factorisation, four bytes an instruction. A multiplication takes three
+/// instructions; an element takes its load, its store and a share of its division.
 fn factor_bytes(size: u32) -> u32 {
     2 * size * size * size + 22 * size * size
 }

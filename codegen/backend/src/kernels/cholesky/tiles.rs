@@ -53,7 +53,7 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     source(kernel, n, &before, &body(kernel, n))
 }
 
-/// The same where there are vectors, else what is given.
+/// Returns the factorisation with vectors where available, else `other`.
 pub(super) fn factor_with_vectors(kernel: &Kernel, n: u32, other: &str) -> Source {
     let before = format!("#if defined(LANES)\n{VECTORS}\n{}#endif\n", top(n));
     source(
@@ -76,7 +76,8 @@ fn source(kernel: &Kernel, n: u32, before: &str, body: &str) -> Source {
     }
 }
 
-/// Where the factor goes, and what is said where there is none and at the end, of so many first columns.
+/// Returns the template's values: the destination of the factor, the returns on failure and at the end, and the first
+/// columns.
 fn all_values(kernel: &Kernel, n: u32, first: u32) -> Vec<(&'static str, String)> {
     let mut values = values(kernel.element, &[("n", n), ("first", first), ("all", n * n)]);
     let (l, none, done) = match is_beside(kernel) {

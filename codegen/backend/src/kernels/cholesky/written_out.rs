@@ -58,7 +58,7 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     let values = values(kernel.element, &[("n", n)]);
     let (mut spoil, mut body) = (spoil(kernel), text);
     if in_header {
-        // A name of its own: several kernels may stand in one source.
+        // A name of its own: several kernels may are in one source.
         let name = format!("spoil_{}(", kernel.name());
         spoil = spoil.replace("static ", "static inline ").replace("spoil(", &name);
         body = body.replace("spoil(", &name);
@@ -109,8 +109,8 @@ pub(super) fn solve(kernel: &Kernel, n: u32, columns: u32) -> Source {
     }
 }
 
-/// The scalar product of a column below the diagonal with what is known, as nalgebra orders it: from eight
-/// terms on in eight sums, which then go in pairs.
+/// Writes the scalar product of a column below the diagonal with the known part, in nalgebra's order. From eight terms
+/// on, it has eight sums that are then added in pairs.
 fn known(text: &mut String, n: u32, row: u32) {
     let terms = n - 1 - row;
     let whole = terms - terms % 8;

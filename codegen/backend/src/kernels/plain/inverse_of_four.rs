@@ -13,7 +13,7 @@ use bessemer_ir::kernel::{COFACTORS, Products};
 const OF_FOUR: &str = include_str!("rows_of_four.c");
 const IN_FOURS: &str = include_str!("inverse_of_four.c");
 
-/// Of the cofactors of each column, the three rows without an own one.
+/// For the cofactors of each column, the three other rows.
 const ROWS: [(&str, [usize; 4]); 3] =
     [("top", [1, 0, 0, 0]), ("mid", [2, 2, 1, 1]), ("low", [3, 3, 3, 2])];
 
@@ -95,7 +95,7 @@ fn in_pairs() -> String {
     })
 }
 
-/// What a form with vectors says of itself.
+/// Comment of a variant with vectors.
 const HOW: &str = "\
 Cofactors at once: each is a sum of products of the three rows without an own one, and each lane takes its three
    elements of a row. The signs go to the first factors: all that follows is as it would be without.";
@@ -111,7 +111,7 @@ fn lanes_type(lanes: usize) -> String {
     )
 }
 
-/// What the elements of the matrix are called, in one vector or in two.
+/// Returns the names of the matrix' elements, in one vector or in two.
 fn sources(lanes: usize) -> [&'static str; 2] {
     if lanes == 16 { ["m", "m"] } else { ["left", "right"] }
 }
@@ -128,7 +128,7 @@ fn sign(row: &str) -> &'static str {
     if row == "top" { " * signs" } else { "" }
 }
 
-/// Those of two columns, again and again.
+/// Returns the signs of two columns, repeated.
 fn signs(lanes: usize) -> String {
     let two = ["$one", "-$one", "$one", "-$one", "-$one", "$one", "-$one", "$one"];
     let signs: Vec<&str> = two.into_iter().cycle().take(lanes).collect();

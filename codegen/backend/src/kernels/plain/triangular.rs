@@ -75,7 +75,7 @@ pub(super) fn cholesky(kernel: &Kernel, size: u32, columns: u32) -> Source {
     source(kernel, size, columns, &of_columns(&[DOWN, TR_UP]), true)
 }
 
-/// Where every element of the diagonal divides.
+/// Returns the solve in which every element of the diagonal divides and is checked.
 fn checked(kernel: &Kernel, size: u32, columns: u32, steps: &str, dot: bool) -> Source {
     let template = format!("{SINGULAR}{}return true;\n", of_columns(&[steps]));
     source(kernel, size, columns, &template, dot)

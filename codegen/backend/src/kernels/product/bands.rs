@@ -1,4 +1,4 @@
-//! Which blocks a product goes by: bands of rows, each cut into blocks of columns.
+//! Blocks of a product: bands of rows, each cut into blocks of columns.
 //!
 //! The instructions of a block are counted: a vector of rows and a number in each lane is loaded once for each term, and a
 //! product and a sum follow for each pair. Three vectors by three columns, or two by five, are best with 16 registers; the
@@ -83,7 +83,7 @@ pub(super) fn best(
     found
 }
 
-/// What blocks of a product with so many lanes take.
+/// Costs of a product's blocks for a number of lanes.
 struct Costs<'a> {
     target: &'a Target,
     lanes: u32,
@@ -128,7 +128,7 @@ impl Costs<'_> {
         4 * (inner * (self.target.step * columns + columns.div_ceil(self.target.registers)) + BLOCK)
     }
 
-    /// How many terms of the largest blocks have room.
+    /// Returns the number of terms of the largest blocks that fit into the code size.
     fn terms(&self, first: Band, last: Option<Band>, code_bytes: u32) -> u32 {
         let of = |band: Band| {
             let left = self.sizes.columns % band.across;

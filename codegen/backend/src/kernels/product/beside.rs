@@ -49,7 +49,7 @@ const MOST: u32 = 3;
 /// Up to so many numbers of the right factor the loop over the columns is unrolled.
 const UNROLLED: u32 = 64;
 
-/// How many columns have registers, beside so many vectors of rows.
+/// Returns the number of columns that fit into registers beside `down` vectors of rows.
 pub(super) fn most(element: Float, down: u32, columns: u32, registers: u32) -> u32 {
     // Beside the sums: the rows of a term, numbers of each column, a product.
     let fits = |beside: &u32| down * beside + down + beside < registers;

@@ -8,7 +8,7 @@ const BLOCK: &str = include_str!("block.c");
 const BLOCKS: &str = include_str!("blocks.c");
 const LAST_ROW: &str = include_str!("last_row.c");
 
-/// The same where the result is one column.
+/// Template for a result of one column.
 const ROWS: &str = include_str!("rows.c");
 const LAST_NUMBER: &str = include_str!("last_number.c");
 
@@ -59,29 +59,29 @@ const BESIDE: &str = "    \
     }
 ";
 
-/// What the bands of a product's targets need.
+/// Requirements of the bands of a product's targets.
 #[derive(Clone, Copy)]
 pub(super) struct Blocks {
     sizes: Sizes,
-    /// Whether a last band is another.
+    /// True if a last band is another.
     last: bool,
-    /// Whether a last row goes by numbers.
+    /// True if a last row goes by numbers.
     alone: bool,
-    /// Whether terms go in turns, and some before them.
+    /// True if terms go in turns, and some before them.
     turns: bool,
     first_terms: bool,
-    /// Whether columns are left beside the blocks.
+    /// True if columns are left beside the blocks.
     left: bool,
     /// Columns of the widest block.
     widest: u32,
-    /// Whether a band has all rows.
+    /// True if a band has all rows.
     one_band: bool,
     /// Terms that a loop over them may have written out.
     terms: u32,
 }
 
 impl Blocks {
-    /// What these bands need, of vectors of so many lanes.
+    /// Returns the requirements of these bands, for vectors of these numbers of lanes.
     pub fn new(sizes: Sizes, plans: &[(u32, Bands)]) -> Blocks {
         let bands: Vec<Bands> = plans.iter().map(|(_, bands)| *bands).collect();
         let any = |wanted: fn(Sizes, &Bands) -> bool| bands.iter().any(|it| wanted(sizes, it));
@@ -106,18 +106,18 @@ impl Blocks {
         }
     }
 
-    /// Whether the result is one column.
+    /// Returns true if the result is one column.
     fn is_column(&self) -> bool {
         self.sizes.columns == 1
     }
 
-    /// What says that a target goes by blocks.
+    /// Returns the preprocessor condition of targets with blocks.
     pub fn condition(&self) -> &'static str {
         // A column goes by nothing else.
         if self.is_column() { "LANES" } else { "COLUMNS" }
     }
 
-    /// What a target defines.
+    /// Returns the macros that a target defines.
     pub fn defines(&self, bands: &Bands) -> String {
         let Bands { first, last, alone, terms } = bands;
         let column = self.is_column();
@@ -145,7 +145,7 @@ impl Blocks {
         text
     }
 
-    /// What stands before the function.
+    /// Returns the code before the function.
     pub fn before(&self) -> String {
         let unrolled = match self.sizes.inner <= bands::WRITTEN_OUT {
             true => "#pragma GCC unroll 32\n",
@@ -179,7 +179,7 @@ impl Blocks {
         format!("\n#if defined(COLUMNS)\n{text}#endif\n")
     }
 
-    /// What stands in the function.
+    /// Returns the body of the function.
     pub fn body(&self) -> String {
         let alone = if self.is_column() { GIVE_LAST_NUMBER } else { GIVE_LAST_ROW };
         let mut body = match self.one_band {

@@ -4,7 +4,7 @@
 //! nalgebra's does; a block only decides which elements go side by side.
 //!
 //! [`vectors`] has the blocks of targets with vectors, as [`bands`] plans them, [`numbers`] those of all others; [`small`]
-//! the products that stand in their header.
+//! the products that are in their header.
 
 mod bands;
 mod beside;
@@ -50,7 +50,7 @@ impl Sizes {
     }
 }
 
-/// Whether a product is written out, and stands in its header.
+/// Returns true if a product is written out, and is in its header.
 pub(super) fn is_small(kernel: &Kernel) -> bool {
     use KernelRoutine::{Product, ProductTr, TrProduct};
     matches!(kernel.routine, Product | ProductTr | TrProduct)
@@ -105,7 +105,7 @@ pub(super) fn source(
     })
 }
 
-/// The same for threads: a function does a share of the columns.
+/// Returns the variant for threads: a function computes a share of the columns.
 fn shared(real: &str, before: &str, body: &str) -> Source {
     let (lent, result) = (format!("const {real} *"), format!("{real} *"));
     let work = Work {

@@ -6,7 +6,7 @@ use bessemer_ir::Float;
 
 use super::Sizes;
 
-/// How many registers a target has for numbers.
+/// Number of registers of a target for scalars.
 #[derive(Clone, Copy)]
 enum Registers {
     ThirtyTwo,
@@ -22,7 +22,7 @@ impl Registers {
         }
     }
 
-    /// Bytes of an instruction of ARM, and what stands for one in x86-64, where a multiplication overwrites an operand.
+    /// Bytes of an instruction of ARM, and what represents one in x86-64, where a multiplication overwrites an operand.
     fn bytes(self) -> u32 {
         match self {
             Registers::ThirtyTwo => 4,
@@ -31,7 +31,7 @@ impl Registers {
     }
 }
 
-/// What says that a target has 16 registers: x86, and with `double` a Cortex-M.
+/// Returns the condition of targets with 16 registers: x86, and with `double` a Cortex-M.
 fn has_sixteen(element: Float) -> &'static str {
     match element {
         Float::F64 => {
@@ -111,18 +111,18 @@ fn tiles_of(element: Float, sizes: Sizes, plan: &Plan, shares: bool) -> (String,
     (tiles.join("\n").trim_end().to_owned(), body)
 }
 
-/// How a product is cut up.
+/// Tiling of a product.
 #[derive(PartialEq)]
 struct Plan {
     shape: (u32, u32),
-    /// Whether the loop over k is.
+    /// True if the loop over k is.
     unrolled: bool,
 }
 
 /// The tile that takes the fewest instructions in so many bytes of code, if there is one.
 fn plan(sizes: Sizes, code_bytes: u32, registers: Registers) -> Option<Plan> {
     let step = |(height, width): (u32, u32)| height * width + height + width;
-    // The first products and the stores, and the call, stand beside the steps.
+    // The first products and the stores, and the call, are beside the steps.
     let bytes = |shape, steps: u32| -> u32 {
         let tile =
             |shape: (u32, u32)| registers.bytes() * (steps * step(shape) + shape.0 * shape.1 + 12);
@@ -183,8 +183,8 @@ fn place(parts: &[(u32, u32, Option<&str>)]) -> String {
     terms.join(" + ")
 }
 
-/// The whole tiles, if there are any: where they end (or one begins), how many lines a tile has, and
-/// whether they are many; then the rest.
+/// Returns the whole tiles, if any: their end (or the beginning of one), the lines of a tile, and true if they are
+/// many. The rest follows.
 fn parts(count: u32, tile: u32) -> Vec<(u32, u32, bool)> {
     let whole = count - count % tile;
     let mut parts = Vec::new();

@@ -1,4 +1,4 @@
-//! Products of up to four rows, terms and columns, written out: they stand in their header, so that they cost no call.
+//! Products of up to four rows, terms and columns, written out: they are in their header, so that they cost no call.
 //!
 //! The left factor stays in registers, as vectors of rows; where a vector of the target has room for two columns of the
 //! result, it holds both. The last vector of rows may overlap the one before: elements are then computed twice, to
@@ -18,7 +18,7 @@ pub(super) const LARGEST: u32 = 4;
 /// long.
 const TARGETS: [(&str, u32); 2] = [("defined(__AVX__)", 32), ("defined(__SSE2__)", 16)];
 
-/// What a vector holds.
+/// Contents of a vector.
 #[derive(Clone, Copy, PartialEq)]
 enum Plan {
     /// So many rows of a column.

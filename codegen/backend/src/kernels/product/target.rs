@@ -2,15 +2,15 @@
 
 /// A kind of vectors.
 pub(super) struct Target {
-    /// What says that they are there.
+    /// Preprocessor condition of the target.
     pub condition: &'static str,
-    /// What else to say about them.
+    /// Further comment on the target.
     pub text: &'static str,
-    /// Whether they are for `f32` alone.
+    /// True if they are for `f32` alone.
     pub single: bool,
     /// Bytes of the widest.
     pub widest: u32,
-    /// How many registers.
+    /// Number of registers.
     pub registers: u32,
     /// Instructions to multiply and add.
     pub step: u32,
@@ -18,8 +18,8 @@ pub(super) struct Target {
     pub spread: u32,
     /// Bytes of code that a loop over terms may take; more of them written out take no less time.
     pub room: u32,
-    /// Whether a row that fills no vector goes by numbers: they have to multiply from memory, for without registers to
-    /// spare a vector more is dearer.
+    /// True if a row that fills no vector uses scalars. They must multiply from memory, since without spare registers
+    /// another vector is slower.
     pub alone: bool,
 }
 

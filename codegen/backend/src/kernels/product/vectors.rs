@@ -16,7 +16,7 @@ const TIMES: &str = "#define TIMES(rows, number) ((rows) * (number))\n";
 const PLUS: &str = "#define PLUS(sum, rows, number) ((sum) + (rows) * (number))\n";
 const HOLD: &str = "#define IN_ITS_REGISTER(value) __asm__(\"\" : \"+v\"(value))\n";
 
-/// How a target goes about it.
+/// Variants of a product for a target.
 #[derive(Clone, Copy, PartialEq)]
 enum Form {
     /// The left factor stays in registers.
@@ -36,7 +36,7 @@ impl Form {
     }
 }
 
-/// What a target makes of a product.
+/// Plan of a product for a target.
 #[derive(Clone, Copy, PartialEq)]
 struct Plan {
     /// Numbers of a vector.
@@ -54,7 +54,7 @@ const HEIGHT: &str = "\
 #define HEIGHT ((LANES * VECTORS < $rows) ? LANES * VECTORS : $rows)
 ";
 
-/// What the words mean by which targets say how they go about it.
+/// Definitions of the words that describe the targets' variants.
 const WORDS: [(&str, &str); 9] = [
     (
         "LANES",
@@ -133,7 +133,7 @@ for (uint32_t column = $first_column; column < $columns; $next_column) {
 }
 ";
 
-/// What stands before the function, and its body; none if there are too few rows.
+/// Returns the code before the function, and its body; none if there are too few rows.
 pub(super) fn source(
     element: Float,
     sizes: Sizes,
@@ -214,7 +214,7 @@ fn words(targets: &str) -> String {
     format!("{} */\n", used.map(|(_, meaning)| *meaning).collect::<String>())
 }
 
-/// What a target defines.
+/// Returns the macros of a target.
 fn branch(target: &Target, element: Float, plan: Plan, mode: Mode, blocks: &Blocks) -> String {
     let Plan { lanes, down, form } = plan;
     let mut condition = target.condition.to_owned();
@@ -348,9 +348,9 @@ fn rows_of(sizes: Sizes, term: Option<&str>) -> String {
     }
 }
 
-/// What takes the least time: with registers for all of the left factor, to load it once; where numbers are dear to
-/// spread, columns; else blocks. Columns of wider vectors take fewer instructions than blocks, but up to 1.7 times
-/// their time, for they load the left factor again for each.
+/// Returns the fastest plan. If registers hold the whole left factor, it is loaded once. If broadcasts are slow,
+/// columns are computed; otherwise blocks. Columns of wider vectors take fewer instructions than blocks, but up to 1.7
+/// times their time, since they load the left factor again for each.
 fn plan(target: &Target, element: Float, sizes: Sizes, tuning: &Tuning) -> Option<Plan> {
     let lies_in_columns = sizes.left.0 == 1;
     // The widest vectors that a column fills.

@@ -7,7 +7,7 @@
 //! ascending, then back from the last.
 //!
 //! The products that are left out, zeros of the identity times multipliers, are zero only if the multipliers are finite. One that is
-//! not leaves its trace in the result; then the form of the other targets, which stands in the same file, does it again.
+//! not leaves its trace in the result; then the form of the other targets, which is in the same file, does it again.
 //!
 //! Absent: ARM, where exact arithmetic is the VFP's.
 
@@ -40,7 +40,7 @@ const INVERSE: &str = include_str!("inverse.c");
 /// The smallest and odd ones, and the others.
 const GIVE: [&str; 2] = [include_str!("give_numbers.c"), include_str!("give_squares.c")];
 
-/// Whether a kernel gains by it.
+/// Returns true if a kernel gains by it.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Solve, &[size, 1]) | (KernelRoutine::Inverse, &[size]) => {
@@ -136,7 +136,7 @@ return true;
     fill(TEXT, &all_values(kernel))
 }
 
-/// Where the rows are: in the memory that is lent, or in a local.
+/// Returns the place of the rows: the passed memory, or a local.
 fn rows(kernel: &Kernel, buffers: &[Buffer]) -> String {
     let place = match are_lent(buffers) {
         true => format!("$real *const rows = first_vector(work->{});\n", buffers[0].name),

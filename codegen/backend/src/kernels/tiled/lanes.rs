@@ -10,7 +10,7 @@ const VECTORS: [(&str, u32); 3] = [("__AVX512F__", 64), ("__AVX__", 32), ("__SSE
 
 const LANES: &str = include_str!("lanes.c");
 
-/// Where the target has no fused step.
+/// Code for targets without fused multiply-add.
 const MINUS: &str = "\
 #if defined(HALF) && !defined(MINUS)
 #define MINUS(row, factor, other) ((row) - (factor) * (other))
@@ -110,7 +110,7 @@ fn targets(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
         }
         branches.push((format!("defined({macro_name})"), text));
     }
-    // Loads of many numbers at once; arithmetic stays on the VFP, which rounds as C does. clang moves what stands in chosen
+    // Loads of many numbers at once; arithmetic stays on the VFP, which rounds as C does. clang moves what is in chosen
     // registers out of them and back: its plain form takes less.
     let text = match element {
         Float::F64 => {

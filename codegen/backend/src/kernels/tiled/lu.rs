@@ -57,7 +57,7 @@ const SIDES: Work<'static> = Work {
     own: Some(OWN_PANEL),
 };
 
-/// Where the size is a multiple of four, and where the last tiles have to be filled up.
+/// Templates for sizes that are multiples of four, and for sizes whose last tiles are padded.
 const GIVE_BACK: [&str; 2] = [include_str!("give_back.c"), include_str!("give_back_edges.c")];
 const GIVE_COLUMNS: [&str; 2] =
     [include_str!("give_columns.c"), include_str!("give_columns_edges.c")];
@@ -129,7 +129,7 @@ fn columns(kernel: &Kernel) -> u32 {
     rows(kernel.dims[0]).next_multiple_of(lanes::widest(kernel.element, room(kernel)))
 }
 
-/// Numbers of a panel, and of what stands beside it.
+/// Numbers of a panel, and of what is beside it.
 fn panel(kernel: &Kernel) -> u32 {
     let numbers = (rows(kernel.dims[0]) + 4) * lanes::widest(kernel.element, room(kernel));
     match ordered::fits(kernel) {
@@ -138,7 +138,7 @@ fn panel(kernel: &Kernel) -> u32 {
     }
 }
 
-/// What a kernel works with; `sides` if right-hand sides go through a panel too.
+/// Returns the memory of a kernel; with `sides`, right-hand sides have a panel too.
 pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
     let element = Scalar::Float(kernel.element);
     let number = Scalar::Int(Int::U32);

@@ -27,7 +27,7 @@ fn rows(size: u32) -> u32 {
     size.next_multiple_of(4)
 }
 
-/// Whether a kernel gains by tiles.
+/// Returns true if a kernel gains by tiles.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     let factored = matches!(
         kernel.routine,

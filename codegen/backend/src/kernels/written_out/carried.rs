@@ -1,5 +1,5 @@
-//! A solve for one right-hand side, which goes along with the matrix: nothing of L is kept, and the rows of a step
-//! are exchanged where its columns pass by.
+//! A solve for one right-hand side that is eliminated together with the matrix. No part of L is kept, and the rows of a
+//! step are exchanged as its columns are processed.
 
 use std::fmt::Write as _;
 
@@ -9,19 +9,20 @@ use super::super::text::{fill, values};
 use super::super::{Buffer, Source, declarations};
 use super::{COPY, FIND_PIVOT, PIVOTS_WRITTEN_OUT, buffers, compare};
 
-/// Whether a kernel is such a solve, and gains: exchanges that are known to be needed take fewer steps below this.
+/// Returns true if a kernel is such a solve, and gains: exchanges that are known to be needed take fewer steps below
+/// this.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     kernel.routine == KernelRoutine::Solve && kernel.dims[0] >= 7 && kernel.dims[1] == 1
 }
 
-/// Whether it has room, if with loops on the way back.
+/// Returns true if it has room, if with loops on the way back.
 pub(super) fn has_room(kernel: &Kernel, code_bytes: u32) -> bool {
     let loops = !kernel.dims[0].is_multiple_of(4);
     bytes(kernel) <= code_bytes || loops && bytes(kernel) - way_back(kernel.dims[0]) <= code_bytes
 }
 
-/// The code, four bytes an instruction: five and a half for a multiplier and its step, two on the way back; and six
-/// for its comparison, where these are written out. Those of `f32` take a few more moves.
+/// Returns the code size, four bytes an instruction. A multiplier and its step take five and a half instructions, and
+/// two in the back substitution; an unrolled comparison takes six. `f32` takes a few more moves.
 fn bytes(kernel: &Kernel) -> u32 {
     let size = kernel.dims[0];
     let instructions = if size <= PIVOTS_WRITTEN_OUT { 27 } else { 15 };

@@ -18,7 +18,7 @@ use super::{Buffer, Source, declarations};
 /// Up to this size the search of a pivot and the exchange of rows are written out too.
 const PIVOTS_WRITTEN_OUT: u32 = 9;
 
-/// Whether a kernel gains by being written out.
+/// Returns true if a kernel gains by being written out.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, _]) => size > 1,
@@ -28,7 +28,7 @@ pub(super) fn fits(kernel: &Kernel) -> bool {
     }
 }
 
-/// Whether a kernel has room: with its substitutions written out, or one right-hand side with loops for them.
+/// Returns true if a kernel has room: with its substitutions written out, or one right-hand side with loops for them.
 pub(super) fn has_room(kernel: &Kernel, code_bytes: u32) -> bool {
     let size = kernel.dims[0];
     if carried::fits(kernel) {
@@ -56,8 +56,8 @@ fn substitution_bytes(size: u32) -> u32 {
     (8 * size * (size - 1)).saturating_sub(200)
 }
 
-/// Up to this size gcc must not make vectors of it: they would load what single stores have just written, which a
-/// processor has to wait for. Measured: 2.6 to 3.7 times as long.
+/// Largest size at which gcc must not vectorise. Vectors would load what single stores have just written, for which a
+/// processor waits. Measured: 2.6 to 3.7 times as long.
 const SCALAR: u32 = 4;
 const NO_VECTORS: &str = "\
 /* Vectors would wait for the single numbers that have just been stored. */
@@ -66,7 +66,8 @@ const NO_VECTORS: &str = "\
 #endif
 ";
 
-/// From so many bytes on, up to the largest size that has no rows of vectors, the copy of the matrix begins a line of the cache.
+/// Size in bytes from which the copy of the matrix is aligned to a cache line, up to the largest size without rows of
+/// vectors.
 const LINE: u64 = 64;
 const IN_ONE_LINE: &str = "\
 /* A copy in vectors of 64 bytes: where these crossed a line of the cache, what is read of them would wait for it. */
@@ -138,7 +139,7 @@ static void substitute(const $real *a, $real *x)
 
 const COPY: &str = "(void)memcpy(factors, a, $all * sizeof(*factors));\n";
 
-/// Where the matrix is lent to become the factors, it holds NaN if there are none.
+/// Code that fills the factors' memory with NaN if there are none.
 const SPOIL: &str = "    for (uint32_t index = 0U; index < $all; index++) {
         a[index] = $nan;
     }

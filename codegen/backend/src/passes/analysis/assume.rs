@@ -12,7 +12,7 @@ use super::state::{State, key};
 use bessemer_ir::used::Rule;
 
 impl<'m> State<'m> {
-    /// Whether `condition` surely holds.
+    /// Returns true if `condition` surely holds.
     pub(crate) fn proves(&self, condition: &Expr) -> bool {
         if Rule::Interval.told(self.range(condition) == Interval::one(1)) {
             return true;
@@ -35,12 +35,12 @@ impl<'m> State<'m> {
         Rule::Relation.told(self.relations.give(condition, |it| self.fails(it)))
     }
 
-    /// Whether `condition` surely does not hold.
+    /// Returns true if `condition` surely does not hold.
     fn fails(&self, condition: &Expr) -> bool {
         self.range(condition) == Interval::one(0)
     }
 
-    /// The same where `condition` is `truth`.
+    /// Returns the state in which `condition` has the value `truth`.
     pub(crate) fn assuming(&self, condition: &Expr, truth: bool) -> State<'m> {
         let mut state = self.clone();
         state.assume(condition, truth);
@@ -194,7 +194,7 @@ impl<'m> State<'m> {
         }
     }
 
-    /// In the arm of a `match` for `values`; `rest`: which also stands for whatever is none of them.
+    /// In the arm of a `match` for `values`; `rest`: which also represents whatever is none of them.
     pub(crate) fn select(&mut self, scrutinee: &Expr, values: &[i128], rest: bool) {
         let stray = self.stray(&scrutinee.ty).filter(|_| rest);
         let ones = values.iter().copied().chain(stray).map(Interval::one);

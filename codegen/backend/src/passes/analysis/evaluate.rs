@@ -61,7 +61,7 @@ impl State<'_> {
         }
     }
 
-    /// The interval of the variant that stands for an enum: its own, if it is a variant.
+    /// The interval of the variant that represents an enum: its own, if it is a variant.
     fn brought(&self, x: &Expr) -> Interval {
         let range = self.range(x);
         brought_key(x).and_then(|key| self.at(&key)).map_or(range, |known| range.meet(known))
@@ -142,7 +142,7 @@ pub(super) fn brought_key(x: &Expr) -> Option<Key> {
     Some((root, fields))
 }
 
-/// Whether intervals of a type decide a comparison: variants are told apart, but not ordered, by their indices.
+/// Returns true if intervals of a type decide a comparison: variants are reported apart, but not ordered, by their indices.
 pub(super) fn is_ordered(op: CompareOp, ty: &Type) -> bool {
     !matches!(ty, Type::Enum(_)) || matches!(op, CompareOp::Eq | CompareOp::Ne)
 }

@@ -6,8 +6,8 @@ use std::mem::discriminant;
 use bessemer_ir::visit::{Access, Visit, Walk, walk_expr, walk_place};
 use bessemer_ir::{Expr, ExprKind, LocalId, LogicOp, Place, Step};
 
-/// The fingerprint: a condition can follow from another only if the hashes of the operands of their comparisons (the
-/// last one of a disjunction, in either order) are equal.
+/// Fingerprint of a condition. A condition can follow from another only if the hashes of their comparisons' operands
+/// are equal, in either order; of a disjunction the last comparison counts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Glance {
     operands: u64,
@@ -36,7 +36,7 @@ impl Glance {
         Glance { operands, roots }
     }
 
-    /// Whether one condition may follow from the other.
+    /// Returns true if one condition may follow from the other.
     pub(crate) fn like(self, other: Glance) -> bool {
         self.operands == other.operands
     }

@@ -4,7 +4,7 @@
 
 use super::domain::Interval;
 
-/// In a [`Key`](super::state::Key), this marks not a field but the variant that stands for the enum there.
+/// In a [`Key`](super::state::Key), this marks not a field but the variant that represents the enum there.
 pub(super) const BROUGHT: u32 = u32::MAX;
 
 /// Knowledge of the word at a place.

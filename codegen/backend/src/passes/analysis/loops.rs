@@ -25,7 +25,7 @@ pub(crate) struct Loop<'a> {
     pub(crate) from: &'a Expr,
     pub(crate) to: &'a Expr,
     pub(crate) inclusive: bool,
-    /// Whether its body ends it, so that nothing counts its passes.
+    /// True if its body ends it, so that nothing counts its passes.
     pub(crate) ended: bool,
     /// The places that the body writes.
     pub(crate) written: &'a [Place],
@@ -139,7 +139,7 @@ impl Loop<'_> {
     }
 }
 
-/// How many passes there are at most.
+/// Returns the largest number of passes.
 fn passes((from, to): (Interval, Interval), inclusive: bool) -> i128 {
     to.high.saturating_sub(from.low).saturating_add(i128::from(inclusive)).max(0)
 }
@@ -175,7 +175,7 @@ fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<i128> {
     Some(sum)
 }
 
-/// Whether the calls in an expression leave a local as it is.
+/// Returns true if the calls in an expression leave a local as it is.
 fn is_left(expr: &Expr, local: LocalId) -> bool {
     !lent(expr).iter().any(|place| place.root == local)
 }

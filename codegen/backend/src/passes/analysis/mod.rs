@@ -1,6 +1,6 @@
 //! The value analysis: abstract interpretation with intervals and a few relations.
 //!
-//! A *state* of an execution says which word each place holds. A [`State`] stands for a set of them, its meaning:
+//! A *state* of an execution says which word each place holds. A [`State`] represents a set of them, its meaning:
 //! * an interval of a place ([`domain`]): the word there lies within;
 //! * a float of a place: the word there is that float, and no NaN;
 //! * a relation ([`relations`]): the condition, evaluated there, gives true.
@@ -16,7 +16,7 @@
 //!   begins there;
 //! * [`walk`]: the same rules along statements, for a look ahead at the body of a loop.
 //!
-//! Enums and `bool`s come from outside, too, where any byte can stand for one. So an enum of `n` variants has `n + 1`
+//! Enums and `bool`s come from outside, too, where any byte can represent one. So an enum of `n` variants has `n + 1`
 //! values here, the indices of its variants and one for whatever is none of them ([`State::stray`]).
 //!
 //! Must not know: which checks are written (`faults` asks), how statements are rewritten, C.

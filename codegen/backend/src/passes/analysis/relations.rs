@@ -32,7 +32,7 @@ impl Relations {
         self.0.push(Relation { condition, glance });
     }
 
-    /// How many there are.
+    /// Returns the number of facts.
     pub(super) fn len(&self) -> usize {
         self.0.len()
     }
@@ -54,7 +54,7 @@ impl Relations {
         });
     }
 
-    /// Whether `condition` follows from one that holds; `fails`: conditions that certainly do not.
+    /// Returns true if `condition` follows from one that holds; `fails`: conditions that certainly do not.
     pub(super) fn give(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
         let condition = upright(erased(condition));
         let glance = Glance::of(&condition);
@@ -62,9 +62,9 @@ impl Relations {
         alike.any(|it| gives(&it.condition, &condition, &fails))
     }
 
-    /// Whether an index is below the length of a slice by way of another value: `i < to <= length`, `i + 1` of
-    /// `i < to < length`, or of a loop up to `max(length, 1) - 1`; `i - 1`, which is checked before, of `i < length`; and
-    /// `length - 1` itself.
+    /// Returns true if an index is below the length of a slice because of another value. Cases: `i < to <= length`; `i
+    /// + 1` with `i < to < length`, or in a loop up to `max(length, 1) - 1`; `i - 1`, already checked, with `i <
+    /// length`; and `length - 1` itself.
     pub(super) fn below_length(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
         let condition = erased(condition);
         let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };
@@ -107,7 +107,8 @@ impl Relations {
     }
 }
 
-/// Whether a condition that holds implies another, by itself or, for a disjunction, because its first half fails.
+/// Returns true if a condition that holds implies another, by itself or, for a disjunction, because its first half
+/// fails.
 fn gives(known: &Expr, condition: &Expr, fails: &impl Fn(&Expr) -> bool) -> bool {
     if implies(known, condition) {
         return true;
@@ -120,7 +121,7 @@ fn gives(known: &Expr, condition: &Expr, fails: &impl Fn(&Expr) -> bool) -> bool
     }
 }
 
-/// Whether one condition, as [`upright`] leaves it, holds wherever the other does.
+/// Returns true if one condition, as [`upright`] leaves it, holds wherever the other does.
 fn implies(fact: &Expr, condition: &Expr) -> bool {
     let (ExprKind::Compare(known, x, y), ExprKind::Compare(op, a, b)) =
         (&fact.kind, &condition.kind)

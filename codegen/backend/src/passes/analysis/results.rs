@@ -5,7 +5,7 @@
 //! before their callers, so that each is known where it is called.
 //!
 //! Of a body that is not the one that runs nothing is listed: what an external function returns is the firmware's, and a
-//! kernel's body is none. What `math.h` may stand for gives floats, of which no interval is kept.
+//! kernel's body is none. What `math.h` may represent gives floats, of which no interval is kept.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,8 @@ use bessemer_ir::used::Rule;
 pub(crate) struct Results(BTreeMap<Vec<u32>, Interval>);
 
 impl Results {
-    /// Of a value that is returned. What an enum there is brought to is the function's own: its caller reads the enum itself.
+    /// Returns the summary of a returned value. Normalised variants of an enum are local to the function: its caller
+    /// reads the enum itself.
     pub(crate) fn of(parts: Parts) -> Results {
         let number = |(at, known): (Vec<u32>, Known)| match known {
             Known::Within(interval) if !at.contains(&BROUGHT) => Some((at, interval)),

@@ -21,7 +21,7 @@ pub(crate) struct State<'m> {
     pub(super) results: &'m [Results],
     pub(super) known: BTreeMap<Key, Known>,
     pub(super) relations: Relations,
-    /// Whether nothing is concluded: an operation then gives no more than the range of its type.
+    /// True if nothing is concluded: an operation then gives no more than the range of its type.
     pub(super) blind: bool,
 }
 
@@ -45,7 +45,7 @@ impl<'m> State<'m> {
         State { module, results: &[], known, relations, blind: false }
     }
 
-    /// The same, with the summaries of the functions before this one.
+    /// Returns the initial state with the summaries of the functions before this one.
     pub(crate) fn with_results(module: &'m Module, results: &'m [Results]) -> State<'m> {
         State { results, ..State::new(module) }
     }
@@ -65,7 +65,7 @@ impl<'m> State<'m> {
         }
     }
 
-    /// The index that stands for a stray enum, which is none of its variants: one more than the last.
+    /// The index that represents a stray enum, which is none of its variants: one more than the last.
     pub(super) fn stray(&self, ty: &Type) -> Option<i128> {
         let Type::Enum(id) = ty else { return None };
         Some(self.module.enums.get(id.index())?.variants.len() as i128)
@@ -77,7 +77,7 @@ impl<'m> State<'m> {
         Some(self.stray(ty).map_or(all, |stray| all.without(stray)))
     }
 
-    /// Whether an expression is an enum that may be none of its variants.
+    /// Returns true if an expression is an enum that may be none of its variants.
     pub(crate) fn may_stray(&self, expr: &Expr) -> bool {
         self.stray(&expr.ty).is_some_and(|stray| self.range(expr).contains(stray))
     }
@@ -95,8 +95,8 @@ impl<'m> State<'m> {
         self.relations.forget(written);
     }
 
-    /// The words in a value that are known, each with the fields that lead to it: of a struct that is written out, that a call
-    /// gives, or that fields alone lead to, those in its fields.
+    /// Returns the known words of a value, each with the fields that lead to it. The value is a struct literal, the
+    /// result of a call, or reached by fields alone.
     pub(crate) fn parts(&self, value: &Expr) -> Parts {
         let mut parts = Vec::new();
         self.collect(value, &[], &mut parts);

@@ -1,7 +1,7 @@
 //! Statements, one after another: what is known at the end of a pass, if it was known where the pass began.
 //!
 //! Invariant: each execution of the statements that starts in the state, and does not fault, is in the meaning of what
-//! is given for the point where it comes out, and what a local is given on the way lies in what is told of that. Nothing
+//! is given for the point where it comes out, and what a local is given on the way lies in what is reported that. Nothing
 //! is rewritten, and nothing said of checks; conditions that call are not assumed, since to ask again could give another
 //! answer.
 
@@ -20,8 +20,8 @@ pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
     joined(walk.continued.into_iter().chain(end))
 }
 
-/// Of each local of a function, what it is given where it is declared or assigned as a whole; nothing where that does not
-/// show, or where it is given nothing.
+/// Returns the interval of each local, from its declaration and whole assignments; none if it is unknown or the local
+/// has no value.
 pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>> {
     let held = Some(vec![Held::Nothing; function.locals.len()]);
     let mut walk = Walk { continued: Vec::new(), held, writes: None };
@@ -40,7 +40,7 @@ pub(super) fn written_in(body: &Block, head: State) -> Vec<(Place, Parts)> {
     walk.writes.unwrap_or_default()
 }
 
-/// What a local was given so far.
+/// Values assigned to a local so far.
 #[derive(Clone, Copy)]
 enum Held {
     Nothing,
@@ -51,7 +51,7 @@ enum Held {
 struct Walk<'m> {
     /// The states at each `continue`.
     continued: Vec<State<'m>>,
-    /// What each local is given, where that is asked: then the bodies of loops are followed, too.
+    /// Values assigned to each local, if requested: then the bodies of loops are analysed, too.
     held: Option<Vec<Held>>,
     /// The places that are written, with the known words of each value, where a caller asks: the bodies of loops are followed then, too.
     writes: Option<Vec<(Place, Parts)>>,

@@ -1,4 +1,4 @@
-//! Which operations stand behind their checks, where nothing is proved of any.
+//! Tests of the detection of operations behind their checks, without any proof.
 
 use bessemer_ir::text::parse;
 use bessemer_ir::visit::{Access, Visit, walk_expr, walk_place};
@@ -39,7 +39,7 @@ fn f in demo(t: &[u8; 4], u: &mut [u8; 4], i: usize, a: i64, b: i64) {{
     parse(&text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// How many operations do not stand behind their checks.
+/// Returns the number of operations without a check before them.
 fn open(body: &str) -> usize {
     let module = module(body);
     let function = &module.functions[1];

@@ -15,7 +15,7 @@ use super::rows::{self, Laid};
 pub(super) struct Plan {
     /// The rows, group by group; one group: a struct, several: a union of groups.
     groups: Vec<Vec<Row>>,
-    /// Where each temporary lies: which of all rows, and where in it.
+    /// Row and offset of each temporary.
     pub laid: Vec<Laid>,
 }
 
@@ -58,7 +58,7 @@ fn apart(lives: &[Life]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Those of the same elements are one: they share their memory as it is.
+/// Merges groups of equal elements: they share their memory as it is.
 fn merged(lives: &[Life], groups: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
     let elements = |group: &[usize]| {
         let mut all: Vec<&Type> = Vec::new();
@@ -84,6 +84,10 @@ fn merged(lives: &[Life], groups: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
     list
 }
 
+/// Comment of a work struct; it names no function, since the name in C is not known yet.
+const ENTRY_MEMORY: &str =
+    "Working memory of its entry point; the contents are undefined between calls.";
+
 /// The structs, those that are needed first; and for each row, the steps that lead to it and its type.
 pub(super) fn structs(
     module: &Module,
@@ -91,8 +95,8 @@ pub(super) fn structs(
     lives: &[Life],
     plan: &Plan,
 ) -> (Vec<Struct>, Vec<(Vec<Step>, Type)>) {
-    let (name, path) = called(module, function);
-    let docs = vec![format!("What `{path}` works with; its content means nothing between calls.")];
+    let name = called(module, function);
+    let docs = vec![ENTRY_MEMORY.to_owned()];
     let own = |name: String, docs: Vec<String>, fields: Vec<Field>| {
         record((name, function.module.clone(), function.span), docs, fields)
     };
@@ -142,7 +146,7 @@ pub(super) fn structs(
         let wanted = fields.first().map_or("rest", |field| &field.name).to_owned();
         let together = fresh(&format!("with_{wanted}"), &mut taken);
         let ty = Type::Struct(StructId(next + list.len() as u32));
-        let docs = vec![format!("What `{path}` works with at one time.")];
+        let docs = vec!["Memory in use at one time.".to_owned()];
         list.push(own(format!("{name}_{together}_work"), docs, fields));
         members.push(Field { name: together, docs: Vec::new(), ty, given: Given::default() });
     }
@@ -199,14 +203,13 @@ pub(super) fn record(
     }
 }
 
-/// The name of a function for its type or its module, in C and in words.
-pub(super) fn called(module: &Module, function: &Function) -> (String, String) {
+/// Returns the name of a function after its type or its module.
+pub(super) fn called(module: &Module, function: &Function) -> String {
     let owner = match function.owner {
         Some(Owner::Struct(id)) => Some(module.structs[id.index()].name.as_str()),
         Some(Owner::Enum(id)) => Some(module.enums[id.index()].name.as_str()),
         None => None,
     };
     let place = owner.or_else(|| function.module.rsplit("::").next()).unwrap_or_default();
-    let path = owner.map_or_else(String::new, |owner| format!("{owner}::")) + &function.name;
-    (format!("{place}_{}", function.name), path)
+    format!("{place}_{}", function.name)
 }

@@ -1,4 +1,4 @@
-//! Which temporaries are alive together.
+//! Lifetimes of temporaries, and their overlap.
 //!
 //! Statements are counted in the order in which they stand. A temporary lives from the first that mentions it to
 //! the last, and through the whole of each loop that stands between its declaration and a mention: it may carry
@@ -19,11 +19,11 @@ pub(super) enum What {
     Local(LocalId),
     /// A row that a call is lent.
     Call {
-        /// Which call of the function, counted as they are evaluated.
+        /// Index of the call in the function, in order of evaluation.
         call: usize,
-        /// Of what.
+        /// Callee.
         callee: FunctionId,
-        /// Which of its rows.
+        /// Index of its row.
         row: usize,
     },
 }
@@ -38,8 +38,8 @@ pub(super) struct Life {
 }
 
 impl Life {
-    /// Those of a function: of its large locals, then of its calls; `flat`: matrices are arrays of numbers.
-    /// `names` are locals that C makes names for others' memory.
+    /// Returns the lifetimes of a function's large locals, then of its calls. `flat`: matrices are arrays of scalars.
+    /// `names` are locals that become names for other memory in C.
     pub fn of(
         function: &Function,
         large: &[LocalId],
@@ -67,7 +67,7 @@ impl Life {
         large.iter().filter_map(local).chain(walk.calls).collect()
     }
 
-    /// Whether both are alive in some statement. What different calls are lent never is.
+    /// Returns true if both are alive in some statement. What different calls are lent never is.
     pub fn meets(&self, other: &Life) -> bool {
         match (self.what, other.what) {
             (What::Call { call: one, .. }, What::Call { call: other, .. }) => one == other,
@@ -85,13 +85,13 @@ struct Loop {
 struct Walk<'n> {
     /// The statement.
     at: usize,
-    /// Where each local is declared.
+    /// Position of each local's declaration.
     declared: Vec<usize>,
     /// The first statement that mentions it, and the last.
     seen: Vec<Option<(usize, usize)>>,
     loops: Vec<Loop>,
     calls: Vec<Life>,
-    /// How many calls were met.
+    /// Number of calls so far.
     call: usize,
     names: &'n BTreeMap<LocalId, Place>,
     needs: &'n [Need],

@@ -177,7 +177,7 @@ fn large_locals(
         .collect()
 }
 
-/// How a function uses its locals.
+/// Use of a function's locals.
 struct Uses<'m> {
     module: &'m Module,
     written: BTreeSet<LocalId>,
@@ -213,7 +213,8 @@ fn scratch(kernel: &Kernel, tuning: &Tuning) -> Option<Struct> {
         given: Given::default(),
     };
     let fields: Vec<Field> = lent.iter().map(field).collect();
-    let docs = vec![format!("What `{name}` works with; its content means nothing between calls.")];
+    let docs =
+        vec![format!("Working memory of `{name}`; the contents are undefined between calls.")];
     let module = kernel.function().module;
     (!fields.is_empty())
         .then(|| entry::record((format!("{name}_work"), module, Span::default()), docs, fields))

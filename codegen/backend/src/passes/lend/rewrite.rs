@@ -60,11 +60,11 @@ struct Rewrite {
     /// The first parameter that the function was given.
     first: u32,
     taken: u32,
-    /// Where each large local lies.
+    /// Place of each large local.
     locals: BTreeMap<LocalId, Place>,
     /// The memory that each call is lent.
     calls: BTreeMap<usize, Vec<Place>>,
-    /// How many calls were met.
+    /// Number of calls so far.
     call: usize,
 }
 

@@ -1,14 +1,14 @@
-//! Where temporaries lie: elements of one type in a row, a part of it for each.
+//! Layout of temporaries: elements of one type form a row, a part of which belongs to each.
 //!
 //! Invariant: two temporaries that meet share no element.
 
 use super::lives::Life;
 use super::row::Row;
 
-/// Where a temporary lies.
+/// Location of a temporary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Laid {
-    /// Which row.
+    /// Index of the row.
     pub row: usize,
     /// Elements before it.
     pub offset: u32,

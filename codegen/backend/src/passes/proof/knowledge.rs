@@ -9,7 +9,7 @@ use bessemer_ir::used::Rule;
 /// The least and the greatest value.
 pub(super) type Bounds = (i128, i128);
 
-/// A statement about symbols; negation stands at the leaves alone.
+/// A statement about symbols; negation is at the leaves alone.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Formula {
     /// The form is 0 or more.
@@ -35,11 +35,11 @@ impl Formula {
     }
 }
 
-/// How many forms may be subtracted from a goal, one after another.
+/// Largest number of forms subtracted from a goal, one after another.
 const STEPS: u32 = 3;
-/// How many clauses may be taken apart, one within another.
+/// Largest nesting of case distinctions.
 const CASES: u32 = 2;
-/// How many attempts a goal is worth.
+/// Largest number of attempts for a goal.
 const ATTEMPTS: u32 = 3000;
 
 /// The facts at a point.
@@ -48,7 +48,7 @@ pub(super) struct Knowledge {
     pub(super) bounds: BTreeMap<Symbol, Bounds>,
     /// Forms that are 0 or more.
     pub(super) forms: Vec<Linear>,
-    /// Of the alternatives of each, one is true.
+    /// Clauses: of each, at least one alternative is true.
     pub(super) clauses: Vec<Vec<Formula>>,
     /// Nothing is here: what is known contradicts itself.
     pub(super) dead: bool,
@@ -133,7 +133,7 @@ impl Knowledge {
         knowledge
     }
 
-    /// Whether a formula is surely true.
+    /// Returns true if a formula is surely true.
     pub(super) fn shows(&self, formula: &Formula, all: &[Bounds]) -> bool {
         self.follows(formula, all, CASES)
     }
@@ -166,7 +166,7 @@ impl Knowledge {
         }
     }
 
-    /// Whether a form is 0 or more, after known ones are subtracted.
+    /// Returns true if a form is 0 or more, after known ones are subtracted.
     fn reaches(&self, goal: &Linear, steps: u32, all: &[Bounds], left: &Cell<u32>) -> bool {
         self.plain(goal, all) >= 0
             || Rule::Forms.told(self.least(goal, steps, Some(0), all, left) >= 0)
@@ -210,7 +210,7 @@ impl Knowledge {
         (least(form), -least(&form.below()) - 1)
     }
 
-    /// Whether a formula follows from each alternative of a clause.
+    /// Returns true if a formula follows from each alternative of a clause.
     fn by_cases(&self, goal: &Formula, all: &[Bounds], cases: u32) -> bool {
         let about = symbols(goal);
         let Some(cases) = cases.checked_sub(1) else { return false };

@@ -1,6 +1,6 @@
 //! Linear forms over symbols, with whole coefficients.
 //!
-//! Invariant: no factor is 0, and symbols stand in order, so that equal forms look the same. Numbers are so small
+//! Invariant: no factor is 0, and symbols are in order, so that equal forms look the same. Numbers are so small
 //! ([`LARGEST`], [`STEEPEST`], and the bounds of symbols) that no bound of a form comes near the ends of `i128`.
 
 /// The largest constant.

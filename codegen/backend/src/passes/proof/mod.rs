@@ -2,7 +2,7 @@
 //!
 //! It shares nothing with the analysis that left the checks out: no facts, no conditions, no rules. It looks at
 //! **values**, not at places. Each value that is computed is a *linear form* over *symbols*, `3 + 2 a - b`, and a
-//! symbol stands for one number in one execution, for ever. So what is known of symbols never has to be forgotten; a
+//! symbol represents one number in one execution, for ever. So what is known of symbols never has to be forgotten; a
 //! write changes only which value a place holds.
 //!
 //! The meaning of a [`Knowledge`](knowledge::Knowledge): in every execution that is at this point, each symbol lies
@@ -12,7 +12,7 @@
 //!
 //! The condition of an operation is stated in exact numbers ([`values`]): a sum lies within its type, an index is 0 or more
 //! and less than the length. A loop ([`walk`]) is looked at twice: bounds are *guessed* from a pass, and kept if a pass
-//! that begins with them ends with them. What a call gives lies within what its function, which stands before, was seen
+//! that begins with them ends with them. What a call gives lies within what its function, which precedes, was seen
 //! to return; of an external one nothing is known.
 //!
 //! Must not know: which checks could have been left out, `analysis`, `faults`.
@@ -41,8 +41,8 @@ pub(super) fn open(
     walk::Walk::new(module, function, shown).run()
 }
 
-/// Of each local of a function, the least and the greatest number that it is given where it is declared or assigned as a
-/// whole; nothing if it is given none.
+/// Returns the least and greatest number assigned to each local of a function, at its declaration or as a whole; none
+/// if there is none.
 pub(super) fn held(module: &Module, function: &Function) -> Vec<Option<(i128, i128)>> {
     walk::Walk::new(module, function, &[]).held()
 }

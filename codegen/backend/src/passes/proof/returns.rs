@@ -2,7 +2,7 @@
 //!
 //! The meaning: in every execution of the function that returns, whatever its arguments, each number that is listed lies
 //! within its bounds. A body that is not the one that runs lists nothing: an external function's, which the firmware brings,
-//! and a kernel's, which is none. What `math.h` may stand for (`c/library.rs`) gives floats, which are not listed.
+//! and a kernel's, which is none. What `math.h` may represent (`c/library.rs`) gives floats, which are not listed.
 //!
 //! A function is steady if it calls nothing of the firmware's, at no remove: called again with the same arguments, it gives
 //! the same while nothing is written.
@@ -22,12 +22,12 @@ pub(super) type Numbers = BTreeMap<Vec<u32>, Bounds>;
 pub struct Returns {
     pub(super) numbers: Numbers,
     pub(super) steady: bool,
-    /// Whether each execution ends in a fault.
+    /// True if each execution ends in a fault.
     pub(super) never: bool,
 }
 
 impl Returns {
-    /// Of a function that returns such numbers, where those before it are `shown`.
+    /// Returns the summary of a function that returns such numbers, with the summaries of those before it.
     pub(super) fn of(function: &Function, numbers: Option<Numbers>, shown: &[Returns]) -> Returns {
         let own = function.attributes.external.is_none();
         let unsteady = |id: usize| !shown.get(id).is_some_and(|it| it.steady);

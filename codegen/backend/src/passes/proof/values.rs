@@ -1,7 +1,7 @@
 //! Values of expressions, and what their operations need.
 //!
 //! The meaning: in an execution at the point, in which nothing has faulted yet, the expression has this value. What an
-//! operation needs is told before its value is made; behind it, it has not faulted, so its result is the exact one.
+//! operation needs is reported before its value is made; behind it, it has not faulted, so its result is the exact one.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -103,7 +103,7 @@ pub(super) struct Values<'m> {
     pub(super) versions: u32,
     /// The operations that may fault.
     pub(super) open: Vec<Site>,
-    /// Whether that is told later.
+    /// True if that is reported later.
     pub(super) quiet: bool,
 }
 
@@ -121,7 +121,7 @@ impl<'m> Values<'m> {
         Values { module, function, shown, all, origins, versions: 0, open, quiet: false }
     }
 
-    /// The summary of a function; an empty one if it does not stand before this one.
+    /// The summary of a function; an empty one if it does not precede this one.
     pub(super) fn returned(&self, callee: FunctionId) -> &'m Returns {
         static NOTHING: Returns = Returns { numbers: Numbers::new(), steady: false, never: false };
         self.shown.get(callee.index()).unwrap_or(&NOTHING)
@@ -483,7 +483,7 @@ pub(super) fn step_type(module: &Module, container: &Type, step: &Step) -> Optio
     })
 }
 
-/// An expression without where it stands. One of which a span is left only equals fewer others.
+/// An expression without at its place. One of which a span is left only equals fewer others.
 fn without_spans(expr: &Expr) -> Expr {
     struct Erase;
     impl VisitMut for Erase {

@@ -40,18 +40,18 @@ struct Guess {
     start: Bounds,
     now: Bounds,
     widest: Bounds,
-    /// Whether a pass has widened them.
+    /// True if a pass has widened them.
     seen: bool,
 }
 
 pub(super) struct Walk<'m> {
     values: Values<'m>,
     function: &'m Function,
-    /// Of each loop around: the points from which another pass begins, and those at which it is left.
+    /// For each surrounding loop, the points from which another pass begins, and those at which it is left.
     loops: Vec<(Vec<Point>, Vec<Point>)>,
-    /// Of each local, the numbers that it was given so far, where that is asked.
+    /// Numbers assigned to each local so far, if requested.
     held: Option<Vec<Option<Bounds>>>,
-    /// How many trials are under way, one in the other.
+    /// Nesting of the trials in progress.
     trials: u32,
     /// The numbers in what was returned so far.
     returned: Option<Numbers>,
@@ -143,7 +143,7 @@ impl<'m> Walk<'m> {
                 let mut all: Vec<i128> =
                     arms.iter().flat_map(|arm| arm.values.iter().copied()).collect();
                 for (index, arm) in arms.iter().enumerate() {
-                    // The last arm stands for whatever is no variant.
+                    // The last arm represents whatever is no variant.
                     let rest = otherwise.is_none() && index + 1 == arms.len();
                     let mut point = point.clone();
                     self.one_of(&mut point, &value, &arm.values, rest.then_some(&scrutinee.ty));
@@ -184,8 +184,8 @@ impl<'m> Walk<'m> {
         Some(point)
     }
 
-    /// The words of a value that are known, each where it is in the value: of a struct that is written out, and of one that
-    /// fields alone lead to, those in its fields. What the value lent may hold anything behind it.
+    /// Returns the known words of a value with their positions. The value is a struct literal, or reached by fields
+    /// alone. A borrowed value has no known words behind it.
     fn parts(&mut self, expr: &Expr, point: &mut Point) -> Parts {
         let mut parts = Vec::new();
         self.collect(expr, point, &[], &mut parts);
@@ -321,7 +321,7 @@ impl<'m> Walk<'m> {
         (self.joined(end.into_iter().chain(continued)), left)
     }
 
-    /// The same without a word of what may fault.
+    /// Analyses a body without reporting what may fault.
     fn trial(&mut self, body: &Block, head: Point) -> (Option<Point>, Vec<Point>) {
         let quiet = std::mem::replace(&mut self.values.quiet, true);
         self.trials += 1;

@@ -27,7 +27,7 @@ impl Target {
         Target { local: place.root, at: place.steps.iter().map(plain).collect() }
     }
 
-    /// Whether the two may share memory.
+    /// Returns true if the two may share memory.
     pub(super) fn meets(&self, other: &Target) -> bool {
         self.local == other.local && !self.at.iter().zip(&other.at).any(|(a, b)| apart(a, b))
     }
@@ -46,7 +46,7 @@ pub(super) fn by_expr(expr: &Expr) -> Vec<Target> {
     lent.map(|(place, _)| Target::of(place)).collect()
 }
 
-/// Whether an expression reads or lends what is in one of the targets.
+/// Returns true if an expression reads or lends what is in one of the targets.
 pub(crate) fn touches(expr: &Expr, targets: &[Target]) -> bool {
     let named: Vec<Target> = named(expr).into_iter().map(|(place, _)| Target::of(place)).collect();
     named.iter().any(|named| targets.iter().any(|target| target.meets(named)))
@@ -130,7 +130,7 @@ fn indices(place: &Place) -> Vec<&Expr> {
     place.steps.iter().flat_map(of).collect()
 }
 
-/// A step of which only fields and literals are told apart.
+/// A step of which only fields and literals are reported apart.
 fn plain(step: &Step) -> At {
     let literal = |index: &Expr| match (&index.kind, index.ty.as_int()) {
         (ExprKind::Literal(word), Some(int)) => Some(Linear::number(int.from_word(*word))),
@@ -143,7 +143,7 @@ fn plain(step: &Step) -> At {
     }
 }
 
-/// Whether two steps surely lead to different parts.
+/// Returns true if two steps surely lead to different parts.
 pub(super) fn apart(a: &At, b: &At) -> bool {
     match (a, b) {
         (At::Field(a), At::Field(b)) => a != b,

@@ -5,7 +5,7 @@
 //! the largest of its magnitudes, the next pivot, on the way. A single right-hand side is a column more; those of
 //! an inverse go through panels of their own, two at a time, whose divisions by U's diagonal wait side by side.
 //!
-//! The order of each element is that of the tiles, and what stands in the same file for the other targets.
+//! The order of each element is that of the tiles, and what is in the same file for the other targets.
 //!
 //! Absent: SSE2, with which it takes the same time as tiles; AVX-512; ARM; several right-hand sides, and solves that give
 //! factors back.
@@ -27,7 +27,7 @@ const INVERSE: &str = include_str!("inverse.c");
 /// The fewest bytes of a row with which it pays: below, what it does beside the tiles takes longer than exchanges did.
 const SMALLEST: u32 = 512;
 
-/// Whether a kernel has this form.
+/// Returns true if a kernel has this form.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Solve, &[size, 1]) | (KernelRoutine::Inverse, &[size]) => {
@@ -37,7 +37,7 @@ pub(super) fn fits(kernel: &Kernel) -> bool {
     }
 }
 
-/// Numbers of the panel, and of what stands beside it.
+/// Numbers of the panel, and of what is beside it.
 pub(super) fn numbers(kernel: &Kernel) -> u32 {
     let (rows, width) = (super::rows(kernel.dims[0]), lanes::ordered_width(kernel.element));
     let group = lanes::ordered_group(kernel.element);
@@ -55,7 +55,7 @@ pub(super) fn orders(size: u32) -> u32 {
     2 * super::rows(size)
 }
 
-/// What stands before the kernel; `own` is what each thread of an inverse has of its own.
+/// Returns the code before the kernel; `own` is the private memory of an inverse's thread.
 pub(super) fn text(kernel: &Kernel, mode: Mode, own: Own<'static>) -> String {
     let solve = kernel.routine == KernelRoutine::Solve;
     let all = decided(
@@ -86,7 +86,7 @@ fn completed(text: &str, kernel: &Kernel, mode: Mode) -> String {
     decided(&text, "FAST", mode == Mode::Fast)
 }
 
-/// What threads share of an inverse.
+/// Returns the work that threads share in an inverse.
 fn work(own: Own<'static>) -> Work<'static> {
     Work { name: "invert_panels", shared: &SHARED, own: Some(own) }
 }

@@ -1,5 +1,5 @@
-//! Conditions, assumed alone, after one another and on paths that meet: what is then proved, or known of a value,
-//! holds of every pair of numbers for which they hold.
+//! Tests of assumed conditions: alone, in sequence, and on paths that join. Each derived proof or interval must be true
+//! for all pairs of numbers that satisfy the conditions.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Int, Intrinsic, LocalId, LogicOp, Module, Scalar, Span,
@@ -12,7 +12,7 @@ use bessemer_ir::effects::whole;
 const X: LocalId = LocalId(0);
 const Y: LocalId = LocalId(1);
 
-/// How many values each of the two numbers has: those at one end of their type.
+/// Number of values of each of the two numbers, at one end of their type.
 const VALUES: i128 = 16;
 
 /// Two numbers of a type, from `low` on.
@@ -31,7 +31,7 @@ const NUMBERS: [Numbers; 5] = [
     Numbers { int: Int::I8, low: 112 },
 ];
 
-/// Which of the pairs satisfy something: a bit each.
+/// Set of pairs that satisfy a condition, one bit each.
 type Pairs = [u64; 4];
 
 impl Numbers {

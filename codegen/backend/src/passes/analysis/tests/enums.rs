@@ -61,7 +61,7 @@ fn read() -> [Expr; 2] {
     [raw, brought]
 }
 
-/// The number of a byte that stands for an enum, in the C.
+/// The number of a byte that represents an enum, in the C.
 fn number(byte: i8, brought: bool, numbers: &[i8]) -> i8 {
     if brought && !numbers.contains(&byte) { numbers[numbers.len() - 1] } else { byte }
 }

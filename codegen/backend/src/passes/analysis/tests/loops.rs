@@ -16,7 +16,7 @@ use bessemer_ir::effects::{reads, writes};
 const U8: Type = Type::Scalar(Scalar::Int(Int::U8));
 /// `x`, `y` and `n`, which are the parameters, and the variable of the loop.
 const LOCALS: [LocalId; 4] = [LocalId(0), LocalId(1), LocalId(2), LocalId(3)];
-/// Where the parameters begin.
+/// Initial intervals of the parameters.
 const STARTS: [[Interval; 3]; 4] = [
     [within(0, 0), within(0, 2), within(0, 4)],
     [within(0, 1), within(3, 3), within(2, 3)],
