@@ -2,19 +2,19 @@
 #![no_std]
 use bessemer::prelude::*;
 
-/// What is generic.
+/// A generic median.
 #[function]
 pub fn median<T: Ord + Copy>(a: T, b: T, c: T) -> T {
     a.max(b).min(c)
 }
 
-/// What a matrix has in nalgebra, and the decomposition in the DSL.
+/// The inverse of a matrix by nalgebra, and the decomposition by the DSL.
 #[function]
 pub fn inverted(a: &Matrix3x2<f64>) -> Matrix2x3<f64> {
     a.pseudo_inverse(1e-9).unwrap()
 }
 
-/// Of numbers.
+/// Roots of numbers.
 #[function]
 pub fn roots(x: u32, y: f64) -> f64 {
     f64::from(x.isqrt() + x.saturating_pow(2)) + y.midpoint(7.0)
@@ -40,7 +40,7 @@ pub fn decompositions(a: Matrix4<f64>) -> f64 {
     eigen.eigenvalues[0] + values[0] + factors.determinant()
 }
 
-/// What nalgebra makes with the platform's sine and cosine, or by an iterator.
+/// Constructors of nalgebra that use the platform's sine and cosine, or an iterator.
 #[function]
 pub fn constructors(v: Vector3<f64>) -> f64 {
     let turned = Rotation3::face_towards(&v, &Vector3::y());
@@ -60,7 +60,7 @@ pub fn column(m: &mut Matrix3<f64>, j: usize) {
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Chart {
-    /// Where it stands.
+    /// Position.
     pub at: f64,
 }
 

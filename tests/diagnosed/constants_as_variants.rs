@@ -3,7 +3,7 @@
 #![allow(non_upper_case_globals)]
 use bessemer::prelude::*;
 
-/// What it does.
+/// Mode.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
@@ -14,7 +14,7 @@ pub enum Mode {
     Hover,
 }
 
-/// What it is set to.
+/// A preset mode.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Preset {
@@ -27,7 +27,7 @@ impl Preset {
     pub const Idle: Mode = Mode::Hover;
 }
 
-/// Which it is.
+/// Tests the mode against a constant.
 #[function]
 pub fn is_preset(mode: Mode) -> bool {
     match mode {

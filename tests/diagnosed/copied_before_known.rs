@@ -1,8 +1,8 @@
-//! What is copied before an assignment shows which array it is of is of that array, and of no other.
+//! A copy before an assignment that determines its array is of that array only.
 #![no_std]
 use bessemer::prelude::*;
 
-/// Of either.
+/// Mixes both arrays.
 #[function]
 pub fn mixed(a: &mut [i16; 5], b: &mut [i16; 5], n: usize) -> i16 {
     let mut best: Option<&mut i16> = None;
@@ -20,7 +20,7 @@ pub fn mixed(a: &mut [i16; 5], b: &mut [i16; 5], n: usize) -> i16 {
     a[0]
 }
 
-/// The same of slices.
+/// Mixes slices of both.
 #[function]
 pub fn kept(a: &[i16; 5], b: &[i16; 5], n: usize) -> i16 {
     let mut last: Option<&[i16]> = None;

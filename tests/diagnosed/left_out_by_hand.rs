@@ -1,4 +1,4 @@
-//! What a function leaves out of an iterator that is gone through by hand.
+//! Functions that lack a part of iterators with explicit `next` calls.
 use bessemer::prelude::*;
 
 #[function]

@@ -1,4 +1,4 @@
-//! What lends to be written ends in one place; `[…]` means one place, whichever trait is asked.
+//! A mutable borrow ends in one place; `[…]` denotes one place, whichever trait provides it.
 #![no_std]
 use bessemer::prelude::*;
 use core::ops::{Index, IndexMut};
@@ -39,13 +39,13 @@ impl IndexMut<usize> for Sides {
     }
 }
 
-/// Which of the two?
+/// Reads by an ambiguous index.
 #[function]
 pub fn read(sides: &Sides, i: usize) -> f64 {
     sides[i]
 }
 
-/// Of types that hold nothing.
+/// Zero-sized types.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mark;

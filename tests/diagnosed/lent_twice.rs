@@ -10,14 +10,14 @@ pub fn exchange(one: Option<&mut u8>, other: Option<&mut u8>) {
     }
 }
 
-/// Of the halves of an array.
+/// Borrows of the halves of an array.
 #[function]
 pub fn halves(values: &mut [u8; 8], sought: u8) {
     let (low, high) = values.split_at_mut(4);
     exchange(low.iter_mut().find(|x| **x == sought), high.first_mut());
 }
 
-/// Of a matrix.
+/// Borrows of a matrix.
 #[function]
 pub fn of_matrix(m: &mut Matrix3<f64>) -> f64 {
     let low = 3.0;

@@ -39,7 +39,7 @@ pub fn passed_by(n: u8, k: u8) -> u8 {
     i
 }
 
-/// What is taken off is put on again.
+/// A loop that adds what it subtracted.
 #[function]
 pub fn put_back(n: u8) -> u8 {
     let mut open: List<u8, 4> = List::new();

@@ -2,7 +2,7 @@
 #![no_std]
 use bessemer::prelude::*;
 
-/// What stands for it in the C would hide the type.
+/// A function whose C name would hide the type.
 #[function]
 pub fn f64(count: u8) -> u8 {
     count / 2

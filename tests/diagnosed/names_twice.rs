@@ -1,4 +1,4 @@
-//! What would have one name in the C.
+//! Items that would have equal names in the C.
 use bessemer::prelude::*;
 
 #[data]

@@ -39,7 +39,7 @@ pub fn is_small(x: i32) -> bool {
     matches!(x, 0..=9)
 }
 
-/// Of numbers.
+/// Area from numbers.
 #[function]
 pub fn area(x: f64) -> f64 {
     vector![x, 2.0]

@@ -5,7 +5,7 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy)]
 pub struct Gains {
-    /// Of the error.
+    /// Gain of the error.
     pub p: f64,
 }
 

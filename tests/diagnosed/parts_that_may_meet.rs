@@ -17,7 +17,7 @@ pub fn part_of_half(values: &mut [u8; 8], n: usize, k: usize) {
     merge(&mut low[..k], high);
 }
 
-/// What begins within the higher half is behind the lower one, whatever the numbers are.
+/// A part that begins within the higher half is behind the lower one, whatever the numbers are.
 #[function]
 pub fn behind(values: &mut [u8; 8], n: usize, k: usize) {
     let (low, high) = values.split_at_mut(n);

@@ -1,4 +1,4 @@
-//! What few authors write.
+//! Code that few authors write.
 use core::cmp::Ordering;
 
 use bessemer::prelude::*;
@@ -48,13 +48,13 @@ pub fn follow(commands: [Command; 4]) -> i32 {
     sum
 }
 
-/// Which comes first.
+/// Order of two ranks.
 #[function]
 pub fn is_before(one: Rank, other: Rank) -> bool {
     one < other
 }
 
-/// Whether nothing is less than nothing.
+/// An order that may be absent.
 #[function]
 pub fn is_less(count: u32) -> Option<Ordering> {
     let [one, other] = [Nothing; 2];
@@ -71,7 +71,7 @@ pub fn of_none(values: [f64; 4]) -> f64 {
     sum
 }
 
-/// Of two lengths.
+/// A copy between two lengths.
 #[function]
 pub fn copied(values: [f64; 4]) -> [f64; 2] {
     let mut first = [0.0; 2];

@@ -24,7 +24,7 @@ pub fn exchanged(buffers: &mut Buffers, turned: bool) {
     drawn[0] = 2.0;
 }
 
-/// The same by a function.
+/// Swaps by a function.
 #[function]
 pub fn swapped(buffers: &mut Buffers, turned: bool) {
     let mut shown = &mut buffers.front;

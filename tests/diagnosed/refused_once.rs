@@ -1,4 +1,4 @@
-//! Of a generic type whose method is refused, nothing is told of the instance.
+//! A generic type with a refused method has no further error for its instance.
 #![no_std]
 use bessemer::prelude::*;
 
@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stage<T> {
-    /// What it holds.
+    /// Content.
     pub value: T,
 }
 

@@ -2,7 +2,7 @@
 #![no_std]
 use bessemer::prelude::*;
 
-/// What is flown around.
+/// Shape of an obstacle.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
@@ -46,7 +46,7 @@ pub fn two(width: f64) -> Shape {
     Frame { width, height: width }
 }
 
-/// Whether a shape has two sizes.
+/// Tests for a shape with two sizes.
 #[function]
 pub fn has_two(shape: Shape) -> bool {
     matches!(shape, Frame { .. })

@@ -8,7 +8,7 @@ use bessemer::prelude::*;
 pub struct Smooth {
     /// The last values.
     pub values: [f32; 8],
-    /// Which is next.
+    /// Index of the next.
     pub next: usize,
 }
 

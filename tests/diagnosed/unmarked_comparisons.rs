@@ -17,7 +17,7 @@ impl PartialEq for Bearing {
     }
 }
 
-/// What is driven.
+/// Position of the lever.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Lever {
@@ -36,12 +36,12 @@ impl PartialEq for Lever {
     }
 }
 
-/// What is wrong.
+/// Error below the range.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Low(pub u8);
 
-/// What is wrong above.
+/// Error above the range.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct High(pub u16);
@@ -59,7 +59,7 @@ impl From<TryFromIntError> for High {
     }
 }
 
-/// Of a number that does not fit.
+/// A number that may not fit.
 #[function]
 pub fn fitting(x: i32) -> Result<u8, High> {
     let value = u8::try_from(x)?;
@@ -84,19 +84,19 @@ pub fn is_same(one: &Count, other: &Count) -> bool {
     one == other
 }
 
-/// Of a struct.
+/// Comparison of a struct.
 #[function]
 pub fn same_bearing(one: Bearing, other: Bearing) -> bool {
     one == other
 }
 
-/// Of words.
+/// Comparison of words.
 #[function]
 pub fn same_lever(one: Lever, other: Lever) -> bool {
     one != other
 }
 
-/// Of what is inside.
+/// Comparison of elements.
 #[function]
 pub fn same_levers(one: [Lever; 3], other: [Lever; 3]) -> bool {
     one == other

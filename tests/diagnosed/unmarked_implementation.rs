@@ -1,6 +1,6 @@
 use bessemer::prelude::*;
 
-/// What closes a loop.
+/// Controllers that close a loop.
 #[interface]
 pub trait Controller {
     /// One period.

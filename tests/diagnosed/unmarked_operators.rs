@@ -77,13 +77,13 @@ impl<T: Real> Add for Weighted<T> {
     }
 }
 
-/// Of any type with an operator.
+/// Sum of any type with an operator.
 #[function]
 pub fn added<V: Add<Output = V> + Copy>(a: V, b: V) -> V {
     a + b
 }
 
-/// Of a type whose operator is generic.
+/// Sum of a type whose operator is generic.
 #[function]
 pub fn of_weighted(a: Weighted<f32>) -> Weighted<f32> {
     added(a, a)

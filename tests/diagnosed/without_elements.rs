@@ -12,7 +12,7 @@ pub struct Empty {
     pub level: u8,
 }
 
-/// What is wrong with the type is told once, where it stands.
+/// An error of the type is reported once, at its place.
 #[function]
 pub fn level(empty: &Empty) -> u8 {
     empty.level

@@ -1,4 +1,4 @@
-//! What Rust does with a value by itself, written by hand: its copy, its order, its end, what it lends.
+//! Implicit operations of Rust on a value, implemented explicitly: its copy, its order, its drop, its borrows.
 
 use core::cmp::Ordering;
 use core::ops::Deref;
@@ -9,7 +9,7 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Copy)]
 pub struct Counter {
-    /// How often.
+    /// Number of occurrences.
     pub count: i32,
 }
 
@@ -33,7 +33,7 @@ impl Ord for Rank {
     }
 }
 
-/// What notes where it ends.
+/// A value that notes its drop.
 #[data]
 pub struct Noted<'a> {
     /// The notes.
@@ -46,7 +46,7 @@ impl Drop for Noted<'_> {
     }
 }
 
-/// What stands for what is in it.
+/// A wrapper that dereferences to its content.
 #[data]
 #[derive(Clone, Copy)]
 pub struct Wrapper {
@@ -74,7 +74,7 @@ pub fn next(counter: Counter) -> Counter {
     counter.clone()
 }
 
-/// Which is before.
+/// Order of two ranks.
 #[function]
 pub fn before(one: Rank, other: Rank) -> bool {
     one.cmp(&other) == Ordering::Less

@@ -10,7 +10,7 @@ pub const POINTS: u32 = 1_000;
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Probe {
-    /// How many words were drawn.
+    /// Number of words drawn.
     pub drawn: u64,
 }
 
@@ -25,8 +25,8 @@ impl Probe {
         end ^ (end >> 31)
     }
 
-    /// A number of any bits, in either format; one next to a multiple of π/2, or to a row of a table;
-    /// or one from −`range` to `range`.
+    /// Draws a number. It has any bits in either format, or is near a multiple of π/2 or a row of a table, or lies in
+    /// −`range` to `range`.
     pub fn argument(&mut self, range: f64) -> f64 {
         const QUARTER_TURN: f64 = core::f64::consts::FRAC_PI_2;
         let word = self.word();
@@ -134,7 +134,7 @@ pub fn single(which: u32, x: f32, y: f32) -> f32 {
     }
 }
 
-/// The same in `f32` alone, as with the feature `single` of the DSL.
+/// Computes the function in `f32` only, as with the feature `single` of the DSL.
 #[function]
 pub fn alone(which: u32, x: f32, y: f32) -> f32 {
     match which {

@@ -1,4 +1,4 @@
-//! Whether squares ascend.
+//! Tests that squares ascend.
 use bessemer::prelude::*;
 
 #[component]

@@ -1,5 +1,4 @@
-//! Puts the marks into the programs that become C, and lists what of them can be called with words: dropping in a file
-//! adds a test.
+//! Marks the programs that become C, and lists their functions that can be called with words. A new file adds a test.
 
 use std::fs;
 use std::io;

@@ -17,7 +17,7 @@ pub struct Limits {
 pub struct Axis {
     /// Not marked.
     pub limits: Limits,
-    /// Of the standard library.
+    /// Type of the standard library.
     pub period: Duration,
 }
 

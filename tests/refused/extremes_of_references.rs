@@ -1,7 +1,7 @@
 //! `Ord` is implemented for references too, so Rust compares them and wants another one beside them.
 use bessemer::prelude::*;
 
-/// How bad it is.
+/// Severity of a fault.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {

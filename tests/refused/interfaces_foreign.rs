@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 /// A stage of a chain.
 #[interface]
 pub trait Stage {
-    /// What it makes of a value.
+    /// Filters a value.
     fn step(&mut self, x: f64) -> f64;
 }
 

@@ -3,7 +3,7 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// What has a place to lend.
+/// A struct with a place to borrow.
 #[component]
 #[derive(Default)]
 pub struct Samples {

@@ -11,7 +11,7 @@ macro_rules! nothing {
 #[data]
 #[derive(Clone, Copy)]
 pub struct Gains {
-    /// Of the error.
+    /// Gain of the error.
     pub p: f64,
 }
 
@@ -87,7 +87,7 @@ pub fn nothing_at_all(x: f64) -> f64 {
     x + y
 }
 
-/// Which of the variants.
+/// Selects a variant.
 #[function]
 pub fn variant(one: Option<f64>, other: Option<f64>) -> bool {
     core::mem::discriminant(&one) == core::mem::discriminant(&other)

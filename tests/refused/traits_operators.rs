@@ -35,7 +35,7 @@ impl From<Pair> for [f64; 1] {
     }
 }
 
-/// Of any number.
+/// A type over any number.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Wide<T> {

@@ -3,7 +3,7 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// Of any size.
+/// A matrix of any size.
 #[function]
 pub fn dynamic_matrix(a: &Matrix3<f64>) -> f64 {
     let all: DVector<f64> = DVector::zeros(3);

@@ -1,4 +1,4 @@
-//! How much memory large temporaries need at once: an account of its own, from the data flow.
+//! Memory that large temporaries need at once, computed independently from the data flow.
 //!
 //! A value is alive from where it is written as a whole to the last read that may see it, backwards through the
 //! statements, loops until nothing changes. The compiler counts statements instead (`codegen/backend/src/passes/lend/`), and
@@ -16,7 +16,7 @@ use bessemer_ir::{
 
 type Alive = BTreeSet<LocalId>;
 
-/// Of each function that is lent memory: its name, the bytes that it is lent, and those that are alive at once.
+/// Returns the name of each function with passed memory, the size of that memory, and the bytes alive at once.
 ///
 /// # Panics
 /// If the passes refuse what they took before.
@@ -48,9 +48,9 @@ pub fn lent(compiled: &Compiled) -> Vec<(String, u64, u64)> {
 
 struct Account<'a> {
     sizes: BTreeMap<LocalId, u64>,
-    /// What each callee needs.
+    /// Memory that each callee needs.
     callees: &'a [u64],
-    /// What is alive behind each loop around, and at the start of its next pass.
+    /// Sets alive after each surrounding loop, and at the start of its next pass.
     loops: Vec<(Alive, Alive)>,
     most: u64,
 }
@@ -62,7 +62,7 @@ impl Account<'_> {
         account.most
     }
 
-    /// What is alive before a block, by what is behind it.
+    /// Returns the set alive before a block, from the set behind it.
     fn block(&mut self, block: &Block, behind: Alive) -> Alive {
         block.0.iter().rev().fold(behind, |alive, stmt| self.stmt(stmt, alive))
     }

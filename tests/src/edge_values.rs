@@ -2,14 +2,14 @@
 
 use bessemer_ir::{Float, Int, Scalar};
 
-/// How many values a function of so many operands is tried with.
+/// Number of values for a function of several operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Breadth {
     /// All there are: for one operand.
     All,
-    /// Those of which all pairs are tried.
+    /// Values of which all pairs are tested.
     Pairs,
-    /// Those of which all triples are tried.
+    /// Values of which all triples are tested.
     Triples,
 }
 

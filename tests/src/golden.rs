@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::root;
 
-/// Whether a file, named from the root, has this text. With `UPDATE_DOCS` it has it afterwards.
+/// Returns true if a file, named from the root, has this text. With `UPDATE_DOCS` it has it afterwards.
 ///
 /// # Panics
 /// If it is to be written and cannot be.

@@ -1,5 +1,5 @@
-//! The legs of every comparison: the model as rustc compiles it, the interpreter of its IR, and its C
-//! as each compiler makes it, on the host and on the emulated Cortex-A9.
+//! The legs of every comparison. They are the model as rustc compiles it, the interpreter of its IR, and its C by each
+//! compiler on the host and on the emulated Cortex-A9.
 //!
 //! C runs as a process of its own, so no test needs `unsafe`: words go in and come out through pipes,
 //! and the target is one more program. What carries a model out is in `bessemer-legs`, which the
@@ -42,7 +42,7 @@ pub fn corpus() -> &'static Compiled {
     COMPILED.get_or_init(|| corpus_with(&Options::default()))
 }
 
-/// The same, compiled with options.
+/// Compiles the corpus with options.
 ///
 /// # Panics
 /// If they do not compile.

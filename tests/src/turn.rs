@@ -6,7 +6,7 @@
 
 use crate::toolchain::{self, Toolchain};
 
-/// Whether nothing may be left out.
+/// Returns true if nothing may be left out.
 pub fn is_full() -> bool {
     std::env::var_os("BESSEMER_FULL").is_some()
 }
@@ -16,7 +16,7 @@ pub fn some_of<T>(list: Vec<T>, count: usize) -> Vec<T> {
     some_of_shifted(list, count, 0)
 }
 
-/// The same, as if it were another turn: for lists of which each is to lack something else.
+/// Returns a rotating subset, shifted: for lists of which each is to lack other elements.
 pub fn some_of_shifted<T>(list: Vec<T>, count: usize, by: usize) -> Vec<T> {
     if is_full() { list } else { chosen(list, count, turn() + by) }
 }
@@ -26,7 +26,7 @@ pub fn one_of<T>(list: Vec<T>) -> Vec<T> {
     some_of(list, 1)
 }
 
-/// Of each compiler one level of optimisation, others at each turn; all levels in a full run.
+/// Returns one level of optimisation of each compiler, rotating; all levels in a full run.
 ///
 /// Tests that compile the same C choose by this, so that they share the objects.
 pub fn levels(toolchains: Vec<Toolchain>) -> Vec<Toolchain> {

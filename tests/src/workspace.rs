@@ -17,7 +17,7 @@ use tempfile::TempDir;
 
 use crate::root;
 
-/// What the settings say of the package that is built again and again, changed a little, and runs for a moment.
+/// Settings of the package that is rebuilt often with small changes, and runs for a moment.
 const SETTINGS: &str = "[profile.dev.package.models]\nopt-level = 2\n";
 /// In place of it: with cargo's notes for the next build, which takes a third of the time then, even where a run goes without.
 const OWN_SETTINGS: &str = "[profile.dev.package.models]\nincremental = true\n";
@@ -148,7 +148,7 @@ impl Workspace {
         self.compiled_with(&compile::Options::default())
     }
 
-    /// The same, with what the user decides.
+    /// Compiles the package with options.
     ///
     /// # Errors
     /// What the generator or the compiler said.

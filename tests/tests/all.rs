@@ -1,6 +1,5 @@
-//! One program of all tests across the crates: what several of them compile, such as the corpus, is compiled once,
-//! and the test runner keeps every processor busy to the end. The tests of a module run in one process: those that need the
-//! same models stand together.
+//! One program of all tests across the crates. Shared inputs such as the corpus are compiled once, and the test runner
+//! keeps every processor busy. The tests of a module run in one process: those that need the same models are together.
 //!
 //! `cargo test -p bessemer-tests corpus::` runs one module.
 

@@ -1,5 +1,5 @@
-//! Authors' requests to the C beside what the code does: names, sections, inlining, entry points that roll
-//! back, functions that the firmware brings, a hook in place of a status. Each through gcc and clang.
+//! Authors' requests for the C beside what the code does, through gcc and clang. They are names, sections, inlining,
+//! entry points that roll back, external functions, and a hook in place of a status.
 
 use std::path::PathBuf;
 
@@ -31,7 +31,7 @@ pub fn flow(cylinder: u32, scale: f64) -> f64 {
     f64::from(cylinder).exp2() * scale
 }
 
-/// What the board says of all cylinders.
+/// Returns the board's readings of all cylinders.
 #[external(header = \"board.h\")]
 pub fn board_pressures(scale: f32, pressures: &mut [f32; 3]) {
     for (i, pressure) in pressures.iter_mut().enumerate() {
@@ -84,7 +84,7 @@ impl Pump {
 }
 ";
 
-/// What the firmware brings.
+/// Header of the firmware.
 const BOARD_H: &str = "#ifndef BOARD_H
 #define BOARD_H
 #include <stdint.h>
@@ -152,7 +152,7 @@ fn model() -> Workspace {
     Workspace::with_source(MODEL).expect("a workspace")
 }
 
-/// What a program around the C prints, the same on each compiler.
+/// Returns the output of a program around the C, equal on each compiler.
 fn printed(compiled: &Compiled, main: &str) -> String {
     let mut all = Vec::new();
     for toolchain in toolchain::all() {

@@ -10,8 +10,8 @@ use bessemer_tests::toolchain;
 use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
 
-/// Terms of the sum in a full run, and in any other: rustc infers the types of operators in time that grows with the
-/// square of their number in one function, a minute for these.
+/// Number of the sum's terms in a run that is not full. rustc infers the types of operators in time quadratic in their
+/// number in a function, a minute for these.
 const TERMS: u32 = 2000;
 const FEWER: u32 = 300;
 
@@ -127,7 +127,7 @@ fn what_nests_deep_comes_through() {
 /// Conditions between `&&`, more than are let through.
 const TOO_MANY: u32 = 4200;
 
-/// What is deeper than that is told where it stands, and what it is told helps.
+/// Checks that deeper nesting is reported at its place, and that the remedy works.
 #[test]
 fn what_nests_too_deep_has_a_remedy() {
     let all = |from: u32, to: u32| {

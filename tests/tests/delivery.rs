@@ -62,8 +62,8 @@ fn the_folder_is_whole_or_as_it_was() {
     assert_eq!(stages.count(), 0, "no half-written folder is left");
 }
 
-/// What is older than the build of another workspace's package of this name is up to date to cargo. A package in which
-/// nothing is marked does not say whose it is.
+/// Checks a package that is older than the build of another workspace's package of its name, which cargo takes for up
+/// to date. A package without marked items does not report its workspace.
 #[test]
 fn a_package_of_another_workspace_without_anything_marked_is_not_taken_for_ones_own() {
     let [own, other] = [MODEL, "//! Nothing.\n#![no_std]\n"]
@@ -92,7 +92,7 @@ impl Default for Limits {
 
 #[component]
 impl Limits {
-    /// Whether a value is above the least.
+    /// Returns true if a value is above the least.
     #[entry(infallible)]
     pub fn step(&mut self, value: u8) -> bool {
         value > self.least
@@ -106,7 +106,7 @@ impl Limits {
     assert!(own.generate_anew("1").expect("generated").contains_key("models.c"));
 }
 
-/// Where the only thing that is marked becomes no C, the author is told why, and not that nothing is marked.
+/// Checks that an author is reported why the only marked item becomes no C.
 #[test]
 fn a_package_of_which_nothing_becomes_c_says_why() {
     let path = root().join("tests/newcomers/generic_component_without_instance.rs");

@@ -1,5 +1,5 @@
-//! Mistakes that only a generation sees are told at the author's line: each file of `tests/diagnosed/` is a
-//! package of models, and its snapshot is what `cargo xtask gen` prints.
+//! Mistakes that only generation detects, reported at the author's line. Each file of `tests/diagnosed/` is a package
+//! of models, and its snapshot is the output of `cargo xtask gen`.
 
 use std::fs;
 use std::path::PathBuf;

@@ -65,7 +65,7 @@ fn settled(ty: Scalar, (status, word): Outcome) -> Outcome {
     (status, if nan { u64::MAX } else { word })
 }
 
-/// What Rust says; a panic is the fault that its message names.
+/// Returns the result of Rust; a panic is the fault that its message names.
 fn native(case: &Case, operands: &[u64]) -> Outcome {
     let mut words = operands.iter().copied();
     match caught(|| (case.call)(&mut || words.next().unwrap_or_default())) {
@@ -148,7 +148,7 @@ fn every_operation_at_every_edge() {
         compare(&format!("interpreter, {name}"), &cases, &calls, &expected, &found);
     }
 
-    // What was proved stands in this one.
+    // What was proved is in this one.
     let of_proofs = compiled_with("edges", &Options { keep_checks: true, ..Options::default() });
     let mut interpreter = Interpreter::new(&of_proofs.explicit);
     let found: Vec<Outcome> = calls
@@ -164,7 +164,7 @@ fn every_operation_at_every_edge() {
     });
     let bytes: Vec<u8> = words.flat_map(u64::to_le_bytes).collect();
     std::fs::write(&input, bytes).expect("the words are written");
-    // gcc warns of its own instrumentation. What stands in for what compilers document is here, too.
+    // gcc warns of its own instrumentation. What is in for what compilers document is here, too.
     let sanitized = [
         "-O1",
         "-w",

@@ -1,5 +1,5 @@
-//! The programs of `examples/` that need no firmware of their own: built as their pages say, and compared with the models
-//! as rustc compiles them, line by line, to the bit. The bare Zynq has `flight::zynq`.
+//! The programs of `examples/` that need no firmware of their own. They are built as their pages describe, and compared
+//! with the models as rustc compiles them, line by line, to the bit. The bare Zynq is in `flight::zynq`.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -29,7 +29,7 @@ fn printed(command: &mut Command) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// What `examples/cpp` prints, of the Rust.
+/// Returns the output of `examples/cpp`, computed by the Rust.
 fn held_height() -> String {
     let (parameters, airframe) = (Parameters::mambo(), Airframe::mambo());
     let (mut controller, mut plant) = (Controller::default(), Plant::default());
@@ -70,7 +70,7 @@ fn a_program_in_cpp_holds_its_height_to_the_bit() {
     }
 }
 
-/// What `examples/linux-a9` prints after so many periods, of the Rust.
+/// Returns the output of `examples/linux-a9` after a number of periods, computed by the Rust.
 fn at_rest(periods: u64) -> String {
     let (mut onboard, mut settings) = (Onboard::default(), Settings::mambo());
     let (mut position, mut angles) = (String::new(), String::new());

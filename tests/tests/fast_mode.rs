@@ -1,6 +1,6 @@
-//! The fast mode of kernels: its errors stay within the bounds that the report and the C state, element by element, in
-//! both types, with gcc and clang, AVX and AVX-512, and NEON for products of `f32`; its solutions are as good as the exact mode's; where a
-//! target gains nothing, the bits are the exact mode's.
+//! The fast mode of kernels. Errors are within the bounds of the report and the C, element by element, in both types,
+//! with gcc and clang, AVX and AVX-512, and NEON for products of `f32`. Solutions are as good as the exact mode's;
+//! where a target gains nothing, the bits are the exact mode's.
 //!
 //! The bounds are Higham's (*Accuracy and Stability of Numerical Algorithms*, second edition), with `u` half a unit in the
 //! last place of 1 and `γ(n) = n u / (1 − n u)`: `|P A − L U| ≤ γ(n) |L| |U|` (theorem 9.3), `|b − A x| ≤ γ(3 n) |L| |U| |x|`
@@ -21,7 +21,7 @@ const EXACT: Tuning = Tuning { mode: Mode::Exact, ..FAST };
 /// Right-hand sides of the solves of many.
 const SIDES: usize = 9;
 
-/// What so many roundings can make of a number, relative to it.
+/// Returns the largest relative error of a number of roundings.
 fn gamma(roundings: usize, element: Float) -> f64 {
     let unit = match element {
         Float::F64 => 2f64.powi(-53),
@@ -68,8 +68,7 @@ fn difference(
     ((high + low).abs(), size)
 }
 
-/// |L| |U|, its rows those of the matrix that these are the factors of; and the largest part of its bound that
-/// |P A − L U| takes.
+/// Returns |L| |U|, its rows in the order of the factorised matrix, and the largest ratio of |P A − L U| to its bound.
 fn growth(n: usize, a: &[f64], factors: &[f64], element: Float) -> (Vec<f64>, f64) {
     let mut open: Vec<usize> = (0..n).collect();
     let (mut bounds, mut worst) = (vec![0.0; n * n], 0.0f64);
@@ -102,7 +101,7 @@ fn growth(n: usize, a: &[f64], factors: &[f64], element: Float) -> (Vec<f64>, f6
     (bounds, worst)
 }
 
-/// How much of its bound |b − A x| takes at most, and its largest element relative to ‖A‖ ‖x‖ + ‖b‖.
+/// Returns the largest ratio of |b − A x| to its bound, and its largest element relative to ‖A‖ ‖x‖ + ‖b‖.
 fn residual(a: &[f64], bounds: &[f64], b: &[f64], x: &[f64], element: Float) -> [f64; 2] {
     let n = b.len();
     let (mut part, mut largest, mut norm) = (0.0f64, 0.0f64, 0.0f64);

@@ -1,5 +1,5 @@
-//! The C in a vendor's firmware: two versions of one package side by side, headers in folders of their own, and a `table.h` of
-//! the vendor's in front of them.
+//! The C in a vendor's firmware. Two versions of one package coexist, headers are in folders of their own, and a
+//! `table.h` of the vendor's is found before theirs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ pub mod table {
     #[data]
     #[derive(Clone, Debug)]
     pub struct Gains {
-        /// Of the error.
+        /// Gain of the error.
         #[range(0.0..=9.0)]
         pub error: f64,
     }
@@ -117,8 +117,8 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files.filter(is_source).collect()
 }
 
-/// Two packages of two versions, one with a prefix and both with a folder of headers, in one firmware: each computes its own, though a
-/// header of the vendor's has name and guard of one of theirs and is found first.
+/// Checks two packages of two versions in one firmware, one with a prefix and both with a folder of headers. Each
+/// computes its own result, though a vendor's header of equal name and guard is found first.
 #[test]
 fn two_versions_stand_in_one_firmware() {
     let workspace = Workspace::with_source(MODEL).expect("a workspace");

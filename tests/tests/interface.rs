@@ -9,7 +9,7 @@ use bessemer_tests::toolchain::{self, CORTEX_M4F, GCC, run};
 use bessemer_tests::{flight_models, root};
 use serde_json::{Value, json};
 
-/// Which of the two sizes a compiler has.
+/// Selection of one of the two sizes.
 type Chosen = fn(Bytes) -> u64;
 
 #[test]
@@ -59,7 +59,7 @@ fn the_file_is_what_its_schema_says() {
     assert_eq!(said.as_deref(), Some("/structs/0/size: no object"));
 }
 
-/// Where a value is not what a schema says, by the words of JSON Schema that ours uses.
+/// Returns the place where a value violates a schema, for the keywords of JSON Schema that ours uses.
 fn wrong(root: &Value, schema: &Value, value: &Value, at: &str) -> Option<String> {
     if let Some(name) = schema["$ref"].as_str() {
         let place = name.trim_start_matches('#');

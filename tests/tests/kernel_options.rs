@@ -1,6 +1,5 @@
-//! Options of kernels, as programs: functions of the user's own in place of kernels are called, give the
-//! kernel's result and can be taken back; threads change no bit; a budget of code makes objects smaller and changes
-//! no bit. The fast mode: `fast_mode.rs`.
+//! Options of kernels in programs. The user's own functions can replace kernels, with equal results, and be removed
+//! again. Threads change no bit; a code budget makes objects smaller and changes no bit. The fast mode: `fast_mode.rs`.
 
 use std::process::Command;
 
@@ -127,8 +126,8 @@ fn of_several_ways() -> [Kernel; 8] {
     ]
 }
 
-/// The flags for vectors of every machine's, for none, and for the widest of this one: for each number another at each turn, so
-/// that a run of a few numbers has each; all of them in a full run.
+/// Returns the flags for the vectors of every machine, for none, and for the widest of this one. They rotate by number,
+/// so that a run of a few numbers has each; a full run has all of them.
 fn ways(number: usize) -> Vec<&'static [&'static str]> {
     turn::some_of_shifted(vec![&[], &["-DBESSEMER_PLAIN"], &["-march=native"]], 1, number)
 }
@@ -185,7 +184,8 @@ fn plain_kernels_are_c99_alone_and_change_no_bit() {
     }
 }
 
-/// The ways of a family of processors, another one at each turn, speak of no other, compile everywhere without a warning, and have the same bits.
+/// Checks the variants of one family of processors, rotating. They mention no other family, compile everywhere without
+/// a warning, and have the same bits.
 #[test]
 fn the_ways_of_one_family_are_those_of_all() {
     use KernelRoutine::*;
@@ -258,7 +258,7 @@ fn each_is_what_its_compiler_sees_of_all(
     }
 }
 
-/// What the preprocessor makes of the sources of kernels; none where there is no such compiler.
+/// Returns the preprocessed sources of kernels; none without such a compiler.
 fn tokens(
     kernels: &[Kernel],
     tuning: Tuning,
@@ -281,7 +281,7 @@ fn tokens(
     Some(text.split_whitespace().map(str::to_owned).collect())
 }
 
-/// Where two texts begin to differ.
+/// Returns the first difference of two texts.
 fn apart(one: &[String], other: &[String]) -> String {
     let at = one.iter().zip(other).take_while(|(one, other)| one == other).count();
     let around = |text: &[String]| {

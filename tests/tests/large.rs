@@ -1,6 +1,6 @@
-//! Systems beyond 127 rows, which nalgebra has no static decompositions of: the interpreter and the C of each compiler give the bits of
-//! `bessemer::inverse_mut` and `bessemer::solve_mut`, whose own bits `as_nalgebra/linear.rs` holds to nalgebra's matrices of dynamic
-//! size.
+//! Systems of more than 127 rows, for which nalgebra has no static decompositions. Interpreter and C have the bits of
+//! `bessemer::inverse_mut` and `bessemer::solve_mut`, which `as_nalgebra/linear.rs` compares with nalgebra's dynamic
+//! matrices.
 
 use std::collections::BTreeMap;
 
@@ -18,12 +18,12 @@ use bessemer_tests::{texts, turn};
 
 use KernelRoutine::{Inverse, LuSolve, Solve};
 
-/// How many ways of the kernels a run compiles, of the host's five and the target's two.
+/// Number of kernel variants that a run compiles, of the host's five and the target's two.
 const WAYS: usize = 4;
 /// Columns of the right-hand sides.
 const SIDES: usize = 3;
 
-/// What the elements of a matrix are like.
+/// Class of a matrix' elements.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     /// Between −1 and 1.

@@ -1,6 +1,7 @@
-//! The table of linear algebra: every routine, type and size gives the bits of nalgebra in the
-//! interpreter and in C (gcc and clang, -O0 and -O3, under sanitizers, and on the Cortex-A9 with NEON and without; sizes
-//! between those at which kernels change in one of these, optimised), on random, graded, singular and tied matrices, and on ones with NaN, infinities and zeros in them.
+//! The table of linear algebra: every routine, type and size has the bits of nalgebra in the interpreter and in C. The
+//! C is compiled by gcc and clang at -O0 and -O3, under sanitizers, and for the Cortex-A9 with NEON and without; sizes
+//! between those at which kernels change in one of these, optimised. Matrices are random, graded, singular and tied,
+//! and have NaN, infinities and zeros.
 
 use std::sync::OnceLock;
 use std::thread;
@@ -18,20 +19,20 @@ use linear::{CASES, OTHER_SIZES};
 /// Calls of each routine.
 const CALLS: usize = 24;
 
-/// Of so many sizes that follow one another a leg takes one, unless the run is full.
+/// Number of consecutive sizes of which a leg takes one, unless the run is full.
 const SHARED: usize = 40;
 
 /// Calls of each routine of the other sizes: one of each kind.
 const FEWER_CALLS: usize = 6;
 
-/// What the elements of a call's matrices are like.
+/// Class of the elements of a call's matrices.
 #[derive(Clone, Copy, Debug, Hash)]
 enum Kind {
     /// Between −1 and 1.
     Uniform,
     /// Symmetric and positive definite.
     Definite,
-    /// Of very different sizes.
+    /// Elements of very different sizes.
     Graded,
     /// The last column is the first.
     Singular,
@@ -107,7 +108,7 @@ fn argument(module: &Module, ty: &Type, kind: Kind, random: &mut Random) -> Vec<
 struct Case {
     name: String,
     id: FunctionId,
-    /// Whether every compiler compiles it.
+    /// True if every compiler compiles it.
     everywhere: bool,
     calls: Vec<(Kind, Vec<Vec<u64>>)>,
     native: Vec<Vec<u64>>,
@@ -116,7 +117,7 @@ struct Case {
 }
 
 impl Case {
-    /// The module: its routines have one size, and their C stands in one file, which needs all of their kernels.
+    /// The module: its routines have one size, and their C is in one file, which needs all of their kernels.
     fn size(&self) -> &str {
         self.name.rsplit_once("::").map_or("", |(module, _)| module)
     }
@@ -297,7 +298,7 @@ fn the_c_agrees() {
     });
 }
 
-/// What a compiler for i386 wants to know of the C library, of which Debian has no headers beside those of ARM.
+/// Declarations that a compiler for i386 needs, for which Debian has no headers beside those of ARM.
 const LIBRARY: [(&str, &str); 2] = [
     (
         "math.h",
@@ -314,7 +315,7 @@ const LIBRARY: [(&str, &str); 2] = [
 /// The files of the linear algebra, which differ by size, are looked at in so many turns.
 const TURNS: usize = 4;
 
-/// A `double` in a struct or an array stands at a multiple of 4 there: vectors must not claim more.
+/// A `double` in a struct or an array is at a multiple of 4 there: vectors must not claim more.
 #[test]
 fn vectors_ask_for_no_more_than_numbers_have() {
     let host = toolchain::host();

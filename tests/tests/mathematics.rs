@@ -20,7 +20,7 @@ use bessemer_tests::workspace::Workspace;
 use bessemer_tests::{harness, texts, turn};
 use probe::{POINTS, Probe};
 
-/// How many functions `probe::double` knows.
+/// Number of functions that `probe::double` knows.
 const FUNCTIONS: u32 = 23;
 /// Calls for each function: 100 000 points, in both precisions, and in `f32` alone.
 const CALLS: u32 = 100;
@@ -81,7 +81,7 @@ fn every_elementary_function_computes_the_same_bits() {
     });
 }
 
-/// Where the processor has a fused multiply-add, `mul_add` is that instruction.
+/// Checks that `mul_add` is an instruction if the processor has a fused multiply-add.
 #[test]
 fn a_fused_instruction_computes_the_same_bits() {
     #[cfg(target_arch = "x86_64")]
@@ -115,8 +115,8 @@ fn no_table_is_larger_than_two_kibibytes() {
     }
 }
 
-/// Read off the symbols of every object, with no function of the compiler's own: nothing is called but
-/// the emitted functions and what is exact in every C library.
+/// Checks the symbols of every object, with the compiler's own functions off. The only calls are to emitted functions
+/// and to exact functions of every C library.
 #[test]
 fn no_call_slips_past_to_the_platform() {
     let compiled = compiled();

@@ -1,8 +1,8 @@
-//! Mistakes of newcomers: each file of `tests/newcomers/` is a module with one, its first line says what its author
-//! wanted, and its snapshot is what `cargo xtask gen` tells.
+//! Mistakes of newcomers. Each file of `tests/newcomers/` is a module with one; its first line has its author's
+//! intention, and its snapshot is the output of `cargo xtask gen`.
 //!
-//! All of them stand in one package. rustc and the generator tell everything that they find in a step; the modules
-//! that are told of are taken out, and what is left is generated again, until it becomes C: then the warnings are
+//! All of them are in one package. rustc and the generator tell everything that they find in a step; the modules
+//! that are reported are taken out, and what is left is generated again, until it becomes C: then the warnings are
 //! told. So a step costs as much as one model, and no mistake hides another.
 
 use std::collections::BTreeMap;
@@ -16,16 +16,16 @@ use bessemer_frontend::source::Sources;
 use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
 
-/// How many a run takes.
+/// Number of mistakes in a run.
 const AT_ONCE: usize = 40;
 
-/// How many of those that follow a remedy.
+/// Number of those that follow a remedy.
 const FOLLOWED_AT_ONCE: usize = 10;
 
 /// Names that no author has written.
 const INTERNAL: [&str; 4] = ["__", "dsl_", "ScalarType", "bessemer::generate"];
 
-/// What becomes C without a word: the last of the mistakes may be such as leaves nothing that does.
+/// Item that always becomes C: without it, the last mistake may leave none.
 const BESIDE: &str = "#[bessemer::function]\npub fn same(x: f64) -> f64 {\n    x\n}\n";
 
 #[test]
@@ -55,8 +55,8 @@ fn each_is_told_at_its_line() {
     assert!(internals.is_empty(), "names of the tool's own show: {internals:#?}");
 }
 
-/// Without what rustc says of the first of a kind in a build alone, that it is on by default: which one that is changes with
-/// the turn.
+/// Removes rustc's remark that a lint is on by default. It is on the first error of a kind in a build, which changes
+/// with the subset.
 fn alike_in_each_turn(said: &str) -> String {
     let mut lines: Vec<&str> = Vec::new();
     for line in said.lines() {
@@ -69,7 +69,7 @@ fn alike_in_each_turn(said: &str) -> String {
     lines.join("\n")
 }
 
-/// Each `newcomers/followed/*.patch` does what the `help:` of its mistake says. Then nothing is told any more.
+/// Each `newcomers/followed/*.patch` does what the `help:` of its mistake says. Then nothing is reported any more.
 #[test]
 fn remedies_work_when_they_are_followed() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("newcomers");
@@ -116,7 +116,7 @@ fn copy(names: &[String], folder: &Path, workspace: &Workspace) {
     }
 }
 
-/// What is told of each of the modules, and whether they became C.
+/// Returns the diagnostics of each module, and true if they became C.
 pub(super) fn step(
     workspace: &Workspace,
     names: &[String],
@@ -144,7 +144,7 @@ pub(super) fn step(
     (told, is_last)
 }
 
-/// What an editor reads of a diagnostic is the same, at the same place, by lines and by bytes.
+/// Checks that a diagnostic for editors is equal and at the same place, by lines and by bytes.
 fn an_editor_finds(told: &Diagnostic, workspace: &Workspace, sources: &Sources) {
     let json = diagnostic::json(told, sources);
     assert_eq!(json["level"], told.level.word(), "{json}");

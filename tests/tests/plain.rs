@@ -1,7 +1,7 @@
-//! Programs that were plain Rust before there was a DSL (`tests/plain/`): with attributes and imports alone they become C, and
-//! native Rust, the interpreter and the C give the same bits and the same faults.
+//! Programs in plain Rust written without knowledge of the DSL (`tests/plain/`). With attributes and imports alone they
+//! become C, and native Rust, interpreter and C have the same bits and faults.
 //!
-//! Those that do not go yet stand in a table, each with its reason: one that goes by now is told.
+//! Those that do not go yet are in a table, each with its reason: one that goes by now is reported.
 
 use std::fs;
 use std::path::PathBuf;
@@ -26,7 +26,7 @@ fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("plain")
 }
 
-/// What can be called of them.
+/// Returns their callable functions.
 fn entries() -> impl Iterator<Item = &'static Entry> {
     plain::programs::ENTRIES.iter().copied().flatten()
 }
@@ -59,7 +59,7 @@ fn every_leg_agrees() {
     }
 }
 
-/// What is listed does not become C.
+/// Checks that the listed programs do not become C.
 #[test]
 fn what_goes_is_not_listed() {
     let folder = folder();

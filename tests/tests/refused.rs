@@ -36,7 +36,7 @@ fn refused_programs_are_told_why() {
 /// Refusals that no snapshot tells, which only become fewer: one of a rustc that does not exist yet.
 const UNTOLD: [&str; 1] = ["HYGIENE_UNKNOWN"];
 
-/// Whoever adds a refusal shows what its author is told.
+/// Whoever adds a refusal shows what its author is reported.
 #[test]
 fn each_refusal_is_in_a_snapshot() {
     let tests = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
@@ -62,7 +62,7 @@ fn each_refusal_is_in_a_snapshot() {
     assert_eq!(untold, UNTOLD, "write a program that gets it into `tests/refused/`");
 }
 
-/// What rustc says of each program that does not compile.
+/// Returns rustc's errors for each program that does not compile.
 fn told(workspace: &Workspace) -> BTreeMap<String, String> {
     let output = Command::new(env!("CARGO"))
         .args(["build", "--bins", "--keep-going", "--message-format=json"])

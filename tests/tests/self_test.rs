@@ -98,7 +98,7 @@ fn unguarded(line: &str) -> Option<String> {
     (!line.starts_with("#pragma")).then(|| line.to_owned())
 }
 
-/// What it answers.
+/// Returns the answer of the self test.
 fn answer(
     laid: &(TempDir, Vec<PathBuf>),
     toolchain: &Toolchain,
@@ -137,7 +137,7 @@ fn all_is_well() {
     }
 }
 
-/// What is not in the processor's usual state, by its name above.
+/// Register fields that differ from the processor's usual state, by their names above.
 const SET: [(&str, u32); 5] =
     [("u", ROUNDING), ("d", ROUNDING), ("z", ROUNDING), ("f", SUBNORMALS), ("n", SUBNORMALS)];
 
@@ -163,7 +163,7 @@ type Told = (&'static [&'static str], bool, u32);
 const GCC: &[Told] = &[
     (&["-std=gnu99", "-ffp-contract=fast", "-mfma"], true, 0),
     (&["-std=gnu99", "-ffp-contract=fast", "-mfma"], false, CONTRACTION),
-    // gcc's own vectors, whatever it is told.
+    // gcc's own vectors, whatever it is reported.
     (&["-march=x86-64-v3"], false, CONTRACTION),
     (&["-ffast-math"], true, SUBNORMALS | ORDER | RECIPROCAL | FINITE),
     (&["-ffinite-math-only"], true, FINITE),
@@ -234,7 +234,7 @@ int main(void)
 }
 "#;
 
-/// What it answers on such a machine.
+/// Returns the answer on such a machine.
 fn bare_answer(toolchain: &Toolchain) -> u32 {
     let (folder, mut sources) = laid_out(guarded);
     std::fs::write(&sources[0], BARE_MAIN).expect("a file");

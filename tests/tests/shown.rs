@@ -1,8 +1,8 @@
-//! The commands that the book shows, carried out: each `sh` block of the pages that lead to firmware, in a package as these
-//! pages have one. A block that cannot run here says why above it: `<!-- not run: … -->`.
+//! Execution of the commands in the book. Each `sh` block of the pages about firmware runs in a package that follows
+//! these pages. A block that cannot run here has the reason above it: `<!-- not run: … -->`.
 //!
 //! `cargo bessemer` is called as the function that the command is; everything else goes to a shell. A run takes some of the
-//! blocks by turns, and a full run each of them.
+//! blocks alternately, and a full run each of them.
 
 use std::fs;
 use std::path::Path;
@@ -32,7 +32,7 @@ pub(super) fn run(package: &Path) {
     let log =
         "time,speed,gains.proportional,gains.integral,gains.period,target\n0,0,0.1,0.5,0.005,100\n";
     fs::write(package.join("flight.csv"), log).expect("a recording");
-    // As the page of build systems asks for it.
+    // As the page of build systems requests it.
     let settings = package.join("bessemer.toml");
     let sound = fs::read_to_string(&settings).expect("the settings");
     fs::write(&settings, format!("build_files = true\n{sound}")).expect("the settings");

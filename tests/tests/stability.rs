@@ -1,4 +1,4 @@
-//! Which bytes move when something changes: only those that must.
+//! Bytes of the C that change with the source: only those that must.
 //!
 //! A firmware team pays for every changed line with a retest. A copy of the flight models is changed
 //! as an author would change it, generated again, and the two folders are compared.

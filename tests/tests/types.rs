@@ -1,5 +1,5 @@
-//! Every type of the IR is rustc's own: each is computed from the bottom up and held against what rustc put in
-//! the slot of the expression. A disagreement is an error of the tool, named as such.
+//! Every type of the IR equals rustc's: each is computed from the bottom up and compared with the slot of the
+//! expression. A disagreement is reported as an error of the tool.
 
 use bessemer_codegen::compile::{self, Options};
 use bessemer_codegen::generate::Job;
@@ -23,7 +23,7 @@ fn every_type_is_rustcs_own() {
     }
 }
 
-/// Of so many functions that follow one another a run changes one, unless it is full.
+/// Number of consecutive functions of which a run changes one, unless it is full.
 const THIRD: usize = 3;
 
 /// The package with the type in one slot another than rustc's.

@@ -20,7 +20,7 @@ fn met(body: &Block) -> usize {
     met.0
 }
 
-/// Of all functions of the corpus, which has every construct.
+/// Checks all functions of the corpus, which has every construct.
 #[test]
 fn every_expression_is_met_once() {
     let package = trees::tree(&Job::new(root(), "corpus"), &trees::folders());

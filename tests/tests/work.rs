@@ -14,7 +14,7 @@ use bessemer::prelude::*;
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Powers {
-    /// How many steps were made.
+    /// Number of steps.
     pub steps: f64,
 }
 

@@ -90,7 +90,7 @@ fn packages() -> Vec<Value> {
     metadata["packages"].as_array().cloned().expect("a list of packages")
 }
 
-/// Cargo builds a package once for each set of features. `xtask/unified/Cargo.toml` asks for what the tests ask for, so
+/// Cargo builds a package once for each set of features. `xtask/unified/Cargo.toml` requests what the tests request, so
 /// that the compiler, and all below it, is built once for both; and what the one package that tells of a mutant rests on.
 #[test]
 fn what_a_part_needs_is_built_once() {

@@ -1,5 +1,5 @@
-//! What of a program of the tests can be called with words: the form in which `tests/corpus` and `tests/plain` list their
-//! functions, and in which the tests call them.
+//! Functions of test programs that can be called with words. `tests/corpus` and `tests/plain` list their functions in
+//! this form, and the tests call them.
 //!
 //! It must not know what a program computes.
 

@@ -16,7 +16,7 @@ pub const LIMIT: f64 = 50.0;
 #[data]
 pub static CURVE: [f64; 4] = [0.0, 1.0, 4.0, 9.0];
 
-/// How a sensor is.
+/// Health of a sensor.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Health {
@@ -27,7 +27,7 @@ pub enum Health {
     Stale(u8),
 }
 
-/// What takes a value and gives one.
+/// Filters that take a value and return one.
 #[interface]
 pub trait Filter {
     /// A step.
@@ -38,7 +38,7 @@ pub trait Filter {
 #[component]
 #[derive(Clone, Debug)]
 pub struct LowPass {
-    /// Of the last step.
+    /// Output of the last step.
     #[unit("V")]
     pub output: f64,
     weight: f64,
@@ -74,7 +74,7 @@ impl<T: Real, const N: usize> Default for Delay<T, N> {
 
 #[component]
 impl<T: Real, const N: usize> Delay<T, N> {
-    /// What went in so many steps ago.
+    /// Appends a value and returns the one pushed `N` steps before.
     #[entry]
     pub fn push(&mut self, value: T) -> T {
         let old = self.values[self.next];

@@ -145,7 +145,7 @@ sizes! {
 /// Sizes at which kernels change their ways, and those beyond what is written out.
 pub mod borders;
 
-/// What nalgebra has for parts of matrices and for products that add; a few sizes are enough.
+/// Functions of nalgebra for parts of matrices and for products that add; a few sizes are enough.
 pub mod parts;
 
 /// Decompositions as values.

@@ -1,5 +1,5 @@
-//! Programs in plain Rust with nalgebra, each written from its task alone by somebody who had never seen the DSL, with
-//! attributes and imports, and nothing else, put beside them.
+//! Programs in plain Rust with nalgebra. Each was written from its task alone by an author who had never seen the DSL,
+//! and attributes and imports were added.
 //!
 //! `programs/` has them as they came, `marks/` what stands beside them, and README.md those that do not become C yet.
 

@@ -1,5 +1,5 @@
-//! Eigenvalues, singular values and exponentials, which the DSL computes in an order of its own, against
-//! what defines them and against nalgebra's, within a stated error.
+//! Eigenvalues, singular values and exponentials, which the DSL computes in an order of its own. They are compared with
+//! their definitions and with nalgebra's, within a stated error.
 
 use bessemer::linear::{ldl, svd, symmetric_eigen};
 use bessemer::math::{Real, SquareMethods};
@@ -59,7 +59,8 @@ fn eigenvalues<T: Real, const N: usize>(kind: usize, random: &mut Random) {
     assert!((1..N).all(|k| values[k - 1] <= values[k]), "{values}");
 }
 
-/// `U Σ Vᵀ = A` and `V Vᵀ = 1`, both within 8 n roundings of the norm; `Uᵀ U = 1` where no value is zero.
+/// Checks `U Σ Vᵀ = A` and `V Vᵀ = 1`, both within 8 n roundings of the norm. If no value is zero, `Uᵀ U = 1` is
+/// checked too.
 fn singular_values<T: Real, const R: usize, const C: usize>(kind: usize, random: &mut Random) {
     let a = matrix::<T, R, C>(kind, random);
     let found = svd(&a);
@@ -142,8 +143,8 @@ fn at_the_edges() {
     }
 }
 
-/// Of a symmetric matrix `exp` is that of its eigenvalues, within 64 n roundings times the norms; the exponential
-/// of the negative is the inverse; of a nilpotent matrix it is a polynomial.
+/// Checks `exp`. Of a symmetric matrix it has the eigenvalues' exponentials, within 64 n roundings times the norms. The
+/// exponential of the negative is the inverse; of a nilpotent matrix it is a polynomial.
 #[test]
 fn exponentials() {
     let mut random = Random(5);

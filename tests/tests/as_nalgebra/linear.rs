@@ -6,12 +6,12 @@ use bessemer::nalgebra::{DMatrix, SMatrix};
 use bessemer_codegen::deep::deep;
 use bessemer_tests::random::Random;
 
-/// What the elements of a matrix are like.
+/// Class of a matrix' elements.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     /// Between −1 and 1.
     Uniform,
-    /// Of very different sizes.
+    /// Elements of very different sizes.
     Graded,
     /// The last column is the first.
     Singular,

@@ -111,8 +111,8 @@ fn part_of_cmake(folder: &Path, compiler: &Toolchain) {
     fs::remove_dir_all(build).expect("the build");
 }
 
-/// The C built and installed by itself; then found by a project that lies elsewhere and knows where it is installed, but
-/// neither sources nor build.
+/// Builds and installs the C by itself. A project elsewhere then finds it by its installation path only, without
+/// sources or build.
 fn installed_by_cmake(package: &Path, compiler: &Toolchain) {
     let place = tempfile::tempdir().expect("a folder");
     let (c, firmware) = (place.path().join("c"), place.path().join("firmware"));

@@ -1,5 +1,5 @@
-//! What describes the C to other tools, held against it: ASAP2 as a parser of others reads it, beside `interface.json` and the
-//! symbols of linked firmware; and the module of Python, beside the simulation.
+//! Descriptions of the C for other tools, compared with the C. A foreign parser reads the ASAP2 file beside
+//! `interface.json` and the symbols of linked firmware; the Python module is compared with the simulation.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ pub fn run(package: &Path) {
     generated(package, false).unwrap_or_else(|said| panic!("{said}"));
 }
 
-/// In ASAP2, with the addresses of linked programs; what is said wrongly of one is told.
+/// In ASAP2, with the addresses of linked programs; what is said wrongly of one is reported.
 fn calibrated(package: &Path) {
     let text = "#include \"motor.h\"\n#include \"observer.h\"\nint8_t before = 1;\nmotor_t controller;\ngains_t gains;\nobserver_t observer;\n\
         tuning_t tuning;\nint main(void)\n{\n    motor_init(&controller);\n    observer_init(&observer);\n    tuning_defaults(&tuning);\n    \
@@ -95,7 +95,7 @@ fn read_back(package: &Path, elf: &Path, enums: &str) {
     }
 }
 
-/// What is expected is worked out from the interface and the symbols alone.
+/// Script that computes the expected values from the interface and the symbols only.
 const READ_BACK: &str = r#"
 import json, os, sys
 import pya2l

@@ -1,5 +1,5 @@
-//! `cargo bessemer` as its users meet it: a package begun, simulated, generated, built into a firmware; and what
-//! only a build of models shows to be wrong.
+//! `cargo bessemer` from the user's view: a package is created, simulated, generated and built into firmware. Errors
+//! that only a build of models reveals are included.
 
 mod built;
 mod described;
@@ -17,7 +17,7 @@ use bessemer_tests::workspace::Workspace;
 use cargo_bessemer::args::{Fmu, New, Python, Sizes};
 use cargo_bessemer::{fmu, new, python, sizes};
 
-/// What `gen` says in a folder, without colours; none if it was refused.
+/// Returns the output of `gen` in a folder, without colours; none if it failed.
 fn generated(folder: &Path, check: bool) -> Result<String, String> {
     let outcome = generate(folder, Wanted { check, ..Wanted::default() });
     outcome
@@ -75,7 +75,7 @@ fn a_new_package_is_simulated_and_generated() {
     refusals(&package);
 }
 
-/// What the stub of a firmware prints: 0.05 · 100 V, and 2 · 100 · 1 ms more each period.
+/// Output of a firmware's stub: 0.05 · 100 V, and 2 · 100 · 1 ms more each period.
 const STUB: &str = "5\n5.2000000000000002\n5.4000000000000004\n";
 
 /// The tutorial and the README quote these files.
@@ -93,7 +93,7 @@ fn the_tutorial_shows_it(package: &Path, report: &str) {
     assert!(names.is_empty(), "{}: stale: {names:?}; {asked}", folder.display());
 }
 
-/// What an entry point brings is less than all, and something.
+/// Checks that an entry point's part is less than all, and not zero.
 fn sized(package: &Path) {
     let text = sizes::run(package, &Sizes::default(), false);
     let text = text.unwrap_or_else(|error| panic!("{error}"));
@@ -118,7 +118,8 @@ fn python_with(package: &str) -> Option<Command> {
     None
 }
 
-/// What voltages and integrals the motor's controller gives in its first periods, as the same operations in Rust: words.
+/// Returns the voltages and integrals of the motor's controller in its first periods, computed by the same operations
+/// in Rust, as words.
 fn first_periods() -> String {
     let (mut integral, mut words) = (0.0_f64, String::new());
     for n in 0..100 {
@@ -133,7 +134,7 @@ fn first_periods() -> String {
     words
 }
 
-/// What a script of Python prints.
+/// Returns the output of a Python script.
 fn printed(python: &mut Command, script: &str) -> String {
     let output = python.args(["-c", script]).output().expect("python starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -214,7 +215,7 @@ unit.terminate()
 unit.freeInstance()
 ";
 
-/// What is wrong, and what is said of it; then all is as it was.
+/// Checks errors and their messages; afterwards everything is unchanged.
 fn refusals(package: &Path) {
     let settings = package.join("bessemer.toml");
     let sound = fs::read_to_string(&settings).expect("the settings");

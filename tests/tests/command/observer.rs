@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// How it observes.
+/// Mode of the observer.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Mode {
@@ -14,19 +14,20 @@ pub enum Mode {
     Tuned,
 }
 
-/// What it is told. With short enums `period` lies elsewhere, though all of it is as large.
+/// Tuning of the observer. With short enums `period` has another offset, but the size is equal. With short enums
+/// `period` lies elsewhere, though all of it is as large.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tuning {
-    /// Of each axis.
+    /// Slopes of the axes.
     #[unit("N·m/A")]
     #[range(-1.5..=2.5)]
     pub slopes: [f32; 3],
-    /// Of both bodies.
+    /// Inertia of both bodies.
     pub inertia: SMatrix<f64, 2, 3>,
     /// Anything.
     pub offset: i64,
-    /// How.
+    /// Mode of the observer.
     pub mode: Mode,
     /// Between "two" steps.
     #[unit("µs")]
@@ -46,22 +47,22 @@ impl Default for Tuning {
     }
 }
 
-/// What it knows.
+/// State of the observer.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Observer {
-    /// How it observed last.
+    /// Mode of the last step.
     pub mode: Mode,
-    /// Of the last weight.
+    /// Sign of the last weight.
     pub sign: i8,
-    /// Where it is.
+    /// Position.
     #[unit("m")]
     pub place: Vector3<f64>,
-    /// What it has learnt.
+    /// Learnt gains.
     pub gains: SMatrix<f64, 3, 2>,
-    /// How often it was called.
+    /// Number of calls.
     pub calls: u8,
-    /// What it was told last.
+    /// Last two tunings.
     pub told: [Tuning; 2],
 }
 

@@ -49,7 +49,7 @@ pub fn verified(package: &Path) {
     fs::write(&source, sound).expect("the model");
 }
 
-/// A log becomes the life of an entry point on each leg; what is wrong in it is told at its line.
+/// A log becomes the life of an entry point on each leg; what is wrong in it is reported at its line.
 pub fn verified_by_a_recording(package: &Path) {
     let log = package.join("log.csv");
     let recorded = |speed: &str, target: u32| {
@@ -78,7 +78,7 @@ pub fn verified_by_a_recording(package: &Path) {
     fs::remove_file(&log).expect("the log");
 }
 
-/// As a test of the package calls it; what is no input is told.
+/// As a test of the package calls it; what is no input is reported.
 pub fn verified_by_a_test(package: &Path) {
     // Its name is what counts here: the package is none of this program's.
     struct Motor;

@@ -1,5 +1,5 @@
-//! The book, docs/book/, shows programs of the corpus as they are, each with some lines of its C; the whole C of each is
-//! golden, in `tests/corpus/golden/`.
+//! The book, docs/book/, with programs of the corpus and some lines of the C of each. The whole C of each is golden, in
+//! `tests/corpus/golden/`.
 //!
 //! Between `<!-- example: chapter/name -->` and `<!-- end -->` stand the program's own words, its Rust, at most
 //! [`LINES`] lines of its C and a link to all of it; ` of NAME` behind the name chooses the function or type whose C is
@@ -66,7 +66,7 @@ fn marked(line: &str) -> Option<(&str, Option<&str>)> {
     })
 }
 
-/// The C of a program: of each of its files what stands there, without the frame that every file has.
+/// The C of a program: of each of its files what is there, without the frame that every file has.
 fn whole(compiled: &Compiled, name: &str) -> String {
     let module = format!("from corpus::programs::{};", name.replace('/', "::"));
     let mut text =
@@ -96,7 +96,7 @@ fn declared(header: &str) -> String {
     blocks.map(str::trim).collect::<Vec<_>>().join("\n\n")
 }
 
-/// What follows the head of a source file.
+/// Returns the text after the head of a source file.
 fn defined(source: &str) -> String {
     let head = source.rfind("\n#include ").map_or(0, |last| last + 1);
     let body = source[head..].split_once('\n').map(|(_, body)| body);
@@ -133,7 +133,7 @@ fn is_function(definition: &str) -> bool {
     bare(definition).contains(")\n{\n")
 }
 
-/// Whether a definition is that of a function or a type of this name.
+/// Returns true if a definition is that of a function or a type of this name.
 fn is_called(definition: &str, name: &str) -> bool {
     let code = bare(definition);
     let head = code.split("\n{\n").next().unwrap_or_default();
@@ -141,8 +141,8 @@ fn is_called(definition: &str, name: &str) -> bool {
         || code.contains(&format!("}} {name};"))
 }
 
-/// What a page shows of a program's C: all if that is little, else what was chosen, else the longest function that
-/// there is room for.
+/// Returns the part of a program's C for a page. It is all of it if short, else the selected function, else the longest
+/// function that fits.
 fn excerpt(golden: &str, chosen: Option<&str>) -> String {
     let lines = |text: &str| text.lines().count();
     let all = definitions(golden);
@@ -175,7 +175,7 @@ fn title(name: &str) -> String {
     first.to_uppercase() + rest
 }
 
-/// What stands between the marks of one example on a page so deep below the root.
+/// Returns the text between the marks of one example on a page at a depth below the root.
 fn example(golden: &str, name: &str, chosen: Option<&str>, depth: usize) -> String {
     let source = read(&root().join(PROGRAMS).join(format!("{name}.rs")));
     let (prose, rust): (Vec<&str>, Vec<&str>) =

@@ -73,7 +73,7 @@ fn the_thermistor_is_monotone_and_right_at_its_points() {
         };
         assert!(temperature <= before && (0.0..=120.0).contains(&temperature), "{counts}");
         before = temperature;
-        // The law that the table stands for, between its ends.
+        // The law that the table represents, between its ends.
         let resistance = 10e3 * f64::from(counts) / (4096.0 - f64::from(counts));
         let law = 1.0 / (1.0 / 298.15 + (resistance / 10e3).ln() / 3950.0) - 273.15;
         if (0.0..=120.0).contains(&law) {

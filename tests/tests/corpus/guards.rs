@@ -1,4 +1,4 @@
-//! Whatever a compiler is told: it refuses the C, or computes the same bits.
+//! Whatever a compiler is reported: it refuses the C, or computes the same bits.
 //!
 //! The program that goes through is `told_compilers` of the corpus, in which each of the flags would change bits. The
 //! flags of which neither a macro nor a pragma takes the edge are the self-test's (`self_test.rs`).
@@ -17,7 +17,7 @@ const FAST: &str = "-ffast-math and its parts change results";
 const EVALUATION: &str = "each operation must round to its own type";
 const LITERALS: &str = "_DOUBLE_LITERALS";
 
-/// What becomes of the C.
+/// Expected result of the compilation.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Then {
     Same,
@@ -98,7 +98,7 @@ fn no_flag_changes_bits_in_silence() {
     });
 }
 
-/// gcc's vectors contract on processors that can, whatever they are told. In the full run, the whole corpus goes through.
+/// gcc's vectors contract on processors that can, whatever they are reported. In the full run, the whole corpus goes through.
 #[test]
 fn no_processor_changes_bits() {
     let cases = if turn::is_full() { cases().to_vec() } else { sensitive() };

@@ -1,4 +1,4 @@
-//! Each kind of data can stand beside other data, be an initial value, be copied, passed, returned and
+//! Each kind of data can are beside other data, be an initial value, be copied, passed, returned and
 //! compared.
 //!
 //! A kind is a file of `tests/corpus/src/programs/kinds`; its properties are read off the functions that the
@@ -27,7 +27,7 @@ struct Kind {
     name: String,
     /// Its first line, without the full stop.
     about: String,
-    /// What Rust calls it.
+    /// Name of the type in Rust.
     ty: String,
 }
 
@@ -59,7 +59,7 @@ fn functions(module: &Module, kind: &Kind) -> BTreeSet<String> {
     made.filter(|name| run.contains(name.as_str())).collect()
 }
 
-/// Whether a value of the kind holds a float.
+/// Returns true if a value of the kind holds a float.
 fn has_floats(module: &Module, kind: &Kind) -> bool {
     let path = format!("corpus::programs::kinds::{}", kind.name);
     let copy = module.functions.iter().find(|it| it.module == path && it.name == "copy");

@@ -1,7 +1,7 @@
-//! MISRA C:2012, by cppcheck's addon, over the C of the models and of the corpus: a finding is of a rule that
+//! MISRA C:2012, by cppcheck's addon, over the C of the models and of the corpus. Each finding belongs to a rule that
 //! `docs/misra.md` lists with its reason.
 //!
-//! A full run looks at every source, any other at a few by turns. None where cppcheck is not asked for: see
+//! A full run looks at every source, any other at a few alternately. None where cppcheck is not requested: see
 //! `BESSEMER_LEGS`.
 
 use std::collections::BTreeMap;
@@ -15,7 +15,7 @@ use bessemer_tests::{corpus, texts, toolchain, turn};
 /// Sources of a run that is not full, of the models and of the corpus: half a second of processor each.
 const SOME: usize = 3;
 
-/// What compilers define, and cppcheck does not know: the head of each source asks for it.
+/// Macros that compilers define and cppcheck does not know: the head of each source requires them.
 const KNOWN: [&str; 8] = [
     "-DFLT_MANT_DIG=24",
     "-DDBL_MANT_DIG=53",

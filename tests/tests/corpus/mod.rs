@@ -46,7 +46,7 @@ pub(super) struct Case {
     /// Its module, which has a file of C of its own.
     program: &'static str,
     id: FunctionId,
-    /// Whether it is an entry point of a component.
+    /// True if it is an entry point of a component.
     stateful: bool,
     /// The words of each call: of the state, then of each argument.
     calls: Vec<Vec<Vec<u64>>>,
@@ -56,13 +56,13 @@ pub(super) struct Case {
     native: Vec<Outcome>,
 }
 
-/// What Rust does, found once for every leg.
+/// Returns the results of Rust, computed once for every leg.
 fn cases() -> &'static [Case] {
     static CASES: OnceLock<Vec<Case>> = OnceLock::new();
     CASES.get_or_init(|| lived(corpus(), natives()))
 }
 
-/// What Rust makes of calls of each of the entries.
+/// Returns the results of Rust for calls of each entry.
 pub(super) fn lived(
     compiled: &Compiled,
     natives: impl IntoIterator<Item = &'static Entry>,
@@ -278,7 +278,7 @@ fn ask_c(
     a_wrong_variant_is_a_fault(&mut process, cases, leg);
 }
 
-/// What Rust cannot be handed: an enum that holds none of its variants.
+/// Checks an argument that Rust cannot have: an enum with an invalid variant.
 fn a_wrong_variant_is_a_fault(process: &mut Process, cases: &[Case], leg: &str) {
     let follower = |case: &Case| case.name.ends_with("::Follower::step");
     let Some(at) = cases.iter().position(follower) else { return };
@@ -326,8 +326,8 @@ fn the_c_agrees_on_other_machines() {
     println!("{} entries, {calls} calls, the same bits: {}", cases.len(), names.join(", "));
 }
 
-/// Of so many programs that follow one another one with all its cases, others at each turn and for each number; all of them
-/// in a full run. Whole programs: a compiler is asked for the files of a program as soon as one of its cases is there.
+/// Returns a rotating subset of the cases: of `count` consecutive programs one with all its cases; all in a full run.
+/// Whole programs, because a compiler compiles all files of a program for any of its cases.
 fn every(count: usize, number: usize, cases: &[Case]) -> Vec<Case> {
     let programs: Vec<&[Case]> = cases.chunk_by(|one, next| one.program == next.program).collect();
     let of_some = |some: &[&[Case]]| turn::some_of_shifted(some.to_vec(), 1, number).concat();
@@ -341,7 +341,7 @@ fn each_file_stands_by_itself() {
     let Some(toolchain) = toolchains.first() else { return };
     once("each file by itself", &texts(&corpus().files), || {
         let folder = lay_out(corpus()).expect("the C");
-        // Every other one by turns.
+        // Every other one alternately.
         let (first, second): (Vec<_>, Vec<_>) =
             folder.sources().iter().enumerate().partition(|(at, _)| at % 2 == 0);
         let sources: Vec<_> = turn::one_of(vec![first, second]).into_iter().flatten().collect();
@@ -358,8 +358,8 @@ fn each_file_stands_by_itself() {
     });
 }
 
-/// Of one compiler what C leaves undefined, of the other what it optimises; the Cortex-A9. In a full run all that
-/// there is: least and most optimised (the flight goes through every level).
+/// Returns one compiler with checks of undefined behaviour, the other with optimisation, and the Cortex-A9. A full run
+/// has the least and the most optimised of all; the flight tests use every level.
 fn legs() -> Vec<(Toolchain, &'static [&'static str])> {
     let levels = |it: &Toolchain| if it.emulator.is_some() { it.level == 2 } else { it.level != 2 };
     let mut all: Vec<(_, &[&str])> =
@@ -378,7 +378,7 @@ fn legs() -> Vec<(Toolchain, &'static [&'static str])> {
     all
 }
 
-/// What has matrices, with these by rows and as arrays of rows: the same bits again.
+/// Checks programs with matrices in the layouts by rows and as arrays of rows: the bits are equal.
 #[test]
 fn the_c_agrees_in_every_layout() {
     let mut cases = cases().to_vec();
@@ -423,7 +423,7 @@ fn kept() -> &'static Compiled {
     KEPT.get_or_init(|| corpus_with(&kept_options()))
 }
 
-/// Checks that were proved stand in the module and in the C all the same, and none of them fails.
+/// Checks that were proved are in the module and in the C all the same, and none of them fails.
 #[test]
 fn what_was_proved_holds() {
     let kept = kept();

@@ -87,14 +87,14 @@ fn even_TYPE(x: &TYPE) -> bool { *x % 2 == 0 }
 fn reset_TYPE(p: &mut Pair_TYPE) { p.low = 0; }
 ";
 
-/// What the numbers are called: two that are compared, and one more. They are locals or fields.
+/// Names of the numbers: two that are compared, and another one. They are locals or fields. They are locals or fields.
 const NAMES: [&str; 3] = ["p.low", "p.high", "k"];
 
 struct Writer<'r> {
     random: &'r mut Random,
     ty: &'static str,
     depth: usize,
-    /// Whether `m` is there.
+    /// True if `m` is there.
     middle: bool,
 }
 
@@ -208,7 +208,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What most loops do to go on.
+    /// Returns the statement that advances most loops.
     fn progress(&mut self, low: &str, high: &str) -> String {
         if high == "list.len()" {
             let all = [

@@ -1,6 +1,5 @@
-//! The proofs that loops end, attacked: random `while` and `loop` programs, of which those that `typify` takes
-//! are run with adversarial inputs twice, once no further than the bound that was proved and once without any.
-//! Both must come to the same, faults and what was written included.
+//! Attacks on the proofs that loops end. Random `while` and `loop` programs that `typify` accepts run with adversarial
+//! inputs, with the proved bound and without any. Both runs must have equal results, faults and writes.
 //!
 //! `BESSEMER_ENDS=seeds` runs that many batches instead of one.
 
@@ -53,7 +52,7 @@ fn unbounded(module: &Module) -> Module {
     module
 }
 
-/// What a call comes to: its result or its fault, and what it wrote.
+/// Outcome of a call: its result or its fault, and the written values.
 type Outcome = (Result<Vec<u64>, Option<bessemer_ir::Fault>>, Vec<Vec<u64>>);
 
 fn outcome(module: &Module, function: FunctionId, arguments: &[Vec<u64>]) -> Outcome {
@@ -68,7 +67,7 @@ fn outcome(module: &Module, function: FunctionId, arguments: &[Vec<u64>]) -> Out
     (result, arguments)
 }
 
-/// How many programs of a batch were taken, and what was wrong with them.
+/// Returns the number of accepted programs in a batch, and the errors in them.
 fn attack(workspace: &Workspace, seed: u64) -> (usize, Vec<String>) {
     let mut random = Random(seed);
     let batch = Batch::new(&mut random, PROGRAMS);

@@ -46,8 +46,8 @@ fn check_cpp(toolchain: &Toolchain, header: &PathBuf) {
     run(&mut command).unwrap_or_else(|said| panic!("{said}"));
 }
 
-/// Read off the symbols, so that no spelling can hide one: nothing that is written lives outside the
-/// caller's memory, and nothing is called but the files' own functions and the exact ones of `math.h`.
+/// Checks the symbols, so that no spelling can hide one. Nothing that is written is outside the caller's memory, and
+/// the only calls are to the files' own functions and the exact ones of `math.h`.
 #[test]
 fn it_has_no_heap_and_no_memory_of_its_own() {
     let folder = lay_out(flight_models()).expect("the C");

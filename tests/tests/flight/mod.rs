@@ -87,13 +87,13 @@ fn the_c_flies_the_same_bits_on_the_cortex_a9() {
     fly_c(&turn::levels(toolchain::target()));
 }
 
-/// Where a processor can round once for a multiplication and an addition, compilers like it to.
+/// Checks processors with a fused multiply-add, which compilers would use.
 #[test]
 fn the_c_flies_the_same_bits_on_processors_that_fuse() {
     fly_c(&turn::some_of(toolchain::fusing(), 2));
 }
 
-/// Checks that were proved stand in the C all the same, beside what C leaves undefined, and none of them fails.
+/// Checks that were proved are in the C all the same, beside what C leaves undefined, and none of them fails.
 #[test]
 fn what_was_proved_holds_in_flight() {
     let kept = compiled_with("models", &Options { keep_checks: true, ..Options::default() });

@@ -1,5 +1,5 @@
-//! The whole onboard software in the loop: every flight with its C, every output and every state by bits; and
-//! the model of the plant, which is C too, moved by the motors of every flight.
+//! The complete onboard software in the loop. Every flight runs with its C, and every output and state is compared by
+//! bits. The model of the plant is C too, driven by the motors of every flight.
 
 use std::sync::Mutex;
 
@@ -15,7 +15,7 @@ use sim::scenario::Scenario;
 use sim::voyage::{fly, follow};
 use sim_program::emitted::Emitted;
 
-/// What is flown of a flight, s: the longest takes three minutes, and `cargo xtask sim all --c` flies it whole.
+/// Simulated part of a flight, s: the longest takes three minutes, and `cargo xtask sim all --c` flies it whole.
 const LONGEST: f64 = 75.0;
 
 /// A run that is not full flies one flight of so many, others at each turn.

@@ -1,5 +1,6 @@
-//! The whole onboard software on a bare Zynq, in lockstep with the plant over its serial line (`examples/zynq`): each
-//! output and each state by bits, in real time, within the stack that `gen` reports; and a line that fails is told.
+//! The complete onboard software on a bare Zynq, in lockstep with the plant over its serial line (`examples/zynq`).
+//! Outputs and states are compared by bits, in real time, within the stack that `gen` reports; a failing line is
+//! reported.
 
 use std::io::{self, Read, Write};
 use std::os::unix::net::UnixStream;
@@ -14,7 +15,7 @@ use sim::scenario::{LEAD, Scenario};
 use sim::voyage::follow;
 use sim_program::board::{Board, Loaded};
 
-/// What is flown of the hover, s.
+/// Simulated part of the hover, s.
 const FLOWN: f64 = 30.0;
 
 /// The firmware, built once; none where the tools are not there and need not be.

@@ -1,5 +1,5 @@
-//! As many random programs as `cargo xtask fuzz` asks for, most of which aim at the proofs, some at the order of what is
-//! computed; what differs becomes a file.
+//! Random programs for `cargo xtask fuzz`, most of which aim at the proofs, and some at the order of evaluation. Each
+//! difference becomes a file.
 //!
 //! `BESSEMER_FUZZ` says how many, `BESSEMER_RANDOM_FROM` from which seed.
 
@@ -14,8 +14,8 @@ use super::{Batch, PROGRAMS, Reached, attack, found, shrink, wrong};
 const AIMED: usize = 16;
 const INSTANCES: usize = 40;
 
-/// One batch of so many is of programs of every kind, one of bodies whose operands write, and one of bodies with iterators that
-/// are gone through by hand, as many of these.
+/// Number of batches of which one has programs of every kind, one has bodies whose operands write, and one has bodies
+/// with explicit `next` calls.
 const OF: u64 = 12;
 const BESIDE: usize = 200;
 /// In one batch of so many rustc gets the instances of each text, and in the others one function of each.

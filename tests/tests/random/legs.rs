@@ -44,7 +44,7 @@ struct Target<'b> {
 }
 
 struct Call {
-    /// Which entry.
+    /// Index of the entry.
     entry: usize,
     /// The words of each argument.
     words: Vec<Vec<u64>>,
@@ -56,7 +56,7 @@ pub struct Difference {
     pub text: String,
 }
 
-/// How many calls there are, and how many of them come to a fault.
+/// Returns the numbers of calls and of those that fault.
 pub fn counted(cases: &[Case]) -> (usize, usize) {
     let faults = |case: &Case| case.native.iter().filter(|it| it.is_err()).count();
     (cases.iter().map(|it| it.calls.len()).sum(), cases.iter().map(faults).sum())
@@ -140,7 +140,7 @@ impl Case<'_> {
         Difference { text: format!("{program} {text}"), program }
     }
 
-    /// Whether a call does not come to what Rust made of it.
+    /// Returns the difference between a call's result and Rust's.
     fn compare(&self, leg: &str, module: &Module, at: usize, got: &Outcome) -> Option<Difference> {
         let call = &self.calls[at];
         let target = &self.entries[call.entry];
@@ -155,7 +155,7 @@ impl Case<'_> {
     }
 }
 
-/// What the interpreter makes otherwise.
+/// Returns the differences of the interpreter.
 pub fn interpreted(leg: &str, module: &Module, cases: &[Case]) -> Vec<Difference> {
     let mut interpreter = Interpreter::new(module);
     let differs = |case| interpreted_case(leg, module, &mut interpreter, case);
@@ -208,7 +208,7 @@ fn interpreted_case(
     None
 }
 
-/// What the C makes otherwise, as this compiler compiles it.
+/// Returns the differences of the C from this compiler.
 pub fn in_c(
     compiled: &Compiled,
     cases: &[Case],
@@ -299,7 +299,7 @@ impl<'l> Life<'l> {
         Ok(None)
     }
 
-    /// What a fault changed that it must not; keeps what there is to compare with.
+    /// Returns a forbidden change by a fault; keeps the state for later comparisons.
     fn trace(&mut self, call: &Call, status: u64, words: &[u64]) -> Option<&'static str> {
         let initial = self.case.initial.as_ref()?;
         let target = &self.case.entries[call.entry];

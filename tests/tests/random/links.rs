@@ -3,7 +3,7 @@
 use super::types::{INTS, Ty};
 use super::writer::{Kind, Var, Writer};
 
-/// What an iterator gives.
+/// Item type of an iterator.
 #[derive(Clone)]
 pub enum Item {
     Value(Ty),
@@ -19,7 +19,7 @@ pub struct Links {
     stage: Stage,
 }
 
-/// What was done so far, which decides what the DSL takes behind it.
+/// State of the chain, which decides the adapters that may follow.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Stage {
     /// Elements as they stand.
@@ -135,7 +135,7 @@ impl Writer<'_> {
         }
     }
 
-    /// How many elements are passed over, or taken.
+    /// Returns the number of elements to skip or take.
     fn passed(&mut self, fuel: usize) -> String {
         if self.one_in(4) {
             let value = self.value(&Ty::Int("usize"), fuel.saturating_sub(1));
@@ -166,7 +166,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A name that is not written, which stands behind a `&`.
+    /// A name that is not written, which follows a `&`.
     fn named(&mut self, ty: &Ty, from: usize) -> String {
         let name = self.bound(ty, &Kind::Owned, from).trim_start_matches("mut ").to_owned();
         if let Some(var) = self.env[from..].iter_mut().find(|var| var.name == name) {

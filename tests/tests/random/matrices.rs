@@ -3,7 +3,7 @@
 use super::types::{Ty, path};
 use super::writer::{Kind, Place, Var, Writer};
 
-/// What a matrix is made of, and how many rows and columns it has.
+/// Element type of a matrix, and its numbers of rows and columns.
 type Shape = (&'static str, usize, usize);
 
 fn shape(ty: &Ty) -> Option<Shape> {
@@ -148,7 +148,7 @@ impl Writer<'_> {
         Some(whole)
     }
 
-    /// Where a part of `size` begins among `all`.
+    /// Returns the first index of a part of `size` among `all`.
     pub fn position(&mut self, all: usize, size: usize) -> String {
         match self.below(4) {
             0 if self.risky() => self.value(&Ty::Int("usize"), 1),

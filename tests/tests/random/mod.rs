@@ -1,5 +1,5 @@
-//! Random programs in the DSL's Rust, through everything: what rustc makes of them against what the
-//! interpreter and the C do, the bits of each result and the kind of each fault.
+//! Random programs in the DSL's Rust on all legs. Results of rustc's program are compared with those of the interpreter
+//! and the C: the bits of each result and the kind of each fault.
 //!
 //! Each turn has a seed of its own. `BESSEMER_RANDOM=seeds` runs that many batches, from the seed
 //! `BESSEMER_RANDOM_FROM`, instead of a smaller one. `cargo xtask fuzz` runs many that aim at the proofs.
@@ -57,10 +57,10 @@ const ITERATING: usize = 12;
 const INSTANCES: usize = 4;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
-/// Warnings are told of, each with its program, and the rest goes on.
+/// Warnings are reported, each with its program, and the rest goes on.
 const WARNED: [&str; 1] = ["-Wno-error"];
 
-/// Whether the tool contradicted itself, which is no answer to any program.
+/// Returns true if the tool contradicted itself, which is no answer to any program.
 fn is_internal(why: &str) -> bool {
     why.contains(diagnostic::OUR_FAULT)
 }
@@ -76,9 +76,9 @@ struct Batch {
     lines: Vec<(usize, String)>,
     /// The file.
     text: String,
-    /// Whether it is one of many: what is dear is then done for a part of them.
+    /// True if it is one of many: what is dear is then done for a part of them.
     is_of_many: bool,
-    /// Whether rustc gets one function of each text instead of its instances, which costs it a tenth.
+    /// True if rustc gets one function of each text instead of its instances, which costs it a tenth.
     of_one: bool,
 }
 
@@ -91,7 +91,7 @@ impl Batch {
         Batch::of((0..programs).map(program).collect())
     }
 
-    /// Of texts that aim at the proofs, with so many instances each.
+    /// Returns a batch of texts that aim at the proofs, with a number of instances each.
     fn aimed(seed: u64, texts: usize, instances: usize) -> Batch {
         let program = |index| {
             let mut random = Random(!(seed << 32 | index as u64));
@@ -100,7 +100,7 @@ impl Batch {
         Batch::of((0..texts).map(program).collect())
     }
 
-    /// Of small bodies whose operands write what stands beside them.
+    /// Returns a batch of small bodies whose operands write other operands' variables.
     fn beside(seed: u64, bodies: usize) -> Batch {
         let program = |index| {
             let mut random = Random(seed.rotate_left(32) ^ (3 << 62) ^ index as u64);
@@ -109,7 +109,7 @@ impl Batch {
         Batch::of((0..bodies).map(program).collect())
     }
 
-    /// The same whose value comes of iterators that are gone through by hand.
+    /// Returns a batch of such bodies with explicit `next` calls.
     fn iterating(seed: u64, bodies: usize) -> Batch {
         let program = |index| {
             let mut random = Random(!seed.rotate_left(32) ^ (3 << 62) ^ index as u64);
@@ -130,12 +130,12 @@ impl Batch {
         }
     }
 
-    /// Whether its programs aim at the proofs: small ones, of which there are many.
+    /// Returns true if its programs aim at the proofs: small ones, of which there are many.
     fn is_aimed(&self) -> bool {
         self.programs.iter().all(|program| program.instances.is_some())
     }
 
-    /// Whether its programs are small, and there are many of them.
+    /// Returns true if its programs are small, and there are many of them.
     fn is_small(&self) -> bool {
         self.is_aimed() || self.programs.iter().all(|it| it.name.starts_with("beside"))
     }
@@ -146,7 +146,7 @@ impl Batch {
         self.programs.iter().filter(|it| !out(&it.name)).collect()
     }
 
-    /// What the validation of the IR refused, which is a mistake of the tool.
+    /// Returns errors of the IR's validation, which are errors of the tool.
     fn internal(&self) -> impl Iterator<Item = Difference> {
         let internal = self.refused.iter().filter(|it| is_internal(it.1));
         internal
@@ -187,7 +187,7 @@ impl Batch {
         found.map(|(_, name)| name.clone())
     }
 
-    /// The programs that a compiler complains of, each with its first complaint; all that are left, if none can be told.
+    /// The programs that a compiler complains of, each with its first complaint; all that are left, if none can be reported.
     fn told(&self, said: &str, workspace: &Workspace) -> BTreeMap<String, String> {
         let mut told = BTreeMap::new();
         let mut title = "";
@@ -238,14 +238,14 @@ pub fn tick_TYPE(x: TYPE, t: &mut u64) -> TYPE {
 }
 ";
 
-/// What a batch became, without what was refused.
+/// Results of a batch without the refused programs.
 struct Built {
     /// The native program.
     native: String,
     /// The names of the entries in it.
     places: Vec<String>,
     compiled: Compiled,
-    /// The same with checks that were proved.
+    /// C with the proved checks.
     kept: Compiled,
 }
 
@@ -330,7 +330,7 @@ fn without(package: &mut Package, programs: &BTreeMap<String, String>) {
     package.types.retain(|ty| stays(&ty.path));
 }
 
-/// What optimises the C of a seed: gcc and clang by turns, every third time for the Cortex-A9 too.
+/// Returns the toolchains for a seed: gcc and clang alternately, every third time the Cortex-A9 too.
 fn by_turns(seed: u64) -> Vec<Toolchain> {
     let host = toolchain::host();
     let (compiler, level) = if seed % 2 == 1 { ("gcc", 3) } else { ("clang", 2) };
@@ -341,13 +341,13 @@ fn by_turns(seed: u64) -> Vec<Toolchain> {
     one.cloned().into_iter().chain(target).collect()
 }
 
-/// What compiles the C of many programs in the least time: clang, where it is there.
+/// Returns the fastest compiler for many programs: clang, if installed.
 fn quickest() -> Toolchain {
     let clang = toolchain::host().into_iter().find(|it| it.compiler == "clang");
     Toolchain { level: 0, ..clang.unwrap_or(toolchain::GCC) }
 }
 
-/// What was reached.
+/// Coverage.
 #[derive(Default)]
 struct Reached {
     programs: usize,
@@ -368,7 +368,7 @@ impl Reached {
     }
 }
 
-/// What was different in the programs of a seed.
+/// Returns the differences in the programs of a seed.
 fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
     let Built { native, places, compiled, kept } = built(workspace, batch);
     let cases = legs::cases(&batch.left(), &native, &places, &compiled);
@@ -379,13 +379,13 @@ fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
     all.extend(batch.internal());
     all.extend(interpreted("explicit", &compiled.explicit, &cases));
     all.extend(interpreted("what was proved", &kept.explicit, &cases));
-    // What is dear, small programs do by turns, and more rarely where there are many of them.
+    // What is dear, small programs do alternately, and more rarely where there are many of them.
     let by_turn = |few: u64, many: u64| match (batch.is_small(), batch.is_of_many) {
         (false, _) => true,
         (true, false) => seed.is_multiple_of(few),
         (true, true) => seed.is_multiple_of(many),
     };
-    // Of large ones, what C leaves undefined is looked for in what is emitted or in what was proved, by turns.
+    // Of large ones, what C leaves undefined is looked for in what is emitted or in what was proved, alternately.
     let [emitted, proved] = match batch.is_small() || turn::is_full() {
         true => [true; 2],
         false => [seed.is_multiple_of(2), !seed.is_multiple_of(2)],
@@ -418,8 +418,7 @@ fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
     Reached { programs, calls, faults, refused, differences: all }
 }
 
-/// The names of the programs that the interpreter does not make what Rust makes of them, or that are refused as
-/// no program is meant to be.
+/// Returns the names of programs with differences in the interpreter, or with refusals that no program should have.
 fn differing(workspace: &Workspace, batch: &mut Batch) -> BTreeSet<String> {
     let Built { native, places, compiled, kept } = built(workspace, batch);
     let cases = legs::cases(&batch.left(), &native, &places, &compiled);
@@ -430,7 +429,7 @@ fn differing(workspace: &Workspace, batch: &mut Batch) -> BTreeSet<String> {
     names
 }
 
-/// The programs that are worth making smaller: what only a compiler of C warns of is small enough as it is told.
+/// The programs that are worth making smaller: what only a compiler of C warns of is small enough as it is reported.
 fn wrong<'b>(batch: &'b Batch, all: &[Difference]) -> Vec<&'b Program> {
     let told = all.iter().filter(|it| !it.text.contains(" warned of in "));
     let seen: BTreeSet<_> = told.map(|it| &it.program).collect();
@@ -476,7 +475,7 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
     }
 }
 
-/// How many seeds there are, and the first.
+/// Returns the number of seeds, and the first.
 fn seeds() -> (u64, u64) {
     let number = |name: &str, default: u64| {
         std::env::var(name).ok().and_then(|it| it.parse().ok()).unwrap_or(default)

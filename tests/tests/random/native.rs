@@ -13,8 +13,8 @@ use bessemer_tests::{store, trees};
 
 use super::writer::Program;
 
-/// The text of a program that reads which entry is to be called, and words; it writes how many words
-/// come back and these, or `u64::MAX`, the length of the message of a panic, and its bytes.
+/// Returns the text of a program that calls entries. It reads the index of an entry and words, and writes the number of
+/// returned words and these; or `u64::MAX`, the length of a panic's message, and its bytes.
 pub fn text(programs: &[&Program]) -> String {
     let (mut cases, mut units) = (String::new(), String::new());
     let entries = programs.iter().flat_map(|it| it.entries.iter().map(|entry| (*it, entry)));
@@ -65,7 +65,7 @@ use std::io::{Read, Write};
 struct Units {
 UNITS}
 
-/// What a call gives; if it panics, the component becomes `after`.
+/// Returns the result of a call; if it panics, the component becomes `after`.
 fn kept<U, R>(after: U, unit: &mut U, call: impl FnOnce(&mut U) -> R) -> R {
     match std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| call(unit))) {
         Ok(result) => result,

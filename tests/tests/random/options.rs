@@ -93,7 +93,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What is taken out of a place.
+    /// Returns an expression that takes the content of a place.
     fn taken(&mut self, inner: &Ty, fuel: usize) -> String {
         let ty = Ty::Option(Box::new(inner.clone()));
         let found = self.place(true, &|it| match it {

@@ -17,7 +17,7 @@ impl Writer<'_> {
         Some((place.text, place.root, element))
     }
 
-    /// What a row of elements says: a `bool`, an integer or an option.
+    /// Returns a query on a sequence: a `bool`, an integer or an option.
     pub fn of_sequence(&mut self, ty: &Ty, fuel: usize) -> Option<String> {
         if matches!(ty, Ty::Int("usize")) && self.one_in(2) {
             let searched = self.searched(fuel)?;
@@ -70,7 +70,7 @@ impl Writer<'_> {
         Some(said)
     }
 
-    /// Where something is among what is in order, a `Result<usize, usize>`.
+    /// Returns a search in an ordered sequence, a `Result<usize, usize>`.
     pub fn searched(&mut self, fuel: usize) -> Option<String> {
         let (text, root, element) = self.row(&|ty| matches!(ty, Ty::Int(_)) || !ty.is_scalar())?;
         self.lend(root, false);
@@ -174,7 +174,7 @@ impl Writer<'_> {
         Some(edited)
     }
 
-    /// A statement within which names stand for what may be written.
+    /// A statement within which names represent what may be written.
     fn within(&mut self, names: &[(&str, &Ty)], fuel: usize) -> String {
         let before = self.env.len();
         for (name, ty) in names {

@@ -85,7 +85,7 @@ impl Writer<'_> {
         format!("{} {operator} {value};", place.text)
     }
 
-    /// How many loops are around.
+    /// Returns the number of surrounding loops.
     fn nested(&self) -> usize {
         self.loops.iter().filter(|it| !it.block).count()
     }
@@ -139,7 +139,7 @@ impl Writer<'_> {
         text
     }
 
-    /// Which elements stay: a closure that changes nothing.
+    /// Returns a closure that selects elements and changes nothing.
     fn kept(&mut self, element: &Ty, fuel: usize) -> String {
         let frozen = self.freeze_all(true);
         let test = self.predicate(element, fuel);

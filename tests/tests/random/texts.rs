@@ -20,7 +20,7 @@ impl Writer<'_> {
         format!("Text::<{len}>::of(b\"{}\")", self.random.of(&WORDS))
     }
 
-    /// What a text says: a `bool` or an integer.
+    /// Returns a query on a text: a `bool` or an integer.
     pub fn of_text(&mut self, ty: &Ty, fuel: usize) -> Option<String> {
         let place = self.place(false, &|it| matches!(it, Ty::Text(_)))?;
         let text = &place.text;

@@ -17,11 +17,11 @@ pub enum Ty {
     Option(Box<Ty>),
     Result(Box<Ty>, Box<Ty>),
     List(Box<Ty>, usize),
-    /// Of scalars: rows and columns.
+    /// Matrix of scalars: rows and columns.
     Matrix(&'static str, usize, usize),
     /// A text of at most so many bytes.
     Text(usize),
-    /// Of scalars: at most so many rows and columns.
+    /// Matrix of scalars: largest numbers of rows and columns.
     Bounded(&'static str, usize, usize),
     /// Behind a reference only.
     Slice(Box<Ty>),
@@ -37,7 +37,7 @@ impl Ty {
         matches!(self, Ty::Int(_) | Ty::Float(_) | Ty::Bool)
     }
 
-    /// Whether values of it may be copied.
+    /// Returns true if values of it may be copied.
     pub fn is_data(&self) -> bool {
         match self {
             Ty::Unit(_) | Ty::Slice(_) => false,
@@ -46,7 +46,7 @@ impl Ty {
         }
     }
 
-    /// What a matrix is made of.
+    /// Returns the element type of a matrix.
     pub fn element(&self) -> Ty {
         match self {
             Ty::Matrix(name, ..) | Ty::Bounded(name, ..) if name.starts_with('f') => {
@@ -57,7 +57,7 @@ impl Ty {
         }
     }
 
-    /// What an array, a list or a slice holds, and how much at most.
+    /// Returns the element type of an array, a list or a slice, and its largest length.
     pub fn sequence(&self) -> Option<(&Ty, usize)> {
         match self {
             Ty::Array(element, len) | Ty::List(element, len) => Some((element, *len)),
@@ -71,7 +71,7 @@ impl Ty {
     }
 }
 
-/// How many bits an integer has, and whether it is signed.
+/// Returns the number of bits of an integer, and true if it is signed.
 pub fn width(int: &str) -> (u32, bool) {
     let bits = match int {
         "usize" | "isize" => 64,
@@ -101,24 +101,24 @@ impl Parts {
     }
 }
 
-/// A type's name as it stands in expressions and patterns.
+/// A type's name as it is in expressions and patterns.
 pub fn path(name: &str) -> String {
     name.replacen('<', "::<", 1)
 }
 
-/// Whether the name is that of an instance of what is generic, whose declaration stands elsewhere.
+/// Returns true if the name is that of an instance of what is generic, whose declaration stands elsewhere.
 pub fn is_instance(name: &str) -> bool {
     name.contains('<')
 }
 
-/// What a program declares.
+/// Declarations of a program.
 #[derive(Default)]
 pub struct Items {
     /// Each with its fields.
     pub structs: Vec<(String, Parts)>,
     /// Each with its variants, of which the first has no payload.
     pub enums: Vec<(String, Vec<(String, Parts)>)>,
-    /// Which enums are made from which integer.
+    /// Enums and the integers from which they are made.
     pub from: Vec<(usize, &'static str)>,
     /// Components, each with its fields.
     pub units: Vec<(String, Parts)>,
@@ -148,7 +148,7 @@ impl Items {
         items
     }
 
-    /// What a function may return: often a `Result` with an error of its own.
+    /// Returns a result type: often a `Result` with an error of its own.
     pub fn returned(&self, random: &mut Random) -> Ty {
         let any = self.any(random, 2, false);
         if self.enums.is_empty() || !random.one_in(4) {

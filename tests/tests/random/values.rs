@@ -75,7 +75,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What is particular to the type.
+    /// Returns an expression specific to the type.
     fn own(&mut self, ty: &Ty, fuel: usize) -> String {
         let from = self.items.from.iter().find(|it| *ty == Ty::Enum(it.0)).copied();
         if let Some((_, int)) = from
@@ -264,7 +264,7 @@ impl Writer<'_> {
         (parts.join(" && "), loans)
     }
 
-    /// What is matched: its text, its type, how names hold its parts, and what is lent to them.
+    /// Returns a matched value: its text, its type, the binding mode of names, and the variable that is borrowed.
     pub fn scrutinee(&mut self, fuel: usize) -> (String, Ty, Kind, Option<(usize, bool)>) {
         let compound = |ty: &Ty| !matches!(ty, Ty::Float(_) | Ty::List(..));
         match self.below(8) {

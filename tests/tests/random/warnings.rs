@@ -6,9 +6,9 @@ use bessemer_backend::c::CFile;
 
 use super::legs::Difference;
 
-/// Warnings of what the program itself says: that something is compared with itself or with a constant that it never is,
-/// and what an optimiser sees behind a check that always fails, as of the shift in `if n > 31 { return FAULT; } 1 << n`
-/// where it knows n to be 40. No path leads there.
+/// Warnings that the program itself causes. It compares a value with itself or with an impossible constant; or an
+/// optimiser looks behind a check that always fails, as at the shift in `if n > 31 { return FAULT; } 1 << n` with n
+/// known to be 40.
 const OWN: [&str; 8] = [
     "[-Wtautological-",
     "[-Wtype-limits]",

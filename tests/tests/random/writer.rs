@@ -9,7 +9,7 @@ use bessemer_tests::random::Random;
 
 use super::types::{Items, Ty, is_instance};
 
-/// How a variable holds its value.
+/// Kind of a variable.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
     Owned,
@@ -25,7 +25,7 @@ pub struct Var {
     pub ty: Ty,
     pub kind: Kind,
     pub mutable: bool,
-    /// How many loans forbid writing, and how many reading too.
+    /// Numbers of borrows that forbid writing, and of those that forbid reading too.
     pub frozen: u32,
     pub hidden: u32,
 }
@@ -65,7 +65,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// How many programs it counts for.
+    /// Returns the number of programs that it represents.
     pub fn count(&self) -> usize {
         self.instances.unwrap_or(1)
     }
@@ -75,21 +75,21 @@ pub struct Entry {
     pub name: String,
     /// The types of the parameters as Rust writes them, and `&` or `&mut` or nothing; without `self`.
     pub params: Vec<(&'static str, String)>,
-    /// Whether it rolls back where it faults.
+    /// True if it rolls back where it faults.
     pub atomic: bool,
-    /// Whether a fault of it stops its component.
+    /// True if a fault of it stops its component.
     pub stops: bool,
 }
 
 impl Entry {
-    /// The same, each name as the function gives it.
+    /// Returns the entry with each name mapped by the function.
     pub fn renamed(&self, renamed: &impl Fn(&str) -> String) -> Entry {
         let params = self.params.iter().map(|(passing, ty)| (*passing, renamed(ty))).collect();
         Entry { name: renamed(&self.name), params, ..*self }
     }
 }
 
-/// What a function is in its program.
+/// Role of a function in its program.
 #[derive(Clone, Copy, PartialEq)]
 enum Role {
     /// Called by others.
@@ -107,20 +107,20 @@ pub struct Writer<'r> {
     pub items: Items,
     pub env: Vec<Var>,
     pub callees: Vec<Callee>,
-    /// Which variables the text that is being written reads (false) or writes (true).
+    /// Variables that the text being written reads (false) or writes (true).
     pub trackers: Vec<Vec<(usize, bool)>>,
     /// The result of the function that is being written; none in a closure.
     pub result: Option<Ty>,
     /// The loops and the blocks with labels around.
     pub loops: Vec<Left>,
-    /// How often one in so many operations may fault.
+    /// Number of operations of which one may fault.
     pub risk: usize,
     pub labels: usize,
-    /// Whether an index is being written: one within it is a number.
+    /// True if an index is being written: one within it is a number.
     indexing: bool,
 }
 
-/// What can be left.
+/// Exits that are possible.
 #[derive(Clone)]
 pub struct Left {
     pub label: String,
@@ -196,7 +196,7 @@ impl Writer<'_> {
         self.random.one_in(n)
     }
 
-    /// Whether something may fault here.
+    /// Returns true if something may fault here.
     pub fn risky(&mut self) -> bool {
         let risk = self.risk;
         self.random.one_in(risk)
@@ -230,7 +230,7 @@ impl Writer<'_> {
         Program { name: name.to_owned(), text, unit, entries, instances: None }
     }
 
-    /// What makes some of the enums from integers.
+    /// Returns conversions from integers to some of the enums.
     fn conversions(&mut self) -> String {
         let mut text = String::new();
         for index in 0..self.items.enums.len() {
@@ -364,7 +364,7 @@ impl Writer<'_> {
         text
     }
 
-    /// The value, after `t` was told of it.
+    /// The value, after `t` was reported it.
     pub fn ticked(&mut self, ty: &Ty, value: String) -> Option<String> {
         let t = self.env.iter().position(|var| var.name == "t")?;
         if !self.writable(t) || !ty.is_scalar() {
@@ -441,7 +441,7 @@ impl Writer<'_> {
         self.any_place(write, &|ty| ty.is_data() && wanted(ty))
     }
 
-    /// The same, also of components.
+    /// Returns a place, possibly in a component.
     pub fn any_place(&mut self, write: bool, wanted: &dyn Fn(&Ty) -> bool) -> Option<Place> {
         let mut all = Vec::new();
         for index in 0..self.env.len() {

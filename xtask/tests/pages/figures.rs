@@ -12,7 +12,7 @@
 //! Of several numbers a last key says which: `least`, `most`, `median`, `count`. The page may round, and use
 //! another unit (`× 1000`); what it shows must then be the result to the last digit shown.
 //!
-//! Each line of the pages in [`HELD`] that shows a measurement has such a mark, or stands in a paragraph that says why there is
+//! Each line of the pages in [`HELD`] that shows a measurement has such a mark, or is in a paragraph that says why there is
 //! none: `<!-- no result: … -->`.
 
 use std::path::Path;
@@ -46,7 +46,7 @@ const UNITS: [&str; 14] = [
     "instructions",
 ];
 
-/// A number as a page shows it: its value, and how many digits stand behind its point.
+/// A number as a page shows it: its value, and how many digits follow its point.
 #[derive(Debug, PartialEq)]
 struct Shown {
     value: f64,

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::shared::{File, files, none, root};
 use super::{pages, prose, resolved};
 
-/// A line without what stands in backticks.
+/// A line without what is in backticks.
 fn without_code(line: &str) -> String {
     line.split('`').step_by(2).collect::<Vec<_>>().join("`")
 }

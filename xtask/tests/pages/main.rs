@@ -1,4 +1,4 @@
-//! The pages for people are true: links lead somewhere, quotations stand in their files, figures are those of
+//! The pages for people are true: links lead somewhere, quotations are in their files, figures are those of
 //! their result files.
 //!
 //! Nothing is built or measured here: pages are read, and the files that they name.

@@ -1,4 +1,4 @@
-//! Quotations: the code block behind `<!-- from: FILE -->` stands in that file, word for word.
+//! Quotations: the code block behind `<!-- from: FILE -->` is in that file, word for word.
 
 use super::pages;
 use super::shared::{none, root};

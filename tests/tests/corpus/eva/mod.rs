@@ -1,10 +1,10 @@
-//! Somebody else's analysis of what was left out: Frama-C's Eva over the corpus' C in which each check that was proved
-//! stands all the same, with any words as arguments. One of which Eva does not see that it holds fails.
+//! An independent analysis of the removed checks: Frama-C's Eva over the corpus' C with each proved check in place, and
+//! any words as arguments. A check that Eva cannot prove fails the test.
 //!
 //! `unseen.tsv` lists what Eva cannot see, each with the reason: it knows intervals and few relations of two values.
 //! The list may only shrink: a row that is not needed fails, too.
 //!
-//! A full run takes every program, any other one by turns. None where Frama-C is not asked for: see `BESSEMER_LEGS`.
+//! A full run takes every program, any other one alternately. None where Frama-C is not requested: see `BESSEMER_LEGS`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -25,19 +25,19 @@ const SOME: usize = 1;
 /// Seconds that a program may take, on a machine that has other work.
 const PATIENCE: &str = "600";
 
-/// How hard Eva looks at first, and at what it then does not see: more states told apart, relations of two values.
+/// Precision of Eva at first, and for the unproved rest: more separate states, relations of two values.
 const GLANCE: &[&str] = &["-eva-precision", "2"];
 const LOOK: &[&str] =
     &["-eva-precision", "6", "-eva-auto-loop-unroll", "256", "-eva-domains", "octagon,equality"];
 
-/// What `abort`, by which a check that was proved ends the program, is to Eva: a function that nothing may call.
+/// Declaration of `abort` for Eva, by which a proved check ends the program: a function that nothing may call.
 const NEVER: &str = "#include <stdlib.h>
 /*@ requires left_out: \\false; assigns \\nothing; ensures \\false; */
 void left_out(void);
 #define abort left_out
 ";
 
-/// What compilers define, and Frama-C has no headers for.
+/// Macros that compilers define, and for which Frama-C has no headers.
 const MACHINE: &str = "-DBESSEMER_PLAIN -U__SSE2__ -U__AVX__";
 
 const MISSING: &str =
@@ -84,7 +84,7 @@ fn alarms(folder: &Folder, settings: &[&str]) -> Vec<String> {
     unseen
 }
 
-/// What a check asks, found by the place of its call: `[eva:alarm] FILE:LINE: Warning:`.
+/// Returns the condition of a check at the place of its call: `[eva:alarm] FILE:LINE: Warning:`.
 fn asked(folder: &Path, place: &str) -> String {
     let place = place.trim_start_matches("[eva:alarm] ");
     let mut parts = place.split(':');
@@ -98,7 +98,7 @@ fn asked(folder: &Path, place: &str) -> String {
     format!("{file}\t{}", condition.join(" ").trim_end_matches(" {"))
 }
 
-/// What Eva is known not to see, by program.
+/// Returns the checks that Eva is known not to prove, by program.
 fn known() -> BTreeMap<&'static str, Vec<String>> {
     let mut known: BTreeMap<&str, Vec<String>> = BTreeMap::new();
     for row in include_str!("unseen.tsv").lines().skip(1) {
@@ -159,7 +159,7 @@ fn look_at_some(kept: &Compiled) {
     );
 }
 
-/// Of these, those that are not among the others, each counted as often as it stands.
+/// Returns those of the first list that are not in the second, with multiplicity.
 fn without<'a>(these: &'a [String], others: &'a [String]) -> impl Iterator<Item = &'a String> {
     let count = |of: &[String], it: &String| of.iter().filter(|other| *other == it).count();
     these

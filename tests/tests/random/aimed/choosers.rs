@@ -41,12 +41,12 @@ pub(super) fn choosers(random: &mut Random, name: &str) -> String {
     )
 }
 
-/// What is given before the loop.
+/// Returns an index before the loop.
 fn start(random: &mut Random) -> usize {
     random.of(&[0, 0, 1, 3, 5, 6])
 }
 
-/// What is given in the loop.
+/// Returns an index in the loop.
 fn index(random: &mut Random) -> String {
     random
         .of(&["i", "i", "i", "i", "i / 2", "i.min(3)", "(n as usize) % 6", "i + 1", "i.max(1) - 1"])

@@ -1,5 +1,5 @@
-//! The instances of a text without rustc: it sees one function of the constants, or one instance, and one arm of the
-//! selector instead of all of them, which costs it a tenth.
+//! The instances of a text without rustc. It compiles one function of the constants, or one instance and one arm of the
+//! selector, which takes a tenth of the time.
 //!
 //! Invariant: what is made here is what rustc makes of the whole text. Batches that rustc gets as a whole hold it.
 
@@ -92,7 +92,7 @@ impl Arms {
     }
 }
 
-/// Whether the instances that rustc made are those that are made here.
+/// Checks that rustc's instances equal those made here.
 pub fn hold(package: &Package, program: &Program) {
     let constants = constants(program);
     let Some(first) = place(package, program, constants.first()) else { return };

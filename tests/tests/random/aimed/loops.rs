@@ -1,5 +1,5 @@
-//! The loops of programs that aim at the proofs: bounds that move, conditions before and in the midst of the body, steps
-//! above one, declared bounds.
+//! Loops of programs that aim at the proofs: bounds that change, conditions before and inside the body, steps above
+//! one, declared bounds.
 
 use std::fmt::Write as _;
 
@@ -47,7 +47,7 @@ impl Aimed<'_> {
         format!("for {name} in {range} {{\n{}}}\n", self.body(depth))
     }
 
-    /// How a counter goes up.
+    /// Returns the step of a counter.
     fn step(&mut self, name: &str, ty: &'static str) -> String {
         let by = self.positive(ty);
         match self.random.below(5) {

@@ -65,7 +65,7 @@ struct Aimed<'r> {
     fixed: usize,
     named: usize,
     loops: usize,
-    /// Whether sums and differences are kept from overflowing, as a rule: else few calls come to their end.
+    /// True if sums and differences are kept from overflowing, as a rule: else few calls come to their end.
     tame: bool,
     kind: String,
     name: String,
@@ -221,7 +221,7 @@ impl Aimed<'_> {
         }
     }
 
-    /// What has a number without computing one.
+    /// Returns a number that is not computed.
     fn source(&mut self, ty: &'static str) -> String {
         match self.random.below(14) {
             0 => self.cast("s.n", "u8", ty),

@@ -1,4 +1,4 @@
-//! Random bodies whose operands, indices and closures write what stands beside them: small, and many of them.
+//! Random bodies whose operands, indices and closures write what is beside them: small, and many of them.
 //!
 //! The grammar is data (`grammar.txt`; of references and patterns, `referring.txt`; of iterators with a
 //! name, `iterating.txt`; of types with operators of their own, and lists, `owning.txt`), and so is what the bodies call
@@ -9,7 +9,7 @@ use bessemer_tests::random::Random;
 
 use super::writer::{Entry, Program};
 
-/// What every body may call.
+/// Functions that every body may call.
 pub const GIVEN: &str = include_str!("given.txt");
 const GRAMMAR: &str = concat!(
     include_str!("grammar.txt"),
@@ -18,10 +18,10 @@ const GRAMMAR: &str = concat!(
     include_str!("owning.txt")
 );
 
-/// How many parts lie inside each other at most.
+/// Largest nesting of parts.
 const DEPTH: usize = 4;
 
-/// The variables: the name, what it begins as, and how `t` is told of it.
+/// The variables: the name, what it begins as, and how `t` is reported it.
 const VARIABLES: [(char, &str, &str); 18] = [
     ('n', "n0 as usize % 3", "beside_tells_k(n as i16, t);"),
     ('k', "k0", "beside_tells_k(k, t);"),
@@ -83,7 +83,7 @@ const REFERRING: [char; 3] = ['d', 'g', 'h'];
 struct Production {
     kind: char,
     leaves: bool,
-    /// What its parts may not write (`false`) or mention (`true`).
+    /// Variables that its parts may not write (`false`) or mention (`true`).
     loans: Vec<(char, bool)>,
     text: &'static str,
 }
@@ -107,7 +107,7 @@ fn production(line: &'static str) -> Production {
     Production { kind: kind.chars().next().unwrap_or('K'), leaves, loans, text }
 }
 
-/// What a text mentions, and whether it writes it.
+/// Returns the variables in a text, with true for those it writes.
 fn mentions(text: &str) -> impl Iterator<Item = (char, bool)> {
     let next = text.chars().skip(1);
     text.chars().zip(next).filter(|it| matches!(it.0, '$' | '~')).map(|it| (it.1, it.0 == '~'))
@@ -116,7 +116,7 @@ fn mentions(text: &str) -> impl Iterator<Item = (char, bool)> {
 struct Body<'r> {
     random: &'r mut Random,
     grammar: Vec<Production>,
-    /// What is lent, and whether to be written.
+    /// Borrowed variables, with true for mutable borrows.
     loans: Vec<(char, bool)>,
     closures: usize,
 }
@@ -171,7 +171,7 @@ impl Body<'_> {
             out += &self.hole(mode, kind, depth.saturating_sub(1));
         }
         out += rest;
-        // What an iterator holds it holds as long as it is gone through.
+        // What an iterator holds it holds as long as it is iterated.
         match is_iterator(kind) {
             true => {
                 self.loans.extend(mentions(&text.replace(['<', '>'], "")).filter(|it| it.0 == 't'))
@@ -198,7 +198,7 @@ impl Body<'_> {
     }
 }
 
-/// Iterators, and those that are gone through by hand.
+/// Iterators, and those that are iterated by explicit `next` calls.
 fn is_iterator(kind: char) -> bool {
     matches!(kind, 'X' | 'G' | 'H')
 }
@@ -207,7 +207,7 @@ fn has_holes(text: &str) -> bool {
     text.split('<').skip(1).any(|hole| hole_of(hole).is_some())
 }
 
-/// The mode and the kind of a hole, and what stands behind it.
+/// The mode and the kind of a hole, and what follows it.
 fn hole_of(text: &str) -> Option<(char, char, &str)> {
     let (inside, behind) = text.split_once('>')?;
     match inside.chars().collect::<Vec<_>>()[..] {
@@ -223,7 +223,7 @@ pub fn program(random: &mut Random, name: &str) -> Program {
     of_value(random, name, &values)
 }
 
-/// The same whose value comes of an iterator that is gone through by hand.
+/// Returns such a program whose value comes from explicit `next` calls of an iterator.
 pub fn iterating(random: &mut Random, name: &str) -> Program {
     of_value(random, name, &[('L', "beside_tells_k")])
 }
