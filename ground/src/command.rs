@@ -1,6 +1,6 @@
 //! The right to command: one client at a time has it, page or external tool.
 //!
-//! Knows nobody's rights to it: whoever asks for the command has shown them.
+//! Knows nobody's rights to it: whoever requests the command has shown them.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};

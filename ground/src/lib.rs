@@ -13,7 +13,7 @@
 //! | [`recorder`], [`replay`] | a flight as a file, and the C run again from it |
 //! | [`live`], [`player`] | the testbed, or a recording, with the server at its side |
 //! | [`command`] | who commands |
-//! | [`messages`], [`server`], [`limited`], [`page`] | what the browser is told and may ask |
+//! | [`messages`], [`server`], [`limited`], [`page`] | what the browser is reported and may ask |
 //! | [`tools`] | the same for Foxglove, and over MAVLink |
 //!
 //! The aircraft depends on none of what listens: the testbed never waits for the server, nor for a disk.

@@ -1,6 +1,6 @@
-//! The testbed with the server at its side: what pages ask for goes in, what comes down goes out.
+//! The testbed with the server at its side: what pages request goes in, what comes down goes out.
 //!
-//! Invariant: nothing here waits. What pages ask for is taken from a queue of a fixed length; what they are told
+//! Invariant: nothing here waits. What pages request is taken from a queue of a fixed length; what they are reported
 //! is handed over and forgotten; a recording has a thread of its own.
 
 use crate::bench::{Period, Timing};
@@ -42,7 +42,7 @@ pub struct Live {
     tools: Vec<(Box<dyn Tool>, Seat)>,
 }
 
-/// A queue for what pages ask for.
+/// A queue for what pages request.
 pub fn queue() -> (SyncSender<Ask>, Receiver<Ask>) {
     sync_channel(QUEUE_LENGTH)
 }
@@ -121,7 +121,7 @@ impl Live {
         Ok(())
     }
 
-    /// One period: what was asked for, the testbed, what came of it.
+    /// One period: requests, the testbed, results.
     ///
     /// # Errors
     /// The testbed ended.
@@ -226,7 +226,7 @@ impl Live {
         }
     }
 
-    /// Does what a page asks for. It has been checked who asks; not what.
+    /// Executes a page's request. Its sender has been checked; its content has not.
     fn obey(&mut self, ask: Ask) {
         let now = self.testbed.now();
         let station = &mut self.testbed.station;

@@ -134,7 +134,7 @@ fn fly(wanted: &Fly) -> Result<bool, Box<dyn Error>> {
     Ok(recorded)
 }
 
-/// Puts the tools that are asked for at the testbed's side.
+/// Starts the requested external tools.
 fn add_tools(wanted: &Fly, live: &mut Live) -> Result<(), Box<dyn Error>> {
     if let Some(address) = wanted.foxglove {
         #[cfg(feature = "foxglove")]

@@ -1,4 +1,4 @@
-//! A flight that is over, shown in the page once more: the frames of its recording, at the pace that is asked for.
+//! A flight that is over, shown in the page once more: the frames of its recording, at the pace that is requested.
 //!
 //! Needs no software and no aircraft: what it said is in the recording, each step whole, so that every signal can be
 //! shown whatever came down then.
@@ -20,7 +20,7 @@ use std::sync::mpsc::Receiver;
 /// One frame in so many periods: at 50 Hz.
 const DECIMATION: u64 = 4;
 
-/// The page is told where the player is every so often, s of the clock on the wall.
+/// The page is reported where the player is every so often, s of the clock on the wall.
 const TOLD: f64 = 0.25;
 
 /// The fastest that a flight is shown.

@@ -28,7 +28,7 @@ pub fn lower() {
     let _ = set_thread_priority_and_policy(thread_native_id(), ThreadPriority::Min, ordinary);
 }
 
-/// Elsewhere nothing is asked for.
+/// Elsewhere nothing is requested.
 #[cfg(not(unix))]
 pub fn raise() -> bool {
     false

@@ -103,7 +103,7 @@ impl<L: Read + Write> Ends<L> {
         }
         self.board.send(begin)?;
         let port = self.ground.local_addr()?.port();
-        // Whoever does not listen any more is told nothing.
+        // Whoever does not listen any more is reported nothing.
         let _ = self.bus.send(&[b"ready", &port.to_le_bytes()[..]].concat());
         let mut datagram = vec![0; MOST];
         while there.strong_count() > 0 {
@@ -159,10 +159,10 @@ impl<L: Read + Write> Ends<L> {
     }
 }
 
-/// Bytes of a datagram from the ground that the board is told: one more than a packet has.
+/// Bytes of a datagram from the ground that the board is reported: one more than a packet has.
 const LONGEST_HEARD: usize = models::packet::MAX_BYTES + 1;
 
-/// The address that a number stands for.
+/// The address that a number represents.
 fn address(number: u64) -> SocketAddrV4 {
     SocketAddrV4::new(Ipv4Addr::from_bits((number >> 16) as u32), number as u16)
 }

@@ -87,7 +87,7 @@ impl Hub {
     /// Tells every page.
     pub fn tell(&self, what: &Tell) {
         if self.told.receiver_count() > 0 {
-            // None listens any more: nobody is told.
+            // None listens any more: nobody is reported.
             let _ = self.told.send(text(what).into());
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! A link loses things, so an order is repeated until what comes down shows that it was carried out, or, if it
 //! changes the flight, until that has taken too long. Beats go up ten times a second, so that the aircraft knows that somebody is there.
-//! Knows time only as it is told, and no socket.
+//! Knows time only as it is reported, and no socket.
 
 use crate::catalogue::PAGE_SIGNALS;
 use crate::key::Key;

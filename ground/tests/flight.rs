@@ -337,7 +337,7 @@ fn a_software_that_ends_at_its_start_is_told() {
     let program = Program::Process { path: "/bin/false".into(), toolchain: toolchain::GCC };
     let started = Testbed::start(&program, &Wanted { pace: Pace::Virtual, ..Wanted::default() });
     let said = started.err().map(|error| error.to_string()).unwrap_or_default();
-    // It may be gone before it was told the key.
+    // It may be gone before it was reported the key.
     let broken = "`/bin/false` does not start: Broken pipe";
     let ended = "the onboard software ended at its start: its process ended: exit status: 1";
     assert!(said == ended || said.starts_with(broken), "{said}");

@@ -121,10 +121,10 @@ fn the_page_flies_the_aircraft() {
 
     // The software dies: it falls, comes back, and can be flown again.
     browser.click("#kill", (0.5, 0.5));
-    browser.until("document.querySelector('#counts').innerText.includes('software started anew\\n1') || document.querySelector('#counts').lastChild.innerText === '1'");
+    browser.until("document.querySelector('#counts').innerText.includes('software restarts\\n1') || document.querySelector('#counts').lastChild.innerText === '1'");
     browser.until("document.body.dataset.phase === 'ready' && document.querySelector('#link').innerText.includes('%')");
     browser.click("#back", (0.5, 0.5));
-    // The software has seen where it stands now.
+    // The software has seen at its place now.
     browser.until("Math.abs(Number(document.body.dataset.height)) < 0.05 && document.body.dataset.place.split(',').slice(0, 2).every((it) => Math.abs(Number(it)) < 0.2)");
     browser.press("m");
     browser.press("t");
@@ -218,7 +218,7 @@ fn the_page_is_used_by_keys_alone() {
     assert!(browser.tab_to("#choose"));
     browser.press("Enter");
     browser.until("document.querySelector('#log').innerText.includes('signals: done')");
-    // What is missing is told as missing.
+    // What is missing is reported as missing.
     let gaps = "Number(document.body.dataset.gaps)";
     let before = browser.see(gaps).as_f64().expect("a number");
     assert!(browser.tab_to("#loss"));

@@ -31,7 +31,7 @@ fn pilot(address: SocketAddr, token: &str, sent: &Sender<(u64, Instant)>) {
     page.send(Message::text(claim.to_string())).expect("it listens");
     let (mut next, begun) = (0_u64, Instant::now());
     loop {
-        // What the page is told sets its pace, as it does for a pilot who looks at it.
+        // What the page is reported sets its pace, as it does for a pilot who looks at it.
         if page.read().is_err() {
             return;
         }

@@ -69,13 +69,13 @@ pub struct Fly {
     /// Speak MAVLink 2 with the ground station that listens at this address, which may command while no page does
     #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:14550")]
     pub mavlink: Option<SocketAddr>,
-    /// File with the key that signs MAVLink: 64 hexadecimal digits; what is not signed with it is kept out
+    /// File with the key that signs MAVLink: 64 hexadecimal digits; messages not signed with it are rejected
     #[arg(long, value_name = "FILE", requires = "mavlink")]
     pub mavlink_key: Option<PathBuf>,
     /// Seed of all randomness
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
-    /// End after so many seconds
+    /// End after this many seconds
     #[arg(long)]
     pub seconds: Option<f64>,
 }

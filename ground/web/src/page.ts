@@ -120,21 +120,21 @@ function state(tell: State): void {
     if (input && value != null && document.activeElement !== input) input.value = `${Number(value.toPrecision(6))}`;
   });
   const { recording, timing, up, down, heard, counts } = tell;
-  get("record").textContent = recording.running ? "End the recording" : "Record";
+  get("record").textContent = recording.running ? "Stop recording" : "Record";
   get("recording").textContent = recording.error ?? (recording.running ? `${fixed(recording.periods * (hello?.period ?? 0), 0)} s` : "");
   get("recording").className = recording.error ? "bad" : "";
   get("download").hidden = !recording.ready;
-  get("claim").textContent = commands ? "Give up command" : tell.commanded ? "Take command from who has it" : "Take command";
+  get("claim").textContent = commands ? "Give up command" : tell.commanded ? "Take command from other client" : "Take command";
   const rows: [string, string][] = [
-    ["up: sent, lost, doubled, overtaken", [up.sent, up.lost, up.doubled, up.overtaken].join(", ")],
-    ["down: sent, lost, doubled, overtaken", [down.sent, down.lost, down.doubled, down.overtaken].join(", ")],
-    ["came down, broken, missing", [heard.heard, heard.broken, heard.missing].join(", ")],
-    ["on board: taken, broken, old, senseless", counts?.slice(0, 4).join(", ") ?? "–"],
+    ["uplink: sent, lost, duplicated, reordered", [up.sent, up.lost, up.doubled, up.overtaken].join(", ")],
+    ["downlink: sent, lost, duplicated, reordered", [down.sent, down.lost, down.doubled, down.overtaken].join(", ")],
+    ["received, corrupt, lost", [heard.heard, heard.broken, heard.missing].join(", ")],
+    ["on board: accepted, corrupt, outdated, invalid", counts?.slice(0, 4).join(", ") ?? "–"],
     ["unsealed, forged, replayed", counts?.slice(4, 7).join(", ") ?? "–"],
     ["periods, missed, slowest", `${timing.periods}, ${timing.missed}, ${timing.slowest} µs`],
-    ["pages, frames they missed", `${tell.pages}, ${tell.skipped}`],
+    ["pages, skipped frames", `${tell.pages}, ${tell.skipped}`],
     ["MAVLink: unsigned, forged, repeated", `${tell.refused}`],
-    ["software started anew", `${tell.restarts}`],
+    ["software restarts", `${tell.restarts}`],
   ];
   get("counts").replaceChildren(...rows.flatMap(([name, value]) => [make("dt", name), make("dd", value)]));
 }
@@ -153,7 +153,7 @@ function playing(tell: Playing): void {
 
 function link(tell: State | undefined): void {
   const element = get("link");
-  const [text, how] = !open ? ["page cut off", "bad"]
+  const [text, how] = !open ? ["page disconnected", "bad"]
     : !tell ? ["connecting", "poor"]
     : !tell.alive ? ["software silent", "bad"]
     : tell.silence == null || tell.silence > 1 ? [`lost for ${fixed(tell.silence, 0)} s`, "bad"]

@@ -21,7 +21,7 @@ const PLOTS: Plot[] = [
   { title: "Height, m", lines: [
     { name: "z", signal: Z, colour: "--one", band: VARIANCE + 2 },
     { name: "wanted", signal: WANTED + 2, colour: "--wanted", dash: true } ] },
-  { title: "Place, m", lines: [
+  { title: "Position, m", lines: [
     { name: "x", signal: X, colour: "--one", band: VARIANCE },
     { name: "y", signal: Y, colour: "--two", band: VARIANCE + 1 },
     { name: "wanted x", signal: WANTED, colour: "--one", dash: true },

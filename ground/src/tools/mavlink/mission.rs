@@ -277,7 +277,7 @@ impl Mission {
     }
 
     fn collect(&mut self, now: f64, it: &MISSION_ITEM_INT_DATA) -> Option<MavMessage> {
-        // One that was asked for twice comes twice.
+        // One that was requested twice comes twice.
         let upload = self.upload.as_mut().filter(|upload| it.seq as usize == upload.items.len())?;
         let from = upload.from;
         let what = match meant(it) {

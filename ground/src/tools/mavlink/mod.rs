@@ -300,7 +300,7 @@ fn seen(testbed: &Testbed) -> Seen {
 
 /// Sticks: forward, right and clockwise, each from -1000 to 1000; thrust from 0 to 1000, in whose middle it stays at its height.
 fn sticks(it: &MANUAL_CONTROL_DATA) -> Ask {
-    // The largest number stands for an axis that there is not.
+    // The largest number represents an axis that there is not.
     let axis = |value: i16, middle: i16| match value {
         i16::MAX => 0.0,
         value => (f64::from(value.clamp(-1000, 1000)) - f64::from(middle)) / 1000.0,
@@ -374,7 +374,7 @@ fn place(testbed: &Testbed, it: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Result<A
     }
     let held = f64::from(testbed.station.signal(15));
     let ignored = it.type_mask.contains(Mask::POSITION_TARGET_TYPEMASK_YAW_IGNORE);
-    // Level, the angle of a passive rotation about the axis up is the same as an active one's about the axis down.
+    // Level, the angle of a passive rotation about the axis up is equal to an active one's about the axis down.
     let yaw = if ignored { held } else { f64::from(it.yaw) };
     Ok(Ask::Fly { points: vec![point(it.x.into(), -f64::from(it.y), -f64::from(it.z), yaw)] })
 }
