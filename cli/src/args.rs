@@ -43,7 +43,7 @@ bessemer.toml, beside the package's Cargo.toml."
 }
 
 impl Arguments {
-    /// The command that the user asked for.
+    /// The command that the user requested.
     pub fn task(self) -> Task {
         let Cargo::Bessemer { task } = self.cargo;
         task
@@ -59,7 +59,7 @@ pub enum Task {
     Gen(Gen),
     /// Compare Rust, interpreter and C of each entry point, bit for bit
     Verify(Verify),
-    /// Say what each entry point brings into a firmware: code, memory, stack and state
+    /// Print what each entry point adds to a firmware: code, memory, stack and state
     Sizes(Sizes),
     /// List the checks for faults that are left in each entry point, and why
     Explain(Explain),
@@ -71,7 +71,7 @@ pub enum Task {
     Fmu(Fmu),
     /// Describe variables of a linked firmware in ASAP2, for measurement and calibration tools
     A2l(A2l),
-    /// Say whether this machine and this workspace have what is needed
+    /// Check that this machine and this workspace have everything needed
     Doctor(Doctor),
 }
 
@@ -84,7 +84,7 @@ pub struct Package {
 }
 
 impl Package {
-    /// Its name, if it is given.
+    /// Name of the package, if set.
     pub fn name(&self) -> Option<&str> {
         self.package.as_deref()
     }
@@ -131,7 +131,7 @@ pub struct Gen {
     pub message_format: MessageFormat,
 }
 
-/// For whom errors and warnings are told.
+/// For whom errors and warnings are reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum MessageFormat {
     /// For people, on standard error.
@@ -170,7 +170,7 @@ pub struct Verify {
     /// Write the sources of a firmware that answers `--serial` into this folder, and do nothing else
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["serial", "target", "inputs"])]
     pub board: Option<PathBuf>,
-    /// Also on the board at this serial port, whose firmware is built from what `--board` writes
+    /// Also verify on the board at this serial port, with firmware built from the output of `--board`
     #[arg(long, value_name = "PORT")]
     pub serial: Vec<PathBuf>,
     /// The speed of the port, bits a second

@@ -119,7 +119,7 @@ pub enum Error {
         said: String,
         /// The defect.
         why: String,
-        /// The structs that there are, where one was asked for.
+        /// The structs that there are, where one was requested.
         known: Vec<String>,
     },
     /// A file or folder could not be read or written.

@@ -10,7 +10,7 @@ use crate::verify;
 /// Compares an entry point of the component `C` in Rust with the interpreter and with its C from each compiler on this machine.
 ///
 /// `entry` is the name of the method. An input is a tuple of its arguments behind `self`, in their order; a borrowed argument
-/// stands in it by value. The component begins in its initial state and keeps its state from input to input. Call this from
+/// is in it by value. The component begins in its initial state and keeps its state from input to input. Call this from
 /// a test of the package with the models, which has `cargo-bessemer` among its `[dev-dependencies]`:
 ///
 /// ```no_run

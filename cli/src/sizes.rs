@@ -18,7 +18,7 @@ use crate::verify;
 /// By sections, so that what nobody calls can be left out.
 const SECTIONS: &[&str] = &["-ffunction-sections", "-fdata-sections"];
 
-/// The table of sizes for each target that is asked for, or for this machine.
+/// The table of sizes for each target that is requested, or for this machine.
 ///
 /// # Errors
 /// Errors of the models or the system, or that a compiler is missing.

@@ -30,7 +30,7 @@ const LINK: [(&str, &str); 5] = [
 /// File name of the program.
 const PROGRAM: &str = "verify_main.c";
 
-/// No entry's place: it asks for the identity.
+/// No entry's index: a request for the identity.
 const WHO: u64 = u64::MAX;
 
 /// Number of times that a board is queried for its identity: it may be starting.

@@ -87,7 +87,7 @@ enum Carrier {
     Streams,
     /// By files of the machine's emulator.
     Files,
-    /// By frames on a serial line; who asks for no entry is told the identity.
+    /// By frames on a serial line; a request for no entry is answered by the identity.
     Line { identity: u64 },
 }
 
@@ -439,7 +439,7 @@ fn bytes(ty: &Type) -> Option<u32> {
     }
 }
 
-/// As calls and not written out: thousands of these stand in a program, and compilers, above all with sanitizers, take long over each.
+/// As calls and not written out: thousands of these are in a program, and compilers, above all with sanitizers, take long over each.
 fn get(names: &Names, ty: &Type, place: &str, count: u32, text: &mut String) {
     let name = names.word(ty);
     let _ = match (bytes(ty), ty) {

@@ -1,4 +1,4 @@
-//! Software on a board, in lockstep with whoever feeds it over a serial line: each period is asked for, and answered.
+//! Software on a board, in lockstep with whoever feeds it over a serial line: each period is requested, and answered.
 //!
 //! Invariant: an answer belongs to what was asked, or it is an error; after an error nothing goes on.
 //! What it must not know: what the words of a period mean. `examples/zynq/main.c` is the other end.

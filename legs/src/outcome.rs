@@ -5,7 +5,7 @@ use bessemer_ir::{Fault, Float, Module, Type};
 /// The words that come out, or the fault.
 pub type Outcome = Result<Vec<u64>, Fault>;
 
-/// The fault that a panic of rustc's, core's or nalgebra's stands for.
+/// The fault that a panic of rustc's, core's or nalgebra's represents.
 pub fn fault(text: &str) -> Fault {
     match text {
         _ if text.contains("divide by zero") => Fault::DivisionByZero,

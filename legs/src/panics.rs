@@ -1,6 +1,6 @@
 //! A panic of a model is a fault that is looked for: it is caught, and is nobody's news.
 //!
-//! Invariant: only the thread that looks for a panic is silent; what fails in another one beside it is told as ever.
+//! Invariant: only the thread that looks for a panic is silent; what fails in another one beside it is reported as ever.
 //!
 //! What it must not know: what the messages mean.
 

@@ -28,7 +28,7 @@ impl Port {
         let mut settings = tcgetattr(&port)?;
         settings.make_raw();
         settings.set_speed(baud)?;
-        // A read waits before, where silence is told from an end.
+        // A read waits before, where silence is distinguished from an end.
         settings.special_codes[SpecialCodeIndex::VMIN] = 0;
         settings.special_codes[SpecialCodeIndex::VTIME] = 0;
         // What came before is nobody's.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// Files in a unit at most: more save nothing, and make units that one processor waits for.
 const MOST: usize = 40;
 
-/// Files that stand in one unit, the words in them, and the names that only one of them knows.
+/// Files that are in one unit, the words in them, and the names that only one of them knows.
 #[derive(Default)]
 struct Unit {
     files: Vec<PathBuf>,

@@ -11,7 +11,7 @@ pub enum Limit {
     AtLeast(f64),
     /// Between these.
     Between(f64, f64),
-    /// Nothing: it is told only.
+    /// Nothing: it is reported only.
     Told,
     /// It has to be 1: a statement that holds.
     Holds,
@@ -46,7 +46,7 @@ impl Check {
         Self { what: what.to_owned(), value, limit: Limit::Between(least, most), unit }
     }
 
-    /// A figure that is told only.
+    /// A figure that is reported only.
     pub fn told(what: &str, value: f64, unit: &'static str) -> Self {
         Self { what: what.to_owned(), value, limit: Limit::Told, unit }
     }

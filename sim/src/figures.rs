@@ -1,7 +1,7 @@
 //! Flights as pictures: the thesis' figures, drawn of our flights.
 //!
 //! A figure is a row of data: a title, panels below one another, and in each the signals of
-//! [`crate::channels`] that it shows. Curves are thinned to what a screen can show; the legend stands beside them.
+//! [`crate::channels`] that it shows. Curves are thinned to what a screen can show; the legend is beside them.
 
 use crate::channels::signal;
 use crate::voyage::{Moment, Voyage};
@@ -316,7 +316,7 @@ fn paint_panel<'a>(area: &Area<'a>, across: &str, panel: &Axes) -> Result<(), Fa
         } else {
             chart.draw_series(LineSeries::new(points, colour.stroke_width(width)))?;
         }
-        // The chart would cut off what stands beside its curves.
+        // The chart would cut off what is beside its curves.
         let (x, y) = (right_of_curves + 10, 16 + 18 * index as i32);
         let swatch = vec![(x, y), (x + 18, y)];
         area.draw(&PathElement::new(swatch, colour.stroke_width(width.max(2))))?;

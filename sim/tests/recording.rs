@@ -1,4 +1,4 @@
-//! Flights as files: what is written can be read back, and what is not ours is told.
+//! Flights as files: what is written can be read back, and what is not ours is reported.
 
 use std::collections::BTreeMap;
 

@@ -75,7 +75,7 @@ Examples:
 
 Needs Rust, nothing else. The output is written whole or not at all.")]
 pub struct Gen {
-    /// Write nothing; fail, with a diff, if what is committed is stale
+    /// Write nothing; fail with a diff if the committed C is stale
     #[arg(long)]
     pub check: bool,
     /// List the checks that are left in each entry point: line, fault, and why it could not be ruled out
@@ -86,7 +86,7 @@ pub struct Gen {
     pub message_format: MessageFormat,
 }
 
-/// For whom errors and warnings are told.
+/// For whom errors and warnings are reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum MessageFormat {
     /// For people, on standard error.
@@ -130,7 +130,7 @@ Stages: format, gen --check, lints and build, tests (those of the documentation 
 The tests learn what to run from the environment: BESSEMER_LEGS is `all`, or `host` with --host; BESSEMER_FULL is set
 with --full; without it BESSEMER_TURN is a number that the commit chooses.")]
 pub struct Test {
-    /// Install what is missing first, with apt-get (as root or through sudo) and rustup
+    /// Install missing tools first, with apt-get (as root or through sudo) and rustup
     #[arg(long)]
     pub install: bool,
     /// Leave out the ARM part: neither the cross compiler nor QEMU is needed
@@ -142,7 +142,7 @@ pub struct Test {
     /// Leave nothing out: every leg, compiler, size and seed
     #[arg(long)]
     pub full: bool,
-    /// Store the times of this run, beside which later runs see what grew
+    /// Store the times of this run, with which later runs are compared
     #[arg(long)]
     pub store_times: bool,
 }
@@ -222,7 +222,7 @@ Examples:
   cargo xtask bench --only check-cost Only what the attributes cost; also rebuild, generation, elementary
   cargo xtask bench --only equality   The elementary functions on 10 million points each, on every leg
   cargo xtask bench --quick           A few sizes, Chapter 6 on the host and the Cortex-A9; writes nothing
-  cargo xtask bench --install         Install what is missing first (apt, as root or through sudo)
+  cargo xtask bench --install         Install missing tools first (apt, as root or through sudo)
 
 Times are of this machine as busy as it is; instruction counts are exact. nalgebra on the Cortex-A9 needs
 `rustup target add armv7-unknown-linux-gnueabihf`, and is left out without it.")]
@@ -234,7 +234,7 @@ pub struct Bench {
     /// equality, accuracy-points
     #[arg(long)]
     pub only: Option<String>,
-    /// Only these machines of `kernels`, such as a9,host-v3: the others keep what was measured before
+    /// Only these machines of `kernels`, such as a9,host-v3: the others keep their previous results
     #[arg(long)]
     pub machines: Option<String>,
     /// The small sizes for `kernels`, such as 2,3,4,6,8; all of 2 to 20 take a compiler most of an hour
@@ -246,7 +246,7 @@ pub struct Bench {
     /// Points of each function for `equality` and `accuracy-points`
     #[arg(long)]
     pub points: Option<u32>,
-    /// Install what is missing first, with apt-get (as root or through sudo)
+    /// Install missing tools first, with apt-get (as root or through sudo)
     #[arg(long)]
     pub install: bool,
 }

@@ -27,7 +27,7 @@ pub enum Error {
         /// The work that brings it.
         with: &'static str,
     },
-    /// Tools are missing, and installing was not asked for.
+    /// Tools are missing, and installing was not requested.
     #[error("missing: {}", tools.join(", "))]
     Missing {
         /// Their names.
@@ -87,7 +87,7 @@ pub enum Error {
     /// There is no mutant of this name.
     #[error("there is no mutant `{name}`")]
     NoMutant {
-        /// As it was asked for.
+        /// As it was requested.
         name: String,
         /// Those that there are.
         known: Vec<String>,
@@ -95,7 +95,7 @@ pub enum Error {
     /// There is no such turn.
     #[error("there is no turn {turn} of {of}")]
     NoTurn {
-        /// As it was asked for.
+        /// As it was requested.
         turn: usize,
         /// Total number.
         of: usize,
@@ -120,7 +120,7 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// The book is asked for without the tool that makes it.
+    /// The book is requested without the tool that makes it.
     #[error("mdBook is missing, which makes the pages")]
     NoBookTool,
     /// A program could not be started or listened to.

@@ -1,4 +1,4 @@
-//! `cargo xtask fuzz`: builds the tests across the crates, and has them run as many random programs as are asked for.
+//! `cargo xtask fuzz`: builds the tests across the crates, and has them run as many random programs as are requested.
 //!
 //! What it must not know: what a program is, and what is compared.
 
@@ -9,7 +9,7 @@ use crate::runner::Program;
 use crate::stages::{self, Progress};
 use std::path::Path;
 
-/// The test that takes as many programs as it is told to.
+/// The test that takes as many programs as it is reported to.
 const TEST: &str = "random::fuzz::as_many_as_asked";
 
 /// The compiler runs for hours: it is worth optimising.

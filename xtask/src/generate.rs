@@ -17,7 +17,7 @@ const MODELS: &str = "models";
 ///
 /// # Errors
 /// Errors of the models, the compiler or the file system, and a stale generated/ when comparing. For an editor,
-/// what the models are told is no error of the command's: it is printed.
+/// what the models are reported is no error of the command's: it is printed.
 pub fn run(root: &Path, wanted: &Gen) -> Result<Outcome, Error> {
     let for_tools = wanted.message_format == MessageFormat::Json;
     let colour =

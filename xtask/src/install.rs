@@ -2,10 +2,10 @@
 //!
 //! Invariants:
 //! - the line printed and the steps run are made of the same words;
-//! - apt-get is asked for nothing but what is missing, asks nothing, and waits for a lock held by another;
+//! - apt-get is requested nothing but what is missing, asks nothing, and waits for a lock held by another;
 //! - the environment of Python is made whole: if one of its packages is missing, it is made anew with all of them, so that no
 //!   part depends on what was there;
-//! - what asks for a password, and what a build needs, is installed before anything else begins; the rest, which waits for the
+//! - what requests a password, and what a build needs, is installed before anything else begins; the rest, which waits for the
 //!   network and the disk, goes on beside the build;
 //! - a [`Plan`] is only made where apt-get works, or where nothing has to come from it.
 //!
@@ -90,7 +90,7 @@ impl Plan {
         self.steps().iter().try_for_each(|step| self.run(step, progress))
     }
 
-    /// Begins to carry it out, beside what follows; all of it now where a build needs a part, or a password is asked for.
+    /// Begins to carry it out, beside what follows; all of it now where a build needs a part, or a password is requested.
     ///
     /// # Errors
     /// Those of [`carry_out`](Self::carry_out).
@@ -122,7 +122,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Sudo may ask for a password, so it gets the terminal for itself; the rest runs behind the progress line.
+    /// Sudo may request a password, so it gets the terminal for itself; the rest runs behind the progress line.
     fn run(&self, step: &Step, progress: &mut Progress) -> Result<(), Error> {
         let Some((program, arguments)) = step.words.split_first() else {
             return Ok(());

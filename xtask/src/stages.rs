@@ -33,7 +33,7 @@ impl Default for Progress {
 }
 
 impl Progress {
-    /// For work beside other work: only what failed is told.
+    /// For work beside other work: only what failed is reported.
     #[must_use]
     pub fn silent() -> Self {
         Self { moving: false, silent: true, done: Vec::new() }

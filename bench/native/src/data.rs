@@ -1,4 +1,4 @@
-//! The numbers, the same as in `bench/c/harness.c`: xorshift64*, the highest 53 or 24 bits.
+//! The numbers, equal to in `bench/c/harness.c`: xorshift64*, the highest 53 or 24 bits.
 
 /// A float that cases are made for.
 pub trait Element: nalgebra::RealField + Copy {

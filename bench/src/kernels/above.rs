@@ -3,7 +3,7 @@
 //! The report lists every such case of a run, with the reason that somebody found for it. A case without a reason is one that somebody
 //! has to look at.
 //!
-//! This module must not know why a case exceeds its limit: the reasons stand in `reasons`.
+//! This module must not know why a case exceeds its limit: the reasons are in `reasons`.
 
 use std::fmt::Write as _;
 

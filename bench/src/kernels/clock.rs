@@ -139,7 +139,7 @@ impl Reference {
     }
 }
 
-/// Runs a case on every program by turns: gives the times of each, round by round. Of up to six times as many rounds, those are kept
+/// Runs a case on every program alternately: gives the times of each, round by round. Of up to six times as many rounds, those are kept
 /// in which the processor was shared least.
 ///
 /// # Errors

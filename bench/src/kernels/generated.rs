@@ -55,7 +55,7 @@ pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBu
             sources.push(path);
         }
     }
-    // What stands in a header or at its place is compiled where it is called; by itself, too, so that its size is known.
+    // What is in a header or at its place is compiled where it is called; by itself, too, so that its size is known.
     sources.retain(|source| !source.ends_with("product.c"));
     for kernel in known.iter().flat_map(|(_, kernels)| kernels) {
         if kernel.is_function() && kernels::stands_in_header(kernel) {
@@ -68,7 +68,7 @@ pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBu
     Ok(sources)
 }
 
-/// A function of its own for what stands in a header.
+/// A function of its own for what is in a header.
 fn alone(kernel: &Kernel) -> String {
     let name = kernel.name();
     let real = if kernel.element == Float::F64 { "double" } else { "float" };
@@ -116,13 +116,13 @@ fn function(kernel: &Kernel) -> Function {
 
 /// Each kernel on copies of what it changes.
 fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
-    // As each emitted source begins: compilers put a kernel of a header where it is called only if both were told the same.
+    // As each emitted source begins: compilers put a kernel of a header where it is called only if both were reported the same.
     let mut before = String::from("#include <string.h>\n#include \"bessemer_target.h\"\n");
     for (case, kernels) in known {
         for kernel in kernels {
             let file = match kernel.is_function() {
                 true => format!("{}.h", kernel.name()),
-                // It stands at its place in a model, so here too.
+                // It is at its place in a model, so here too.
                 false => "product.c".into(),
             };
             if !before.contains(&file) {

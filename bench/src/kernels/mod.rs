@@ -6,7 +6,7 @@
 //! | [`machine`] | where, and with which flags |
 //! | [`contender`] | who, and how each becomes a program |
 //! | [`count`] | executed instructions: callgrind on the host, QEMU's plugin on the Cortex-A9 |
-//! | [`clock`] | times: programs that run by turns, round by round |
+//! | [`clock`] | times: programs that run alternately, round by round |
 //! | [`check`] | whether a result may be measured at all |
 //! | [`above`] | where the generated C takes more than it should |
 //! | [`goals`] | what it is to reach, and whether it did |

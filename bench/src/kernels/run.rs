@@ -39,7 +39,7 @@ pub const FULL: Plan<'static> = Plan {
 pub const QUICK: Plan<'static> =
     Plan { sizes: &[3, 6, 12], rounds: 31, quick: true, counts: false, machines: &[] };
 
-/// Runs it; `say` is told what is going on.
+/// Runs it; `say` is reported what is going on.
 ///
 /// # Errors
 /// A program does not compile, does not run, or has a wrong result.

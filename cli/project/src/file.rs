@@ -116,7 +116,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Each entry as the compiler reads it, so that what it says can be told at the entry's field.
+    /// Each entry as the compiler reads it, so that what it says can be reported at the entry's field.
     fn replacements(&mut self, found: &DeValue<'_>, at: usize) {
         let Some(entries) = found.as_array() else {
             return self.tell(

@@ -103,7 +103,7 @@ impl Call<'_> {
         text
     }
 
-    /// A whole program around the call. `around` stands before the headers of the C, `wait` at the end of a period.
+    /// A whole program around the call. `around` precedes the headers of the C, `wait` at the end of a period.
     pub fn main(&self, around: &str, wait: &str) -> String {
         let begin: String = self.begin.iter().map(|it| format!("    {it}\n")).collect();
         format!(

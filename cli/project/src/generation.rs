@@ -141,7 +141,7 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
     Ok(made)
 }
 
-/// The files of the tables of parameters, where the settings ask for them.
+/// The files of the tables of parameters, where the settings request them.
 pub fn parameter_tables(project: &Project, compiled: &Compiled) -> Vec<CFile> {
     let Settings { options, parameters: wanted, .. } = &project.settings;
     let files = || parameters::files(&compiled.interface, options, &compiled.license);

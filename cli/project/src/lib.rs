@@ -4,7 +4,7 @@
 //!
 //! Invariants:
 //! - a failure is one [`Error`], with a remedy where one is known;
-//! - each key of `bessemer.toml` stands in one table, [`keys::KEYS`], which reader, schema and documentation follow.
+//! - each key of `bessemer.toml` is in one table, [`keys::KEYS`], which reader, schema and documentation follow.
 //!
 //! It must not know how C is made, nor what else the commands do.
 

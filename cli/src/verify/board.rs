@@ -1,7 +1,7 @@
 //! The C on a board of the user's own, over a serial line: the sources of its firmware, and the board's answers.
 //!
 //! Invariant: the firmware holds every entry point that can be called with words, in the order of the module, so that one
-//! firmware answers whichever of them are asked for.
+//! firmware answers whichever of them are requested.
 
 use std::path::Path;
 

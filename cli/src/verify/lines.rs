@@ -1,6 +1,6 @@
 //! The lines of an entry point that no call ran: what agrees on every leg agrees there for want of inputs.
 //!
-//! Invariant: only lines of authors are told, and only those on which no statement ran.
+//! Invariant: only lines of authors are reported, and only those on which no statement ran.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -9,7 +9,7 @@ use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{FunctionId, Module, Span};
 use bessemer_legs::reached::reached;
 
-/// Up to so many groups of lines are told of a file.
+/// Largest number of groups of lines reported per file.
 const TOLD: usize = 8;
 
 /// `src/lib.rs: 108, 117-119`, for each file with lines that never ran; nothing if all did.

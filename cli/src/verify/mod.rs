@@ -468,8 +468,8 @@ fn of_c(
     Ok(outcomes(cases, &words, |status, _| fault(status)))
 }
 
-/// The fault that a status of the C's other than 0 stands for. One that the C never returns, such as a program that died
-/// leaves, stands for a fault that no other leg reports.
+/// The fault that a status of the C's other than 0 represents. One that the C never returns, such as a program that died
+/// leaves, represents a fault that no other leg reports.
 fn fault(status: u64) -> Fault {
     let index = (status as usize).wrapping_sub(1);
     FAULTS.get(index).copied().unwrap_or(Fault::LeftOut)

@@ -30,7 +30,7 @@ struct Case<'a> {
     folder: &'a str,
     /// True if only cargo and rustc are found.
     bare: bool,
-    /// The place that it is told at, if it is one.
+    /// The place that it is reported at, if it is one.
     place: &'a str,
     said: &'a str,
     remedy: &'a str,

@@ -26,7 +26,7 @@ fn root() -> PathBuf {
 
 /// Returns the path of the entry for this content among others of its kind; none if nothing is to be stored.
 pub fn place(kind: &str, content: &impl Hash) -> Option<PathBuf> {
-    // Installed from a registry, this package stands in nobody's workspace.
+    // Installed from a registry, this package is in nobody's workspace.
     if std::env::var_os("BESSEMER_FULL").is_some() || !root().join("Cargo.toml").exists() {
         return None;
     }

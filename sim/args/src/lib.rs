@@ -83,13 +83,13 @@ pub struct Identify {
     /// Write the pictures into this folder
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
-    /// Also say how long so many costs of each kind take, around the coefficients that were found
+    /// Also measure the time of this many costs of each kind, around the found coefficients
     #[arg(long, value_name = "COUNT")]
     pub costs: Option<u32>,
     /// Leave the thesis' swarm out
     #[arg(long)]
     pub no_swarm: bool,
-    /// Identify so many simulated flights whose coefficients are known
+    /// Identify this many simulated flights with known coefficients
     #[arg(long, conflicts_with = "flight")]
     pub study: Option<u64>,
     /// File that stores the study
@@ -119,7 +119,7 @@ pub struct Campaign {
     /// File that stores the flights, one per line
     #[arg(long, required_unless_present = "merge")]
     pub file: Option<PathBuf>,
-    /// Fly nothing: tell what the flights in these files come to
+    /// Fly nothing: print the results of the flights in these files
     #[arg(long, num_args = 1.., conflicts_with = "file")]
     pub merge: Vec<PathBuf>,
 }

@@ -2,7 +2,7 @@
 //! operating system.
 //!
 //! Of the outputs come back those that aircraft and ground take, the motors' speeds and the packet: a serial line has no
-//! more room. All of them are in the digest. A flight cannot be told of what goes wrong here: after an error the outputs are those of a computer that stands
+//! more room. All of them are in the digest. A flight cannot be reported what goes wrong here: after an error the outputs are those of a computer that stands
 //! still, and [`Board::failure`] says why.
 
 use std::io::{Read, Write};

@@ -101,7 +101,7 @@ impl Fate {
     }
 }
 
-/// Tries the mutants that are asked for, and prints a line for each.
+/// Tries the mutants that are requested, and prints a line for each.
 ///
 /// # Errors
 /// An error that keeps it from trying them; a mutant that survives is an [`Outcome::Bad`].
@@ -212,7 +212,7 @@ fn chosen(all: Vec<Mutant>, wanted: &Mutate) -> Result<Vec<Mutant>, Error> {
     })
 }
 
-/// The mutants of a run by turns: `count` of them, or fewer, chosen by a number such as that of a commit.
+/// The mutants of a run alternately: `count` of them, or fewer, chosen by a number such as that of a commit.
 ///
 /// # Errors
 /// If the mutants cannot be read.

@@ -4,7 +4,7 @@
 //! these lines each test gets its times: by the clock, and of the processors that the process and its children used.
 //!
 //! Invariants:
-//! - each test of the group is told of once, also where the process dies within one;
+//! - each test of the group is reported once, also where the process dies within one;
 //! - a test whose line does not tell its outcome, since others wrote into it, has passed if the whole process ends well.
 //!
 //! What it must not know: what else runs at the time.

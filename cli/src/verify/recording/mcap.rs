@@ -65,7 +65,7 @@ fn chunk(content: &[u8], see: &mut dyn FnMut(Record<'_>)) -> Result<(), Wrong> {
         }
         _ => return Err(failed("compression that is read here: lz4 or zstd".to_owned())),
     }
-    // 0 stands for no checksum.
+    // 0 represents no checksum.
     if checksum != 0 && crc32fast::hash(&plain) != checksum {
         return Err(Wrong::Mcap("the checksum of a chunk differs"));
     }

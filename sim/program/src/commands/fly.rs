@@ -20,7 +20,7 @@ use std::time::Instant;
 const CLOSED_LOOP: (&str, &str) =
     ("every-channel", "the closed loop alone, every channel of it: yaw step, x step, gusts");
 
-/// Flies what was asked for.
+/// Flies what was requested.
 pub fn run(wanted: &Fly) -> Outcome {
     let name = match &wanted.flight {
         Some(name) if !wanted.list => name.as_str(),
