@@ -155,7 +155,7 @@ fn programs(
 }
 
 /// The packages of the workspace whose manifests do not say that their documentation has no examples. Cargo would read all
-/// of them for examples, when it is requested nothing else.
+/// of them for examples, when nothing else is requested.
 fn documented(messages: &str) -> BTreeSet<String> {
     let messages = messages.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
     let own = |message: &Value| {
