@@ -6,6 +6,7 @@
 //! | [`generation`] | how long a generation takes, by the number of functions |
 //! | [`kernels`] | generated kernels against handwritten C and the libraries |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
+//! | [`shapes`] | growth of the tool's own time with the size of a function |
 //! | [`elementary`] | the elementary functions against glibc and newlib |
 //! | [`onboard`] | what a control period of the onboard software takes on the Cortex-A9 |
 //! | [`accuracy_points`] | the elementary functions on the points of their accuracy, on every leg |
@@ -25,4 +26,5 @@ pub mod kernels;
 pub mod long;
 pub mod onboard;
 pub mod rebuild;
+pub mod shapes;
 pub mod threads;

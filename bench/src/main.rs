@@ -8,7 +8,9 @@ use bench::check_cost::{self, Size};
 use bench::kernels::reasons::Reasons;
 use bench::kernels::results::Results;
 use bench::kernels::{machine, plot, report, run, stored};
-use bench::{accuracy_points, elementary, equality, generation, long, onboard, rebuild, threads};
+use bench::{
+    accuracy_points, elementary, equality, generation, long, onboard, rebuild, shapes, threads,
+};
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
@@ -52,6 +54,8 @@ enum Part {
     Generation,
     /// Duration of the generation of one long function, by number of operations
     Long,
+    /// Growth of the tool's own time with the size of a function, by shape
+    Shapes,
     /// Instructions of a control period of the onboard software on the Cortex-A9
     Onboard,
     /// Large kernels on one thread and on two
@@ -79,13 +83,14 @@ const AGAIN: &str = "measured again";
 /// A measurement: prints its table, and writes its results unless it is a short run.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 10] = [
+const PARTS: [(Part, Measurement); 11] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
     (Part::Rebuild, rebuild),
     (Part::Generation, generation),
     (Part::Long, long),
+    (Part::Shapes, of_shapes),
     (Part::Onboard, onboard),
     (Part::Threads, on_threads),
     (Part::Equality, equality),
@@ -256,6 +261,14 @@ fn long(arguments: &Arguments) -> Result<(), String> {
     bar.finish_and_clear();
     println!("{}", found.table());
     arguments.write("long", &found.json())
+}
+
+fn of_shapes(arguments: &Arguments) -> Result<(), String> {
+    let bar = ProgressBar::new(shapes::SHAPES.len() as u64).with_message("compiling");
+    let found = shapes::measure(|| bar.inc(1))?;
+    bar.finish_and_clear();
+    println!("{}", shapes::table(&found));
+    arguments.write("shapes", &shapes::results(&found))
 }
 
 fn elementary(arguments: &Arguments) -> Result<(), String> {

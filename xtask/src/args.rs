@@ -230,7 +230,7 @@ pub struct Bench {
     /// Measure the short list only, and write nothing
     #[arg(long)]
     pub quick: bool,
-    /// Only this part: kernels, threads, elementary, check-cost, rebuild, generation, long, onboard,
+    /// Only this part: kernels, threads, elementary, check-cost, rebuild, generation, long, shapes, onboard,
     /// equality, accuracy-points
     #[arg(long)]
     pub only: Option<String>,
