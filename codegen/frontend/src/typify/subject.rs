@@ -161,8 +161,10 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// A local, and the place that it stands for while it is open whether the place is read or a copy of it: what comes next, a guard or
-/// a further condition, may write the place. None is left in what is lowered, so that nothing is lowered twice.
+/// Local that stands for a place until it is known whether the place is read or a copy of it.
+///
+/// What comes next, a guard or a further condition, may write the place. No placeholder is left in what is lowered, so that
+/// nothing is lowered twice.
 pub(super) struct Placeholder {
     local: LocalId,
     pub place: Place,
