@@ -54,17 +54,29 @@ pub fn compile(
     sources: &Sources,
     options: &Options,
 ) -> Result<Compiled, Vec<Diagnostic>> {
-    deep(|| whole(package, sources, options))
+    deep(|| {
+        let typed = typify::typify(package, sources, options.layout == Layout::Columns)?;
+        gate(&typed.0)?;
+        of_module(typed, &package.license, options)
+    })
 }
 
-fn whole(
-    package: &Package,
-    sources: &Sources,
+impl Compiled {
+    /// Compiles the same IR with other options; the layout of matrices, which decides types, stays.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, at the author's lines.
+    pub fn anew(&self, options: &Options) -> Result<Compiled, Vec<Diagnostic>> {
+        deep(|| of_module((self.module.clone(), self.typed), &self.license, options))
+    }
+}
+
+fn of_module(
+    (module, typed): (Module, Typed),
+    license: &str,
     options: &Options,
 ) -> Result<Compiled, Vec<Diagnostic>> {
-    let options = &Options { license: package.license.clone(), ..options.clone() };
-    let (module, typed) = typify::typify(package, sources, options.layout == Layout::Columns)?;
-    gate(&module)?;
+    let options = &Options { license: license.to_owned(), ..options.clone() };
     let (explicit, checks) =
         passes::explicit_with(module.clone(), options.keep_checks).map_err(|errors| {
             errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
@@ -99,9 +111,8 @@ fn whole(
     let replaced = replaced(&explicit, options);
     let fast = fast(&explicit, options);
     let library = plan.library_calls();
-    let license = package.license.clone();
     Ok(Compiled {
-        license,
+        license: license.to_owned(),
         module,
         explicit,
         typed,
