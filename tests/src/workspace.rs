@@ -55,6 +55,16 @@ impl Workspace {
         Ok(workspace)
     }
 
+    /// Replaces the settings of its package's profile.
+    ///
+    /// # Errors
+    /// An error of the file system.
+    pub fn set_profiles(&self, settings: &str) -> std::io::Result<()> {
+        let manifest = self.path("Cargo.toml");
+        let text = fs::read_to_string(&manifest)?;
+        fs::write(manifest, text.replace(OWN_SETTINGS, settings))
+    }
+
     /// Without a package yet: one whose folder is called so, or begins so, belongs to it.
     ///
     /// # Errors

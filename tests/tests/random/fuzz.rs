@@ -8,6 +8,7 @@ use std::time::Instant;
 use bessemer_ir::used;
 use bessemer_tests::workspace::Workspace;
 
+use super::reference::Reference;
 use super::{Batch, PROGRAMS, Reached, attack, found, shrink, wrong};
 
 /// Texts of a batch that aims at the proofs, and instances of each: as many as pay for a build and leave it short.
@@ -21,12 +22,27 @@ const BESIDE: usize = 200;
 /// In one batch of so many rustc gets the instances of each text, and in the others one function of each.
 const INSTANTIATED: u64 = 8;
 
+/// Many builds of other programs each: macros that read all of them are worth optimising, and notes for the next build are not
+/// worth taking.
+const PROFILES: &str = "\
+[profile.dev.package.models]
+incremental = false
+[profile.dev.package.bessemer-macros]
+opt-level = 2
+[profile.dev.package.quote]
+opt-level = 2
+[profile.dev.package.proc-macro2]
+opt-level = 2
+";
+
 #[test]
 #[ignore = "it takes as long as it is told: cargo xtask fuzz"]
 fn as_many_as_asked() {
     let number = |name: &str| std::env::var(name).ok().and_then(|it| it.parse::<u64>().ok());
     let (asked, from) = (number("BESSEMER_FUZZ").unwrap_or(1), number("BESSEMER_RANDOM_FROM"));
     let workspace = Workspace::with_source("").expect("a workspace");
+    workspace.set_profiles(PROFILES).expect("its manifest");
+    let mut reference = Reference::new();
     let (mut all, start) = (Reached::default(), Instant::now());
     for seed in from.unwrap_or_default().. {
         if all.programs >= asked as usize {
@@ -41,6 +57,10 @@ fn as_many_as_asked() {
         batch.is_of_many = true;
         batch.of_one = !seed.is_multiple_of(INSTANTIATED);
         let reached = attack(&workspace, seed, &mut batch);
+        let left: Vec<_> = batch.left().into_iter().map(|it| &it.name).collect();
+        for program in &batch.programs {
+            reference.count(&program.text, left.contains(&&program.name));
+        }
         let wrong = wrong(&batch, &reached.differences);
         for program in shrink::shrunk(&workspace, &wrong) {
             let file = found::keep(&program, seed);
@@ -63,6 +83,10 @@ fn as_many_as_asked() {
     for (rule, count) in used::counts() {
         println!("{count:>12}  {rule}");
     }
+    println!(
+        "\nhow many programs have each method, statement and attribute of the reference, and how many of these ran"
+    );
+    print!("{}", reference.report());
     let texts: Vec<_> = all.differences.iter().map(|it| it.text.as_str()).collect();
     assert!(texts.is_empty(), "{}", texts.join("\n\n"));
 }

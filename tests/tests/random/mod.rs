@@ -21,6 +21,7 @@ mod native;
 mod numbers;
 mod options;
 mod patterns;
+mod reference;
 mod shrink;
 mod slices;
 mod statements;
@@ -33,6 +34,7 @@ mod writer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
+use bessemer_backend::c::CFile;
 use bessemer_codegen::compile::{self, Compiled, Options};
 use bessemer_codegen::generate::{Error, Tree};
 use bessemer_frontend::diagnostic;
@@ -52,8 +54,8 @@ const FEWER: usize = 12;
 /// Texts that aim at the proofs, of a seed that stays and of one that does not, and the instances of each.
 const AIMED: usize = 4;
 /// Small bodies of a seed whose operands write, or that have iterators with a name.
-const BESIDE: usize = 24;
-const ITERATING: usize = 12;
+const BESIDE: usize = 16;
+const ITERATING: usize = 8;
 const INSTANCES: usize = 4;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
@@ -166,7 +168,10 @@ impl Batch {
         text += &TICK.replace("TYPE", "bool").replace("WORD", "x as u64");
         text += &TICK.replace("TYPE", "f64").replace("WORD", "x.to_bits()");
         text += &TICK.replace("TYPE", "f32").replace("WORD", "x.to_bits() as u64");
-        text += beside::GIVEN;
+        // Large enough to be left out where nothing needs it.
+        if self.left().iter().any(|it| it.text.to_lowercase().contains("beside")) {
+            text += beside::GIVEN;
+        }
         let mut lines = Vec::new();
         for program in self.left() {
             lines.push((text.lines().count() + 1, program.name.clone()));
@@ -226,8 +231,15 @@ fn place(line: &str, file: &str) -> Option<(usize, usize)> {
     Some((numbers.next()?, numbers.next()?))
 }
 
+/// Beginning of each file. A program may import the same names itself: those of a glob give way.
 const HEAD: &str = "//! Random programs.\n#![allow(warnings, arithmetic_overflow, unconditional_panic, overflowing_literals)]\n\
-                    #![allow(clippy::all)]\nuse bessemer::prelude::*;\n";
+                    #![allow(clippy::all)]\nuse bessemer::prelude::*;\n\
+                    mod imported {\n\
+                    pub use bessemer::nalgebra::{Complex, ComplexField};\n\
+                    pub use core::cmp::Reverse;\n\
+                    pub use core::num::{NonZeroU32, Wrapping};\n\
+                    pub use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};\n}\n\
+                    use imported::*;\n";
 
 const TICK: &str = "
 /// Tells `t` of a value.
@@ -271,26 +283,38 @@ fn built(workspace: &Workspace, batch: &mut Batch) -> Built {
     let mut package = tree(workspace, batch);
     loop {
         match compile::compile(&package, &sources, &Options::default()) {
-            Ok(compiled) => {
+            Ok(mut compiled) => {
                 let options = Options { keep_checks: true, ..Options::default() };
-                let kept = compile::compile(&package, &sources, &options).map_err(drop);
-                let kept = kept.expect("what compiles does so with checks that were proved");
+                let kept = compiled.anew(&options).map_err(drop);
+                let mut kept = kept.expect("what compiles does so with checks that were proved");
+                compiled.files.extend(brought());
+                kept.files.extend(brought());
                 return Built { native, places, compiled, kept };
             }
             Err(errors) => {
                 let told = batch.told(&diagnostic::render(&errors, &sources, false), workspace);
                 // Nothing else names what such programs have: they need no build of their own to be without.
-                let is_aimed = batch.is_aimed();
-                if is_aimed {
+                let is_small = batch.is_small();
+                if is_small {
                     without(&mut package, &told);
                 }
                 batch.refused.extend(told);
-                if !is_aimed {
+                if !is_small {
                     package = tree(workspace, batch);
                 }
             }
         }
     }
+}
+
+/// The C that a firmware brings for the function that is external.
+fn brought() -> impl Iterator<Item = CFile> {
+    let file = |(name, text): (&str, &str)| CFile {
+        name: name.to_owned(),
+        text: text.to_owned(),
+        map: Vec::new(),
+    };
+    beside::SENSOR.into_iter().map(file)
 }
 
 /// The tree of what is left of a batch.
@@ -399,7 +423,7 @@ fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
     } else {
         all.extend(in_c(&kept, &cases, &quickest(), &["-w"]));
     }
-    if by_turn(1, 3) {
+    if by_turn(1, 7) {
         for toolchain in by_turns(seed) {
             all.extend(in_c(&compiled, &cases, &toolchain, &WARNED));
         }

@@ -1,9 +1,13 @@
 //! Random bodies whose operands, indices and closures write what is beside them: small, and many of them.
 //!
 //! The grammar is data (`grammar.txt`; of references and patterns, `referring.txt`; of iterators with a
-//! name, `iterating.txt`; of types with operators of their own, and lists, `owning.txt`), and so is what the bodies call
-//! (`given.txt`). A loan is kept as long as the production lasts that makes it, so that rustc takes what comes out; what it
+//! name, `iterating.txt`; of types with operators of their own, and lists, `owning.txt`; of numbers, `numbers.txt`; of chains and of
+//! what calls give, `chains.txt`; of items, loops and texts, `functions.txt`; of nalgebra, `linear.txt`), and so are the items that
+//! bodies call. A loan is kept as long as the production lasts that makes it, so that rustc takes what comes out; what it
 //! refuses all the same is counted.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use bessemer_tests::random::Random;
 
@@ -15,8 +19,19 @@ const GRAMMAR: &str = concat!(
     include_str!("grammar.txt"),
     include_str!("referring.txt"),
     include_str!("iterating.txt"),
-    include_str!("owning.txt")
+    include_str!("owning.txt"),
+    include_str!("numbers.txt"),
+    include_str!("chains.txt"),
+    include_str!("functions.txt"),
+    include_str!("linear.txt")
 );
+
+/// The C of the external function among these, as a firmware brings it.
+pub const SENSOR: [(&str, &str); 2] =
+    [("beside_sensor.h", include_str!("sensor.h")), ("beside_sensor.c", include_str!("sensor.c"))];
+
+/// Number of bodies of which one is an entry point that is claimed to have no fault.
+const INFALLIBLE: usize = 6;
 
 /// Largest nesting of parts.
 const DEPTH: usize = 4;
@@ -86,11 +101,28 @@ struct Production {
     /// Variables that its parts may not write (`false`) or mention (`true`).
     loans: Vec<(char, bool)>,
     text: &'static str,
+    /// Variables that it mentions outside its parts, and writes.
+    own: Vec<(char, bool)>,
+    /// Set if it has no parts.
+    ends: bool,
+    /// Set if it goes on with another iterator.
+    goes_on: bool,
 }
 
-fn grammar() -> Vec<Production> {
+/// The productions of each kind, read once.
+static PRODUCTIONS: LazyLock<BTreeMap<char, Vec<Production>>> = LazyLock::new(|| {
+    let mut all: BTreeMap<char, Vec<Production>> = BTreeMap::new();
     let lines = GRAMMAR.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
-    lines.map(production).collect()
+    for production in lines.map(production) {
+        all.entry(production.kind).or_default().push(production);
+    }
+    all
+});
+
+/// The text of each production as a program has it, without its marks.
+#[cfg(test)]
+pub fn productions() -> impl Iterator<Item = String> {
+    PRODUCTIONS.values().flatten().map(|it| it.text.replace(['$', '~'], ""))
 }
 
 fn production(line: &'static str) -> Production {
@@ -104,7 +136,16 @@ fn production(line: &'static str) -> Production {
         loans.push((name, mode == '!'));
         text = rest;
     }
-    Production { kind: kind.chars().next().unwrap_or('K'), leaves, loans, text }
+    let outside: String = text.chars().filter(|it| !matches!(it, '<' | '>')).collect();
+    Production {
+        kind: kind.chars().next().unwrap_or('K'),
+        leaves,
+        loans,
+        text,
+        own: mentions(&outside).collect(),
+        ends: !has_holes(text),
+        goes_on: text.contains("<+"),
+    }
 }
 
 /// Returns the variables in a text, with true for those it writes.
@@ -115,7 +156,6 @@ fn mentions(text: &str) -> impl Iterator<Item = (char, bool)> {
 
 struct Body<'r> {
     random: &'r mut Random,
-    grammar: Vec<Production>,
     /// Borrowed variables, with true for mutable borrows.
     loans: Vec<(char, bool)>,
     closures: usize,
@@ -126,39 +166,28 @@ impl Body<'_> {
         let free = |(name, writes): (char, bool)| {
             !self.loans.iter().any(|(lent, whole)| *lent == name && (*whole || writes))
         };
-        let outside = |it: &char| !matches!(it, '<' | '>');
-        let own: String = production.text.chars().filter(outside).collect();
         (self.closures == 0 || !production.leaves)
-            && mentions(&own).all(free)
+            && production.own.iter().copied().all(free)
             && production.loans.iter().all(|loan| free((loan.0, true)))
     }
 
     /// A text of the kind; what its closures and places hold stays lent.
     fn part(&mut self, kind: char, depth: usize) -> String {
-        let fit: Vec<usize> = (0..self.grammar.len())
-            .filter(|at| self.grammar[*at].kind == kind && self.fits(&self.grammar[*at]))
-            .collect();
-        let ends = |at: &usize| !has_holes(self.grammar[*at].text) || is_iterator(kind);
-        let short: Vec<usize> = fit.iter().copied().filter(ends).collect();
+        let all = PRODUCTIONS.get(&kind).map_or(&[][..], Vec::as_slice);
+        let fit: Vec<&Production> = all.iter().filter(|it| self.fits(it)).collect();
+        let short: Vec<_> = fit.iter().copied().filter(|it| it.ends || is_iterator(kind)).collect();
         let few = depth == 0 || self.random.one_in(4);
-        let among = match (few, short.is_empty()) {
-            (true, false) => &short,
-            _ => &fit,
-        };
+        let mut among = if few && !short.is_empty() { short } else { fit };
         // Beyond its depth an iterator begins, and does not go on.
-        let among: Vec<usize> = match is_iterator(kind) && depth == 0 {
-            true => {
-                among.iter().copied().filter(|at| !self.grammar[*at].text.contains("<+")).collect()
-            }
-            false => among.clone(),
-        };
+        if is_iterator(kind) && depth == 0 {
+            among.retain(|it| !it.goes_on);
+        }
         if among.is_empty() {
             return "unfit".to_owned();
         }
-        let at = self.random.of(&among);
-        let (text, own) = (self.grammar[at].text, self.grammar[at].loans.clone());
+        let &Production { text, ref loans, .. } = self.random.of(&among);
         let before = self.loans.len();
-        self.loans.extend(own);
+        self.loans.extend(loans);
         let (mut out, mut rest) = (String::new(), text);
         while let Some((head, hole)) = rest.split_once('<') {
             out += head;
@@ -229,7 +258,8 @@ pub fn iterating(random: &mut Random, name: &str) -> Program {
 }
 
 fn of_value(random: &mut Random, name: &str, values: &[(char, &str)]) -> Program {
-    let mut body = Body { random, grammar: grammar(), loans: Vec::new(), closures: 0 };
+    let mut body = Body { random, loans: Vec::new(), closures: 0 };
+    let unit = body.random.one_in(INFALLIBLE).then(|| format!("{}Unit", name.to_uppercase()));
     let mut text = String::new();
     for _ in 0..body.random.below(3) {
         text += &body.part('S', DEPTH);
@@ -246,14 +276,20 @@ fn of_value(random: &mut Random, name: &str, values: &[(char, &str)]) -> Program
         all.clone().map(|it| format!("let mut {} = {};\n", it.0, it.1)).collect();
     let told: String = all.map(|it| format!("{}\n", it.2)).collect();
     let text = text.replace(['$', '~'], "");
-    let text = format!(
-        "#[function]\npub fn {name}(a0: [i16; 3], n0: u8, k0: i16, f0: f64, t: &mut u64) -> Option<i64> {{\n\
-         {declared}{text}{told}Some(*t as i64)\n}}\n"
-    );
+    let params = "a0: [i16; 3], n0: u8, k0: i16, f0: f64, t: &mut u64";
+    let body = format!("{declared}{text}{told}Some(*t as i64)\n");
+    let text = match &unit {
+        Some(unit) => format!(
+            "#[component]\n#[derive(Clone, Debug, Default, PartialEq)]\npub struct {unit} {{ pub calls: u16 }}\n\
+             #[component]\nimpl {unit} {{\n#[entry(infallible)]\npub fn {name}(&mut self, {params}) -> Option<i64> {{\n\
+             self.calls = self.calls.wrapping_add(1);\n{body}}}\n}}\n"
+        ),
+        None => format!("#[function]\npub fn {name}({params}) -> Option<i64> {{\n{body}}}\n"),
+    };
     let params = [("", "[i16; 3]"), ("", "u8"), ("", "i16"), ("", "f64"), ("&mut ", "u64")];
     let params = params.map(|(passing, ty)| (passing, ty.to_owned())).to_vec();
     let entry = Entry { name: name.to_owned(), params, atomic: false, stops: false };
-    Program { name: name.to_owned(), text, unit: None, entries: vec![entry], instances: None }
+    Program { name: name.to_owned(), text, unit, entries: vec![entry], instances: None }
 }
 
 #[test]
