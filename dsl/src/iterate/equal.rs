@@ -1,5 +1,6 @@
-//! Holds the ends to core's on elements that are equal and can be told apart, over all short sequences of few keys: by value, by `&`
-//! and by `&mut`.
+//! Holds the ends to core's on elements that are equal and can be told apart.
+//!
+//! All short sequences of few keys, by value, by `&` and by `&mut`.
 
 use core::cmp::Ordering;
 
@@ -52,7 +53,7 @@ fn sequences(most: usize, keys: u8) -> Vec<Vec<Keyed>> {
     all
 }
 
-/// Compares an end with core's: which element it gives, and with which arguments its closure is called, in what order.
+/// Compares an end with core's: the element that it gives, and the calls of its closure.
 macro_rules! held {
     ($all:expr; $($name:ident($($f:expr)?);)*) => {$(
         for all in $all {
