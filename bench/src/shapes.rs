@@ -1,8 +1,8 @@
-//! Growth of the tool's own time with the size of a function, for shapes in which a construct nests in itself or follows
-//! itself: twice the size must take no more than 2.2 times as long.
+//! Growth of the tool's own time with the size of a function, for constructs that nest or follow each other. Twice the size
+//! must take no more than 2.2 times as long.
 //!
 //! One package has a function for each shape and size. It is built once for its tree; then each function is compiled to C by
-//! itself, without cargo and rustc, as often as it takes for half a second. The time is that of the processors.
+//! itself, without cargo and rustc, as often as it takes for half a second. The time is processor time.
 
 use std::fmt::Write as _;
 
