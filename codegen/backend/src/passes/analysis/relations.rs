@@ -62,9 +62,9 @@ impl Relations {
         alike.any(|it| gives(&it.condition, &condition, &fails))
     }
 
-    /// Returns true if an index is below the length of a slice because of another value. Cases: `i < to <= length`; `i
-    /// + 1` with `i < to < length`, or in a loop up to `max(length, 1) - 1`; `i - 1`, already checked, with `i <
-    /// length`; and `length - 1` itself.
+    /// Returns true if an index is below the length of a slice because of another value. Cases: `i < to <= length`;
+    /// `i + 1` with `i < to < length`, or in a loop up to `max(length, 1) - 1`; `i - 1`, already checked, with
+    /// `i < length`; and `length - 1` itself.
     pub(super) fn below_length(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
         let condition = erased(condition);
         let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };
