@@ -35,10 +35,10 @@ fn only_what_must_move_moves() {
     // A new model that uses what is there, and a name of a constant that is there, too: its own files, and the manifest
     // that lists them. All three in one build, since they are seen apart.
     replace(
-        "//! How hard to push: the height loop",
-        "// A comment.\n//! How hard to push: the height loop",
+        "//! Height control: commanded thrust",
+        "// A comment.\n//! Height control: commanded thrust",
     );
-    replace("NEAR: f64 = 0.1;", "NEAR: f64 = 0.15;");
+    replace("const CONTACT_HEIGHT: f64 = 0.1;", "const CONTACT_HEIGHT: f64 = 0.15;");
     let model = "//! Counts.\nuse crate::signals::Target;\nuse bessemer::prelude::*;\n\n\
         /// On the moon, m/s².\nconst GRAVITY: f64 = 1.62;\n\n\
         /// Counts landings.\n#[component]\n#[derive(Clone, Debug, Default, PartialEq)]\n\
@@ -75,7 +75,7 @@ fn only_what_must_move_moves() {
     sources.retain(|name| !name.ends_with(".map"));
     assert_eq!(sources, naming);
     for name in &naming {
-        let back = renamed[name].replace("goal", "target");
+        let back = renamed[name].replace("goal", "target").replace("Goal", "Target");
         // A shorter name may let two lines be joined; nothing else may change.
         let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(joined(&back), joined(&changed[name]), "{name}");

@@ -128,10 +128,8 @@ fn the_controller_keeps_its_authors_words() {
         file.map(|file| file.text.as_str()).unwrap_or_default()
     };
     let (header, source) = (text("height.h"), text("height.c"));
-    assert!(
-        header
-            .contains("/** One control period: the thrust to command (thesis, eq. (3.14)), N. */")
-    );
+    let step = "/** Advances one control period and returns the commanded thrust (thesis, eq. (3.14)), N. */";
+    assert!(header.contains(step));
     assert!(header.contains("/** Integral of the height error, m·s. */"));
     for line in [
         "const double weight = parameters->mass * AIRFRAME_GRAVITY;",
@@ -142,5 +140,5 @@ fn the_controller_keeps_its_authors_words() {
     ] {
         assert!(source.contains(line), "{line}");
     }
-    assert!(text("cascade.c").contains("/* How hard to push, and where to lean. */"));
+    assert!(text("cascade.c").contains("/* Commanded thrust and tilt. */"));
 }
