@@ -87,7 +87,8 @@ pub fn verified_by_a_test(package: &Path) {
     cargo_bessemer::same_bits_at::<Motor, _>(package, "step", inputs);
     let short = || cargo_bessemer::same_bits_at::<Motor, _>(package, "step", [(gains, 100.0)]);
     let said = caught(short).expect_err("an argument is missing");
-    let expected = "`Motor::step` takes 5 numbers beside its component, and an input has 4; an input is a tuple";
+    let expected =
+        "`Motor::step` takes 5 numbers beside its component, and an input has 4; pass a tuple";
     assert!(said.starts_with(expected), "{said}");
 }
 
