@@ -38,7 +38,7 @@ pub use callees::{fallible, reached};
 pub use explicit::{Problem, Rule, check};
 pub use lend::lend;
 pub use remaining::Remaining;
-pub(crate) use sizes::sizes;
+pub(crate) use sizes::{sizes, wide};
 
 use bessemer_ir::visit::{VisitMut, walk_block_mut};
 use bessemer_ir::{Block, Fault, Module, Role, Span, StmtKind};

@@ -6,7 +6,9 @@
 //! Must not know: what C makes of it, but that a call gives its result in 64 bits.
 
 use bessemer_ir::visit::{Access, Visit, walk_expr, walk_place, walk_stmt};
-use bessemer_ir::{BinaryOp, Expr, ExprKind, Function, Mode, Module, Place, Stmt, StmtKind, Type};
+use bessemer_ir::{
+    BinaryOp, Expr, ExprKind, Function, LocalId, Mode, Module, Place, Stmt, StmtKind, Type,
+};
 
 use super::{analysis, proof};
 
@@ -31,6 +33,38 @@ pub(crate) fn sizes(module: &Module, function: &Function) -> Vec<Option<(i128, i
         (low >= 0 && high <= LIMIT).then_some((low, high))
     });
     shown.collect()
+}
+
+/// Returns true for each local that some comparison needs in 64 bits.
+pub(crate) fn wide(function: &Function) -> Vec<bool> {
+    struct Wide(Vec<bool>);
+    impl Visit for Wide {
+        fn expr(&mut self, expr: &Expr) {
+            compared_wide(expr).for_each(|local| self.0[local.index()] = true);
+            walk_expr(self, expr);
+        }
+    }
+    let mut wide = Wide(vec![false; function.locals.len()]);
+    wide.block(&function.body);
+    wide.0
+}
+
+/// Returns the locals that a comparison needs in 64 bits. In 32 bits, gcc takes a difference from a literal for a promoted
+/// complement, and warns; it also warns of a literal that 32 bits never exceed.
+fn compared_wide(expr: &Expr) -> impl Iterator<Item = LocalId> + '_ {
+    let pairs = match &expr.kind {
+        ExprKind::Compare(_, a, b) => vec![(a, b), (b, a)],
+        _ => Vec::new(),
+    };
+    pairs.into_iter().filter_map(|(one, other)| {
+        let ExprKind::Load(place) = &one.kind else { return None };
+        let is_wide = match &other.kind {
+            ExprKind::Binary(BinaryOp::Sub, most, _) => most.is_literal(),
+            ExprKind::Literal(most) => *most >= u64::from(u32::MAX),
+            _ => false,
+        };
+        is_wide.then_some(place.root)
+    })
 }
 
 /// The locals that might fit.
@@ -79,18 +113,9 @@ impl Visit for Wanted {
         walk_stmt(self, stmt);
     }
 
-    // In 32 bits, gcc takes a difference that it is compared with for a complement that was promoted, and warns; and it warns
-    // of a number that 32 bits never exceed.
     fn expr(&mut self, expr: &Expr) {
-        if let ExprKind::Compare(_, a, b) = &expr.kind {
-            for (one, other) in [(a, b), (b, a)] {
-                let ExprKind::Load(place) = &one.kind else { continue };
-                self.found[place.root.index()].refused |= match &other.kind {
-                    ExprKind::Binary(BinaryOp::Sub, most, _) => most.is_literal(),
-                    ExprKind::Literal(most) => *most >= u64::from(u32::MAX),
-                    _ => false,
-                };
-            }
+        for local in compared_wide(expr) {
+            self.found[local.index()].refused = true;
         }
         walk_expr(self, expr);
     }

@@ -79,6 +79,8 @@ pub(super) struct Lower<'a> {
     bindings: Vec<Option<Binding>>,
     /// Per local: the range of a `usize` that C holds in 32 bits. Of those that are assigned again it is known from the start.
     counters: Vec<Option<(i128, i128)>>,
+    /// True for each local that a comparison needs in 64 bits.
+    wide: Vec<bool>,
     /// Per local: whether the C mentions it.
     mentioned: Vec<bool>,
     /// The names that are visible here.
@@ -117,6 +119,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         usage: Usage::new(function),
         bindings: vec![None; function.locals.len()],
         counters: crate::passes::sizes(context.module, function),
+        wide: crate::passes::wide(function),
         mentioned: vec![false; function.locals.len()],
         live: Vec::new(),
         out: Vec::new(),

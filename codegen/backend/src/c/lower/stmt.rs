@@ -147,7 +147,8 @@ impl Lower<'_> {
                 self.begin(&ty, &name, &sizes);
             }
             Some(value) if ty.is_word() && !self.is_status_call(value) => {
-                match self.range(value).filter(|_| constant) {
+                let narrow = constant && !self.wide[local.index()];
+                match self.range(value).filter(|_| narrow) {
                     Some(range) => self.let_narrow(local, value, range),
                     None => {
                         let value = self.given(value);
