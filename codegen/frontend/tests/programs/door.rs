@@ -115,6 +115,17 @@ impl Item {
         }
     }
 
+    /// Returns the key of its order: rustc's linker decides the order of functions, that of types is one of definition.
+    fn order(&self) -> (u8, &str, u32) {
+        match self {
+            Item::Type(_) => (0, "", 0),
+            Item::Function(it) => (1, &it.file, it.tree.site.0),
+            Item::Alias(_) => (2, "", 0),
+            Item::Table(_) => (3, "", 0),
+            Item::Implied(_) => (4, "", 0),
+        }
+    }
+
     /// Returns the module that the item is declared in.
     fn module(&self) -> &str {
         match self {
@@ -168,7 +179,15 @@ impl Items {
             let item = bessemer_ir::tree::read(&line).expect("a tree with other lines is one");
             (item, line)
         };
-        Items::indexed(name, items.into_iter().map(line).collect())
+        let mut items: Vec<(Item, String)> = items.into_iter().map(line).collect();
+        let is_function = |item: &Item| matches!(item, Item::Function(_));
+        let key = |(item, text): &(Item, String)| {
+            let (kind, file, line) = item.order();
+            let text = if is_function(item) { text.clone() } else { String::new() };
+            (kind, file.to_owned(), line, text)
+        };
+        items.sort_by_cached_key(key);
+        Items::indexed(name, items)
     }
 
     /// Returns the items of some stored texts.
