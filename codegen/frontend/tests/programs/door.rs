@@ -115,7 +115,7 @@ impl Item {
         }
     }
 
-    /// Returns the key of its order: rustc's linker decides the order of functions, that of types is one of definition.
+    /// Returns the key of its order. The linker decides the order of functions; types are in the order of definition.
     fn order(&self) -> (u8, &str, u32) {
         match self {
             Item::Type(_) => (0, "", 0),
