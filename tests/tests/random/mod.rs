@@ -199,6 +199,12 @@ impl Batch {
         for line in said.lines() {
             if line.starts_with("error") {
                 title = line;
+                // A claim is refused where its check is: in the library, in a fixed item, or in the program.
+                let claimed = line.split('`').nth(1).filter(|_| line.contains("is not infallible"));
+                let left = self.left();
+                if let Some(program) = left.iter().find(|it| claimed == Some(it.name.as_str())) {
+                    told.entry(program.name.clone()).or_insert_with(|| title.to_owned());
+                }
             }
             if let Some((number, _)) = place(line, native::SOURCE)
                 && let Some(name) = native::at(workspace, number)
