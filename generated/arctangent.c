@@ -24,18 +24,18 @@
 #include "pair.h"
 
 /**
- * Of the Taylor series of the arctangent, x³: to |x| = 1/32 the terms that follow are below 2⁻⁵³ of it.
+ * Coefficient of x³ in the Taylor series of the arctangent. Up to |x| = 1/32 the omitted terms are below 2⁻⁵³ of it.
  * In Rust: `-1.0 / 3.0`.
  */
 static const double A3 = -0.3333333333333333;
 
-/** The same, x⁵. In Rust: `1.0 / 5.0`. */
+/** Coefficient of x⁵. In Rust: `1.0 / 5.0`. */
 static const double A5 = 0.2;
 
-/** The same, x⁷. In Rust: `-1.0 / 7.0`. */
+/** Coefficient of x⁷. In Rust: `-1.0 / 7.0`. */
 static const double A7 = -0.14285714285714285;
 
-/** The same, x⁹. In Rust: `1.0 / 9.0`. */
+/** Coefficient of x⁹. In Rust: `1.0 / 9.0`. */
 static const double A9 = 0.1111111111111111;
 
 /**
@@ -121,14 +121,14 @@ static inline uint32_t arctangent_row_of_ratio(double ratio)
     return (uint32_t)(raw_bits_of_f64(ratio) >> 49) - 0x1FD8U;
 }
 
-/** What the arctangent adds to `t` for |t| ≤ 1/32. */
+/** The arctangent of `t` minus `t`, for |t| ≤ 1/32. */
 static inline double arctangent_small_curve(double t)
 {
     const double z = t * t;
     return t * z * (A3 + z * (A5 + z * (A7 + z * A9)));
 }
 
-/** What the arctangent adds to `t` for |t| ≤ 1/16. */
+/** The arctangent of `t` minus `t`, for |t| ≤ 1/16. */
 static inline double arctangent_curve(double t)
 {
     const double z = t * t;
@@ -139,8 +139,8 @@ static inline double arctangent_curve(double t)
 }
 
 /**
- * The angle of a point in the first quadrant, as two doubles, from 0 to π/2 rad: `ratio` is
- * `height`/`width`, and all are from 2^−900 to 2^900.
+ * Angle of a point in the first quadrant, as two doubles, from 0 to π/2 rad. `ratio` is `height`/`width`, and all are
+ * from 2^−900 to 2^900.
  */
 static inline void arctangent_angle_of_ratio(double height, double width, double ratio,
     pair_t *pair)

@@ -38,23 +38,23 @@ static const double ANGLES_WHOLE_PI_HIGH = 3.141592653589793;
 static const double ANGLES_WHOLE_PI_LOW = 1.2246467991473532e-16;
 
 /**
- * Of the Taylor series of e^x, x²: to |x| = (ln 2)/256 the terms behind the fifth power are below 2⁻⁶⁰.
- * In Rust: `1.0 / 2.0`.
+ * Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/256 the terms after the fifth power are below
+ * 2⁻⁶⁰. In Rust: `1.0 / 2.0`.
  */
 static const double EXPONENTIAL_E2 = 0.5;
 
-/** The same, x³. In Rust: `1.0 / 6.0`. */
+/** Coefficient of x³. In Rust: `1.0 / 6.0`. */
 static const double EXPONENTIAL_E3 = 0.16666666666666666;
 
-/** The same, x⁴. In Rust: `1.0 / 24.0`. */
+/** Coefficient of x⁴. In Rust: `1.0 / 24.0`. */
 static const double EXPONENTIAL_E4 = 0.041666666666666664;
 
-/** The same, x⁵. In Rust: `1.0 / 120.0`. */
+/** Coefficient of x⁵. In Rust: `1.0 / 120.0`. */
 static const double EXPONENTIAL_E5 = 0.008333333333333333;
 
 /**
- * Of the Taylor series of e^x, x⁶: with it, the terms that follow are below 2⁻⁶¹ to |x| = (ln 2)/256 + 1/200.
- * In Rust: `1.0 / 720.0`.
+ * Coefficient of x⁶ in the Taylor series of e^x. With it, the omitted terms are below 2⁻⁶¹ up to |x| = (ln 2)/256 +
+ * 1/200. In Rust: `1.0 / 720.0`.
  */
 static const double EXPONENTIAL_E6 = 0.001388888888888889;
 

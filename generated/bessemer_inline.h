@@ -134,7 +134,7 @@ static inline void logarithm_logarithm(const parts_t *parts, double exponent, pa
     pair->low = r * z * tail + (rest + lead.low + (next.low - cross));
 }
 
-/** What `step` leaves out, as a fraction. */
+/** The error of `step`, as a fraction. */
 static inline double exponential_step_rest(uint64_t steps)
 {
     return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);

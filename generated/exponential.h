@@ -24,7 +24,7 @@ extern "C" {
 typedef struct {
     /** An integer in the last 19 bits, signed; the bits above mean nothing. */
     uint64_t steps;
-    /** What s leaves out, and what the power has more than 2^(`steps`/128), as a fraction of s. */
+    /** The error of s, and the part of the power beyond 2^(`steps`/128), as a fraction of s. */
     double rest;
 } power_t;
 

@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-/** What x^y is for a negative x of which `value` is |x|^y. */
+/** x^y for a negative x, from `value` = |x|^y. */
 double extremes_power_of_negative(double value, double y);
 
 /** x^y where x is zero, infinite or NaN, or y is infinite or NaN. */

@@ -17,7 +17,7 @@
 typedef struct {
     /** The leading part. */
     double high;
-    /** What is added to it. */
+    /** The lower part. */
     double low;
 } pair_t;
 

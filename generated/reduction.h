@@ -22,9 +22,9 @@ extern "C" {
 
 /** An angle as quarter turns and what is left. */
 typedef struct {
-    /** What is left, rad, −π/4 to π/4. */
+    /** The remainder, rad, −π/4 to π/4. */
     double high;
-    /** What `high` leaves out. */
+    /** The error of `high`. */
     double low;
     /** Quarter turns modulo four: 0, 1, 2 or 3. */
     uint64_t quadrant;

@@ -16,8 +16,8 @@
 #include "bessemer_target.h"
 
 /**
- * √(x² + y²) for 2^−500 to 2^500, the larger first: the root of the sum, and what it is off by, from
- * differences that lose nothing (C. F. Borges, *An improved algorithm for hypot(a, b)*, 2019).
+ * √(x² + y²) for 2^−500 to 2^500, the larger first. The root of the sum is corrected by exact differences (C. F.
+ * Borges, *An improved algorithm for hypot(a, b)*, 2019).
  */
 static inline double roots_length(double large, double small)
 {

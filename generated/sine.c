@@ -25,15 +25,15 @@
 #include "reduction.h"
 
 /**
- * Of the Taylor series of the cosine, x²: to |x| = π/128 the terms that follow are below 2⁻⁵⁸.
+ * Coefficient of x² in the Taylor series of the cosine. Up to |x| = π/128 the omitted terms are below 2⁻⁵⁸.
  * In Rust: `-1.0 / 2.0`.
  */
 static const double C2 = -0.5;
 
-/** The same, x⁴. In Rust: `1.0 / 24.0`. */
+/** Coefficient of x⁴. In Rust: `1.0 / 24.0`. */
 static const double C4 = 0.041666666666666664;
 
-/** The same, x⁶. In Rust: `-1.0 / 720.0`. */
+/** Coefficient of x⁶. In Rust: `-1.0 / 720.0`. */
 static const double C6 = -0.001388888888888889;
 
 /** Up to here steps of π/64 are fewer than 2²⁰, rad. */
@@ -43,15 +43,15 @@ static const double MODERATE = 50000.0;
 static const double NEAR_ZERO = 0.27;
 
 /**
- * Of the Taylor series of the sine, x³: to |x| = π/128 the terms that follow are below 2⁻⁶¹ of it.
+ * Coefficient of x³ in the Taylor series of the sine. Up to |x| = π/128 the omitted terms are below 2⁻⁶¹ of it.
  * In Rust: `-1.0 / 6.0`.
  */
 static const double S3 = -0.16666666666666666;
 
-/** The same, x⁵. In Rust: `1.0 / 120.0`. */
+/** Coefficient of x⁵. In Rust: `1.0 / 120.0`. */
 static const double S5 = 0.008333333333333333;
 
-/** The same, x⁷. In Rust: `-1.0 / 5_040.0`. */
+/** Coefficient of x⁷. In Rust: `-1.0 / 5_040.0`. */
 static const double S7 = -0.0001984126984126984;
 
 /**

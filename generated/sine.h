@@ -21,8 +21,7 @@ extern "C" {
 #endif
 
 /**
- * Sine of `x` + `quarter_turns` · π/2, by way of the reduced angle in two doubles; of a tiny `x`, with 0 or 1
- * of them.
+ * Sine of `x` + `quarter_turns` · π/2, by reducing the angle in two doubles; of a tiny `x`, with 0 or 1 quarter turns.
  */
 double sine_by_reduction(double x, uint64_t quarter_turns);
 

@@ -1,5 +1,5 @@
-//! What iterators are made of others with, as functions of the DSL that are put where they are gone through: each hands
-//! what it gives to `__each`.
+//! Iterator adapters as functions of the DSL that are expanded where they are iterated: each passes its items to
+//! `__each`.
 //!
 //! Invariants: nothing stands behind `__each` in its pass, since what goes through the items may go on with the next there.
 //!
@@ -7,12 +7,12 @@
 
 use crate::function;
 
-/// What is gone through for a `V`.
+/// Sequence whose items have the type `V`.
 pub trait Of<V>: IntoIterator<Item = V> {}
 
 impl<V, T: IntoIterator<Item = V>> Of<V> for T {}
 
-/// What `f` makes of each.
+/// Applies `f` to each item.
 #[function(expand)]
 pub fn map<T, U>(
     items: impl Iterator<Item = T>,
@@ -38,7 +38,7 @@ pub fn filter<T>(
     }
 }
 
-/// What `f` makes of each, where that is something.
+/// Applies `f` to each item and keeps the results that are `Some`.
 #[function(expand)]
 pub fn filter_map<T, U>(
     items: impl Iterator<Item = T>,
@@ -52,7 +52,7 @@ pub fn filter_map<T, U>(
     }
 }
 
-/// What `f` makes of each, up to the first of which it makes nothing.
+/// Applies `f` to each item up to the first result that is `None`.
 #[function(expand)]
 pub fn map_while<T, U>(
     items: impl Iterator<Item = T>,
@@ -152,7 +152,7 @@ pub fn step_by<T>(items: impl Iterator<Item = T>, step: usize, mut __each: impl 
     }
 }
 
-/// What `f` makes of a state and of each, up to the first of which it makes nothing.
+/// Applies `f` to a state and each item up to the first result that is `None`.
 #[function(expand)]
 pub fn scan<T, S, U>(
     items: impl Iterator<Item = T>,
@@ -258,7 +258,7 @@ mod tests {
     extern crate std;
     use std::vec::Vec;
 
-    /// What is handed on.
+    /// Returns the items passed on.
     fn handed<T>(through: impl FnOnce(&mut dyn FnMut(T))) -> Vec<T> {
         let mut all = Vec::new();
         through(&mut |item| all.push(item));

@@ -26,9 +26,9 @@ use crate::{List, data};
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundedMatrix<T, const R: usize, const C: usize> {
-    /// How many rows there are.
+    /// Number of rows.
     pub(crate) rows: usize,
-    /// How many columns there are.
+    /// Number of columns.
     pub(crate) columns: usize,
     /// The elements, column by column; zero beyond the size.
     pub(crate) elements: [[T; R]; C],
@@ -45,12 +45,12 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         BoundedMatrix { rows, columns, elements: [[T::ZERO; R]; C] }
     }
 
-    /// How many rows there are.
+    /// Number of rows.
     pub fn nrows(&self) -> usize {
         self.rows.min(R)
     }
 
-    /// How many columns there are.
+    /// Number of columns.
     pub fn ncols(&self) -> usize {
         self.columns.min(C)
     }
@@ -152,12 +152,12 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         Some(matrix)
     }
 
-    /// How many elements there are.
+    /// Number of elements.
     pub fn len(&self) -> usize {
         self.rows.min(R) * self.columns.min(C)
     }
 
-    /// Whether there are none.
+    /// Returns true if there are none.
     pub fn is_empty(&self) -> bool {
         self.rows == 0 || self.columns == 0
     }

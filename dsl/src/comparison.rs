@@ -1,4 +1,4 @@
-//! Which of two values comes first, as a value: `a.cmp(&b)` and what is made of it.
+//! Order of two values as a value: `a.cmp(&b)` and its methods.
 
 use core::cmp::Ordering as Native;
 
@@ -34,7 +34,7 @@ impl<T: Plain> Plain for core::cmp::Reverse<T> {
     }
 }
 
-/// How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+/// Order of two values. Inline, so that it is declared beside the type, which may be an author's.
 #[function]
 #[inline]
 pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
@@ -49,7 +49,7 @@ pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
 
 #[library(OrderingCompanions)]
 impl Native {
-    /// What comes first by one order, and if that does not say, by another.
+    /// One order, or another one if the first is equal.
     #[function(rewrite)]
     pub fn then_with<F: FnOnce() -> Native>(order: Self, f: F) -> Self {
         match order {
@@ -73,42 +73,42 @@ impl Native {
         if order == Native::Equal { next } else { order }
     }
 
-    /// Whether the first comes before the second.
+    /// Returns true if the first comes before the second.
     #[inline]
     #[method(is_lt)]
     pub fn is_less(order: Self) -> bool {
         order == Native::Less
     }
 
-    /// Whether the first comes behind the second.
+    /// Returns true if the first comes behind the second.
     #[inline]
     #[method(is_gt)]
     pub fn is_greater(order: Self) -> bool {
         order == Native::Greater
     }
 
-    /// Whether neither comes first.
+    /// Returns true if neither comes first.
     #[inline]
     #[method(is_eq)]
     pub fn is_equal(order: Self) -> bool {
         order == Native::Equal
     }
 
-    /// Whether the first does not come behind the second.
+    /// Returns true if the first does not come behind the second.
     #[inline]
     #[method(is_le)]
     pub fn is_at_most(order: Self) -> bool {
         order != Native::Greater
     }
 
-    /// Whether the first does not come before the second.
+    /// Returns true if the first does not come before the second.
     #[inline]
     #[method(is_ge)]
     pub fn is_at_least(order: Self) -> bool {
         order != Native::Less
     }
 
-    /// Whether one of the two comes first.
+    /// Returns true if one of the two comes first.
     #[inline]
     #[method(is_ne)]
     pub fn is_unequal(order: Self) -> bool {
@@ -144,7 +144,7 @@ pub fn limited<T: Copy + Ord>(value: T, low: T, high: T) -> T {
     if value > high { high } else { value }
 }
 
-/// The same of numbers that may have no order: a NaN is before, behind and at no number.
+/// Order of two numbers that may have none: NaN has no order.
 #[function]
 #[inline]
 pub fn partial<T: Copy + PartialOrd>(one: T, other: T) -> Option<Native> {
@@ -157,7 +157,7 @@ pub fn partial<T: Copy + PartialOrd>(one: T, other: T) -> Option<Native> {
     if one > other { Some(Native::Greater) } else { None }
 }
 
-/// The same of all floats: −0 before +0, NaN behind all others.
+/// Total order of floats: −0 before +0, NaN behind all others.
 #[function]
 pub fn total<T: Real>(one: T, other: T) -> Native {
     if sort::below(one, other) {

@@ -102,19 +102,19 @@ impl<T: Real> Native<T> {
         (norm(z), arg(z))
     }
 
-    /// Whether a part is not a number.
+    /// Returns true if a part is not a number.
     #[by_value(z)]
     pub fn is_nan(z: &Self) -> bool {
         z.re.is_nan() || z.im.is_nan()
     }
 
-    /// Whether a part is infinite, and none is not a number.
+    /// Returns true if a part is infinite, and none is not a number.
     #[by_value(z)]
     pub fn is_infinite(z: &Self) -> bool {
         !is_nan(z) && (z.re.is_infinite() || z.im.is_infinite())
     }
 
-    /// Whether both parts are finite.
+    /// Returns true if both parts are finite.
     #[by_value(z)]
     pub fn is_finite(z: &Self) -> bool {
         z.re.is_finite() && z.im.is_finite()
@@ -245,7 +245,7 @@ pub fn sum_with_real<T: Real>(a: &Native<T>, b: T) -> Native<T> {
     Native::new(a.re + b, a.im)
 }
 
-/// The same, the real number on the left.
+/// Sum of a real and a complex number.
 #[function]
 pub fn sum_of_real<T: Real>(a: T, b: &Native<T>) -> Native<T> {
     Native::new(a + b.re, b.im)
@@ -263,7 +263,7 @@ pub fn difference_with_real<T: Real>(a: &Native<T>, b: T) -> Native<T> {
     Native::new(a.re - b, a.im)
 }
 
-/// The same, the real number on the left.
+/// Difference of a real and a complex number.
 #[function]
 pub fn difference_of_real<T: Real>(a: T, b: &Native<T>) -> Native<T> {
     Native::new(a - b.re, T::ZERO - b.im)
@@ -275,7 +275,7 @@ pub fn product<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
     Native::new(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re)
 }
 
-/// The same, the real number on the left.
+/// Product of a real and a complex number.
 #[function]
 pub fn scaled_by<T: Real>(factor: T, z: &Native<T>) -> Native<T> {
     Native::new(factor * z.re, factor * z.im)
@@ -346,7 +346,7 @@ pub trait ComplexMethods<T>: Sized {
     fn dsl_cosh(self) -> Self;
 }
 
-/// What these are of real numbers, as nalgebra has them: no function of the platform's.
+/// Methods of `ComplexField` for real numbers, as in nalgebra; none depends on the platform.
 #[doc(hidden)]
 pub trait RealMethods: nalgebra::RealField {
     /// The magnitude.

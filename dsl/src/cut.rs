@@ -19,7 +19,7 @@ pub fn split<T>(values: &[T], mut is_end: impl FnMut(&T) -> bool, mut __each: im
     }
 }
 
-/// The same, each with the element that ends it.
+/// Parts of a slice, each with the element that ends it.
 #[function(expand)]
 pub fn split_inclusive<T>(
     values: &[T],

@@ -58,7 +58,7 @@ numbers!(f32, f64, i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
 mod generated {
     use crate::generate::{ScalarType, Value};
 
-    /// What a generation build asks of a scalar besides.
+    /// Bounds of a scalar that a generation build adds.
     pub trait Generated: Value + ScalarType {}
 
     impl<T: Value + ScalarType> Generated for T {}

@@ -14,7 +14,7 @@ pub trait EntriesInOneBlock {
     fn build(cx: &mut crate::generate::Builder);
 }
 
-/// The same of an `impl` block for some of the instances.
+/// Entry points of an `impl` block for some of the instances.
 pub trait EntriesOfSomeInstances {
     /// Builds them.
     #[cfg(feature = "generate")]

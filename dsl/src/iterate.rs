@@ -1,4 +1,4 @@
-//! What iterators end in, as functions of the DSL that are put where they are called: each is one loop.
+//! Iterator consumers as functions of the DSL that are expanded where they are called: each is one loop.
 //!
 //! Must not know: where the items come from, or what a chain makes of them on the way.
 
@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 
 use crate::function;
 
-/// How many there are.
+/// Number of items.
 #[function(expand)]
 pub fn count<T>(items: impl Iterator<Item = T>) -> usize {
     let mut count = 0_usize;
@@ -16,7 +16,7 @@ pub fn count<T>(items: impl Iterator<Item = T>) -> usize {
     count
 }
 
-/// What `f` makes of all of them, one after the other.
+/// Folds all items with `f`.
 #[function(expand)]
 pub fn fold<T, A>(items: impl Iterator<Item = T>, start: A, mut f: impl FnMut(A, T) -> A) -> A {
     let mut gathered = start;
@@ -26,7 +26,7 @@ pub fn fold<T, A>(items: impl Iterator<Item = T>, start: A, mut f: impl FnMut(A,
     gathered
 }
 
-/// Whether one of them is as `f` asks.
+/// Returns true if one of them is as `f` asks.
 #[function(expand)]
 pub fn any<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> bool {
     let mut found = false;
@@ -39,7 +39,7 @@ pub fn any<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> b
     found
 }
 
-/// Whether all of them are.
+/// Returns true if all of them are.
 #[function(expand)]
 pub fn all<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> bool {
     let mut every = true;
@@ -65,7 +65,7 @@ pub fn find<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(&T) -> bool) ->
     find
 }
 
-/// What `f` makes of the first of which it makes something.
+/// First result of `f` that is `Some`.
 #[function(expand)]
 pub fn find_map<T, U>(
     items: impl Iterator<Item = T>,
@@ -118,7 +118,7 @@ pub fn nth<T>(items: impl Iterator<Item = T>, n: usize) -> Option<T> {
     nth
 }
 
-/// How many come before the first that is as `f` asks.
+/// Index of the first item that satisfies `f`.
 #[function(expand)]
 pub fn position<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> Option<usize> {
     let mut position = None;
@@ -131,7 +131,7 @@ pub fn position<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool)
     position
 }
 
-/// How many come before the last that is as `f` asks.
+/// Index of the last item that satisfies `f`.
 #[function(expand)]
 pub fn rposition<T>(
     items: impl DoubleEndedIterator<Item = T> + ExactSizeIterator,
@@ -306,7 +306,7 @@ pub fn try_for_each_ok<T, E>(
     done
 }
 
-/// What `f` makes of the first and of each of the others, one after the other.
+/// Folds the items with `f`, beginning with the first.
 #[function(expand)]
 pub fn reduce<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T, T) -> T) -> Option<T> {
     let mut reduced = None;
@@ -319,7 +319,7 @@ pub fn reduce<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T, T) -> T) -
     reduced
 }
 
-/// Whether each is equal to that of the others in its place, and there are as many.
+/// Returns true if each is equal to that of the others in its place, and there are as many.
 #[function(expand)]
 pub fn eq<T: PartialEq<U>, U>(
     items: impl Iterator<Item = T>,
@@ -335,7 +335,7 @@ pub fn eq<T: PartialEq<U>, U>(
     same && others.next().is_none()
 }
 
-/// Whether one is not.
+/// Returns true if one is not.
 #[function(expand)]
 pub fn ne<T: PartialEq<U>, U>(
     items: impl Iterator<Item = T>,
@@ -344,7 +344,7 @@ pub fn ne<T: PartialEq<U>, U>(
     !eq(items, others)
 }
 
-/// Which of two comes first: the one with the lesser item in the first place in which they differ; else the shorter.
+/// Lexicographic order of two sequences: the first difference decides, or else the length.
 #[function(expand)]
 pub fn cmp<T: PartialOrd>(
     items: impl Iterator<Item = T>,
@@ -370,7 +370,7 @@ pub fn cmp<T: PartialOrd>(
     order
 }
 
-/// Whether they come before the others.
+/// Returns true if they come before the others.
 #[function(expand)]
 pub fn lt<T: PartialOrd<U>, U>(
     items: impl Iterator<Item = T>,
@@ -390,7 +390,7 @@ pub fn lt<T: PartialOrd<U>, U>(
     less || same && others.next().is_some()
 }
 
-/// Whether they do not come behind the others.
+/// Returns true if they do not come behind the others.
 #[function(expand)]
 pub fn le<T: PartialOrd<U>, U>(
     items: impl Iterator<Item = T>,
@@ -412,7 +412,7 @@ pub fn le<T: PartialOrd<U>, U>(
     less || more || same
 }
 
-/// Whether they come behind the others.
+/// Returns true if they come behind the others.
 #[function(expand)]
 pub fn gt<T: PartialOrd<U>, U>(
     items: impl Iterator<Item = T>,
@@ -435,7 +435,7 @@ pub fn gt<T: PartialOrd<U>, U>(
     greater && !more
 }
 
-/// Whether they do not come before the others.
+/// Returns true if they do not come before the others.
 #[function(expand)]
 pub fn ge<T: PartialOrd<U>, U>(
     items: impl Iterator<Item = T>,

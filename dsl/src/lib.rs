@@ -170,7 +170,7 @@ macro_rules! __natively {
     ($($item:item)*) => { $($item)* };
 }
 
-/// The same in a generation build.
+/// Expands to native code in a generation build.
 #[doc(hidden)]
 #[cfg(feature = "generate")]
 #[macro_export]

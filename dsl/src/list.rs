@@ -92,7 +92,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         crate::list_edit::extend_from_slice(self, elements);
     }
 
-    /// The same of whatever gives elements, or references to them.
+    /// Appends elements, or elements behind references, of any iterator.
     ///
     /// # Panics
     /// If there is no room for one: those before it are added.
@@ -119,12 +119,12 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
 }
 
 impl<T, const N: usize> List<T, N> {
-    /// How many elements there are.
+    /// Number of elements.
     pub fn len(&self) -> usize {
         self.length
     }
 
-    /// Whether there are none.
+    /// Returns true if there are none.
     pub fn is_empty(&self) -> bool {
         self.length == 0
     }
@@ -134,7 +134,7 @@ impl<T, const N: usize> List<T, N> {
         self.length == N
     }
 
-    /// How many there may be.
+    /// Largest number of elements.
     pub fn capacity(&self) -> usize {
         N
     }

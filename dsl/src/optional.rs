@@ -9,12 +9,12 @@ use crate::{function, library};
 
 #[library(OptionCompanions, rewrite)]
 impl<T> Option<T> {
-    /// Whether there is something.
+    /// Returns true if there is something.
     pub fn is_some(option: &Self) -> bool {
         matches!(option, Some(_))
     }
 
-    /// Whether there is nothing.
+    /// Returns true if there is nothing.
     pub fn is_none(option: &Self) -> bool {
         !matches!(option, Some(_))
     }
@@ -27,7 +27,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// What `f` gives for what is there.
+    /// `f` applied to the content.
     pub fn and_then<U, F: FnOnce(T) -> Option<U>>(option: Self, f: F) -> Option<U> {
         match option {
             Some(value) => f(value),
@@ -35,7 +35,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// What is there, if `f` says so.
+    /// The content if it satisfies `f`.
     pub fn filter<F: FnOnce(&T) -> bool>(option: Self, f: F) -> Self {
         match option {
             Some(value) if f(&value) => Some(value),
@@ -54,7 +54,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// What is there, else what `f` gives.
+    /// The option, or the result of `f` if it is empty.
     pub fn or_else<F: FnOnce() -> Option<T>>(option: Self, f: F) -> Self {
         match option {
             Some(value) => Some(value),
@@ -62,7 +62,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// What is there, else the value of `f`.
+    /// The content, or the result of `f`.
     pub fn unwrap_or_else<F: FnOnce() -> T>(option: Self, f: F) -> T {
         match option {
             Some(value) => value,
@@ -86,7 +86,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// Whether there is something of which `f` says yes.
+    /// Returns true if there is something of which `f` says yes.
     pub fn is_some_and<F: FnOnce(T) -> bool>(option: Self, f: F) -> bool
     where
         T: Copy,
@@ -94,7 +94,7 @@ impl<T> Option<T> {
         matches!(option, Some(value) if f(value))
     }
 
-    /// Whether there is nothing, or something of which `f` says yes.
+    /// Returns true if there is nothing, or something of which `f` says yes.
     pub fn is_none_or<F: FnOnce(T) -> bool>(option: Self, f: F) -> bool {
         match option {
             Some(value) => f(value),
@@ -102,7 +102,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// What is there, else the error that `f` gives.
+    /// The content, or the error that `f` returns.
     pub fn ok_or_else<E, F: FnOnce() -> E>(option: Self, f: F) -> Result<T, E> {
         match option {
             Some(value) => Ok(value),
@@ -130,7 +130,7 @@ impl<T> Option<T> {
 
 #[library(OptionDefaultCompanion, expand)]
 impl<T: Default> Option<T> {
-    /// What is there, else the default of its type.
+    /// The content, or the default of its type.
     pub fn unwrap_or_default(option: Self) -> T {
         match option {
             Some(value) => value,
@@ -154,7 +154,7 @@ impl<T> Option<&mut T> {
     }
 }
 
-/// What is referred to, to be read.
+/// The option with a shared reference.
 #[function(rewrite)]
 pub fn as_deref<'a, T: ?Sized>(option: &'a Option<&mut T>) -> Option<&'a T> {
     match option {

@@ -9,12 +9,12 @@ use crate::library;
 
 #[library(ResultCompanions, rewrite)]
 impl<T, E> Result<T, E> {
-    /// Whether there is a value.
+    /// Returns true if there is a value.
     pub fn is_ok(result: &Self) -> bool {
         matches!(result, Ok(_))
     }
 
-    /// Whether there is an error.
+    /// Returns true if there is an error.
     pub fn is_err(result: &Self) -> bool {
         !matches!(result, Ok(_))
     }
@@ -57,7 +57,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// What `f` gives for the value.
+    /// `f` applied to the value.
     pub fn and_then<U, F: FnOnce(T) -> Result<U, E>>(result: Self, f: F) -> Result<U, E> {
         match result {
             Ok(value) => f(value),
@@ -97,7 +97,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// Whether there is a value of which `f` says yes.
+    /// Returns true if there is a value of which `f` says yes.
     pub fn is_ok_and<F: FnOnce(T) -> bool>(result: Self, f: F) -> bool
     where
         T: Copy,
@@ -105,7 +105,7 @@ impl<T, E> Result<T, E> {
         matches!(result, Ok(value) if f(value))
     }
 
-    /// Whether there is an error of which `f` says yes.
+    /// Returns true if there is an error of which `f` says yes.
     pub fn is_err_and<F: FnOnce(E) -> bool>(result: Self, f: F) -> bool
     where
         E: Copy,
@@ -116,7 +116,7 @@ impl<T, E> Result<T, E> {
 
 #[library(ResultDefaultCompanion, expand)]
 impl<T: Default, E> Result<T, E> {
-    /// What is there, else the default of its type.
+    /// The value, or the default of its type.
     pub fn unwrap_or_default(result: Self) -> T {
         match result {
             Ok(value) => value,

@@ -25,7 +25,7 @@ use nalgebra::{SMatrix, Scalar};
     note = "plain data are scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
 )]
 pub trait Plain: Sized {
-    /// How many words a value has.
+    /// Number of words of a value.
     const WORDS: usize;
 
     /// Gives the words of the value to `out`.

@@ -27,7 +27,7 @@ pub struct Closed<T> {
 pub struct HalfOpen<T> {
     /// The first.
     pub start: T,
-    /// What is no longer in it.
+    /// Excluded end.
     pub end: T,
 }
 
@@ -49,34 +49,34 @@ pub fn end<T: Copy>(range: &Closed<T>) -> &T {
     &range.end
 }
 
-/// Whether a number is neither below the first nor above the last.
+/// Returns true if a number is neither below the first nor above the last.
 #[function]
 pub fn closed_contains<T: Copy + PartialOrd>(range: &Closed<T>, number: &T) -> bool {
     range.start <= *number && *number <= range.end
 }
 
-/// Whether a number is not below the first, and below the end.
+/// Returns true if a number is not below the first, and below the end.
 #[function]
 pub fn contains<T: Copy + PartialOrd>(range: &HalfOpen<T>, number: &T) -> bool {
     range.start <= *number && *number < range.end
 }
 
-/// Whether the last is below the first.
+/// Returns true if the last is below the first.
 #[function]
 pub fn closed_is_empty<T: Copy + PartialOrd>(range: &Closed<T>) -> bool {
     !(range.start <= range.end)
 }
 
-/// Whether the end is not above the first.
+/// Returns true if the end is not above the first.
 #[function]
 pub fn is_empty<T: Copy + PartialOrd>(range: &HalfOpen<T>) -> bool {
     !(range.start < range.end)
 }
 
-/// How many numbers a range has.
+/// Writes the lengths of ranges.
 macro_rules! lengths {
     ($($length:ident: $int:ident,)*) => {$(
-        /// How many numbers there are in it.
+        /// Number of integers in a range.
         #[function]
         pub fn $length(range: &HalfOpen<$int>) -> usize {
             if range.start < range.end { range.end.abs_diff(range.start) as usize } else { 0 }

@@ -72,7 +72,7 @@ impl<T: Real> UnitQuaternion<T> {
         scaled_rotation_between_axis(a, b, T::ONE)
     }
 
-    /// The same, `share` times as far.
+    /// The rotation from one direction to another, its angle multiplied by `share`.
     pub fn scaled_rotation_between_axis(
         a: &UnitVector3<T>,
         b: &UnitVector3<T>,
@@ -95,13 +95,13 @@ impl<T: Real> UnitQuaternion<T> {
         Some(UnitQuaternion::identity())
     }
 
-    /// The smallest rotation that turns the direction of `a` into that of `b`; none where they are opposite, and no rotation
-    /// where one of them is zero.
+    /// The smallest rotation from the direction of `a` to that of `b`. None if they are opposite; the identity if one
+    /// of them is zero.
     pub fn rotation_between(a: &Vector3<T>, b: &Vector3<T>) -> Option<Self> {
         scaled_rotation_between(a, b, T::ONE)
     }
 
-    /// The same, `share` times as far.
+    /// The smallest rotation from the direction of `a` to that of `b`, its angle multiplied by `share`.
     pub fn scaled_rotation_between(a: &Vector3<T>, b: &Vector3<T>, share: T) -> Option<Self> {
         match (UnitVector3::try_new(*a, T::ZERO), UnitVector3::try_new(*b, T::ZERO)) {
             (Some(from), Some(to)) => scaled_rotation_between_axis(&from, &to, share),
@@ -117,8 +117,8 @@ impl<T: Real> UnitQuaternion<T> {
         }
     }
 
-    /// The rotation `share` of the way from `a` to `b`, by the shorter way; `a`, where they are too near to each
-    /// other for a direction (where nalgebra panics).
+    /// Spherical interpolation from `a` to `b` by the shorter arc, at `share`. It is `a` if the two are too near to
+    /// each other for an axis (where nalgebra panics).
     pub fn slerp(a: &Self, b: &Self, share: T) -> Self {
         let along = (a.i * b.i + a.k * b.k) + (a.j * b.j + a.w * b.w);
         let opposite = along < T::ZERO;
@@ -159,13 +159,13 @@ impl<T: Real> UnitQuaternion<T> {
     }
 }
 
-/// How far it turns, rad, from 0 to π.
+/// Angle of a rotation, rad, from 0 to π.
 #[function]
 pub fn angle<T: Real>(q: &UnitQuaternion<T>) -> T {
     Vector3::new(q.i, q.j, q.k).norm().atan2(q.w.abs()) * real(2.0)
 }
 
-/// How far `to` is turned from `from`, rad.
+/// Angle of the rotation from `from` to `to`, rad.
 #[function]
 pub fn angle_to<T: Real>(from: &UnitQuaternion<T>, to: &UnitQuaternion<T>) -> T {
     angle(&from.rotation_to(to))
@@ -283,7 +283,7 @@ impl<T: Real> RotationMethods<T> for UnitQuaternion<T> {
     }
 }
 
-/// The same of what rotation matrices have, too.
+/// Methods that rotation matrices have, too.
 #[doc(hidden)]
 pub trait EulerMethods<T> {
     /// [`euler_angles`], [`matrix_euler_angles`].
@@ -373,7 +373,7 @@ impl<T: Real> BetweenMethods<T> for UnitQuaternion<T> {
     }
 }
 
-/// What nalgebra's `new` of rotations makes of an angle, or of an axis as long as the angle.
+/// Argument of `new` of nalgebra's rotations: an angle, or an axis whose length is the angle.
 #[doc(hidden)]
 pub trait TurnMethods<A> {
     /// [`from_scaled_axis`], [`matrix_from_angle`], [`matrix_from_scaled_axis`].

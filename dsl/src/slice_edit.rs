@@ -25,7 +25,7 @@ pub fn fill<T: Copy>(values: &mut [T], element: T) {
 
 #[library(ContainsCompanion, expand)]
 impl<T: PartialEq> [T] {
-    /// Whether an element is among them.
+    /// Returns true if an element is among them.
     pub fn contains(values: &Self, element: &T) -> bool {
         let mut found = false;
         for value in values {
@@ -73,7 +73,7 @@ impl<T: Copy> [T] {
         }
     }
 
-    /// The same of all elements from `from` on.
+    /// Copies all elements from `from` on within a slice.
     #[method(slice_copy_within_rest)]
     pub fn copy_behind_within(values: &mut Self, from: usize, place: usize) {
         copy_within(values, from, values.len(), place);
@@ -108,12 +108,12 @@ impl [u8] {
 
 #[library(EndCompanions)]
 impl<T: Number + PartialEq> [T] {
-    /// Whether the first elements are these.
+    /// Returns true if the first elements are these.
     pub fn starts_with(values: &Self, start: &Self) -> bool {
         start.len() <= values.len() && values[..start.len()] == *start
     }
 
-    /// Whether the last elements are these.
+    /// Returns true if the last elements are these.
     pub fn ends_with(values: &Self, end: &Self) -> bool {
         end.len() <= values.len() && values[values.len() - end.len()..] == *end
     }

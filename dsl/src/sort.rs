@@ -42,7 +42,7 @@ impl<T: Number + Ord> [T] {
 
 #[library(OrderCompanion)]
 impl<T: PartialOrd> [T] {
-    /// Whether no element comes before the one in front of it; a NaN has no place in an order.
+    /// Returns true if no element comes before the one in front of it; a NaN has no place in an order.
     #[allow(clippy::neg_cmp_op_on_partial_ord)]
     pub fn is_sorted(values: &Self) -> bool {
         for at in 1..values.len() {
@@ -55,7 +55,7 @@ impl<T: PartialOrd> [T] {
     }
 }
 
-/// Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.
+/// Returns true if `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.
 #[function]
 #[inline]
 pub fn below<T: Real>(one: T, other: T) -> bool {

@@ -19,7 +19,7 @@ use crate::data;
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Text<const N: usize> {
-    /// How many bytes there are.
+    /// Number of bytes.
     length: usize,
     /// The bytes; zero beyond the length.
     bytes: [u8; N],
@@ -45,17 +45,17 @@ impl<const N: usize> Text<N> {
         text
     }
 
-    /// How many bytes there are.
+    /// Number of bytes.
     pub fn len(&self) -> usize {
         self.length.min(N)
     }
 
-    /// Whether there are none.
+    /// Returns true if there are none.
     pub fn is_empty(&self) -> bool {
         self.length == 0
     }
 
-    /// How many bytes there may be.
+    /// Largest number of bytes.
     pub fn capacity(&self) -> usize {
         N
     }
@@ -119,12 +119,12 @@ impl<const N: usize> Text<N> {
         self.bytes = [0; N];
     }
 
-    /// Whether it is these bytes: `name.is(b"motor")`.
+    /// Returns true if it is these bytes: `name.is(b"motor")`.
     pub fn is(&self, bytes: &[u8]) -> bool {
         self.length == bytes.len() && self.starts_with(bytes)
     }
 
-    /// Whether it begins with these bytes.
+    /// Returns true if it begins with these bytes.
     pub fn starts_with(&self, bytes: &[u8]) -> bool {
         if bytes.len() > self.length.min(N) {
             return false;

@@ -1,5 +1,5 @@
-//! Finds the programs: every file below `src/programs` is a module, and every function and entry point in
-//! it that can be called with words is listed, so that dropping in a file adds a test.
+//! Finds the programs: every file below `src/programs` becomes a module. Every function and entry point in it that can
+//! be called with words is listed, so a new file adds a test.
 //!
 //! A folder is a module of its files; a folder with a `mod.rs` is one program. What several programs have in
 //! common stands in a file that they `include!`.

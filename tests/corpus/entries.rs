@@ -9,19 +9,19 @@ use syn::{FnArg, ImplItem, Item, ReturnType, Signature, Type, Visibility};
 pub struct Entries {
     /// The crate.
     pub root: &'static str,
-    /// Whether methods of plain data are called by themselves, too.
+    /// True if methods of plain data are called by themselves, too.
     pub methods: bool,
     /// Each as the text of a `crate::Entry`.
     pub found: Vec<String>,
 }
 
-/// What is called.
+/// Function of an entry.
 struct Callee<'a> {
     /// The path of its module within `programs`.
     module: &'a str,
     /// The type that it is a method of, with what the parameters of that stand for.
     owner: Option<(&'a Type, &'a [Item])>,
-    /// Whether that is a component.
+    /// True if that is a component.
     component: bool,
     signature: &'a Signature,
 }
@@ -196,7 +196,7 @@ impl Entries {
     }
 }
 
-/// Whether a type has references within, or is none by itself.
+/// Returns true if a type has references within, or is none by itself.
 fn has_no_words(ty: &Type) -> bool {
     let inner = match ty {
         Type::Reference(it) => &*it.elem,

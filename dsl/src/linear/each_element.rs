@@ -72,7 +72,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// What `f` gathers of the elements.
+    /// Folds the elements with `f`.
     pub fn fold<A, F: FnMut(A, T) -> A>(elements: &Self, start: A, mut f: F) -> A {
         let mut gathered = start;
         for x in elements.iter() {
@@ -81,7 +81,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         gathered
     }
 
-    /// What `f` gathers of the elements of two matrices.
+    /// Folds the elements of two matrices with `f`.
     pub fn zip_fold<U: Element, A, F: FnMut(A, T, U) -> A>(
         elements: &Self,
         others: &SMatrix<U, R, C>,

@@ -83,7 +83,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// The same numbers in another type, rounded if it is the shorter.
+    /// Conversion to another number type, rounded if it is shorter.
     #[by_value(a)]
     pub fn cast<U: Real>(a: &Self) -> SMatrix<U, R, C> {
         let mut other = SMatrix::<U, R, C>::zeros();

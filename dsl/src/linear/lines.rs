@@ -1,5 +1,5 @@
-//! The columns and the rows of a matrix, one after another, as functions of the DSL that are put where they are gone
-//! through: each hands what it gives to `__each`.
+//! Iterators over the columns and rows of a matrix as functions of the DSL that are expanded where they are iterated.
+//! Each passes its items to `__each`.
 //!
 //! Must not know: what becomes of them.
 
@@ -77,7 +77,7 @@ mod tests {
     extern crate std;
     use std::vec::Vec;
 
-    /// What is handed on.
+    /// Returns the items passed on.
     fn handed<T>(through: impl FnOnce(&mut dyn FnMut(T))) -> Vec<T> {
         let mut all = Vec::new();
         through(&mut |item| all.push(item));

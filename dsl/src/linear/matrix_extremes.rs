@@ -1,5 +1,5 @@
-//! The largest and smallest elements of matrices, and where they are: what nalgebra's methods of these
-//! names compute, in its order, written in the DSL for the C.
+//! The largest and smallest elements of matrices, and their positions. The functions compute in the order of nalgebra's
+//! methods of these names and are written in the DSL for the C.
 //!
 //! Values are compared as nalgebra compares them: a NaN hides what comes before it and shows only at the
 //! end. Places are those of the first of equals; a NaN is never one, unless it comes first.
@@ -92,7 +92,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         place
     }
 
-    /// Of each pair of elements the smaller.
+    /// The smaller element of each pair.
     pub fn inf(a: &Self, b: &Self) -> Self {
         let mut smaller = *a;
         for column in 0..C {
@@ -103,7 +103,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         smaller
     }
 
-    /// Of each pair of elements the larger.
+    /// The larger element of each pair.
     pub fn sup(a: &Self, b: &Self) -> Self {
         let mut larger = *a;
         for column in 0..C {
@@ -114,7 +114,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         larger
     }
 
-    /// Of each pair of elements the smaller, and the larger.
+    /// The smaller and the larger element of each pair.
     pub fn inf_sup(a: &Self, b: &Self) -> (Self, Self) {
         (inf(a, b), sup(a, b))
     }
@@ -122,7 +122,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
 
 #[library(VectorExtremeCompanions)]
 impl<T: Real, const N: usize> SVector<T, N> {
-    /// Where the largest element is, and what it is.
+    /// Index and value of the largest element.
     pub fn argmax(v: &Self) -> (usize, T) {
         let mut largest = v[0];
         let mut place = 0;
@@ -135,7 +135,7 @@ impl<T: Real, const N: usize> SVector<T, N> {
         (place, largest)
     }
 
-    /// Where the smallest element is, and what it is.
+    /// Index and value of the smallest element.
     pub fn argmin(v: &Self) -> (usize, T) {
         let mut smallest = v[0];
         let mut place = 0;
@@ -148,19 +148,19 @@ impl<T: Real, const N: usize> SVector<T, N> {
         (place, smallest)
     }
 
-    /// Where the largest element is.
+    /// Index of the largest element.
     pub fn imax(v: &Self) -> usize {
         let (place, _) = argmax(v);
         place
     }
 
-    /// Where the smallest element is.
+    /// Index of the smallest element.
     pub fn imin(v: &Self) -> usize {
         let (place, _) = argmin(v);
         place
     }
 
-    /// Where the largest magnitude is.
+    /// Index of the largest magnitude.
     #[method(iamax, icamax)]
     pub fn iamax(v: &Self) -> usize {
         let mut largest = v[0].abs();
@@ -175,7 +175,7 @@ impl<T: Real, const N: usize> SVector<T, N> {
         place
     }
 
-    /// Where the smallest magnitude is.
+    /// Index of the smallest magnitude.
     pub fn iamin(v: &Self) -> usize {
         let mut smallest = v[0].abs();
         let mut place = 0;
@@ -190,7 +190,7 @@ impl<T: Real, const N: usize> SVector<T, N> {
     }
 }
 
-/// Whether no element is infinite or a NaN.
+/// Returns true if no element is infinite or a NaN.
 #[function]
 pub fn all_finite<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> bool {
     for column in 0..C {

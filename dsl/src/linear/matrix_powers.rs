@@ -37,8 +37,8 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
         *a = pow(a, exponent);
     }
 
-    /// The exponential of a matrix: halved until its one-norm is below 0.95, Padé's approximant of degree 7,
-    /// squared as often as it was halved (Higham 2005). NaN everywhere where an element is not finite.
+    /// The exponential of a matrix by Padé's approximant of degree 7. The matrix is halved until its one-norm is below
+    /// 0.95, and the result is squared as often (Higham 2005). NaN everywhere if an element is not finite.
     ///
     /// nalgebra has one only with std, which asks the platform for logarithms and powers on the way; this has an
     /// order of its own.

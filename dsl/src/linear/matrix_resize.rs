@@ -118,7 +118,7 @@ pub fn remove_column<T: Real, const R: usize, const C: usize, const COLUMNS: usi
 
 #[library(FixedResizeCompanion)]
 impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
-    /// Of another size: cut off, or with a value where there was nothing.
+    /// Resized matrix: truncated, or filled with a value.
     #[by_value(a)]
     pub fn fixed_resize<const ROWS: usize, const COLUMNS: usize>(
         a: &Self,

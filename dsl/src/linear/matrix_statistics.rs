@@ -1,5 +1,5 @@
-//! Sums, products, means and variances of matrices, of their rows and of their columns: what nalgebra's
-//! methods of these names compute, in its order, written in the DSL for the C.
+//! Sums, products, means and variances of matrices, of their rows and of their columns. The functions compute in the
+//! order of nalgebra's methods of these names and are written in the DSL for the C.
 
 use nalgebra::{SMatrix, SVector};
 

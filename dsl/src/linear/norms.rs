@@ -1,5 +1,5 @@
-//! Norms, distances and what is set to a length: what nalgebra's methods of these names compute, in its
-//! order, written in the DSL for the C.
+//! Norms, distances and normalisation. The functions compute in the order of nalgebra's methods of these names and are
+//! written in the DSL for the C.
 
 use nalgebra::{SMatrix, SVector, Unit};
 
@@ -96,7 +96,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         if norm > most { a * (most / norm) } else { *a }
     }
 
-    /// Whether each element is near that of the identity: see [`is_near`].
+    /// Returns true if each element is near that of the identity: see [`is_near`].
     pub fn is_identity(a: &Self, tolerance: T) -> bool {
         for column in 0..C {
             for row in 0..R {
@@ -109,7 +109,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         true
     }
 
-    /// Whether the columns are near to orthonormal: see [`is_near`].
+    /// Returns true if the columns are near to orthonormal: see [`is_near`].
     pub fn is_orthogonal(a: &Self, tolerance: T) -> bool {
         is_identity(&a.tr_mul(a), tolerance)
     }
@@ -127,7 +127,7 @@ pub fn distance_squared<T: Real, const N: usize>(p: &SVector<T, N>, q: &SVector<
     (q - p).norm_squared()
 }
 
-/// Whether two numbers differ by no more than `tolerance`, or by a part of 2⁻⁵² (in single precision 2⁻²³) of
+/// Returns true if two numbers differ by no more than `tolerance`, or by a part of 2⁻⁵² (in single precision 2⁻²³) of
 /// the larger.
 #[function]
 pub fn is_near<T: Real>(a: T, b: T, tolerance: T) -> bool {
@@ -148,12 +148,12 @@ pub fn is_near<T: Real>(a: T, b: T, tolerance: T) -> bool {
 
 #[library(SquareNormCompanions)]
 impl<T: Real, const N: usize> SMatrix<T, N, N> {
-    /// Whether a matrix is near to a rotation: orthonormal columns, and a determinant above zero.
+    /// Returns true if a matrix is near to a rotation: orthonormal columns, and a determinant above zero.
     pub fn is_special_orthogonal(a: &Self, tolerance: T) -> bool {
         is_orthogonal(a, tolerance) && determinant(a) > T::ZERO
     }
 
-    /// Whether a matrix has an inverse.
+    /// Returns true if a matrix has an inverse.
     pub fn is_invertible(a: &Self) -> bool {
         super::inverse(a).is_some()
     }
@@ -169,7 +169,7 @@ impl<T: Real, const N: usize> Unit<SVector<T, N>> {
         Some(direction)
     }
 
-    /// The same, and |v|.
+    /// Direction of a vector and |v|; none if |v| is at most `least`.
     #[method(try_new_and_get)]
     #[by_value(v)]
     pub fn try_direction_and_norm(v: &SVector<T, N>, least: T) -> Option<(Self, T)> {

@@ -10,7 +10,7 @@ use crate::{function, library};
 
 #[library(PartCompanions)]
 impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
-    /// What is on and below the diagonal; zero above.
+    /// The lower triangle with the diagonal; zero above.
     pub fn lower_triangle(a: &Self) -> Self {
         let mut triangle = *a;
         for column in 0..C {
@@ -23,7 +23,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         triangle
     }
 
-    /// What is on and above the diagonal; zero below.
+    /// The upper triangle with the diagonal; zero below.
     pub fn upper_triangle(a: &Self) -> Self {
         let mut triangle = *a;
         for column in 0..C {
@@ -89,12 +89,12 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         matrix
     }
 
-    /// How many rows, and how many columns.
+    /// Numbers of rows and columns.
     pub fn shape(_a: &Self) -> (usize, usize) {
         (R, C)
     }
 
-    /// Whether there are as many rows as columns.
+    /// Returns true if there are as many rows as columns.
     pub fn is_square(_a: &Self) -> bool {
         R == C
     }

@@ -13,16 +13,16 @@ use super::tables::{
 };
 use crate::prelude::*;
 
-/// Of the Taylor series of the arctangent, x³: to |x| = 1/32 the terms that follow are below 2⁻⁵³ of it.
+/// Coefficient of x³ in the Taylor series of the arctangent. Up to |x| = 1/32 the omitted terms are below 2⁻⁵³ of it.
 #[crate::data]
 const A3: f64 = -1.0 / 3.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 const A5: f64 = 1.0 / 5.0;
-/// The same, x⁷.
+/// Coefficient of x⁷.
 #[crate::data]
 const A7: f64 = -1.0 / 7.0;
-/// The same, x⁹.
+/// Coefficient of x⁹.
 #[crate::data]
 const A9: f64 = 1.0 / 9.0;
 
@@ -34,7 +34,7 @@ fn row_of_ratio(ratio: f64) -> u32 {
     ((ratio.raw_bits() >> 49) as u32).wrapping_sub(0x1fd8)
 }
 
-/// What the arctangent adds to `t` for |t| ≤ 1/32.
+/// The arctangent of `t` minus `t`, for |t| ≤ 1/32.
 #[inline]
 #[function]
 fn small_curve(t: f64) -> f64 {
@@ -42,7 +42,7 @@ fn small_curve(t: f64) -> f64 {
     t * z * (A3 + z * (A5 + z * (A7 + z * A9)))
 }
 
-/// What the arctangent adds to `t` for |t| ≤ 1/16.
+/// The arctangent of `t` minus `t`, for |t| ≤ 1/16.
 #[inline]
 #[function]
 fn curve(t: f64) -> f64 {
@@ -88,8 +88,8 @@ pub fn atan(x: f64) -> f64 {
     }
 }
 
-/// The angle of a point in the first quadrant, as two doubles, from 0 to π/2 rad: `ratio` is
-/// `height`/`width`, and all are from 2^−900 to 2^900.
+/// Angle of a point in the first quadrant, as two doubles, from 0 to π/2 rad. `ratio` is `height`/`width`, and all are
+/// from 2^−900 to 2^900.
 #[inline]
 #[function]
 fn angle_of_ratio(height: f64, width: f64, ratio: f64) -> Pair {
@@ -192,8 +192,7 @@ fn arcsine_curve(z: f64) -> f64 {
     lower + v * (middle + v * (upper + v * ARCSINE_POLYNOMIAL[12]))
 }
 
-/// Half the arccosine of `size` from 1/2 to 1, without 1: the root r of (1 − `size`)/2 as it is rounded,
-/// and what is added to it.
+/// Half the arccosine of `size` from 1/2 to below 1: the rounded root r of (1 − `size`)/2, and its correction.
 #[inline]
 #[function]
 fn half_arccosine(size: f64) -> Pair {

@@ -75,13 +75,13 @@ pub fn to_digit(code: u32, base: u32) -> Option<u32> {
     if value < base { Some(value) } else { None }
 }
 
-/// Whether it is a digit or a letter of a base from 2 to 36.
+/// Returns true if it is a digit or a letter of a base from 2 to 36.
 #[function]
 pub fn is_digit_of(code: u32, base: u32) -> bool {
     to_digit(code, base).is_some()
 }
 
-/// Whether the code point is one of the first 128.
+/// Returns true if the code point is one of the first 128.
 #[function(expand)]
 pub fn is_ascii(code: u32) -> bool {
     code < 128
@@ -99,7 +99,7 @@ pub fn from_digit(value: u32, base: u32) -> Option<u32> {
 
 macro_rules! characters {
     ($($function:ident: $of_byte:ident;)*) => {$(
-        /// The same of a character.
+        /// Tests a character.
         #[function]
         pub fn $function(code: u32) -> bool {
             code < 128 && $of_byte(code as u8)
@@ -117,13 +117,13 @@ characters! {
     char_is_whitespace: is_whitespace;
 }
 
-/// The same of a character.
+/// Upper case of a character.
 #[function]
 pub fn char_to_uppercase(code: u32) -> u32 {
     if char_is_lowercase(code) { code - 32 } else { code }
 }
 
-/// The same of a character.
+/// Lower case of a character.
 #[function]
 pub fn char_to_lowercase(code: u32) -> u32 {
     if char_is_uppercase(code) { code + 32 } else { code }

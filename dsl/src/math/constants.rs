@@ -1,4 +1,4 @@
-//! What is a constant of a float in the DSL, and a function of no parameters in `num_traits` and nalgebra: `T::zero()`.
+//! Constants of a float in the DSL that are functions without parameters in `num_traits` and nalgebra: `T::zero()`.
 
 use crate::prelude::*;
 

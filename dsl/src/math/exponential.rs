@@ -16,32 +16,34 @@ use super::sine::TO_INTEGER;
 use super::tables::{EXP_M1, OF_TWO, STEPS_PER_UNIT, UNIT_STEP_HIGH, UNIT_STEP_LOW};
 use crate::prelude::*;
 
-/// Of the Taylor series of e^x, x²: to |x| = (ln 2)/256 the terms behind the fifth power are below 2⁻⁶⁰.
+/// Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/256 the terms after the fifth power are below
+/// 2⁻⁶⁰.
 #[crate::data]
 pub const E2: f64 = 1.0 / 2.0;
-/// The same, x³.
+/// Coefficient of x³.
 #[crate::data]
 pub const E3: f64 = 1.0 / 6.0;
-/// The same, x⁴.
+/// Coefficient of x⁴.
 #[crate::data]
 pub const E4: f64 = 1.0 / 24.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 pub const E5: f64 = 1.0 / 120.0;
-/// Of the Taylor series of e^x, x⁶: with it, the terms that follow are below 2⁻⁶¹ to |x| = (ln 2)/256 + 1/200.
+/// Coefficient of x⁶ in the Taylor series of e^x. With it, the omitted terms are below 2⁻⁶¹ up to |x| = (ln 2)/256 +
+/// 1/200.
 #[crate::data]
 pub const E6: f64 = 1.0 / 720.0;
 
-/// Of the Taylor series of 2^x, x²: to |x| = 1/256 the terms behind the fifth power are below 2⁻⁶⁰.
+/// Coefficient of x² in the Taylor series of 2^x. Up to |x| = 1/256 the terms after the fifth power are below 2⁻⁶⁰.
 #[crate::data]
 const P2: f64 = LN_2 * LN_2 / 2.0;
-/// The same, x³.
+/// Coefficient of x³.
 #[crate::data]
 const P3: f64 = LN_2 * LN_2 * LN_2 / 6.0;
-/// The same, x⁴.
+/// Coefficient of x⁴.
 #[crate::data]
 const P4: f64 = LN_2 * LN_2 * LN_2 * LN_2 / 24.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 const P5: f64 = LN_2 * LN_2 * LN_2 * LN_2 * LN_2 / 120.0;
 
@@ -74,7 +76,7 @@ const NOTHING: i32 = -1080;
 pub struct Power {
     /// An integer in the last 19 bits, signed; the bits above mean nothing.
     pub steps: u64,
-    /// What s leaves out, and what the power has more than 2^(`steps`/128), as a fraction of s.
+    /// The error of s, and the part of the power beyond 2^(`steps`/128), as a fraction of s.
     pub rest: f64,
 }
 
@@ -95,7 +97,7 @@ pub fn step(steps: u64) -> f64 {
     f64::from_bits(((upper as u64) << 32) | (bits & 0xffff_ffff))
 }
 
-/// What [`step`] leaves out, as a fraction.
+/// The error of [`step`], as a fraction.
 #[inline]
 #[function]
 pub fn step_rest(steps: u64) -> f64 {

@@ -7,7 +7,7 @@
 use super::exponential::far;
 use crate::prelude::*;
 
-/// What x^y is for a negative x of which `value` is |x|^y.
+/// x^y for a negative x, from `value` = |x|^y.
 #[function]
 pub fn power_of_negative(value: f64, y: f64) -> f64 {
     // From 2⁵³ on, every number is even.

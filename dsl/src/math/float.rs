@@ -65,11 +65,11 @@ pub trait Real:
     fn dsl_from_f64(value: f64) -> Self;
     /// The number in double precision, which holds every one.
     fn as_f64(self) -> f64;
-    /// Whether it is not a number.
+    /// Returns true if it is not a number.
     fn is_nan(self) -> bool;
-    /// Whether it is neither infinite nor NaN.
+    /// Returns true if it is neither infinite nor NaN.
     fn is_finite(self) -> bool;
-    /// Whether it is ∞ or −∞.
+    /// Returns true if it is ∞ or −∞.
     fn is_infinite(self) -> bool;
 }
 

@@ -29,7 +29,7 @@ fn odd_sum(a: f64, b: f64) -> f64 {
     }
 }
 
-/// Whether a number is from 2^−`range` to 2^`range`.
+/// Returns true if a number is from 2^−`range` to 2^`range`.
 #[inline]
 #[function]
 fn is_within(x: f64, range: u32) -> bool {

@@ -1,5 +1,5 @@
-//! What is generic over `num_traits::Float` or nalgebra's `RealField` has the DSL's functions, too, so that it computes the
-//! same bits in each float as what names that float.
+//! The DSL's functions for code that is generic over `num_traits::Float` or nalgebra's `RealField`. Each float has the
+//! same bits as in code that names it.
 //!
 //! The methods take their receiver by reference: where the type is known rustc finds the float's own, by value, first.
 //!

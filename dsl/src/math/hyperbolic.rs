@@ -13,16 +13,17 @@ use super::tables::{
 };
 use crate::prelude::*;
 
-/// Of the Taylor series of the hyperbolic tangent, x³: to |x| = 1/32 the terms that follow are below 2⁻⁵⁶ of it.
+/// Coefficient of x³ in the Taylor series of the hyperbolic tangent. Up to |x| = 1/32 the omitted terms are below 2⁻⁵⁶
+/// of it.
 #[crate::data]
 const T3: f64 = -1.0 / 3.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 const T5: f64 = 2.0 / 15.0;
-/// The same, x⁷.
+/// Coefficient of x⁷.
 #[crate::data]
 const T7: f64 = -17.0 / 315.0;
-/// The same, x⁹.
+/// Coefficient of x⁹.
 #[crate::data]
 const T9: f64 = 62.0 / 2_835.0;
 

@@ -42,7 +42,7 @@ pub trait Integer:
     const MAX: Self;
     /// The smallest value.
     const MIN: Self;
-    /// How many bits it has.
+    /// Number of bits.
     const BITS: u32;
     /// The lower four bits of each byte.
     #[doc(hidden)]
@@ -78,11 +78,11 @@ pub trait Integer:
     /// The bytes from the last to the first.
     #[must_use]
     fn swap_bytes(self) -> Self;
-    /// How many bits are 1.
+    /// Number of bits that are 1.
     fn count_ones(self) -> u32;
-    /// How many bits above the highest 1 are 0.
+    /// Number of zero bits above the highest 1.
     fn leading_zeros(self) -> u32;
-    /// How many bits below the lowest 1 are 0.
+    /// Number of zero bits below the lowest 1.
     fn trailing_zeros(self) -> u32;
 }
 
@@ -135,7 +135,7 @@ integers! {
     i8 u8 i16 u16 i32 u32 i64 u64 isize usize u8 u8 u16 u16 u32 u32 u64 u64 usize usize
 }
 
-/// What an integer has besides in a generation build.
+/// Further bounds of an integer in a generation build.
 #[cfg(feature = "generate")]
 mod generated {
     use crate::generate::numbers::{DivisionBuiltins, IntegerBuiltins, OrderBuiltins};
@@ -152,7 +152,7 @@ mod generated {
     }
 }
 
-/// What an integer has besides in a generation build: nothing here.
+/// Further bounds of an integer in a generation build: none here.
 #[cfg(not(feature = "generate"))]
 mod generated {
     pub trait Generated {}

@@ -53,7 +53,7 @@ pub fn parts(bits: u64) -> Parts {
     }
 }
 
-/// Whether a number is positive, normal and finite, from its bits.
+/// Returns true if a number is positive, normal and finite, from its bits.
 #[inline]
 #[function]
 pub fn is_plain(bits: u64) -> bool {
@@ -84,7 +84,7 @@ pub fn ln_near_one(r: f64) -> Pair {
     Pair { high, low: lost + (tail - cross) }
 }
 
-/// How far the significand is from its c in the table of natural logarithms; exact.
+/// Difference of the significand from its c in the table of natural logarithms; exact.
 #[inline]
 #[function]
 fn offset(parts: Parts) -> f64 {
@@ -115,7 +115,7 @@ pub fn at_limit(x: f64) -> f64 {
     }
 }
 
-/// Whether a number is below the normal ones, and above zero.
+/// Returns true if a number is below the normal ones, and above zero.
 #[inline]
 #[function]
 fn is_small(x: f64) -> bool {

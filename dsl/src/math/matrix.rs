@@ -45,7 +45,7 @@ impl<T: Real, const N: usize> SquareMethods for SMatrix<T, N, N> {
     }
 }
 
-/// Of matrices, and of their rows, columns and blocks.
+/// Methods of matrices, and of their rows, columns and blocks.
 impl<T: Real, const R: usize, const C: usize, S: RawStorage<T, Const<R>, Const<C>>> MatrixMethods
     for Matrix<T, Const<R>, Const<C>, S>
 {

@@ -4,8 +4,8 @@ use super::{
     arctangent, exponential, fused, hyperbolic, logarithm, of_f32, power, roots, sine, tangent,
 };
 
-/// Hands the elementary functions to a macro: of each the companion's type and the names of method and companion, the operands
-/// that are of the same type and those of another, and which function it is in double and in single precision.
+/// Passes the elementary functions to a macro. Each has the type of its companion, the names of method and companion,
+/// operands of its own type and of another, and its functions in double and single precision.
 macro_rules! elementary {
     ($then:ident) => {
         $then! {
@@ -96,8 +96,7 @@ macro_rules! methods {
 
 elementary! { methods }
 
-/// Elementary functions that the attributes redirect to the DSL, and that it does not have: rustc says where one is called
-/// what to write in its place.
+/// Elementary functions that the attributes redirect and the DSL lacks: rustc reports the replacement at each call.
 #[allow(missing_docs)]
 pub trait AbsentMethods: Copy {
     fn dsl_asinh(self) -> Self

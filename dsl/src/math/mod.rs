@@ -118,7 +118,7 @@ pub trait OrderMethods: Copy {
     fn dsl_clamp(self, low: Self, high: Self) -> Self;
 }
 
-/// The same of all that has a whole order, as `Ord` gives it: integers, plain enums, references to such.
+/// Methods of all types with a total order by `Ord`: integers, plain enums, references to such.
 ///
 /// It is implemented for what `Ord` is implemented for, so that rustc looks for the methods where it looks for `Ord`'s:
 /// what is not compared there is not compared here.

@@ -8,15 +8,15 @@ pub trait RoundMethods: Copy {
     fn dsl_trunc(self) -> Self;
     /// The nearest whole number; halves go away from zero.
     fn dsl_round(self) -> Self;
-    /// What is behind the point, with the sign of the whole.
+    /// The fractional part, with the sign of the number.
     fn dsl_fract(self) -> Self;
     /// An angle in rad, in degrees.
     fn dsl_to_degrees(self) -> Self;
     /// An angle in degrees, in rad.
     fn dsl_to_radians(self) -> Self;
-    /// Whether the sign is negative, of a zero too; never of a NaN.
+    /// Returns true if the sign is negative, of a zero too; never of a NaN.
     fn dsl_is_sign_negative(self) -> bool;
-    /// Whether the sign is positive, of a zero too; always of a NaN.
+    /// Returns true if the sign is positive, of a zero too; always of a NaN.
     fn dsl_is_sign_positive(self) -> bool;
 }
 

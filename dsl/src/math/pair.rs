@@ -22,7 +22,7 @@ pub const SPLITTER: f64 = 134_217_729.0;
 pub struct Pair {
     /// The leading part.
     pub high: f64,
-    /// What is added to it.
+    /// The lower part.
     pub low: f64,
 }
 

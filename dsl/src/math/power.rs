@@ -47,9 +47,8 @@ pub fn powf(x: f64, y: f64) -> f64 {
     special_power(x, y)
 }
 
-/// x^n by squaring: with b = x, for each binary digit of |n| from the last on, the result, which
-/// starts as 1, is multiplied by b if the digit is 1, and then b by itself; for a negative n, 1
-/// divided by that.
+/// x^n by squaring. With b = x, for each binary digit of |n| from the last on, the result, initially 1, is multiplied
+/// by b if the digit is 1, and then b by itself; a negative n divides 1 by the result.
 #[function]
 pub fn powi(x: f64, n: i32) -> f64 {
     let mut digits = if n < 0 { 0u32.wrapping_sub(n as u32) } else { n as u32 };

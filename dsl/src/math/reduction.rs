@@ -22,9 +22,9 @@ use crate::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReducedAngle {
-    /// What is left, rad, −π/4 to π/4.
+    /// The remainder, rad, −π/4 to π/4.
     pub high: f64,
-    /// What `high` leaves out.
+    /// The error of `high`.
     pub low: f64,
     /// Quarter turns modulo four: 0, 1, 2 or 3.
     pub quadrant: u64,

@@ -4,9 +4,8 @@ use super::RawBits as _;
 use super::tables::CUBE_ROOT;
 use crate::prelude::*;
 
-/// A number within 4 % of the cube root, from its upper bits: a third of the exponent, and of the
-/// significand as if it went on from it. `bias` is two thirds of what the exponent is stored with, in
-/// the same place, so that the error is as large to both sides.
+/// A number within 4 % of the cube root, from its upper bits. It has a third of the exponent, with the significand as
+/// its continuation. `bias` is two thirds of the stored exponent's bias, in the same place, and balances the error.
 #[inline]
 #[function]
 pub fn coarse_root(upper: u32, bias: u32) -> f64 {
@@ -43,12 +42,12 @@ pub fn cbrt(x: f64) -> f64 {
     if x < 0.0 { -value } else { value }
 }
 
-/// What makes [`coarse_root`] right in the middle.
+/// Constant that centres the error of [`coarse_root`].
 #[crate::data]
 pub(crate) const COARSE: u32 = 0x2a9f_7100;
 
-/// √(x² + y²) for 2^−500 to 2^500, the larger first: the root of the sum, and what it is off by, from
-/// differences that lose nothing (C. F. Borges, *An improved algorithm for hypot(a, b)*, 2019).
+/// √(x² + y²) for 2^−500 to 2^500, the larger first. The root of the sum is corrected by exact differences (C. F.
+/// Borges, *An improved algorithm for hypot(a, b)*, 2019).
 #[inline]
 #[function]
 fn length(large: f64, small: f64) -> f64 {

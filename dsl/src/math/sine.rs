@@ -25,22 +25,22 @@ pub(crate) const TINY: f64 = 7.450580596923828e-9;
 #[crate::data]
 const NEAR_ZERO: f64 = 0.27;
 
-/// Of the Taylor series of the sine, x³: to |x| = π/128 the terms that follow are below 2⁻⁶¹ of it.
+/// Coefficient of x³ in the Taylor series of the sine. Up to |x| = π/128 the omitted terms are below 2⁻⁶¹ of it.
 #[crate::data]
 pub(crate) const S3: f64 = -1.0 / 6.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 const S5: f64 = 1.0 / 120.0;
-/// The same, x⁷.
+/// Coefficient of x⁷.
 #[crate::data]
 const S7: f64 = -1.0 / 5_040.0;
-/// Of the Taylor series of the cosine, x²: to |x| = π/128 the terms that follow are below 2⁻⁵⁸.
+/// Coefficient of x² in the Taylor series of the cosine. Up to |x| = π/128 the omitted terms are below 2⁻⁵⁸.
 #[crate::data]
 pub(crate) const C2: f64 = -1.0 / 2.0;
-/// The same, x⁴.
+/// Coefficient of x⁴.
 #[crate::data]
 pub(crate) const C4: f64 = 1.0 / 24.0;
-/// The same, x⁶.
+/// Coefficient of x⁶.
 #[crate::data]
 const C6: f64 = -1.0 / 720.0;
 
@@ -75,8 +75,7 @@ fn near_zero(high: f64, low: f64) -> f64 {
     high + (low + high * z * tail)
 }
 
-/// Sine of `x` + `quarter_turns` · π/2, by way of the reduced angle in two doubles; of a tiny `x`, with 0 or 1
-/// of them.
+/// Sine of `x` + `quarter_turns` · π/2, by reducing the angle in two doubles; of a tiny `x`, with 0 or 1 quarter turns.
 #[function]
 pub fn by_reduction(x: f64, quarter_turns: u64) -> f64 {
     if x.abs() < TINY {

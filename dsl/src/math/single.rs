@@ -142,7 +142,7 @@ pub fn exp_m1f(x: f32) -> f32 {
     exp_m1(x as f64) as f32
 }
 
-/// Whether a number is positive, normal and finite.
+/// Returns true if a number is positive, normal and finite.
 #[inline]
 #[function]
 fn is_plain(x: f32) -> bool {

@@ -11,16 +11,16 @@ use super::sine::{MODERATE, TINY, TO_INTEGER};
 use super::tables::{STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN, TANGENT_POLYNOMIAL, TANGENT_ROWS};
 use crate::prelude::*;
 
-/// Of the Taylor series of the tangent, x³: to |x| = π/128 the terms that follow are below 2⁻⁶⁰ of it.
+/// Coefficient of x³ in the Taylor series of the tangent. Up to |x| = π/128 the omitted terms are below 2⁻⁶⁰ of it.
 #[crate::data]
 const T3: f64 = 1.0 / 3.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 const T5: f64 = 2.0 / 15.0;
-/// The same, x⁷.
+/// Coefficient of x⁷.
 #[crate::data]
 const T7: f64 = 17.0 / 315.0;
-/// The same, x⁹.
+/// Coefficient of x⁹.
 #[crate::data]
 const T9: f64 = 62.0 / 2_835.0;
 

@@ -19,7 +19,7 @@ impl<T: Integer> T {
         if rest == T::ZERO { a } else { a + (b - rest) }
     }
 
-    /// Whether `a` is a multiple of `b`; of 0, only 0 is.
+    /// Returns true if `a` is a multiple of `b`; of 0, only 0 is.
     pub fn is_multiple_of(a: Self, b: Self) -> bool {
         if b == T::ZERO { a == T::ZERO } else { a % b == T::ZERO }
     }
@@ -29,7 +29,7 @@ impl<T: Integer> T {
         filled(a) + T::ONE
     }
 
-    /// The same; none where the type does not hold it.
+    /// The next power of two; none if the type cannot hold it.
     pub fn checked_next_power_of_two(a: Self) -> Option<Self> {
         let below = filled(a);
         if below == T::MAX { None } else { Some(below.wrapping_add(T::ONE)) }
@@ -41,7 +41,7 @@ impl<T: Integer> T {
         T::BITS - 1 - a.leading_zeros()
     }
 
-    /// The same; none of 0 and what is below.
+    /// The logarithm to base 2, rounded down; none for 0 and below.
     pub fn checked_ilog2(a: Self) -> Option<u32> {
         if a > T::ZERO { Some(T::BITS - 1 - a.leading_zeros()) } else { None }
     }
@@ -176,7 +176,7 @@ impl<T: Integer> T {
         if a < T::ZERO { None } else { Some(isqrt(a)) }
     }
 
-    /// How many digits stand behind the first.
+    /// The logarithm to base 10, rounded down.
     pub fn ilog10(a: Self) -> u32 {
         assert!(a > T::ZERO);
         let ten = (T::ONE << 3) | (T::ONE << 1);
@@ -188,7 +188,7 @@ impl<T: Integer> T {
         digits
     }
 
-    /// The same; none of 0 and what is below.
+    /// The logarithm to base 10, rounded down; none for 0 and below.
     pub fn checked_ilog10(a: Self) -> Option<u32> {
         if a > T::ZERO { Some(ilog10(a)) } else { None }
     }

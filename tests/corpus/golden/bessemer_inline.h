@@ -152,7 +152,9 @@ static inline void pair_quotient(const pair_pair_t *a, const pair_pair_t *b, pai
     pair_ordered_sum(high, rest / below.high, pair);
 }
 
-/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
+/**
+ * Returns true if `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.
+ */
 static inline bool sort_below_f64(double one, double other)
 {
     if (one == other) {
@@ -175,7 +177,7 @@ static inline bool compared_variants_duty_equal(const compared_variants_duty_t *
         && (one->tag != DUTY_TAG_HOLD || duty_hold_equal(&one->as.hold, &other->as.hold));
 }
 
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+/** Order of two numbers that may have none: NaN has no order. */
 static inline void comparison_partial_f64(double one, double other, option_ordering_t *result)
 {
     if (one < other) {
@@ -197,19 +199,21 @@ static inline void comparison_partial_f64(double one, double other, option_order
     }
 }
 
-/** Whether the first does not come behind the second. */
+/** Returns true if the first does not come behind the second. */
 static inline bool comparison_is_at_most(ordering_t order)
 {
     return order != ORDERING_GREATER;
 }
 
-/** Whether the first comes behind the second. */
+/** Returns true if the first comes behind the second. */
 static inline bool comparison_is_greater(ordering_t order)
 {
     return order == ORDERING_GREATER;
 }
 
-/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
+/**
+ * Returns true if `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.
+ */
 static inline bool sort_below_f32(float one, float other)
 {
     if (one == other) {
@@ -492,7 +496,7 @@ static inline bessemer_status_t comparison_limited_pair_u8_i32(const pair_u8_i32
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_u8(uint8_t one, uint8_t other)
 {
@@ -506,7 +510,7 @@ static inline ordering_t comparison_compare_u8(uint8_t one, uint8_t other)
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_i64(int64_t one, int64_t other)
 {
@@ -520,7 +524,7 @@ static inline ordering_t comparison_compare_i64(int64_t one, int64_t other)
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_usize(uint64_t one, uint64_t other)
 {
@@ -534,7 +538,7 @@ static inline ordering_t comparison_compare_usize(uint64_t one, uint64_t other)
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_bool(bool one, bool other)
 {
@@ -547,7 +551,7 @@ static inline ordering_t comparison_compare_bool(bool one, bool other)
     }
 }
 
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+/** Order of two numbers that may have none: NaN has no order. */
 static inline void comparison_partial_f32(float one, float other, option_ordering_t *result)
 {
     if (one < other) {
@@ -569,7 +573,7 @@ static inline void comparison_partial_f32(float one, float other, option_orderin
     }
 }
 
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+/** Order of two numbers that may have none: NaN has no order. */
 static inline void comparison_partial_i8(int8_t one, int8_t other, option_ordering_t *result)
 {
     if (one < other) {
@@ -592,7 +596,7 @@ static inline void comparison_partial_i8(int8_t one, int8_t other, option_orderi
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_u16(uint16_t one, uint16_t other)
 {
@@ -606,7 +610,7 @@ static inline ordering_t comparison_compare_u16(uint16_t one, uint16_t other)
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_i32(int32_t one, int32_t other)
 {
@@ -619,25 +623,25 @@ static inline ordering_t comparison_compare_i32(int32_t one, int32_t other)
     }
 }
 
-/** Whether the first comes before the second. */
+/** Returns true if the first comes before the second. */
 static inline bool comparison_is_less(ordering_t order)
 {
     return order == ORDERING_LESS;
 }
 
-/** Whether the first does not come before the second. */
+/** Returns true if the first does not come before the second. */
 static inline bool comparison_is_at_least(ordering_t order)
 {
     return order != ORDERING_LESS;
 }
 
-/** Whether neither comes first. */
+/** Returns true if neither comes first. */
 static inline bool comparison_is_equal(ordering_t order)
 {
     return order == ORDERING_EQUAL;
 }
 
-/** Whether one of the two comes first. */
+/** Returns true if one of the two comes first. */
 static inline bool comparison_is_unequal(ordering_t order)
 {
     return order != ORDERING_EQUAL;
@@ -791,7 +795,7 @@ static inline bool derived_order_key_equal(const derived_order_key_t *one,
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_key(const derived_order_key_t *one,
     const derived_order_key_t *other)
@@ -814,7 +818,7 @@ static inline ordering_t comparison_compare_key(const derived_order_key_t *one,
     }
 }
 
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+/** Order of two numbers that may have none: NaN has no order. */
 static inline void comparison_partial_height(const height_t *one, const height_t *other,
     option_ordering_t *result)
 {
@@ -838,7 +842,7 @@ static inline void comparison_partial_height(const height_t *one, const height_t
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_u8_3(const uint8_t one[3], const uint8_t other[3])
 {
@@ -853,7 +857,7 @@ static inline ordering_t comparison_compare_u8_3(const uint8_t one[3], const uin
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_urgency(urgency_t one, urgency_t other)
 {
@@ -948,7 +952,7 @@ static inline bool list3_axis_wish_equal(const list3_axis_wish_t *one,
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
 {
@@ -962,7 +966,7 @@ static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_u32(uint32_t one, uint32_t other)
 {
@@ -1046,7 +1050,7 @@ static inline void bessemer_search_binary_search_u8(const uint8_t values[], uint
 }
 
 /**
- * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ * Order of two values. Inline, so that it is declared beside the type, which may be an author's.
  */
 static inline ordering_t comparison_compare_reverse_i16(const reverse_i16_t *one,
     const reverse_i16_t *other)
@@ -1060,7 +1064,7 @@ static inline ordering_t comparison_compare_reverse_i16(const reverse_i16_t *one
     }
 }
 
-/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+/** Order of two numbers that may have none: NaN has no order. */
 static inline void comparison_partial_reverse_f64(const reverse_f64_t *one,
     const reverse_f64_t *other, option_ordering_t *result)
 {
@@ -1789,7 +1793,7 @@ static inline bool attitudes_equal(const attitudes_t *one, const attitudes_t *ot
         && unit_quaternion_f64_equal(&one->camera, &other->camera);
 }
 
-/** What `step` leaves out, as a fraction. */
+/** The error of `step`, as a fraction. */
 static inline double exponential_step_rest(uint64_t steps)
 {
     return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
@@ -1839,7 +1843,7 @@ static inline void exponential_power_of_pair(double high, double low, power_t *p
     power->rest = exponential_step_rest(steps_2) + r + z * tail;
 }
 
-/** Whether a number is positive, normal and finite, from its bits. */
+/** Returns true if a number is positive, normal and finite, from its bits. */
 static inline bool logarithm_is_plain(uint64_t bits)
 {
     return (uint32_t)(bits >> 32) - 0x100000U < 0x7FE00000U;

@@ -83,7 +83,7 @@ impl<T: Real, const N: usize> Ldl<T, N> {
         product
     }
 
-    /// Whether the matrix is positive definite.
+    /// Returns true if the matrix is positive definite.
     pub fn is_positive(&self) -> bool {
         for k in 0..N {
             if self.d[k] <= T::ZERO {

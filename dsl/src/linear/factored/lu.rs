@@ -105,7 +105,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
         if self.solve_mut(&mut inverse) { Some(inverse) } else { None }
     }
 
-    /// Whether no pivot is zero.
+    /// Returns true if no pivot is zero.
     pub fn is_invertible(&self) -> bool {
         for k in 0..N {
             if self.factors[(k, k)] == T::ZERO {

@@ -1,5 +1,5 @@
-//! Decompositions as values: what nalgebra's `lu`, `cholesky`, `qr` and `udu` give, in its order of
-//! operations, and eigenvalues and singular values in an order of their own; written in the DSL for the C.
+//! Decompositions as values, written in the DSL for the C. nalgebra's `lu`, `cholesky`, `qr` and `udu` have its order
+//! of operations; eigenvalues and singular values have an order of their own.
 //!
 //! In the simulation such a value is nalgebra's own; in the C it is a struct of these modules. Both go by
 //! the same methods, and a model holds them in locals.

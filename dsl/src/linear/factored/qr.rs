@@ -15,8 +15,8 @@ pub struct Qr<T: Real, const R: usize, const C: usize> {
     diagonal: SVector<T, C>,
 }
 
-/// The scalar product of an axis and a column, both from a row on: in eight lanes, then the rest one by
-/// one, as nalgebra multiplies parts of columns.
+/// Scalar product of an axis and a column, both from a row on. It is computed in eight lanes, then one by one, as
+/// nalgebra multiplies parts of columns.
 #[function]
 pub fn dot_below<T: Real, const R: usize, const C: usize>(
     axis: &SVector<T, R>,
@@ -175,7 +175,7 @@ pub fn try_inverse<T: Real, const N: usize>(qr: &Qr<T, N, N>) -> Option<SMatrix<
     if solve_mut(qr, &mut inverse) { Some(inverse) } else { None }
 }
 
-/// Whether the diagonal of R has no zero.
+/// Returns true if the diagonal of R has no zero.
 #[function]
 pub fn is_invertible<T: Real, const N: usize>(qr: &Qr<T, N, N>) -> bool {
     for k in 0..N {

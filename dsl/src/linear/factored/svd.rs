@@ -114,7 +114,7 @@ pub fn jacobi<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> 
 
 #[data]
 impl<T: Real, const R: usize, const C: usize> Svd<T, R, C> {
-    /// How many of the values are above `least`.
+    /// Number of singular values above `least`.
     pub fn rank(&self, least: T) -> usize {
         let mut rank = 0;
         for k in 0..C {

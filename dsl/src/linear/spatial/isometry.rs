@@ -9,9 +9,9 @@ use crate::{data, function, library};
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isometry3<T: Real> {
-    /// What comes first.
+    /// Rotation, applied first.
     pub rotation: UnitQuaternion<T>,
-    /// What comes then.
+    /// Translation, applied second.
     pub translation: Translation3<T>,
 }
 
@@ -40,7 +40,7 @@ impl<T: Real> Native<T> {
         Native::from_parts(Translation3::from(rotation.transform_vector(&back)), rotation)
     }
 
-    /// The same in its place.
+    /// Inverts a pose in place.
     pub fn inverse_mut(pose: &mut Self) {
         *pose = inverse(pose);
     }

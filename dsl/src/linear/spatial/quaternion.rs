@@ -43,7 +43,7 @@ impl<T: Real> Native<T> {
         Native::new(q.w, -q.i, -q.j, -q.k)
     }
 
-    /// The same in its place.
+    /// Conjugates a quaternion in place.
     pub fn conjugate_mut(q: &mut Self) {
         q.i = -q.i;
         q.j = -q.j;
@@ -83,7 +83,7 @@ impl<T: Real> Native<T> {
         unscaled(q, norm(q))
     }
 
-    /// The same in its place; the length that it had.
+    /// Normalises a quaternion in place and returns its former length.
     pub fn normalize_mut(q: &mut Self) -> T {
         let length = norm(q);
         *q = unscaled(q, length);
@@ -118,7 +118,7 @@ pub fn from_vector<T: Real>(parts: Vector4<T>) -> Native<T> {
     Native::new(parts.w, parts.x, parts.y, parts.z)
 }
 
-/// The same of an array.
+/// Quaternion from an array.
 #[function]
 pub fn from_array<T: Real>(parts: [T; 4]) -> Native<T> {
     Native::new(parts[3], parts[0], parts[1], parts[2])
@@ -153,7 +153,7 @@ pub fn scaled<T: Real>(q: &Native<T>, factor: T) -> Native<T> {
     Native::new(q.w * factor, q.i * factor, q.j * factor, q.k * factor)
 }
 
-/// The same, the number on the left.
+/// Product of a number and a quaternion.
 #[function]
 pub fn scaled_by<T: Real>(factor: T, q: &Native<T>) -> Native<T> {
     Native::new(factor * q.w, factor * q.i, factor * q.j, factor * q.k)

@@ -43,13 +43,13 @@ impl<T: Real> Native<T> {
         Native::new_unchecked(Quaternion::new(q.w, -q.i, -q.j, -q.k))
     }
 
-    /// The same in its place.
+    /// Inverts a rotation in place.
     #[method(inverse_mut, conjugate_mut)]
     pub fn inverse_mut(q: &mut Self) {
         *q = inverse(q);
     }
 
-    /// What turns `from` into `to`: the first after the second back.
+    /// The rotation from `from` to `to`: `to` after the inverse of `from`.
     pub fn rotation_to(from: &Self, to: &Self) -> Self {
         quotient(to, from)
     }
@@ -94,7 +94,7 @@ impl<T: Real> Native<T> {
         ))
     }
 
-    /// The same for homogeneous coordinates.
+    /// Rotation matrix for homogeneous coordinates.
     #[by_value(q)]
     pub fn to_homogeneous(q: &Self) -> Matrix4<T> {
         let m = to_rotation_matrix(q);
@@ -182,7 +182,7 @@ impl<T: Real> Native<T> {
         length
     }
 
-    /// The same without a root or a division, for a length near 1.
+    /// Normalises in place without a root or a division, for a length near 1.
     pub fn renormalize_fast(q: &mut Self) {
         let factor = real::<T>(0.5) * (real::<T>(3.0) - norm_squared(q));
         *q = Native::new_unchecked(Quaternion::new(

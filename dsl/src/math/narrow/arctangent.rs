@@ -13,10 +13,10 @@ use super::sine::TINY;
 use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
 
-/// Of the Taylor series of the arctangent, x³: to |x| = 1/16 the terms that follow are below 2⁻²⁶ of it.
+/// Coefficient of x³ in the Taylor series of the arctangent. Up to |x| = 1/16 the omitted terms are below 2⁻²⁶ of it.
 #[crate::data]
 const A3: f32 = -1.0 / 3.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 const A5: f32 = 1.0 / 5.0;
 
@@ -28,7 +28,7 @@ fn row_of_ratio(ratio: f32) -> u32 {
     (ratio.raw_bits() >> 21).wrapping_sub(0x1f4)
 }
 
-/// What the arctangent adds to `t` for |t| ≤ 1/16.
+/// The arctangent of `t` minus `t`, for |t| ≤ 1/16.
 #[inline]
 #[function]
 fn small_curve(t: f32) -> f32 {
@@ -36,7 +36,7 @@ fn small_curve(t: f32) -> f32 {
     t * z * (A3 + z * A5)
 }
 
-/// What the arctangent adds to `t` for |t| ≤ 1/4.
+/// The arctangent of `t` minus `t`, for |t| ≤ 1/4.
 #[inline]
 #[function]
 fn curve(t: f32) -> f32 {
@@ -73,8 +73,8 @@ pub fn atanf(x: f32) -> f32 {
     }
 }
 
-/// The angle of a point in the first quadrant, as a sum of two, from 0 to π/2 rad: `ratio` is `height`/`width`, and
-/// all are from 2⁻⁶⁰ to 2⁶⁰.
+/// Angle of a point in the first quadrant, as a sum of two, from 0 to π/2 rad. `ratio` is `height`/`width`, and all are
+/// from 2⁻⁶⁰ to 2⁶⁰.
 #[inline]
 #[function]
 fn angle_of_ratio(height: f32, width: f32, ratio: f32) -> PairF32 {
@@ -163,7 +163,7 @@ fn arcsine_curve(z: f32) -> f32 {
     NARROW_ARCSINE[0] + z * (NARROW_ARCSINE[1] + z * upper)
 }
 
-/// Half the arccosine of `size` from 1/2 to 1: the root r of (1 − `size`)/2 as it is rounded, and what is added to it.
+/// Half the arccosine of `size` from 1/2 to 1: the rounded root r of (1 − `size`)/2, and its correction.
 #[inline]
 #[function]
 fn half_arccosine(size: f32) -> PairF32 {

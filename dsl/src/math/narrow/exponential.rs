@@ -37,7 +37,7 @@ pub struct StepsF32 {
     pub steps: i32,
     /// The exponent that is left, −0.35 to 0.35: exact.
     pub high: f32,
-    /// What is taken off it yet.
+    /// The lower part, to be subtracted.
     pub low: f32,
 }
 
@@ -54,7 +54,7 @@ pub fn steps_of(x: f32) -> StepsF32 {
     }
 }
 
-/// What e^(`high` − `low`) has beyond 1 + `high`.
+/// e^(`high` − `low`) minus 1 + `high`.
 #[inline]
 #[function]
 pub fn beyond(exponent: StepsF32) -> f32 {
@@ -79,7 +79,7 @@ const NO_STEPS: u32 = 0x47c0_0000;
 pub struct ExponentF32 {
     /// The bits of the number of 128ths with `TO_STEPS` added: the last seven choose a row, the rest is whole powers of two.
     pub bits: u32,
-    /// What is left.
+    /// The remainder.
     pub rest: f32,
 }
 
@@ -92,14 +92,15 @@ pub fn step_power(steps: u32, beyond: f32) -> f32 {
     base + base * (f32::from_bits(NARROW_OF_TWO[row][0]) + beyond)
 }
 
-/// The same where it is no normal number, for an exponent's bits.
+/// The power where it is not a normal number, for an exponent's bits.
 #[function]
 pub fn far_step_power(bits: u32, beyond: f32) -> f32 {
     let whole = bits.wrapping_sub(NO_STEPS) as i32 >> 7;
     far_scaled(step_power(bits & 127, beyond), whole)
 }
 
-/// Of the Taylor series of e^r, r, with the share of r³ that a multiple of r takes best: to |r| = (ln 2)/256 less than 2⁻³⁰ is left.
+/// Coefficient of r in the Taylor series of e^r, including the best fraction of r³. Up to |r| = (ln 2)/256 the error is
+/// below 2⁻³⁰.
 #[crate::data]
 const FIRST: f32 = 1.0 + LN_2 * LN_2 / 8.0 / 65_536.0;
 
@@ -113,7 +114,7 @@ fn natural_steps(x: f32) -> ExponentF32 {
     ExponentF32 { bits: shifted.raw_bits(), rest }
 }
 
-/// What e^r has beyond 1, for −(ln 2)/256 to (ln 2)/256.
+/// e^r minus 1, for −(ln 2)/256 to (ln 2)/256.
 #[inline]
 #[function]
 fn natural_beyond(r: f32) -> f32 {
@@ -147,14 +148,15 @@ pub fn expf(x: f32) -> f32 {
     }
 }
 
-/// Of the Taylor series of 2^r, r, with the share of r³ that a multiple of r takes best: to |r| = 1/256 less than 2⁻³⁰ is left.
+/// Coefficient of r in the Taylor series of 2^r, including the best fraction of r³. Up to |r| = 1/256 the error is
+/// below 2⁻³⁰.
 #[crate::data]
 const BINARY_FIRST: f32 = LN_2 + LN_2 * LN_2 * LN_2 / 8.0 / 65_536.0;
-/// The same, r².
+/// Coefficient of r².
 #[crate::data]
 const BINARY_SECOND: f32 = LN_2 * LN_2 / 2.0;
 
-/// What 2^r has beyond 1, for −1/256 to 1/256.
+/// 2^r minus 1, for −1/256 to 1/256.
 #[inline]
 #[function]
 pub fn binary_beyond(r: f32) -> f32 {

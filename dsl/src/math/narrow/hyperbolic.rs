@@ -6,22 +6,23 @@ use super::ordered_sum;
 use super::sine::TINY;
 use crate::prelude::*;
 
-/// Of the Taylor series of e^x, x²: to |x| = (ln 2)/2 the even terms that follow are below 2⁻²⁷, and the odd ones below 2⁻³⁰ of x.
+/// Coefficient of x² in the Taylor series of e^x. Up to |x| = (ln 2)/2 the omitted even terms are below 2⁻²⁷, and the
+/// odd ones below 2⁻³⁰ of x.
 #[crate::data]
 const E2: f32 = 1.0 / 2.0;
-/// The same, x³.
+/// Coefficient of x³.
 #[crate::data]
 const E3: f32 = 1.0 / 6.0;
-/// The same, x⁴.
+/// Coefficient of x⁴.
 #[crate::data]
 const E4: f32 = 1.0 / 24.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 const E5: f32 = 1.0 / 120.0;
-/// The same, x⁶.
+/// Coefficient of x⁶.
 #[crate::data]
 const E6: f32 = 1.0 / 720.0;
-/// The same, x⁷.
+/// Coefficient of x⁷.
 #[crate::data]
 const E7: f32 = 1.0 / 5_040.0;
 

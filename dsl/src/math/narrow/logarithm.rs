@@ -66,7 +66,7 @@ fn natural_pair(f: f32) -> PairF32 {
     PairF32 { high, low: ((f - high) - half) + beyond_square(f, half) }
 }
 
-/// Whether a number is positive, normal and finite.
+/// Returns true if a number is positive, normal and finite.
 #[inline]
 #[function]
 pub fn is_plain(x: f32) -> bool {
@@ -86,7 +86,7 @@ fn limit(x: f32) -> f32 {
     }
 }
 
-/// Whether a number is positive and below the normal ones.
+/// Returns true if a number is positive and below the normal ones.
 #[inline]
 #[function]
 pub fn is_subnormal(x: f32) -> bool {

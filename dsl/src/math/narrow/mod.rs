@@ -43,7 +43,7 @@ pub fn leading(x: f32) -> f32 {
 pub struct PairF32 {
     /// The number to a float.
     pub high: f32,
-    /// What `high` leaves out.
+    /// The error of `high`.
     pub low: f32,
 }
 

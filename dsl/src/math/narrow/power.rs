@@ -10,7 +10,7 @@ use super::logarithm::{is_plain, is_subnormal};
 use super::{exact_mul_addf, ordered_sum};
 use crate::prelude::*;
 
-/// What x^y is for a negative x of which `value` is |x|^y.
+/// x^y for a negative x, from `value` = |x|^y.
 #[function]
 pub fn power_of_negative(value: f32, y: f32) -> f32 {
     // From 2²⁴ on, every number is even.
@@ -53,12 +53,12 @@ pub struct TripleF32 {
     pub high: f32,
     /// The larger part of what `high` leaves out: with it, the steps of a power can be chosen.
     pub middle: f32,
-    /// What the two leave out.
+    /// The error of the two.
     pub low: f32,
 }
 
-/// The factor of r³, as a multiple of r²/2: 2/3 and, for r⁵/5, the 0.336 · ρ² that serves best to |r| = ρ = 0.0064. The row around
-/// 1, where the logarithm is small, has |r| below 0.006.
+/// The factor of r³, as a multiple of r²/2: 2/3 and, for r⁵/5, the best 0.336 · ρ² up to |r| = ρ = 0.0064. The row
+/// around 1, where the logarithm is small, has |r| below 0.006.
 #[crate::data]
 const THIRD: f32 = 0.666_680_3;
 

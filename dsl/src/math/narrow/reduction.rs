@@ -20,9 +20,9 @@ use crate::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReducedF32 {
-    /// What is left, rad, −π/4 to π/4.
+    /// The remainder, rad, −π/4 to π/4.
     pub high: f32,
-    /// What `high` leaves out.
+    /// The error of `high`.
     pub low: f32,
     /// Quarter turns, of which the last two bits count.
     pub quadrant: u32,
@@ -68,9 +68,9 @@ pub fn reduced_angle(x: f32) -> ReducedF32 {
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SteppedF32 {
-    /// What is left, rad, −π/128 to π/128.
+    /// The remainder, rad, −π/128 to π/128.
     pub high: f32,
-    /// What `high` leaves out: next to whole half turns it may be the larger one.
+    /// The error of `high`: next to whole half turns it may be the larger one.
     pub low: f32,
     /// 64ths of half a turn, of which the last seven bits count.
     pub steps: u32,

@@ -4,7 +4,7 @@ use super::super::RawBits as _;
 use super::super::tables::NARROW_CUBE_ROOT;
 use crate::prelude::*;
 
-/// What makes a third of the bits right in the middle.
+/// Constant that centres the error of a third of the bits.
 #[crate::data]
 const COARSE: u32 = 0x2a51_3000;
 
@@ -48,7 +48,7 @@ pub fn cbrtf(x: f32) -> f32 {
     if plain { plain_root(x, 0) } else { far_root(x) }
 }
 
-/// What is left of a number without the lower half of its bits: twelve of them, whose square is exact.
+/// A number without the lower half of its bits: twelve of them remain, whose square is exact.
 #[inline]
 #[function]
 fn upper(x: f32) -> f32 {

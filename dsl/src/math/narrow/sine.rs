@@ -57,7 +57,8 @@ pub fn far_cosine(x: f32) -> f32 {
     if x.abs() <= f32::MAX { sine_of_steps(stepped_far(x), COSINE_ROW) } else { f32::NAN }
 }
 
-/// Whether an angle is from [`TINY`] to [`FEW_STEPS`] rad: one comparison of bits, which those of a float are in the order of.
+/// Returns true if an angle is from [`TINY`] to [`FEW_STEPS`] rad: one comparison of bits, which those of a float are
+/// in the order of.
 #[inline]
 #[function]
 fn is_moderate(x: f32) -> bool {

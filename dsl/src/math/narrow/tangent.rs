@@ -6,13 +6,14 @@ use super::sine::TINY;
 use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
 
-/// Of the Taylor series of the tangent, x³: to |x| = π/4 − 0.62 the terms that follow are below 2⁻²⁶ of it.
+/// Coefficient of x³ in the Taylor series of the tangent. Up to |x| = π/4 − 0.62 the omitted terms are below 2⁻²⁶ of
+/// it.
 #[crate::data]
 const T3: f32 = 1.0 / 3.0;
-/// The same, x⁵.
+/// Coefficient of x⁵.
 #[crate::data]
 const T5: f32 = 2.0 / 15.0;
-/// The same, x⁷.
+/// Coefficient of x⁷.
 #[crate::data]
 const T7: f32 = 17.0 / 315.0;
 

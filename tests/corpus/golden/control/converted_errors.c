@@ -106,7 +106,7 @@ typedef enum {
     FRAME_FAULT_TAG_START = 1
 } frame_fault_tag_t;
 
-/** What is wrong with a frame. */
+/** Faults of a frame. */
 typedef struct {
     /** Which variant it is. */
     frame_fault_tag_t tag;
@@ -131,7 +131,7 @@ typedef enum {
     DRIVE_FAULT_TAG_LINK = 1
 } drive_fault_tag_t;
 
-/** What is wrong with a drive. */
+/** Faults of a drive. */
 typedef struct {
     /** Which variant it is. */
     drive_fault_tag_t tag;

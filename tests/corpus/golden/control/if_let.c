@@ -25,7 +25,7 @@ bool if_let_is_low(const if_let_altimeter_t *altimeter)
 
 /* if_let.h */
 
-/** What the altimeter said last. */
+/** Last reading of the altimeter. */
 typedef struct {
     /** Height, m. */
     option_f64_t height;

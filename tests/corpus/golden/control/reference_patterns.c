@@ -49,7 +49,7 @@ typedef enum {
     REFERENCE_PATTERNS_ORDER_TAG_PULSE = 2
 } reference_patterns_order_tag_t;
 
-/** What a valve is told. */
+/** Commands of a valve. */
 typedef struct {
     /** Which variant it is. */
     reference_patterns_order_tag_t tag;

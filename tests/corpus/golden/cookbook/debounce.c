@@ -2,7 +2,7 @@
 
 /* debounce.h */
 
-/** What happened at a sample. */
+/** Edge at a sample. */
 typedef enum {
     /** The level is what it was. */
     BUTTON_EDGE_STEADY = 0,
@@ -50,7 +50,7 @@ bool push_button_is_pressed(const push_button_t *self)
 
 /** A push button. */
 typedef struct {
-    /** Whether it is held to be pressed. */
+    /** True if it is held to be pressed. */
     bool pressed;
     /** Samples in a row that said otherwise, below `STABLE_SAMPLES`. */
     uint8_t differing;

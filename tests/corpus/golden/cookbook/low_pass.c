@@ -55,8 +55,8 @@ void low_pass_butterworth(float cutoff, float rate, biquad_coefficients_t *biqua
 
 /** `(b0 + b1/z + b2/z²) / (1 + a1/z + a2/z²)`. */
 typedef struct {
-    /** Of the input: b0, b1, b2. */
+    /** Coefficients of the input: b0, b1, b2. */
     float b[3];
-    /** Of the output: a1, a2. */
+    /** Coefficients of the output: a1, a2. */
     float a[2];
 } biquad_coefficients_t;

@@ -39,7 +39,7 @@ typedef struct {
 /** Holds a position. */
 typedef struct {
     pi_controller_t speed_loop;
-    /** What the position loop asks for. Unit: rad/s. */
+    /** Speed setpoint from the position loop. Unit: rad/s. */
     float wanted_speed;
     /** Periods until the position loop is due. */
     uint8_t countdown;

@@ -24,7 +24,7 @@ typedef enum {
     PUMP_STATE_TAG_LOCKED_OUT = 3
 } pump_state_tag_t;
 
-/** What the pump is doing. */
+/** State of the pump. */
 typedef struct {
     /** Which variant it is. */
     pump_state_tag_t tag;
@@ -37,13 +37,13 @@ typedef struct {
     } as;
 } pump_state_t;
 
-/** What a period sees. */
+/** Inputs of a period. */
 typedef struct {
-    /** Whether it is to run. */
+    /** True if it is to run. */
     bool demand;
-    /** Whether the flow switch is closed. */
+    /** True if the flow switch is closed. */
     bool flow;
-    /** Whether the operator acknowledges the lock-out. */
+    /** True if the operator acknowledges the lock-out. */
     bool acknowledge;
 } pump_inputs_t;
 

@@ -30,7 +30,7 @@ void rate_limiter_preset(rate_limiter_t *self, float output)
 
 /* rate_limiter.h */
 
-/** How fast a set point may move. */
+/** Largest rates of a setpoint. */
 typedef struct {
     /** Fastest rise, 0 or more. Unit: 1/s. */
     float rise;
@@ -42,6 +42,6 @@ typedef struct {
 
 /** Follows a set point at limited rates. */
 typedef struct {
-    /** What was given last. */
+    /** Last output. */
     float output;
 } rate_limiter_t;

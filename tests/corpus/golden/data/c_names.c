@@ -16,7 +16,7 @@ typedef enum {
     VALVE_SLAM = 2
 } ValveOrder_tag_t;
 
-/** What the valve is asked to do. */
+/** Commands of the valve. */
 typedef struct {
     /** Which variant it is. */
     ValveOrder_tag_t tag;
@@ -106,9 +106,9 @@ bool Valve_closed(const Valve_t *self)
 
 /** A valve that moves in steps. */
 typedef struct {
-    /** How far it is open, 0 to 1. */
+    /** Opening, 0 to 1. */
     float fPosition;
-    /** How often it was moved. */
+    /** Number of movements. */
     uint32_t u32Moves;
     /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */
     bessemer_status_t fault;

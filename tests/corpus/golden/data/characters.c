@@ -141,6 +141,6 @@ uint32_t listener_hear(listener_t *self, uint8_t byte)
 typedef struct {
     /** The last. */
     option_u32_t last;
-    /** How often it came. */
+    /** Number of occurrences. */
     uint8_t count;
 } listener_t;

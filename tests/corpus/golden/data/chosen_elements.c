@@ -346,9 +346,9 @@ bessemer_status_t chosen_elements_framed(chosen_elements_frame_t *frame, uint8_t
 typedef struct {
     /** Whose it is. */
     uint8_t id;
-    /** Whether it is under way. */
+    /** True if it is under way. */
     bool busy;
-    /** How often it was tried. */
+    /** Number of attempts. */
     uint16_t tries;
 } transfer_t;
 
@@ -358,10 +358,10 @@ typedef struct {
     transfer_t all[6];
 } transfers_t;
 
-/** What is sent, byte by byte. */
+/** A transmitted frame, byte by byte. */
 typedef struct {
     /** The bytes. */
     uint8_t bytes[5];
-    /** How many there are. */
+    /** Number of bytes. */
     uint8_t length;
 } chosen_elements_frame_t;

@@ -21,7 +21,7 @@ bool comparisons_same_plan(const target_t one[6], const target_t other[6])
 
 /* comparisons.h */
 
-/** Where to go. */
+/** Destination. */
 typedef struct {
     double position[3];
     bool land;

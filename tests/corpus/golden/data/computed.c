@@ -11,7 +11,7 @@ static const computed_gains_t GAINS = {.proportional = 2.0, .derivative = -1.0};
 /** The largest step. */
 static const int16_t LARGEST = INT16_MAX;
 
-/** What is left when a flag is not needed. In Rust: `1 << 24 | (DAY & 0xFF)`. */
+/** Remaining flags when one is not needed. In Rust: `1 << 24 | (DAY & 0xFF)`. */
 static const uint32_t LEFT = 0x1000080U;
 
 /** Shares of the three motors. In Rust: `[0.25 * -SIXTH; 3]`. */
@@ -39,7 +39,7 @@ void computed_gains(computed_gains_t *gains)
 
 /* computed.h */
 
-/** Of a controller. */
+/** Gains of a controller. */
 typedef struct {
     double proportional;
     double derivative;

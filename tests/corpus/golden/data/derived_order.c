@@ -138,7 +138,7 @@ typedef struct {
     uint16_t patch;
 } derived_order_version_t;
 
-/** Where a message came from. */
+/** Source of a message. */
 typedef enum {
     /** The pilot. */
     SOURCE_PILOT = 0,
@@ -146,7 +146,7 @@ typedef enum {
     SOURCE_GROUND = 1
 } source_t;
 
-/** What decides which message is first. */
+/** Key by which messages are ordered. */
 typedef struct {
     /** The pilot's before the ground's. */
     source_t source;

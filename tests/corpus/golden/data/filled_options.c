@@ -73,6 +73,6 @@ void filled_options_only(const option_f32_t *left, const option_f32_t *right, op
 
 /** A filter that starts at its first input. */
 typedef struct {
-    /** What it has come to. */
+    /** Present value. */
     option_f64_t state;
 } smooth_t;

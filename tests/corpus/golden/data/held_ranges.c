@@ -49,7 +49,7 @@ bool held_ranges_gauge_limit(held_ranges_gauge_t *self, float low, float high,
 
 /** A channel with limits. */
 typedef struct {
-    /** What is believed. */
+    /** Accepted range. */
     closed_f32_t limits;
     /** The samples of a period that count. */
     half_open_u16_t samples;

@@ -37,6 +37,6 @@ bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool
 typedef struct {
     /** The breakpoints. */
     double at[6];
-    /** How many there are. */
+    /** Number of breakpoints. */
     uint8_t count;
 } breakpoints_t;

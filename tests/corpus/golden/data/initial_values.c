@@ -24,10 +24,10 @@ double lowpass_step(lowpass_t *self, double value)
 
 /** A first-order low-pass. */
 typedef struct {
-    /** How much of a new value is taken. */
+    /** Weight of a new value. */
     double share;
     /** The smoothed value. */
     double value;
-    /** Whether a value was seen. */
+    /** True if a value was seen. */
     bool started;
 } lowpass_t;

@@ -68,7 +68,7 @@ void lent_elements_mirror(uint8_t values[8])
     }
 }
 
-/** How far the rest of some values is above the first. */
+/** Amount by which the mean of the other values exceeds the first. */
 static double lent_elements_above(const double values[], uint64_t values_length)
 {
     if (values_length > UINT64_C(0)) {

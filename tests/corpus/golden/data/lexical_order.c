@@ -98,7 +98,7 @@ uint16_t lexical_order_matched(uint8_t row, uint8_t column)
 
 /* lexical_order.h */
 
-/** How urgent a message is. */
+/** Urgency of a message. */
 typedef enum {
     /** It may wait. */
     URGENCY_LOW = 0,

@@ -42,7 +42,7 @@ typedef struct {
     option_u16_t within;
 } axis_wish_turn_t;
 
-/** What an axis is asked to do. */
+/** Commands of an axis. */
 typedef struct {
     /** Which variant it is. */
     axis_wish_tag_t tag;

@@ -19,7 +19,7 @@ typedef struct {
     float high;
 } span_t;
 
-/** What a servo may do. */
+/** Limits of a servo. */
 typedef struct {
     span_t angle;
     span_t rate;

@@ -99,13 +99,13 @@ void numbered_enums_silent(numbered_enums_kind_t kind, bool right, numbered_enum
 
 /* numbered_enums.h */
 
-/** What a frame carries. */
+/** Contents of a frame. */
 typedef enum {
     /** That the sender lives. */
     NUMBERED_ENUMS_KIND_HEARTBEAT = 1,
-    /** Where it is. */
+    /** Position. */
     NUMBERED_ENUMS_KIND_POSITION = 33,
-    /** What comes next. */
+    /** Attitude, which follows. */
     NUMBERED_ENUMS_KIND_ATTITUDE = 34,
     /** A command. */
     NUMBERED_ENUMS_KIND_COMMAND = 128,
@@ -133,9 +133,9 @@ typedef enum {
 
 /** A frame. */
 typedef struct {
-    /** What it carries. */
+    /** Contents. */
     numbered_enums_kind_t kind;
-    /** Whether an answer is awaited, and of which kind. */
+    /** Kind of the expected answer, if any. */
     option_numbered_enums_kind_t answer;
     /** The turns ahead. */
     turn_t turns[2];
@@ -178,7 +178,7 @@ bessemer_status_t statistics_count(statistics_t *self, numbered_enums_kind_t kin
 
 /* numbered_enums_statistics.h */
 
-/** How often a kind came. */
+/** Numbers of occurrences of each kind. */
 typedef struct {
     numbered_enums_kind_t last;
     uint32_t counts[129];

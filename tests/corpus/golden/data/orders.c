@@ -94,7 +94,7 @@ typedef struct {
     uint8_t priority;
     /** When it is due, ms. */
     uint32_t deadline;
-    /** How long it takes, s. */
+    /** Duration, s. */
     float effort;
 } orders_task_t;
 

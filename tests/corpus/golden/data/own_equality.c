@@ -85,7 +85,7 @@ typedef struct {
     float radians;
 } bearing_t;
 
-/** How a gear is told: all ways to say that nothing is driven are one. */
+/** Positions of a lever: all that drive nothing are equal. */
 typedef enum {
     LEVER_PARKED = 0,
     LEVER_NEUTRAL = 1,

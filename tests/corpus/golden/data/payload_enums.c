@@ -45,9 +45,9 @@ void payload_enums_slower(command_t *command)
 
 /** What a `Command::Position` holds. */
 typedef struct {
-    /** Where, rad. */
+    /** Target angle, rad. */
     double angle;
-    /** How fast at most, rad/s. */
+    /** Largest speed, rad/s. */
     double limit;
 } command_position_t;
 
@@ -61,7 +61,7 @@ typedef enum {
     COMMAND_TAG_POSITION = 2
 } command_tag_t;
 
-/** What a motor is told. */
+/** Commands of a motor. */
 typedef struct {
     /** Which variant it is. */
     command_tag_t tag;

@@ -26,7 +26,7 @@ lamp_t plain_enums_pressed(lamp_t lamp, uint8_t presses)
 
 /* plain_enums.h */
 
-/** What the lamp does. */
+/** State of the lamp. */
 typedef enum {
     LAMP_OFF = 0,
     LAMP_BLINKING = 1,

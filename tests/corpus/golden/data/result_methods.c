@@ -110,7 +110,7 @@ uint16_t result_methods_shown(const uint8_t frame[4])
 
 /* result_methods.h */
 
-/** What can be wrong with a frame. */
+/** Errors of a frame. */
 typedef enum {
     FRAME_ERROR_SHORT = 0,
     FRAME_ERROR_CHECKSUM = 1
@@ -143,7 +143,7 @@ typedef enum {
     LINK_ERROR_TAG_DAMAGED = 1
 } link_error_tag_t;
 
-/** What is told to the ground. */
+/** Errors reported to the ground. */
 typedef struct {
     /** Which variant it is. */
     link_error_tag_t tag;

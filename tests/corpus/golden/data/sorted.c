@@ -136,7 +136,7 @@ void sorted_nearest(const double values[5], double guess, option_f64_t *result)
 typedef struct {
     /** When, ticks. */
     uint16_t at;
-    /** Which outputs. */
+    /** Mask of outputs. */
     uint8_t outputs;
 } switching_t;
 

@@ -16,12 +16,12 @@ double structs_merged(const structs_reading_t *one, const structs_reading_t *oth
 
 /* structs.h */
 
-/** What the altimeter says. */
+/** Reading of the altimeter. */
 typedef struct {
     /** Height above ground, m. */
     double height;
     /** Time since start, ms. */
     uint32_t time;
-    /** Whether the echo came back. */
+    /** True if the echo came back. */
     bool valid;
 } structs_reading_t;

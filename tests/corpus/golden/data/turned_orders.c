@@ -184,7 +184,7 @@ typedef struct {
     uint8_t urgency;
     /** When it is due, ms. */
     int16_t due;
-    /** Which it is. */
+    /** Serial number. */
     uint8_t number;
 } turned_orders_job_t;
 

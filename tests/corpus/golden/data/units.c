@@ -17,13 +17,13 @@ float air_density_step(air_density_t *self, const barometer_t *reading, float ra
 
 /** Smooths the density of the air. */
 typedef struct {
-    /** What it is by now. Unit: kg/m³. */
+    /** Present density. Unit: kg/m³. */
     float density;
 } air_density_t;
 
 /* units.c */
 
-/** Of dry air. Unit: J/(kg·K). */
+/** Specific gas constant of dry air. Unit: J/(kg·K). */
 static const float GAS = 287.05F;
 
 float units_density(const barometer_t *reading)
@@ -33,7 +33,7 @@ float units_density(const barometer_t *reading)
 
 /* units.h */
 
-/** What the barometer says. */
+/** State of the barometer. */
 typedef struct {
     /** Pressure of the air. Unit: Pa. Range: 30000 to 110000. */
     float pressure;

@@ -587,7 +587,7 @@ typedef enum {
 
 /** What a `Packet::Load` holds. */
 typedef struct {
-    /** Where they go. */
+    /** Destination address. */
     uint8_t address;
     /** The bytes. */
     slice_u8_t bytes;
@@ -632,9 +632,9 @@ typedef struct {
 
 /** The gains of an axis. */
 typedef struct {
-    /** Of the error. */
+    /** Gain of the error. */
     double proportional;
-    /** Of its sum. */
+    /** Gain of its integral. */
     double integral;
 } values_that_borrow_gains_t;
 

@@ -65,7 +65,7 @@ bessemer_status_t variable_sizes_strong(const scan_t *scan, uint8_t level, uint3
 
 /* variable_sizes.h */
 
-/** What a scanner sees. */
+/** Hits of a scanner. */
 typedef struct {
     /** At most five. */
     list5_f32_t ranges;

@@ -46,7 +46,7 @@ typedef struct {
 
 /* variants.h */
 
-/** What the pilot asks for. */
+/** Commands of the pilot. */
 typedef enum {
     WISH_STAY = 0,
     WISH_CLIMB = 1,

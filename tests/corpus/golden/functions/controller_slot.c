@@ -47,7 +47,7 @@ double gain_loop_step(gain_loop_t *self, double target, double measured, bool re
 
 /** A loop that a gain closes. */
 typedef struct {
-    /** What closes it. */
+    /** The controller. */
     controller_slot_gain_t controller;
 } gain_loop_t;
 
@@ -105,6 +105,6 @@ double integrator_loop_step(integrator_loop_t *self, double target, double measu
 
 /** A loop that an integrator closes. */
 typedef struct {
-    /** What closes it. */
+    /** The controller. */
     integrator_t controller;
 } integrator_loop_t;

@@ -166,7 +166,7 @@ uint32_t flags_mixed(uint16_t word, uint8_t places)
 
 /* flags.h */
 
-/** What is wrong with a sensor, a bit for each. */
+/** Faults of a sensor, one bit each. */
 typedef struct {
     uint16_t value;
 } faults_t;

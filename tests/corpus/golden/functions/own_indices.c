@@ -65,7 +65,7 @@ typedef enum {
     SIDE_RIGHT = 1
 } side_t;
 
-/** What there is of either side. */
+/** Values of either side. */
 typedef struct {
     int32_t left;
     int32_t right;

@@ -144,7 +144,7 @@ typedef struct {
     uint8_t cells[4];
 } own_names_bank_t;
 
-/** What is not there. */
+/** A missing value. */
 typedef struct {
     uint8_t index;
 } own_names_missing_t;

@@ -105,7 +105,7 @@ void without_fields_compared(const double samples[4], double result[2])
 
 /* without_fields.h */
 
-/** What else may be wrong. */
+/** Further errors. */
 typedef enum {
     /** Above. */
     WITHOUT_FIELDS_TROUBLE_HIGH = 0,

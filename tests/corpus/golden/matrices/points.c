@@ -54,10 +54,10 @@ double points_above(const double point[3])
 
 /* points.h */
 
-/** Where a vehicle is, and where it came from. */
+/** Position of a vehicle, and its previous position. */
 typedef struct {
-    /** Where it is. */
+    /** Position. */
     double to[3];
-    /** Where it came from. */
+    /** Previous position. */
     double from[3];
 } points_way_t;

@@ -12,9 +12,9 @@ pub struct AlphaBeta {
 
 #[component]
 impl AlphaBeta {
-    /// How much of a surprise goes to the position.
+    /// Gain of the residual for the position.
     const ALPHA: f64 = 0.85;
-    /// How much of it goes to the speed.
+    /// Gain of the residual for the speed.
     const BETA: f64 = 0.005;
 
     /// One measurement after `time` s: position and speed.

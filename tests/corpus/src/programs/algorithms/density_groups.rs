@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a point is.
+/// Membership of a point.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Belonging {

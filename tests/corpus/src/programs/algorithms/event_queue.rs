@@ -40,7 +40,7 @@ impl Agenda {
         true
     }
 
-    /// What is due, if anything is.
+    /// Returns the next due event, if any.
     #[entry]
     pub fn next(&mut self, now: u32) -> Option<Happening> {
         match self.entries.first() {

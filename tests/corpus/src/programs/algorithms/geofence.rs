@@ -1,4 +1,4 @@
-//! Whether a position is inside a polygon (the even-odd rule), and how far it is from the nearest edge.
+//! Containment of a position in a polygon (the even-odd rule), and its distance from the nearest edge.
 
 use bessemer::prelude::*;
 

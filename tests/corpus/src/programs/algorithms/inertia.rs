@@ -13,7 +13,7 @@ pub fn inertia(places: &SMatrix<f64, 3, 5>, masses: &SVector<f64, 5>) -> Matrix3
     inertia
 }
 
-/// Where their centre is, m.
+/// Centre of mass, m.
 #[function]
 pub fn centre(places: &SMatrix<f64, 3, 5>, masses: &SVector<f64, 5>) -> Vector3<f64> {
     places * masses / masses.sum()

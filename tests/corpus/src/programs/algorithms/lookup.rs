@@ -2,9 +2,9 @@
 
 use bessemer::prelude::*;
 
-/// Where the table's rows are.
+/// Breakpoints of the rows.
 const SPEEDS: [f64; 5] = [0.0, 10.0, 20.0, 40.0, 80.0];
-/// Where its columns are.
+/// Breakpoints of the columns.
 const LOADS: [f64; 4] = [0.0, 0.25, 0.5, 1.0];
 /// Advance for each speed and load, °.
 const ADVANCE: [[f64; 4]; 5] = [

@@ -53,7 +53,7 @@ impl Leg {
         Some(Leg { coefficients, duration })
     }
 
-    /// Where it is at a time; at its ends before and behind.
+    /// State at a time; constant before the start and after the end.
     pub fn at(&self, time: f64) -> State {
         let t = time.clamp(0.0, self.duration.max(0.0));
         let mut state = State::default();
@@ -68,7 +68,7 @@ impl Leg {
     }
 }
 
-/// Where a way of three legs is at a time.
+/// State at a time on a path of three legs.
 #[function]
 pub fn along(stops: &[State; 3], durations: &[f64; 2], time: f64) -> Option<State> {
     let mut left = time;

@@ -10,7 +10,7 @@ fn voted<T: Real>(readings: [T; 3], tolerance: T) -> (T, bool) {
     (middle, readings.iter().all(|reading| (*reading - middle).abs() <= tolerance))
 }
 
-/// Which way the voltage goes.
+/// Direction of the voltage.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Way {

@@ -12,7 +12,7 @@ pub struct Tuning {
     pub d: f64,
     /// Time constant of the derivative's filter, s.
     pub filter: f64,
-    /// How fast the integral follows a limited output, 1/s.
+    /// Rate at which the integral follows a limited output, 1/s.
     pub tracking: f64,
     pub low: f64,
     pub high: f64,

@@ -14,7 +14,7 @@ pub struct Motion {
     pub jerk: f64,
 }
 
-/// Where the trajectory is.
+/// State of the trajectory.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trajectory {

@@ -15,7 +15,7 @@ pub fn slopes(samples: &[f64; 12], period: f64) -> List<f64, 8> {
     slopes
 }
 
-/// How often the signal crosses zero.
+/// Number of zero crossings of the signal.
 #[function]
 pub fn crossings(samples: &[f64; 12]) -> usize {
     samples.windows(2).filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0)).count()

@@ -15,7 +15,7 @@ pub fn sort(values: &mut [f64]) {
     }
 }
 
-/// Where a value would stand among sorted ones.
+/// Index at which a value belongs among sorted ones.
 #[function]
 pub fn insertion_point(sorted: &[f64], value: f64) -> usize {
     let (mut low, mut high) = (0, sorted.len());

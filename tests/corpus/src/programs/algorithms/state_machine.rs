@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Where the connection is.
+/// State of the connection.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Link {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Where in a frame the receiver is.
+/// State of the receiver within a frame.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Stage {

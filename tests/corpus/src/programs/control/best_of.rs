@@ -18,7 +18,7 @@ pub fn cheapest(ways: &[Way; 4]) -> Way {
     ways.iter().min_by_key(|way| way.cost).copied().unwrap_or(ways[0])
 }
 
-/// Which element comes nearest to a value.
+/// Index of the element nearest to a value.
 #[function]
 pub fn nearest(values: &[f32; 5], to: f32) -> Option<usize> {
     let best = values.iter().enumerate().min_by(|a, b| {
@@ -27,7 +27,7 @@ pub fn nearest(values: &[f32; 5], to: f32) -> Option<usize> {
     Some(best.0)
 }
 
-/// Where the largest element is.
+/// Index of the largest element.
 #[function]
 pub fn peak(values: &[u8; 5]) -> Option<usize> {
     values.iter().enumerate().max_by_key(|(_, value)| **value).map(|(index, _)| index)

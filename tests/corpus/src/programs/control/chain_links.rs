@@ -9,7 +9,7 @@ pub fn energy(samples: &[f64; 8], threshold: f64) -> f64 {
     samples.iter().skip_while(|x| x.abs() < threshold).map(|x| x * x).sum()
 }
 
-/// How many digits a text begins with, and their value.
+/// Number of digits at the beginning of a text, and their value.
 #[function]
 pub fn leading_number(text: &[u8; 6]) -> u32 {
     text.iter()

@@ -16,13 +16,13 @@ pub fn weighted(values: &[i32; 4], weights: &[i32; 4], most: i32) -> i32 {
     values.iter().zip(weights).map(|(v, w)| v * w).filter(|p| *p <= most).sum()
 }
 
-/// Whether the values rise.
+/// Returns true if the values rise.
 #[function]
 pub fn rises(values: &[f32; 5]) -> bool {
     (1..5).all(|i| values[i] > values[i - 1])
 }
 
-/// Which bits are set, as a number.
+/// Bits as a number.
 #[function]
 pub fn packed(flags: [bool; 8]) -> u8 {
     flags.iter().enumerate().fold(0, |bits, (i, &flag)| if flag { bits | 1 << i } else { bits })

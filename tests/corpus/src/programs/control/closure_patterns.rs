@@ -55,7 +55,7 @@ pub fn scaled(pair: (i32, i32), other: (i32, i32)) -> i32 {
     mixed(pair) ^ mixed(other) ^ fixed(pair.0)
 }
 
-/// Where nothing is looked at.
+/// Counts without reading the items.
 #[function]
 pub fn counted(value: Option<u8>, n: u8) -> (u8, u32, [u8; 3]) {
     (value.map_or(0, |_| 1), (0..n).map(|_| 2).sum(), core::array::from_fn(|_| n))

@@ -10,7 +10,7 @@ pub fn compared(a: &[i16; 5], b: &[i16; 4]) -> (Ordering, bool, bool) {
     (a.iter().cmp(b.iter()), a.iter().ge(b.iter()), a.iter().skip(1).eq(b))
 }
 
-/// Of floats, some of which have no order.
+/// Comparisons of floats, some of which have no order.
 #[function]
 pub fn floats(x: &[f64; 3], y: &[f64; 3], n: usize) -> [bool; 4] {
     let x = x.iter().take(n % 4);

@@ -8,7 +8,7 @@ pub fn share(x: f32) -> Option<f32> {
     (0.0..=1.0).contains(&x).then_some(x)
 }
 
-/// How far a value is from the middle of a band, if it lies in it.
+/// Distance of a value from the middle of a band, if it lies in it.
 #[function]
 pub fn inside(low: i32, width: i32, x: i32) -> Option<i32> {
     let high = low.saturating_add(width);

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What is wrong with a frame.
+/// Faults of a frame.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FrameFault {
@@ -12,7 +12,7 @@ pub enum FrameFault {
     Start(u8),
 }
 
-/// What is wrong with a drive.
+/// Faults of a drive.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DriveFault {
@@ -67,7 +67,7 @@ pub fn current(frame: [u8; 3], limit: f32) -> Result<f32, DriveFault> {
     Ok(current)
 }
 
-/// The same of two frames, and a number for what is wrong.
+/// Sum of two frames, or a number for the fault.
 #[function]
 pub fn total(one: [u8; 3], other: [u8; 3], limit: f32) -> Result<f32, FaultCode> {
     Ok(current(one, limit)? + current(other, limit)?)

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How many samples at the start are below the limit.
+/// Number of samples at the start that are below the limit.
 #[function]
 pub fn quiet(samples: &[f32; 16], limit: f32) -> usize {
     let mut count = 0;
@@ -12,7 +12,7 @@ pub fn quiet(samples: &[f32; 16], limit: f32) -> usize {
     count
 }
 
-/// Where `x` belongs in a table that rises (bisection).
+/// Index at which `x` belongs in a rising table (bisection).
 #[function]
 pub fn place(table: &[f32; 16], x: f32) -> usize {
     let (mut low, mut high) = (0, 16);

@@ -40,7 +40,7 @@ pub fn balance(values: &[i32; 5]) -> i32 {
     values.iter().map(|x| x / 2).reduce(|so_far, x| if so_far > x { so_far - x } else { so_far + x }).unwrap_or(0)
 }
 
-/// Of a range, and of what a filter leaves.
+/// Folds of a range, and of a filter's items.
 #[function]
 pub fn parity(end: u8) -> Option<u8> {
     (0..end).filter(|x| x % 3 == 1).reduce(|a, b| a ^ b)

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What the altimeter said last.
+/// Last reading of the altimeter.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Altimeter {
@@ -25,7 +25,7 @@ pub fn lift(altimeter: &mut Altimeter, by: f64) {
     }
 }
 
-/// Whether it is near the ground.
+/// Returns true if it is near the ground.
 #[function]
 pub fn is_low(altimeter: &Altimeter) -> bool {
     matches!(altimeter.height, Some(height) if height < 0.5)

@@ -17,7 +17,7 @@ pub fn first_above(readings: &[f64; 6], limit: f64) -> usize {
     at
 }
 
-/// How hot a motor may be called: each step asks for less than the one before.
+/// Heat level of a motor: each step requires less than the one before.
 #[function]
 pub fn level(temperature: f32, rise: f32) -> u8 {
     'level: {

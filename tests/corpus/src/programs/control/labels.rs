@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How many rows come before the first row with a gap; a row is closed by a 0.
+/// Number of rows before the first row with a gap; a row ends with a 0.
 #[function]
 pub fn rows_without_gap(grid: &[[u8; 4]; 3]) -> u32 {
     let mut rows = 0;

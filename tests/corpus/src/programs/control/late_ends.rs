@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How many digits a number has.
+/// Number of digits of a number.
 #[function]
 pub fn digits(n: u32) -> u32 {
     let (mut rest, mut count) = (n, 0);
@@ -36,7 +36,7 @@ pub fn turned(values: &List<u8, 5>) -> List<u8, 5> {
     turned
 }
 
-/// What is left when zeros are taken off the end.
+/// Length without trailing zeros.
 #[function]
 pub fn trimmed(values: &List<u8, 5>) -> usize {
     let mut left = *values;

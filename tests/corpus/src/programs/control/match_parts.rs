@@ -10,7 +10,7 @@ pub struct Key {
     pub held: Option<u16>,
 }
 
-/// What a key does.
+/// Action of a key.
 #[function]
 pub fn action(key: &Key, shift: bool) -> u8 {
     match (key, shift) {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How much of the power may be used at a temperature, %.
+/// Available power at a temperature, %.
 #[function]
 pub fn power(temperature: i16, boosted: bool) -> u8 {
     match temperature {

@@ -34,7 +34,7 @@ pub fn weighted(samples: &[u16; 6], weights: &[u16; 6]) -> u32 {
     sum
 }
 
-/// What is computed at compile time, and arms of floats.
+/// Values computed at compile time, and arms of floats.
 #[function]
 pub fn shape(x: f64, up: bool) -> f64 {
     const { assert!(1 < 2) };

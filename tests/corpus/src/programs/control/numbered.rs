@@ -43,7 +43,7 @@ pub fn every_second(count: u8) -> u32 {
     squares.enumerate().filter(|(at, _)| at % 2 == 1).map(|(_, square)| square).fold(0, |a, b| a ^ b)
 }
 
-/// What two groups have gathered, one after the other.
+/// Contents of two groups, one after the other.
 #[function]
 pub fn gathered(first: &mut [Bin; 2], second: &mut [Bin; 3], x: f32) -> f32 {
     let mut sum = 0.0;

@@ -10,7 +10,7 @@ pub struct Cell {
     pub valid: bool,
 }
 
-/// How many cells of a battery are low: of its own, and of those that were added.
+/// Number of low cells in a battery: its own, and the added ones.
 #[function]
 pub fn low(own: &[Cell; 4], added: &[Cell; 3], limit: f32) -> usize {
     own.iter().chain(added.iter()).filter(|cell| cell.valid && cell.voltage < limit).count()
@@ -38,7 +38,7 @@ pub fn left(samples: &[i16; 7]) -> i32 {
     samples.iter().step_by(2).map(|x| i32::from(*x)).sum()
 }
 
-/// The same of the right one, each with its number.
+/// Weighted sum of the right half, each sample with its number.
 #[function]
 pub fn right(samples: &[i16; 7]) -> i32 {
     let mut sum = 0;
@@ -48,7 +48,7 @@ pub fn right(samples: &[i16; 7]) -> i32 {
     sum
 }
 
-/// How many marks a scale has, and the sum of their places.
+/// Number of marks on a scale, and the sum of their positions.
 #[function]
 pub fn marks(length: u8) -> (u8, u32) {
     let mut count = 0;

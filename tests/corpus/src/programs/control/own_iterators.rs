@@ -41,7 +41,7 @@ impl Iterator for Ramp {
 /// The most passes of a ramp.
 pub const LIMIT: usize = 12;
 
-/// How long a ramp is, and its sum.
+/// Length and sum of a ramp.
 #[function]
 pub fn through(from: i32, to: i32) -> (u32, i32) {
     let (mut steps, mut sum) = (0, 0_i32);

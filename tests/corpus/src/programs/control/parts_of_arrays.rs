@@ -28,7 +28,7 @@ pub fn settled(values: &[f32; 10]) -> f32 {
     values.iter().skip(2).sum::<f32>() / 8.0
 }
 
-/// How many of the last four are set.
+/// Number of flags set among the last four.
 #[function]
 pub fn recent(flags: &[bool; 12]) -> usize {
     flags.iter().rev().take(4).filter(|flag| **flag).count()

@@ -20,7 +20,7 @@ pub fn butterflies(data: &mut [f32; 8]) {
     }
 }
 
-/// What is written is read again: the names are those of the elements.
+/// Written elements are read again: the names are those of the elements.
 #[function]
 pub fn read_again(data: &mut [f32; 6], at: usize) -> f32 {
     let (low, high) = data.split_at_mut(at);

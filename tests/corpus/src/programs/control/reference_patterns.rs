@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a valve is told.
+/// Commands of a valve.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Order {

@@ -8,7 +8,7 @@ pub fn largest(counts: &[i32; 6]) -> Option<i32> {
     counts.iter().copied().filter(|count| *count > 0).max()
 }
 
-/// Which of the channels is the first over its limit.
+/// Index of the first channel over its limit.
 #[function]
 pub fn over(channels: &[f64; 5], limits: &[f64; 5]) -> Option<usize> {
     channels.iter().zip(limits).position(|(channel, limit)| channel > limit)

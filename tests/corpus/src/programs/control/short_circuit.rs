@@ -2,13 +2,13 @@
 
 use bessemer::prelude::*;
 
-/// Whether the divisor divides; no division by zero happens.
+/// Returns true if the divisor divides; no division by zero happens.
 #[function]
 pub fn divides(n: u32, divisor: u32) -> bool {
     divisor != 0 && n % divisor == 0
 }
 
-/// Whether the element is out of reach or too large.
+/// Returns true if the element is out of reach or too large.
 #[function]
 pub fn unusable(values: &[i32; 3], at: usize) -> bool {
     at >= 3 || values[at] > 100

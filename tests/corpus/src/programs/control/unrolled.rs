@@ -13,7 +13,7 @@ pub fn weighted(values: &[f32; 16], weights: &[f32; 16]) -> f32 {
     sum
 }
 
-/// The same for four, in a loop for the sake of its size.
+/// The scalar product of four elements, as a loop because it is short.
 #[function]
 pub fn short(values: &[f32; 4], weights: [f32; 4]) -> f32 {
     let mut sum = 0.0;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What is left of a number after another factor of two is taken out.
+/// The number divided by two, if it is even.
 #[function]
 pub fn halved(n: u32) -> Option<u32> {
     if n % 2 == 0 && n > 0 { Some(n / 2) } else { None }

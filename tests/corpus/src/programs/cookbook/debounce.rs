@@ -5,7 +5,7 @@ use bessemer::prelude::*;
 /// Samples that have to agree: 5 ms at 1 kHz, longer than what contacts of small buttons take to settle.
 pub const STABLE_SAMPLES: u8 = 5;
 
-/// What happened at a sample.
+/// Edge at a sample.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ButtonEdge {
@@ -22,7 +22,7 @@ pub enum ButtonEdge {
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PushButton {
-    /// Whether it is held to be pressed.
+    /// True if it is held to be pressed.
     pressed: bool,
     /// Samples in a row that said otherwise, below `STABLE_SAMPLES`.
     differing: u8,
@@ -46,7 +46,7 @@ impl PushButton {
         if closed { ButtonEdge::Pressed } else { ButtonEdge::Released }
     }
 
-    /// Whether it is pressed.
+    /// Returns true if it is pressed.
     #[entry(infallible)]
     pub fn is_pressed(&self) -> bool {
         self.pressed

@@ -9,9 +9,9 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BiquadCoefficients {
-    /// Of the input: b0, b1, b2.
+    /// Coefficients of the input: b0, b1, b2.
     pub b: [f32; 3],
-    /// Of the output: a1, a2.
+    /// Coefficients of the output: a1, a2.
     pub a: [f32; 2],
 }
 

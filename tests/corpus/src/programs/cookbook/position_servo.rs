@@ -28,7 +28,7 @@ pub struct ServoParameters {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PositionServo {
     speed_loop: PiController,
-    /// What the position loop asks for.
+    /// Speed setpoint from the position loop.
     #[unit("rad/s")]
     wanted_speed: f32,
     /// Periods until the position loop is due.

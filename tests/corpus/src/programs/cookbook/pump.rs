@@ -9,7 +9,7 @@ pub const PRIMING_MS: u16 = 3000;
 /// Milliseconds without flow after which a running pump is dry.
 pub const DRY_MS: u16 = 500;
 
-/// What the pump is doing.
+/// State of the pump.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum PumpState {
@@ -24,15 +24,15 @@ pub enum PumpState {
     LockedOut,
 }
 
-/// What a period sees.
+/// Inputs of a period.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PumpInputs {
-    /// Whether it is to run.
+    /// True if it is to run.
     pub demand: bool,
-    /// Whether the flow switch is closed.
+    /// True if the flow switch is closed.
     pub flow: bool,
-    /// Whether the operator acknowledges the lock-out.
+    /// True if the operator acknowledges the lock-out.
     pub acknowledge: bool,
 }
 
@@ -62,7 +62,7 @@ impl PumpControl {
         matches!(self.state, PumpState::Priming { .. } | PumpState::Running { .. })
     }
 
-    /// What the pump is doing.
+    /// State of the pump.
     #[entry(infallible)]
     pub fn state(&self) -> PumpState {
         self.state

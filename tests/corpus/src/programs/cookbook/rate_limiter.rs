@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How fast a set point may move.
+/// Largest rates of a setpoint.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlewLimits {
@@ -21,7 +21,7 @@ pub struct SlewLimits {
 #[component]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RateLimiter {
-    /// What was given last.
+    /// Last output.
     output: f32,
 }
 

@@ -33,7 +33,7 @@ impl LogChannel {
         self.name
     }
 
-    /// Whether it is in the unit that it began with.
+    /// Returns true if it is in the unit that it began with.
     #[entry]
     pub fn is_length(&mut self) -> bool {
         self.unit.is(b"m") || self.unit == Text::of(b"cm")

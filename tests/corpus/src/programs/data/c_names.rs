@@ -4,7 +4,7 @@
 
 use bessemer::prelude::*;
 
-/// What the valve is asked to do.
+/// Commands of the valve.
 #[data]
 #[c(name = "ValveOrder_t")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,10 +34,10 @@ const STEP: f32 = 0.125;
 #[c(name = "Valve_t")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MotorValve {
-    /// How far it is open, 0 to 1.
+    /// Opening, 0 to 1.
     #[c(name = "fPosition")]
     pub position: f32,
-    /// How often it was moved.
+    /// Number of movements.
     #[c(name = "u32Moves")]
     pub moves: u32,
 }
@@ -61,7 +61,7 @@ impl MotorValve {
         FLOW[(self.position * 8.0) as usize]
     }
 
-    /// Whether it is closed.
+    /// Returns true if it is closed.
     #[entry(infallible)]
     pub fn closed(&self) -> bool {
         self.position <= 0.0

@@ -12,7 +12,7 @@ pub fn key(row: usize, column: usize) -> Option<char> {
     KEYS.get(row)?.get(column).copied()
 }
 
-/// What a character is for.
+/// Class of a character.
 #[function]
 pub fn class(code: u32) -> u8 {
     let Some(letter) = char::from_u32(code) else { return 0 };
@@ -38,7 +38,7 @@ pub fn value(bytes: &[u8; 4], base: u8) -> u32 {
     value
 }
 
-/// Whether it is a digit of base sixteen.
+/// Returns true if it is a digit of base sixteen.
 #[function]
 pub fn is_sixteenth(byte: u8) -> bool {
     char::from(byte).is_digit(16)
@@ -57,7 +57,7 @@ pub fn digit(value: u32) -> u8 {
 pub struct Listener {
     /// The last.
     pub last: Option<char>,
-    /// How often it came.
+    /// Number of occurrences.
     pub count: u8,
 }
 

@@ -16,7 +16,7 @@ pub fn payload_sum(frame: &[u8; 8]) -> u32 {
     payload.iter().map(|&byte| u32::from(byte)).sum()
 }
 
-/// How many bytes stand behind an index; none if there is no such place.
+/// Number of bytes from an index on; none if there is no such index.
 #[function]
 pub fn behind(line: &[u8; 8], from: usize) -> Option<usize> {
     let rest = line.get(from..)?;
@@ -42,7 +42,7 @@ pub fn count_up(line: &mut [u8; 8], index: usize) -> Option<u8> {
     Some(*byte)
 }
 
-/// What a list holds, if that is one or two.
+/// Value of a list of one or two elements.
 #[function]
 pub fn few(values: &List<u8, 4>) -> u16 {
     match values.as_slice() {
@@ -87,7 +87,7 @@ pub struct Leg {
     pub time: f64,
 }
 
-/// How fast it goes on a leg, m/s; none if there is no such leg.
+/// Speed on a leg, m/s; none if there is no such leg.
 #[function]
 pub fn speed_on(route: &List<Leg, 4>, index: usize) -> Option<f64> {
     let leg = route.get(index)?;

@@ -8,9 +8,9 @@ use bessemer::prelude::*;
 pub struct Transfer {
     /// Whose it is.
     pub id: u8,
-    /// Whether it is under way.
+    /// True if it is under way.
     pub busy: bool,
-    /// How often it was tried.
+    /// Number of attempts.
     pub tries: u16,
 }
 
@@ -172,13 +172,13 @@ pub fn set(readings: &mut [f32; 5], index: usize, to: f32) {
     *readings.iter_mut().rev().find(|it| **it > to).unwrap() = to;
 }
 
-/// What is sent, byte by byte.
+/// A transmitted frame, byte by byte.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Frame {
     /// The bytes.
     pub bytes: [u8; 5],
-    /// How many there are.
+    /// Number of bytes.
     pub length: u8,
 }
 

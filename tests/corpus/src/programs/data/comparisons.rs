@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Where to go.
+/// Destination.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Target {
@@ -10,13 +10,13 @@ pub struct Target {
     pub land: bool,
 }
 
-/// Whether an order is a new one.
+/// Returns true if an order is a new one.
 #[function]
 pub fn is_new(before: &Target, now: &Target) -> bool {
     before != now
 }
 
-/// Whether two plans are the same.
+/// Returns true if two plans are the same.
 #[function]
 pub fn same_plan(one: &[Target; 6], other: &[Target; 6]) -> bool {
     one == other

@@ -10,7 +10,7 @@ const DAY: u32 = 24 * 3600;
 #[data]
 const SIXTH: f64 = -1.0 / 6.0;
 
-/// What is left when a flag is not needed.
+/// Remaining flags when one is not needed.
 #[data]
 const LEFT: u32 = 1 << 24 | (DAY & 0xFF);
 
@@ -26,7 +26,7 @@ const LARGEST: i16 = i16::MAX;
 #[data]
 const GAINS: Gains = Gains::damped(2.0, -0.5);
 
-/// Of a controller.
+/// Gains of a controller.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gains {
@@ -48,7 +48,7 @@ pub fn mixed(x: f64, step: i16) -> f64 {
     GAINS.proportional * x + GAINS.derivative * time + bounded
 }
 
-/// What a controller starts with.
+/// Initial gains of a controller.
 #[function]
 pub fn gains() -> Gains {
     GAINS

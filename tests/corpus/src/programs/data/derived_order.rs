@@ -19,7 +19,7 @@ pub struct Version {
     pub patch: u16,
 }
 
-/// Where a message came from.
+/// Source of a message.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Source {
@@ -30,7 +30,7 @@ pub enum Source {
     Ground,
 }
 
-/// What decides which message is first.
+/// Key by which messages are ordered.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Key {
@@ -42,7 +42,7 @@ pub struct Key {
     pub numbers: [i16; 2],
 }
 
-/// Whether it is too low, or the limit is none.
+/// Returns true if it is too low, or the limit is none.
 #[function]
 pub fn is_low(height: Height, limit: Height) -> bool {
     height < limit || !(limit >= Height(0.0))
@@ -60,7 +60,7 @@ pub fn lowest(heights: [Height; 3]) -> Height {
     least
 }
 
-/// Whether a message of one version is read by another.
+/// Returns true if a message of one version is read by another.
 #[function]
 pub fn is_read(one: &Version, by: &Version) -> bool {
     one <= by && one.major == by.major
@@ -73,7 +73,7 @@ pub fn newer(one: Version, other: Version) -> Version {
     one.max(other).clamp(first, Version { major: u8::MAX, ..first })
 }
 
-/// How two messages stand to each other.
+/// Order of two messages.
 #[function]
 pub fn order(one: &Key, other: &Key) -> core::cmp::Ordering {
     one.cmp(other).reverse()

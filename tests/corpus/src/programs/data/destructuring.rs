@@ -11,7 +11,7 @@ pub struct Line {
     pub c: f64,
 }
 
-/// How far a point is on the positive side of a line, times the length of its normal.
+/// Signed distance of a point from a line, times the length of its normal.
 #[function]
 pub fn side(line: &Line, point: [f64; 2]) -> f64 {
     let Line { a, b, c: offset } = *line;

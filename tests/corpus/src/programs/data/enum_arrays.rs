@@ -16,7 +16,7 @@ pub enum Way {
 /// Steps east and north for each.
 const STEPS: [[i32; 2]; 4] = [[0, 1], [1, 0], [0, -1], [-1, 0]];
 
-/// Where a path ends.
+/// End of a path.
 #[function]
 pub fn walked(path: &[Way; 5]) -> [i32; 2] {
     let mut place = [0, 0];

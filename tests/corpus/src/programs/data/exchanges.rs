@@ -25,7 +25,7 @@ pub fn flip(front: &mut [u8; 6], back: &mut [u8; 6]) {
     mem::swap(front, back);
 }
 
-/// How far a signal has moved since the last call.
+/// Change of a signal since the last call.
 #[function]
 pub fn moved(last: &mut f64, now: f64) -> f64 {
     now - core::mem::replace(last, now)

@@ -7,7 +7,7 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Smooth {
-    /// What it has come to.
+    /// Present value.
     pub state: Option<f64>,
 }
 

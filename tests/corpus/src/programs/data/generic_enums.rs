@@ -33,7 +33,7 @@ pub fn middle(low: &Received<f32>, high: &Received<f32>, otherwise: f32) -> f32 
     (low.value_or(otherwise) + high.value_or(otherwise)) / 2.0
 }
 
-/// What is left of a value after a period without one.
+/// State of a value after a period without a new one.
 #[function]
 pub fn aged(last: &Received<f64>) -> Received<f64> {
     match *last {

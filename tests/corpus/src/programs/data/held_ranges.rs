@@ -4,14 +4,14 @@ pub use core::ops::{Range, RangeInclusive};
 
 use bessemer::prelude::*;
 
-/// What a sensor may show.
+/// Valid readings of a sensor.
 pub const PLAUSIBLE: RangeInclusive<f32> = -40.0..=125.0;
 
 /// A channel with limits.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gauge {
-    /// What is believed.
+    /// Accepted range.
     pub limits: RangeInclusive<f32>,
     /// The samples of a period that count.
     pub samples: Range<u16>,

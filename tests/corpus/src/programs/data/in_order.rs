@@ -8,18 +8,18 @@ use bessemer::prelude::*;
 pub struct Breakpoints {
     /// The breakpoints.
     pub at: [f64; 6],
-    /// How many there are.
+    /// Number of breakpoints.
     pub count: u8,
 }
 
-/// Whether a table can be looked up: none of its breakpoints comes before the one in front of it, and none is a NaN.
+/// Returns true if a table can be looked up. Its breakpoints must be in order, and none may be NaN.
 #[function]
 pub fn is_usable(table: &Breakpoints) -> bool {
     let count = usize::from(table.count).clamp(2, 6);
     table.at[..count].is_sorted()
 }
 
-/// Of lists, of pairs, of an array of one element.
+/// Order of lists, of pairs, and of an array with one element.
 #[function]
 pub fn ordered(n: u8, pairs: &[(u8, f32); 3]) -> [bool; 3] {
     let mut list: List<u8, 4> = List::new();

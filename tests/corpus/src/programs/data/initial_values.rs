@@ -6,11 +6,11 @@ use bessemer::prelude::*;
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lowpass {
-    /// How much of a new value is taken.
+    /// Weight of a new value.
     pub share: f64,
     /// The smoothed value.
     pub value: f64,
-    /// Whether a value was seen.
+    /// True if a value was seen.
     pub started: bool,
 }
 

@@ -52,7 +52,7 @@ pub fn mirror(values: &mut [u8; 8]) {
     }
 }
 
-/// How far the rest of some values is above the first.
+/// Amount by which the mean of the other values exceeds the first.
 #[function]
 fn above(values: &[f64]) -> f64 {
     match values.split_first() {
@@ -67,7 +67,7 @@ fn above(values: &[f64]) -> f64 {
     }
 }
 
-/// The same of the values from `start` on, without the last.
+/// The amount for the values from `start` on, without the last.
 #[function]
 pub fn above_from(values: &[f64; 6], start: usize) -> f64 {
     let Some((_, values)) = values.split_last() else { return 0.0 };

@@ -3,7 +3,7 @@
 use bessemer::prelude::*;
 use core::cmp::Ordering;
 
-/// How urgent a message is.
+/// Urgency of a message.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Urgency {
@@ -24,13 +24,13 @@ pub struct Message {
     pub sequence: u16,
 }
 
-/// Whether a version of firmware is older.
+/// Returns true if a version of firmware is older.
 #[function]
 pub fn is_older(version: (u8, u8, u16), other: (u8, u8, u16)) -> bool {
     version < other
 }
 
-/// Which of two serial numbers comes first.
+/// Order of two serial numbers.
 #[function]
 pub fn order(one: [u8; 3], other: [u8; 3]) -> Ordering {
     one.cmp(&other)

@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// What an axis is asked to do.
+/// Commands of an axis.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum AxisWish {
@@ -30,13 +30,13 @@ pub struct Route {
     pub turned: UnitQuaternion<f64>,
 }
 
-/// Whether a new route is another one.
+/// Returns true if a new route is another one.
 #[function]
 pub fn is_changed(old: &Route, new: &Route) -> bool {
     old != new
 }
 
-/// How many points of a route are the one.
+/// Number of points of a route that equal a point.
 #[function]
 pub fn count(route: &Route, point: &RoutePoint) -> u32 {
     let mut count = 0;
@@ -48,7 +48,7 @@ pub fn count(route: &Route, point: &RoutePoint) -> u32 {
     if route.home == Some(*point) { count + 1 } else { count }
 }
 
-/// Whether two lists of wishes are the same.
+/// Returns true if two lists of wishes are the same.
 #[function]
 pub fn same_lists(one: &List<AxisWish, 3>, other: &List<AxisWish, 3>) -> bool {
     one == other

@@ -10,7 +10,7 @@ pub struct Span {
     pub high: f32,
 }
 
-/// What a servo may do.
+/// Limits of a servo.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Servo {

@@ -17,13 +17,13 @@ pub struct Feet(pub f64);
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Leg(pub Metres, pub f64);
 
-/// The same length.
+/// Conversion to metres.
 #[function]
 pub fn metres(feet: Feet) -> Metres {
     Metres(feet.0 * 0.3048)
 }
 
-/// How fast it was, m/s.
+/// Speed on a leg, m/s.
 #[function]
 pub fn speed(leg: &Leg) -> f64 {
     let Leg(Metres(way), time) = *leg;

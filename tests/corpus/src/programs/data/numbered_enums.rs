@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// What a frame carries.
+/// Contents of a frame.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u8)]
@@ -11,9 +11,9 @@ pub enum Kind {
     /// That the sender lives.
     #[default]
     Heartbeat = 1,
-    /// Where it is.
+    /// Position.
     Position = 33,
-    /// What comes next.
+    /// Attitude, which follows.
     Attitude,
     /// A command.
     Command = FIRST_COMMAND,
@@ -41,9 +41,9 @@ pub enum Turn {
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Frame {
-    /// What it carries.
+    /// Contents.
     pub kind: Kind,
-    /// Whether an answer is awaited, and of which kind.
+    /// Kind of the expected answer, if any.
     pub answer: Option<Kind>,
     /// The turns ahead.
     pub turns: [Turn; 2],
@@ -67,7 +67,7 @@ pub fn kind_of(byte: u8) -> Option<Kind> {
     }
 }
 
-/// How long its payload is.
+/// Length of the payload.
 #[function]
 pub fn length(kind: Kind) -> u32 {
     match kind {
@@ -77,7 +77,7 @@ pub fn length(kind: Kind) -> u32 {
     }
 }
 
-/// Whether the first goes out before the second.
+/// Returns true if the first goes out before the second.
 #[function]
 pub fn before(first: Kind, second: Kind) -> bool {
     first < second
@@ -106,7 +106,7 @@ pub fn silent(kind: Kind, right: bool) -> Frame {
     Frame { kind, answer: None, turns: [turn, Turn::default()] }
 }
 
-/// How often a kind came.
+/// Numbers of occurrences of each kind.
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statistics {

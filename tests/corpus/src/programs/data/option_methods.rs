@@ -14,7 +14,7 @@ pub fn inverted(x: Option<f32>) -> Option<f32> {
     x.and_then(|x| if x == 0.0 { None } else { Some(1.0 / x) })
 }
 
-/// Whether a temperature is there and too high.
+/// Returns true if a temperature is there and too high.
 #[function]
 pub fn alarm(temperature: Option<f64>, limit: f64) -> bool {
     temperature.is_some_and(|t| t > limit)

@@ -12,7 +12,7 @@ pub struct Task {
     pub priority: u8,
     /// When it is due, ms.
     pub deadline: u32,
-    /// How long it takes, s.
+    /// Duration, s.
     pub effort: f32,
 }
 
@@ -26,7 +26,7 @@ pub fn towards(position: i16, target: i16) -> i16 {
     }
 }
 
-/// Which of two tasks is first: the more urgent, then that which is due, then the shorter.
+/// Order of two tasks: the more urgent, then the due one, then the shorter.
 #[function]
 pub fn first(one: &Task, other: &Task) -> Ordering {
     one.priority
@@ -43,7 +43,7 @@ pub fn scheduled(tasks: &[Task; 4]) -> [Task; 4] {
     sorted
 }
 
-/// Whether a reading is beyond a limit; a NaN is not.
+/// Returns true if a reading is beyond a limit; a NaN is not.
 #[function]
 pub fn is_beyond(reading: f64, limit: f64) -> bool {
     reading.partial_cmp(&limit).is_some_and(|order| order.is_gt())

@@ -13,13 +13,13 @@ pub struct Bearing {
 
 #[data]
 impl PartialEq for Bearing {
-    /// Whether they point the same way.
+    /// Returns true if they point the same way.
     fn eq(&self, other: &Bearing) -> bool {
         difference(self, other) < 1.0e-3
     }
 }
 
-/// How far two bearings are apart, from 0 to half a turn.
+/// Angle between two bearings, from 0 to half a turn.
 #[function]
 pub fn difference(one: &Bearing, other: &Bearing) -> f32 {
     let turn = core::f32::consts::TAU;
@@ -27,7 +27,7 @@ pub fn difference(one: &Bearing, other: &Bearing) -> f32 {
     apart.min(turn - apart)
 }
 
-/// How a gear is told: all ways to say that nothing is driven are one.
+/// Positions of a lever: all that drive nothing are equal.
 #[data]
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Lever {
@@ -40,7 +40,7 @@ pub enum Lever {
 
 #[data]
 impl PartialEq for Lever {
-    /// Whether they drive the same way.
+    /// Returns true if they drive the same way.
     fn eq(&self, other: &Self) -> bool {
         self.direction() == other.direction()
     }
@@ -68,25 +68,25 @@ pub struct Heading {
     pub next: Option<Lever>,
 }
 
-/// Whether a bearing is another.
+/// Returns true if a bearing is another.
 #[function]
 pub fn is_new(now: Bearing, before: Bearing) -> bool {
     now != before
 }
 
-/// Whether two levers drive the same way.
+/// Returns true if two levers drive the same way.
 #[function]
 pub fn same_way(one: Lever, other: &Lever) -> bool {
     one == *other || one == Lever::Neutral && *other != Lever::Back
 }
 
-/// Whether two headings are the same.
+/// Returns true if two headings are the same.
 #[function]
 pub fn same_heading(one: &Heading, other: &Heading) -> bool {
     one == other
 }
 
-/// Which of some bearings is the wanted one.
+/// Index of a bearing that equals the wanted one.
 #[function]
 pub fn place_of(bearings: &[Bearing; 3], wanted: &Bearing) -> Option<usize> {
     bearings.iter().position(|it| it == wanted)

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a motor is told.
+/// Commands of a motor.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Command {
@@ -13,9 +13,9 @@ pub enum Command {
     Speed(f64),
     /// A place to go to.
     Position {
-        /// Where, rad.
+        /// Target angle, rad.
         angle: f64,
-        /// How fast at most, rad/s.
+        /// Largest speed, rad/s.
         limit: f64,
     },
 }

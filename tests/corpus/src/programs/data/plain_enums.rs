@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What the lamp does.
+/// State of the lamp.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Lamp {
@@ -14,7 +14,7 @@ pub enum Lamp {
 
 #[data]
 impl Lamp {
-    /// What comes after it.
+    /// Next state.
     pub fn next(self) -> Lamp {
         match self {
             Lamp::Off => Lamp::Blinking,

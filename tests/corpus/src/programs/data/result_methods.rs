@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What can be wrong with a frame.
+/// Errors of a frame.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum FrameError {
@@ -11,7 +11,7 @@ pub enum FrameError {
     Checksum,
 }
 
-/// What is told to the ground.
+/// Errors reported to the ground.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum LinkError {
@@ -33,7 +33,7 @@ pub fn value(frame: [u8; 4]) -> Result<u16, FrameError> {
     Ok(u16::from_be_bytes([frame[1], frame[2]]))
 }
 
-/// The same in volts, its errors those of the link.
+/// The reading in volts, with errors of the link.
 #[function]
 pub fn volts(frame: [u8; 4]) -> Result<f32, LinkError> {
     value(frame).map(|raw| f32::from(raw) * 0.001).map_err(|error| match error {

@@ -15,7 +15,7 @@ pub fn consume(buffer: &mut [u8; 8], read: usize) {
     buffer.copy_within(read.., 0);
 }
 
-/// Whether a sentence is one of the receiver's, and whole.
+/// Returns true if a sentence is one of the receiver's, and whole.
 #[function]
 pub fn is_sentence(text: &[u8; 12]) -> bool {
     text.starts_with(b"$GP") && text.ends_with(b"\r\n")

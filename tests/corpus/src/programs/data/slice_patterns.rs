@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// What a command's bytes say: the code, and the sum of what follows.
+/// Code of a command, and the sum of the bytes after it.
 #[function]
 pub fn decoded(bytes: &[u8; 6]) -> (u8, u32) {
     let [code, rest @ ..] = bytes;

@@ -25,7 +25,7 @@ pub fn centre(values: &mut [f64]) {
     }
 }
 
-/// How much the later half of eight values is above the earlier.
+/// Difference of the means of the later and the earlier half of eight values.
 #[function]
 pub fn trend(values: &[f64; 8]) -> f64 {
     mean(&values[4..]) - mean(&values[..4])

@@ -9,7 +9,7 @@ use bessemer::prelude::*;
 pub struct Switching {
     /// When, ticks.
     pub at: u16,
-    /// Which outputs.
+    /// Mask of outputs.
     pub outputs: u8,
 }
 

@@ -11,7 +11,7 @@ pub struct Point {
     pub value: f64,
 }
 
-/// How many of the steps are below a number.
+/// Number of steps below a number.
 #[function]
 pub fn below(steps: &[f64; 6], x: f64) -> usize {
     steps.partition_point(|step| *step < x)
@@ -23,7 +23,7 @@ pub fn place(codes: &[u8; 7], code: u8) -> Result<usize, usize> {
     codes.binary_search(&code)
 }
 
-/// The same in a list of points.
+/// Value of a code in a list of points.
 #[function]
 pub fn value(points: &List<Point, 5>, code: u16) -> Option<f64> {
     let at = points.binary_search_by_key(&code, |point| point.code).ok()?;

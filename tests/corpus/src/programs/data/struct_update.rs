@@ -11,7 +11,7 @@ pub struct Drive {
     pub brake: bool,
 }
 
-/// The same command with the brake on.
+/// The command with the brake on.
 #[function]
 pub fn braked(drive: &Drive) -> Drive {
     Drive { speed: 0.0, brake: true, ..*drive }

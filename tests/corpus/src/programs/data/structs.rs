@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What the altimeter says.
+/// Reading of the altimeter.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
@@ -10,7 +10,7 @@ pub struct Reading {
     pub height: f64,
     /// Time since start, ms.
     pub time: u32,
-    /// Whether the echo came back.
+    /// True if the echo came back.
     pub valid: bool,
 }
 

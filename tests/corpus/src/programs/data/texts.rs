@@ -16,7 +16,7 @@ pub fn height(scale: f32) -> Channel {
     Channel { name: *b"height", scale }
 }
 
-/// Whether a channel has that name.
+/// Returns true if a channel has that name.
 #[function]
 pub fn is_height(channel: &Channel) -> bool {
     channel.name == *b"height"

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How many cells are taken.
+/// Number of occupied cells.
 #[function]
 pub fn taken(grid: &[[[bool; 4]; 3]; 2]) -> u32 {
     let mut count = 0;

@@ -12,7 +12,7 @@ pub enum Broken {
     Below(i16),
 }
 
-/// Whether a reading is in range.
+/// Checks the range of a reading.
 #[function]
 pub fn checked(reading: i16) -> Result<i16, Broken> {
     match reading {
@@ -29,7 +29,7 @@ pub fn perhaps(reading: Option<i16>) -> Result<Option<i16>, Broken> {
     Ok(reading.filter(|reading| *reading > 10))
 }
 
-/// What is in range, or why there is none.
+/// A reading in range, or the reason why there is none.
 #[function]
 pub fn some(reading: Result<Option<i16>, Broken>) -> Option<Result<i16, Broken>> {
     reading.transpose()

@@ -12,7 +12,7 @@ pub struct Job {
     pub urgency: u8,
     /// When it is due, ms.
     pub due: i16,
-    /// Which it is.
+    /// Serial number.
     pub number: u8,
 }
 
@@ -35,7 +35,7 @@ pub fn ends(jobs: &[Job; 5]) -> (Option<Job>, Option<Job>) {
     (least, jobs.iter().copied().min_by_key(|job| Reverse(job.urgency)))
 }
 
-/// Which is first, by each comparison.
+/// Order of two numbers by each comparison.
 #[function]
 pub fn compared(a: i16, b: i16) -> (bool, bool, bool, bool, bool, Ordering) {
     let (one, other) = (Reverse(a), Reverse(b));

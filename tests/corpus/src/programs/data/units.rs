@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// What the barometer says.
+/// State of the barometer.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Barometer {
@@ -15,7 +15,7 @@ pub struct Barometer {
     pub temperature: f32,
 }
 
-/// Of dry air.
+/// Specific gas constant of dry air.
 #[data]
 #[unit("J/(kg·K)")]
 const GAS: f32 = 287.05;
@@ -31,7 +31,7 @@ pub fn density(reading: &Barometer) -> f32 {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AirDensity {
-    /// What it is by now.
+    /// Present density.
     #[unit("kg/m³")]
     pub density: f32,
 }

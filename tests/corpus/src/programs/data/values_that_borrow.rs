@@ -53,14 +53,14 @@ pub enum Packet<'a> {
     Set(u16),
     /// Bytes behind an address.
     Load {
-        /// Where they go.
+        /// Destination address.
         address: u8,
         /// The bytes.
         bytes: &'a [u8],
     },
 }
 
-/// What a packet says: `None` where it is too short, the kind where that is unknown.
+/// Parses a packet: `None` if it is too short, the kind if that is unknown.
 #[function]
 pub fn understood(packet: &[u8]) -> Option<Result<Packet<'_>, u8>> {
     let mut reader = Reader::new(packet);
@@ -93,7 +93,7 @@ pub fn outcome(packet: &[u8; 8]) -> u32 {
     }
 }
 
-/// The same of a part of a longer one.
+/// The outcome for a part of a longer packet.
 #[function]
 pub fn outcome_behind(packets: &[u8; 12], from: usize) -> u32 {
     match understood(&packets[from..]) {
@@ -182,9 +182,9 @@ pub fn answer(packet: &[u8; 4], room: &mut [u8; 6]) -> u32 {
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gains {
-    /// Of the error.
+    /// Gain of the error.
     pub proportional: f64,
-    /// Of its sum.
+    /// Gain of its integral.
     pub integral: f64,
 }
 

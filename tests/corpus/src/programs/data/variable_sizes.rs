@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a scanner sees.
+/// Hits of a scanner.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scan {
@@ -34,7 +34,7 @@ pub fn middle(scan: &Scan) -> Vector3<f32> {
     sum / scan.points.len().max(1) as f32
 }
 
-/// How many hits there are above a level.
+/// Number of hits above a level.
 #[function]
 pub fn strong(scan: &Scan, level: u8) -> u32 {
     let mut count = 0;

@@ -11,7 +11,7 @@ pub struct Absent {
 
 #[component]
 impl Absent {
-    /// What came before, and keeps what comes.
+    /// Returns the previous value and stores the next one.
     #[entry]
     pub fn delayed(&mut self, next: Option<f64>) -> f64 {
         let before = self.last;
@@ -19,7 +19,7 @@ impl Absent {
         before.unwrap()
     }
 
-    /// The same, once.
+    /// Returns the stored value once.
     #[entry]
     pub fn taken(&mut self) -> f64 {
         self.last.take().expect("a value must be there")

@@ -24,7 +24,7 @@ pub fn larger(a: i32, b: i32) -> i32 {
     larger
 }
 
-/// What is there.
+/// The content, or a panic.
 #[function]
 pub fn required(value: Option<f64>) -> f64 {
     let Some(value) = value else { unreachable!("checked before") };

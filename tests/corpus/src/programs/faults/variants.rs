@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What the pilot asks for.
+/// Commands of the pilot.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Wish {

@@ -12,7 +12,7 @@ pub struct Contact {
 
 #[component]
 impl Contact {
-    /// How many samples must agree.
+    /// Number of samples that must agree.
     const STABLE: u8 = 3;
 
     /// One sample of the pin.

@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// What closes a loop.
+/// Controllers that close a loop.
 #[interface]
 pub trait Controller {
     /// The largest command.
@@ -15,7 +15,7 @@ pub trait Controller {
     /// Forgets what was.
     fn reset(&mut self) {}
 
-    /// The same within the limits.
+    /// One step within the limits.
     fn limited(&mut self, error: f64) -> f64 {
         self.step(error).clamp(-Self::LIMIT, Self::LIMIT)
     }
@@ -63,7 +63,7 @@ impl Controller for Integrator {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loop<C> {
-    /// What closes it.
+    /// The controller.
     pub controller: C,
 }
 

@@ -3,7 +3,7 @@
 use bessemer::prelude::*;
 use core::ops::{BitAnd, BitAndAssign, BitOr, BitOrAssign, BitXor, Not, Rem, RemAssign, Shl, ShrAssign};
 
-/// What is wrong with a sensor, a bit for each.
+/// Faults of a sensor, one bit each.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Faults(pub u16);
@@ -17,7 +17,7 @@ impl Faults {
     /// Its values are out of range.
     pub const RANGE: Faults = Faults(1 << 2);
 
-    /// Whether all of `others` are there.
+    /// Returns true if all of `others` are there.
     pub fn contains(self, others: Faults) -> bool {
         self & others == others
     }
@@ -36,7 +36,7 @@ impl Faults {
 impl BitOr for Faults {
     type Output = Self;
 
-    /// Those of either.
+    /// Faults of either.
     fn bitor(self, other: Self) -> Self {
         Faults(self.0 | other.0)
     }
@@ -46,7 +46,7 @@ impl BitOr for Faults {
 impl BitAnd for Faults {
     type Output = Self;
 
-    /// Those of both.
+    /// Faults of both.
     fn bitand(self, other: Self) -> Self {
         Faults(self.0 & other.0)
     }
@@ -56,7 +56,7 @@ impl BitAnd for Faults {
 impl BitXor for Faults {
     type Output = Self;
 
-    /// Those of one alone.
+    /// Faults of exactly one.
     fn bitxor(self, other: Self) -> Self {
         Faults(self.0 ^ other.0)
     }
@@ -115,7 +115,7 @@ pub struct Angle(pub i32);
 impl Rem for Angle {
     type Output = Self;
 
-    /// What is left of it.
+    /// Remainder.
     fn rem(self, part: Self) -> Self {
         Angle(self.0 % part.0)
     }
@@ -129,7 +129,7 @@ impl RemAssign<i32> for Angle {
     }
 }
 
-/// What changed between two looks, without what nobody asked for; of two sensors.
+/// Changes between two samples without masked ones; of two sensors.
 #[function]
 pub fn changed(before: Faults, now: Faults, asked: Faults) -> Faults {
     let quiet = !asked;
@@ -137,7 +137,7 @@ pub fn changed(before: Faults, now: Faults, asked: Faults) -> Faults {
     changes | changes << 3
 }
 
-/// What is left of the faults of the second sensor.
+/// Remaining faults of the second sensor.
 #[function]
 pub fn second(all: Faults, silent: bool) -> Faults {
     let mut faults = all;

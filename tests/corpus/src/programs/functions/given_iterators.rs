@@ -11,7 +11,7 @@ pub struct Inputs {
 
 #[data]
 impl Inputs {
-    /// Whether an input is in the set.
+    /// Returns true if an input is in the set.
     pub fn contains(self, n: u16) -> bool {
         n < 16 && self.bits >> n & 1 == 1
     }
@@ -39,7 +39,7 @@ impl Readings {
         self.values[..most].iter().filter(|value| **value < self.most)
     }
 
-    /// The same through another function.
+    /// The values scaled by another function.
     pub fn scaled(&self, by: f64) -> impl Iterator<Item = f64> + '_ {
         self.given().map(move |value| value * by)
     }
@@ -68,7 +68,7 @@ impl Readings {
         self.given().max_by(|one, other| one.total_cmp(other)).copied()
     }
 
-    /// How many come before one that is above a limit.
+    /// Number of items before one above a limit.
     pub fn before(&self, limit: f64) -> Option<usize> {
         for (at, value) in self.scaled(1.5).enumerate() {
             if value > limit {
@@ -79,7 +79,7 @@ impl Readings {
     }
 }
 
-/// What leaves a pass, and what leaves the loop.
+/// Exits from a pass, and from the loop.
 #[function]
 pub fn weighed(inputs: Inputs, more: Inputs) -> u32 {
     let mut sum = 0_u32;

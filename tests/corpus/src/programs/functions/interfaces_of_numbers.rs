@@ -3,7 +3,7 @@
 use bessemer::prelude::*;
 use core::ops::{Div, Mul};
 
-/// What a stick may send.
+/// Values of a stick.
 #[interface]
 pub trait Shaped {
     /// Nothing near the middle.
@@ -105,7 +105,7 @@ pub fn sticks(fine: f64, coarse: i16) -> f64 {
     meant(fine, 0.25) + f64::from(meant(coarse, 10)) + fine.doubled()
 }
 
-/// How fast it goes, m/s.
+/// Speed, m/s.
 #[function]
 pub fn speed(step: Metres, count: i32, period: Seconds) -> f64 {
     let way = 0.5 * (count * step);

@@ -37,7 +37,7 @@ pub enum Side {
     Right,
 }
 
-/// What there is of either side.
+/// Values of either side.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sides {

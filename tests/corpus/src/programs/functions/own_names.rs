@@ -9,7 +9,7 @@ pub struct Bank {
     pub cells: [u8; 4],
 }
 
-/// What is not there.
+/// A missing value.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Missing {
@@ -77,13 +77,13 @@ pub fn turn([x, y]: &mut [f64; 2], (mut turns, by): (u8, f64)) -> u8 {
     turns
 }
 
-/// What stood where an index points, before the index moves on.
+/// Previous value at an index, before the index advances.
 #[function]
 pub fn taken(ring: &mut [u8; 4], at: usize, by: u8) -> u8 {
     core::mem::replace(&mut ring[at], 200 / by)
 }
 
-/// What stood where an index points that moves on before the new value is there.
+/// Previous value at an index that advances before the new value is stored.
 #[function]
 pub fn moved_on(ring: &mut [u8; 4], start: u8) -> (u8, u8) {
     let mut at = usize::from(start % 3);

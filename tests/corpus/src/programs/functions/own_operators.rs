@@ -114,7 +114,7 @@ impl From<f64> for Phasor {
 
 #[data]
 impl From<(f64, f64)> for Phasor {
-    /// Of its two parts.
+    /// Conversion from two parts.
     fn from(parts: (f64, f64)) -> Self {
         let (re, im) = parts;
         Self { re, im }

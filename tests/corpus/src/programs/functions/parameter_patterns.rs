@@ -22,7 +22,7 @@ pub fn volume(&[width, depth, height]: &[f64; 3]) -> f64 {
     width * depth * height
 }
 
-/// How steep the way is from the origin to a point.
+/// Slope of the line from the origin to a point.
 #[function]
 pub fn slope(&Spot { x, y }: &Spot) -> f64 {
     y / x

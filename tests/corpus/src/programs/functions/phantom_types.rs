@@ -35,7 +35,7 @@ impl<U> Quantity<U> {
     }
 }
 
-/// How fast one is who goes both ways.
+/// Mean speed of a return trip.
 #[function]
 pub fn pace(there: f64, back: f64, time: f64) -> f64 {
     let way = Quantity::<Metres>::new(there).plus(Quantity::new(back));

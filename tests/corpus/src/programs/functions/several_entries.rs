@@ -18,7 +18,7 @@ impl Events {
         self.count >= limit
     }
 
-    /// How many there were.
+    /// Number of samples.
     #[entry(infallible)]
     pub fn count(&self) -> u32 {
         self.count

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Where `f` crosses zero between `low` and `high`, by halves.
+/// Zero of `f` between `low` and `high`, by bisection.
 #[function]
 pub fn root<F: Fn(f64) -> f64>(f: F, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..20 {

@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// How an area under a curve is found.
+/// Rules of numerical integration.
 #[interface]
 pub trait Rule {
     /// The area between two samples.
@@ -58,12 +58,12 @@ impl<R: Rule> Integral<R> {
 #[component]
 pub type TrapezoidIntegral = Integral<Trapezoid>;
 
-/// What is above the limit.
+/// Error of a value above the limit.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saturated;
 
-/// What else may be wrong.
+/// Further errors.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Trouble {
@@ -86,7 +86,7 @@ pub fn commanded(torque: f64) -> Result<f64, Saturated> {
     if torque > 2.0 { Err(Saturated) } else { Ok(torque) }
 }
 
-/// The same, from below too.
+/// The value within the limits on both sides.
 #[function]
 pub fn limited(torque: f64) -> Result<f64, Trouble> {
     let torque = commanded(torque)?;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What is to be multiplied.
+/// Kinds of a multiplication.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Job {

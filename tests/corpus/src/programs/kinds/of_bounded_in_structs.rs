@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What was seen of late.
+/// Recent samples.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {

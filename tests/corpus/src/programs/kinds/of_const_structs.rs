@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a profile does at three speeds.
+/// Coefficients of a profile at three speeds.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Airfoil {

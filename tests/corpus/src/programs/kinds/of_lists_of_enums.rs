@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What happened.
+/// Events.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Event {

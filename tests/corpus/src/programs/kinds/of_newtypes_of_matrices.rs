@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How sure an estimate is.
+/// Covariance of an estimate.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Covariance(pub Matrix2<f64>);

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a memory is told.
+/// Commands of a memory.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u8)]

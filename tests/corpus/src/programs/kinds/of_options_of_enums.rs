@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What comes over a line.
+/// Packets of a line.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Packet {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a motor is told.
+/// Commands of a motor.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ServoOrder {
@@ -11,7 +11,7 @@ pub enum ServoOrder {
     Coast,
     /// A speed, rad/s.
     Speed(f64),
-    /// Where to go, and how.
+    /// Target position and its parameters.
     Position { angle: f32, steps: [u16; 3], hold: bool },
 }
 

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What the lever says.
+/// Positions of the lever.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Gear {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What is wrong.
+/// Kinds of damage.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Damage {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a sensor says.
+/// Reading of a sensor.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How unlikely a surprise is: νᵀ·S⁻¹·ν; negative where S is no covariance.
+/// Normalised innovation squared, νᵀ·S⁻¹·ν; negative if S is no covariance.
 #[function]
 pub fn surprise(s: &Matrix3<f64>, difference: &Vector3<f64>) -> f64 {
     match s.cholesky() {

@@ -29,7 +29,7 @@ pub fn gain(p: &Matrix3<f64>, h: &SMatrix<f64, 2, 3>, s: &Matrix2<f64>) -> SMatr
     }
 }
 
-/// Whether a matrix is a covariance of full rank, and its determinant.
+/// Test for a covariance of full rank, and the determinant.
 #[function]
 pub fn full_rank(p: &Matrix3<f32>) -> (bool, f32) {
     let factors = bessemer::linear::ldl(p);

@@ -9,7 +9,7 @@ pub fn ellipsoid(covariance: &Matrix3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
     (eigen.eigenvalues.map(|x| x.sqrt()), eigen.eigenvectors)
 }
 
-/// How well a set of four measurements tells two unknowns: the ratio of the singular values.
+/// Condition of four measurements for two unknowns: the ratio of the singular values.
 #[function]
 pub fn condition(h: &SMatrix<f64, 4, 2>) -> f64 {
     bessemer::linear::svd(h).condition()

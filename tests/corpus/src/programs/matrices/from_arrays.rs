@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a driver gives as an array is a vector to the filter.
+/// An array from a driver as a vector for the filter.
 #[function]
 pub fn acceleration(raw: &[f32; 3], scale: f32) -> Vector3<f32> {
     Vector3::from(*raw) * scale
@@ -38,7 +38,7 @@ pub fn beside(first: &[f64; 2], gain: f64) -> (Matrix2<f64>, Matrix2<f64>) {
     (Matrix2::from([*first, [gain; 2]]), Matrix2::from([[gain, 1.0], *first]))
 }
 
-/// What a telegram takes.
+/// Fields of a telegram.
 #[function]
 pub fn packed(covariance: &Matrix3<f64>, rates: &Vector3<f32>) -> ([[f64; 3]; 3], [f32; 3]) {
     ((*covariance).into(), (*rates).into())

@@ -38,7 +38,7 @@ pub fn cleared(map: &mut Matrix4<u8>, row: usize) {
     map.transpose_mut();
 }
 
-/// What is read of all elements.
+/// Summary of all elements.
 #[function]
 pub fn summary(map: &Matrix3<i32>) -> (i32, i32, i32, i32) {
     (map.sum(), map.max(), map.min(), map.trace())

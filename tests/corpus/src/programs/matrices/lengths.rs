@@ -20,7 +20,7 @@ pub fn between(a: &Vector2<f64>, b: &Vector2<f64>) -> (Vector2<f64>, f64) {
     (a.lerp(b, 0.5), a.metric_distance(b))
 }
 
-/// Whether a matrix turns without stretching.
+/// Returns true if a matrix turns without stretching.
 #[function]
 pub fn turns(a: &Matrix3<f64>) -> bool {
     a.is_special_orthogonal(1e-9)

@@ -27,7 +27,7 @@ pub fn written(m: &mut Matrix3x4<f64>, w: &[f64; 4]) {
     }
 }
 
-/// How many columns come before the one with the greatest first element, and the norm of the least row.
+/// Index of the column with the greatest first element, and the norm of the least row.
 #[function]
 pub fn extremes(m: &Matrix3x4<f32>) -> (Option<usize>, Option<f32>) {
     let firsts = m.column_iter().map(|column| column[0]).enumerate();

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How far a matrix is from the identity: its trace less its size, and the largest magnitude.
+/// Difference of a matrix from the identity: its trace less its size, and the largest magnitude.
 #[function]
 pub fn off(turn: &Matrix3<f64>) -> Vector2<f64> {
     Vector2::new(turn.trace() - 3.0, turn.amax())

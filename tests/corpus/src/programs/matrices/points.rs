@@ -2,17 +2,17 @@
 
 use bessemer::prelude::*;
 
-/// Where a vehicle is, and where it came from.
+/// Position of a vehicle, and its previous position.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Way {
-    /// Where it is.
+    /// Position.
     pub to: Point3<f64>,
-    /// Where it came from.
+    /// Previous position.
     pub from: Point3<f64>,
 }
 
-/// How far it is, and where half of the way was.
+/// Distance, and midpoint of the way.
 #[function]
 pub fn halfway(way: &Way) -> (f64, Point3<f64>) {
     let between = way.to - way.from;

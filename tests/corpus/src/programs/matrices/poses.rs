@@ -30,7 +30,7 @@ impl Arm {
     }
 }
 
-/// Where a camera sees a point, and in which direction it looks.
+/// Position of a point in the camera's frame, and the camera's direction.
 #[function]
 pub fn seen(camera: &Isometry3<f64>, point: &Point3<f64>) -> (Point3<f64>, Vector3<f64>) {
     let back = camera.inverse();
@@ -70,7 +70,7 @@ pub fn matrix(pose: &Isometry3<f64>) -> Matrix4<f64> {
     pose.to_homogeneous()
 }
 
-/// Whether two poses are the same, and how far apart they stand.
+/// Equality of two poses, and their distance.
 #[function]
 pub fn apart(one: Isometry3<f64>, other: Isometry3<f64>) -> (bool, f64) {
     (one == other, (one.translation.vector - other.translation.vector).norm())

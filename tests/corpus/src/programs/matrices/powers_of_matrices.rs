@@ -8,7 +8,7 @@ pub fn ahead(a: &Matrix2<f64>, steps: u32) -> Matrix2<f64> {
     a.pow(steps)
 }
 
-/// How a linear system moves within a time, s.
+/// Transition matrix of a linear system over a time, s.
 #[function]
 pub fn transition(a: &Matrix2<f64>, time: f64) -> Matrix2<f64> {
     (a * time).exp()

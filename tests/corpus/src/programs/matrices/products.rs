@@ -13,7 +13,7 @@ pub fn advanced(
     system * state + input * command
 }
 
-/// How uncertainty grows: A·P·Aᵀ + Q.
+/// Propagated covariance: A·P·Aᵀ + Q.
 #[function]
 pub fn spread(a: &Matrix3<f64>, p: &Matrix3<f64>, q: &Matrix3<f64>) -> Matrix3<f64> {
     a * p * a.transpose() + q

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How uncertainty grows: A·P·Aᵀ, added to Q.
+/// Propagated covariance: A·P·Aᵀ, added to Q.
 #[function]
 pub fn predicted(a: &Matrix3<f64>, p: &Matrix3<f64>, q: &Matrix3<f64>) -> Matrix3<f64> {
     let mut grown = *q;

@@ -50,7 +50,7 @@ pub fn parts(scalar: f64, vector: &Vector3<f64>) -> Vector3<f64> {
     q.imag() * length + Quaternion::from_real(scalar).half().imag()
 }
 
-/// Whether both are equal, and whether the first is none.
+/// Equality of two quaternions, and a test of the first for zero.
 #[function]
 pub fn same(a: Quaternion<f64>, b: Quaternion<f64>) -> (bool, bool) {
     (a == b, a == Quaternion::default())

@@ -35,7 +35,7 @@ pub fn middle(one: &UnitQuaternion<f32>, other: &UnitQuaternion<f32>) -> (UnitQu
     (rotation::slerp(one, other, 0.5), rotation::angle_to(one, other))
 }
 
-/// What a camera that turns about an axis by an angle, rad, sees of the world.
+/// Position of a point in the frame of a camera that is rotated about an axis by an angle, rad.
 #[function]
 pub fn seen(axis: &UnitVector3<f64>, angle: f64, point: &Point3<f64>) -> Point3<f64> {
     rotation::from_axis_angle(axis, angle).inverse_transform_point(point)

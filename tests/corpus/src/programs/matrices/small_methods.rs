@@ -50,7 +50,7 @@ pub fn into_places(a: &SMatrix<f64, 2, 3>, b: &SMatrix<f64, 3, 2>, product: &mut
     a.tr_mul_to(a, other);
 }
 
-/// Of a view that is read, a value; the index of a row alone.
+/// A view that is read, as a value; the index of a row only.
 #[function]
 pub fn parts(state: &SVector<f64, 6>) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
     let position = Vector3::from(state.fixed_rows::<3>(0));

@@ -16,13 +16,13 @@ pub fn turned(state: &SVector<f32, 6>) -> Vector3<f32> {
     Vector3::new(swapped.x, swapped.y, -swapped.z)
 }
 
-/// Of what is computed, computed once.
+/// Swizzle of a sum, which is computed once.
 #[function]
 pub fn of_a_sum(a: &Vector4<f64>, b: &Vector4<f64>) -> Vector3<f64> {
     (a + b).zzx() - a.xyz().zyx()
 }
 
-/// Of integers, and of a column of a matrix.
+/// Swizzles of integers, and of a column of a matrix.
 #[function]
 pub fn of_others(a: &Vector2<i32>, m: &Matrix3<f64>) -> (Vector2<i32>, Vector2<f64>) {
     (a.yx(), m.column(1).xz())

@@ -23,7 +23,7 @@ pub fn gain(p: &SMatrix<f64, 6, 6>, r: &SMatrix<f64, 6, 6>) -> SMatrix<f64, 6, 6
     if bessemer::inverse_mut(&mut inverse) { p * inverse } else { SMatrix::zeros() }
 }
 
-/// Whether a turn keeps handedness.
+/// Returns true if a turn keeps handedness.
 #[function]
 pub fn keeps_handedness(turn: &Matrix3<f32>) -> bool {
     turn.determinant() > 0.0

@@ -10,7 +10,7 @@ pub fn there_and_back(roll: f64, pitch: f64, yaw: f64) -> (f64, f64, f64) {
     q.euler_angles()
 }
 
-/// The same of a matrix.
+/// The angles by a rotation matrix.
 #[function]
 pub fn by_matrix(roll: f32, pitch: f32, yaw: f32) -> (f32, f32, f32) {
     Rotation3::from_euler_angles(roll, pitch, yaw).euler_angles()

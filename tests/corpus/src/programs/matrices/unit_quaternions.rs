@@ -12,7 +12,7 @@ pub struct Attitudes {
     pub camera: UnitQuaternion<f64>,
 }
 
-/// What the camera sees, in the world.
+/// A point in the camera's frame, transformed to the world.
 #[function]
 pub fn in_world(attitudes: &Attitudes, seen: &Vector3<f64>) -> Vector3<f64> {
     attitudes.body * attitudes.camera * seen
@@ -42,7 +42,7 @@ pub fn halves(
     (middle, middle.rotation_to(&other))
 }
 
-/// Whether both are the same rotation: a quaternion and its opposite are.
+/// Equality of both rotations: a quaternion equals its opposite.
 #[function]
 pub fn same(one: &Attitudes, other: &Attitudes) -> (bool, bool) {
     (one == other, one.body == UnitQuaternion::new_unchecked(-one.body.into_inner()))

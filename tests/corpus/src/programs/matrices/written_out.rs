@@ -30,7 +30,7 @@ pub fn table(values: &[f64; 6]) -> SMatrix<f64, 2, 3> {
     SMatrix::<f64, 2, 3>::from_row_slice(values)
 }
 
-/// What is across a vector and the vertical.
+/// Direction perpendicular to a vector and the vertical.
 #[function]
 pub fn across(v: &Vector3<f64>) -> Vector3<f64> {
     v.cross(&Vector3::z())

@@ -37,7 +37,7 @@ impl Blocks {
         self.p.column_mut(3).fill(0.0);
     }
 
-    /// Where the place is a value, it is checked.
+    /// Writes a part at a computed place, which is checked.
     #[entry]
     pub fn set(&mut self, at: usize, part: &Vector3<f64>) {
         self.p.fixed_view_mut::<3, 1>(at, at).copy_from(part);

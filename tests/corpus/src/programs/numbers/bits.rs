@@ -13,7 +13,8 @@ pub fn with_channel(register: u8, channel: u8) -> u8 {
     (register & !(CHANNEL | READY)) | (channel & CHANNEL)
 }
 
-/// Whether one number of a sequence is ahead of another: by less than half of all numbers. The C keeps the author's base.
+/// Returns true if one number of a sequence is ahead of another: by less than half of all numbers. The C keeps the
+/// author's base.
 #[function]
 pub fn is_ahead(one: u16, other: u16) -> bool {
     let ahead = one.wrapping_sub(other);

@@ -8,7 +8,7 @@ pub fn mean(a: u16, b: u16) -> u16 {
     (a + b) / 2
 }
 
-/// The same in a type in which it fits: no check is left.
+/// The mean in a wider type, which needs no check.
 #[function]
 pub fn mean_of_wide(a: u16, b: u16) -> u16 {
     ((a as u32 + b as u32) / 2) as u16

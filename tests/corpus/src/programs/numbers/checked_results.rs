@@ -8,7 +8,7 @@ pub fn area(width: u16, height: u16) -> Option<u16> {
     width.checked_mul(height)
 }
 
-/// How far it is from one count to another, or 0.
+/// Distance from one count to another, or 0.
 #[function]
 pub fn distance(from: i32, to: i32) -> i32 {
     to.checked_sub(from).unwrap_or(0)

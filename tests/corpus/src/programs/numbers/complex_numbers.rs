@@ -27,7 +27,7 @@ pub fn with_reals(z: C32, x: f32) -> [C32; 4] {
     [scaled - 1.0, 1.0 - z / x, x * z, x / z + C32::from(x)]
 }
 
-/// What takes no function of the platform.
+/// Functions that need none of the platform's.
 #[function]
 pub fn parts(z: Complex<f64>, n: u32) -> (f64, f64, Complex<f64>, bool) {
     let turned = (z.conj() * z.inv()).scale(z.norm_sqr()).unscale(3.0);

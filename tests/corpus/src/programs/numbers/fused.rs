@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What a product leaves out when it is rounded, for any numbers.
+/// Rounding error of a product, for any numbers.
 #[function]
 pub fn lost(a: f64, b: f64) -> f64 {
     a.mul_add(b, -(a * b))

@@ -14,7 +14,7 @@ pub fn digit(byte: u8) -> Option<u8> {
     }
 }
 
-/// What kind of byte it is.
+/// Kind of a byte.
 #[function]
 pub fn kind(byte: u8) -> u8 {
     match byte {

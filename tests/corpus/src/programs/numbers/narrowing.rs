@@ -21,7 +21,7 @@ pub fn index(x: i8) -> Option<usize> {
     if index < 12 { Some(index) } else { None }
 }
 
-/// Whether a count fits into so many bits as its place has.
+/// Returns true if a count fits into so many bits as its place has.
 #[function]
 pub fn fits(count: u32) -> bool {
     let narrow: Result<u8, _> = count.try_into();

@@ -45,7 +45,7 @@ impl Periods {
     }
 }
 
-/// Whether two are the same.
+/// Returns true if two are the same.
 #[function]
 pub fn same(one: NonZeroU32, other: &NonZeroU32) -> bool {
     one == *other && one != NonZeroU32::MIN

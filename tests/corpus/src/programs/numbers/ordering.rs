@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Whether a value lies within limits, and is none of them.
+/// Returns true if a value lies within limits, and is none of them.
 #[function]
 pub fn inside(value: f64, low: f64, high: f64) -> bool {
     low < value && value < high

@@ -9,7 +9,7 @@ pub fn turned(x: f64, y: f64, angle: f64) -> [f64; 2] {
     [cosine * x - sine * y, sine * x + cosine * y]
 }
 
-/// The same in single precision.
+/// The rotated vector in single precision.
 #[function]
 pub fn turned_f32(x: f32, y: f32, angle: f32) -> [f32; 2] {
     let (sine, cosine) = angle.sin_cos();

@@ -8,7 +8,7 @@ pub fn next(seed: u32) -> u32 {
     seed.wrapping_mul(1664525).wrapping_add(1013904223)
 }
 
-/// How many ticks have passed, also over the counter's end.
+/// Number of elapsed ticks, also across the counter's overflow.
 #[function]
 pub fn elapsed(now: u32, then: u32) -> i32 {
     now.wrapping_sub(then) as i32

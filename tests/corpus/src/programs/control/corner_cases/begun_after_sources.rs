@@ -1,4 +1,4 @@
-//! What a fold begins with is computed after what it goes through, so its fault comes later.
+//! The initial value of a fold is evaluated after its source, so its fault comes later.
 
 use bessemer::prelude::*;
 

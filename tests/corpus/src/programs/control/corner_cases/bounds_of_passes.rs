@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Halving {
-    /// How often.
+    /// Number of repetitions.
     pub times: u32,
 }
 

@@ -27,7 +27,7 @@ pub fn first_and_rest(values: &[i32; 5]) -> i32 {
     joined
 }
 
-/// What methods leave that end early, and copies, which take nothing.
+/// Remainder after methods that stop early, and after copies, which take nothing.
 #[function]
 pub fn left_by_ends(values: &[i32; 7], key: i32) -> i32 {
     let mut left = values.iter().map(|value| value ^ key).filter(|value| *value > 0);
@@ -81,7 +81,7 @@ pub fn growing(values: &[u8; 8]) -> usize {
     values.len()
 }
 
-/// What is gone through in a loop, and left there.
+/// Iterates in a loop and stops there.
 #[function]
 pub fn words(bytes: &[u8; 8], ends: u8) -> [u32; 3] {
     let mut left = bytes.chunks(3);
@@ -106,7 +106,7 @@ fn two_and_count(mut items: impl Iterator<Item = u8>) -> u32 {
     u32::from(first) * 3 + u32::from(second) + items.count() as u32
 }
 
-/// That of others.
+/// Iterator of other iterators' items.
 #[function]
 pub fn of_two(bytes: &[u8; 4], other: &[u8], most: u8) -> u32 {
     let behind = two_and_count(other.iter().copied().filter(|byte| *byte <= most));

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Of three, the parts of slices, an index over all, and a break.
+/// Three sequences, parts of slices, an index over all, and a break.
 #[function]
 pub fn parts(a: &[i32; 4], b: &List<i32, 3>, from: usize, stop: i32) -> (i32, usize) {
     let mut sum = 0;
@@ -37,7 +37,7 @@ pub fn cut(a: &[u8; 3], b: &[u8; 3], n: usize) -> [u32; 3] {
     sums
 }
 
-/// What is found is a copy; a fault comes where the element stands.
+/// The found element is a copy; its fault occurs at its position.
 #[function]
 pub fn found(a: &[i8; 3], b: &[i8; 2], x: i8) -> Option<i8> {
     a.iter().chain(b).map(|value| 100 / *value).find(|value| *value == x)

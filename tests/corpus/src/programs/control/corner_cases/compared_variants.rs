@@ -1,9 +1,8 @@
-//! Comparisons with a variant that stands there: what is in it is evaluated whether there is something to compare it with or
-//! not, and where it stands.
+//! Comparisons with a literal variant: its payload is evaluated whether it is compared or not, and in its position.
 
 use bessemer::prelude::*;
 
-/// What a valve does.
+/// State of a valve.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Duty {

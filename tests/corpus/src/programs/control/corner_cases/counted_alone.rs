@@ -1,8 +1,8 @@
-//! How many elements or numbers there are, where nothing else is asked of them.
+//! Counts of elements or numbers without any other use of them.
 
 use bessemer::prelude::*;
 
-/// Of elements, pairs, indices, windows and ranges.
+/// Counts of elements, pairs, indices, windows and ranges.
 #[function]
 pub fn all(values: &[i32; 3], list: &List<u8, 4>, last: u8) -> usize {
     values.iter().count()
@@ -14,7 +14,7 @@ pub fn all(values: &[i32; 3], list: &List<u8, 4>, last: u8) -> usize {
         + (1..=last % 100).rev().count()
 }
 
-/// What a closure computes is computed, and what is nothing is not counted.
+/// Closures are evaluated, and `None` is not counted.
 #[function]
 pub fn computed(values: &[i8; 4], last: u8) -> usize {
     let odd = values.iter().filter_map(|x| (x % 2 != 0).then_some(*x)).count();

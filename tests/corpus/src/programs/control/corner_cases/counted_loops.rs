@@ -1,4 +1,4 @@
-//! What a loop only counts up cannot overflow where its passes are few enough: no check is left, or just the needed.
+//! Counters that only increase in loops with few passes cannot overflow: no check is left, or only the necessary one.
 
 use bessemer::prelude::*;
 
@@ -35,7 +35,7 @@ impl Counter {
         (positive, negative)
     }
 
-    /// Of up to so many.
+    /// Iterates over up to nine elements.
     #[entry(infallible)]
     pub fn every_third(&mut self, among: &List<u8, 9>) -> usize {
         let mut count = 0;

@@ -4,7 +4,7 @@ use bessemer::prelude::*;
 
 const STEP: u8 = 3;
 
-/// How many bits are set: each pass takes the lowest.
+/// Number of bits set: each pass clears the lowest.
 #[function]
 pub fn ones(mut n: u16) -> u8 {
     let mut count = 0;
@@ -96,7 +96,7 @@ pub fn first_above(values: &[i16; 5], limit: i16) -> Option<usize> {
     }
 }
 
-/// What is compared is a field; the inner loop is not the one that has to move.
+/// The compared number is a field; the inner loop need not change it.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Window {

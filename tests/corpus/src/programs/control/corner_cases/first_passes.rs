@@ -27,7 +27,7 @@ pub fn indexed(table: &[u8; 4], at: usize, from: u8, to: u8) -> u8 {
     i
 }
 
-/// What goes before a condition goes once, at least.
+/// Statements before a condition run at least once.
 #[function]
 pub fn before(from: u8, to: u8) -> (u8, u8) {
     let (mut i, mut passes) = (from, 0u8);

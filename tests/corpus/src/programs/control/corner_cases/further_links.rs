@@ -6,9 +6,9 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Level {
-    /// How high.
+    /// Height.
     pub height: i32,
-    /// How often.
+    /// Number of occurrences.
     pub count: u8,
 }
 
@@ -65,7 +65,7 @@ pub fn names(values: &[i32; 5], x: i32) -> i32 {
     sum + state + x
 }
 
-/// What is skipped is asked for no more; a fault behind it counts, a fault before it too.
+/// Skipped items are not requested; a fault after or before them counts.
 #[function]
 pub fn skipped(values: &[u8; 5], divisor: u8) -> u32 {
     let mut asked = 0_u32;
@@ -84,7 +84,7 @@ pub fn skipped(values: &[u8; 5], divisor: u8) -> u32 {
     100 * asked + sum
 }
 
-/// Of a slice that may be empty, from its end, of a range, with an index.
+/// Sources: a slice that may be empty, its reverse, a range, with an index.
 #[function]
 pub fn sources(values: &List<i16, 4>, n: i16) -> i32 {
     let back: i32 = values.iter().rev().skip_while(|x| **x > n).map(|x| i32::from(*x)).sum();
@@ -163,7 +163,7 @@ pub fn numbers(values: &[u8; 5], n: usize) -> [Option<u8>; 4] {
     ]
 }
 
-/// Where the last is, of a list and of a part.
+/// Index of the last match in a list and in a part.
 #[function]
 pub fn last_places(values: &List<i32, 5>, array: &[f32; 4], x: i32) -> Option<usize> {
     let one = values.iter().rposition(|value| *value == x)?;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How a button is pressed.
+/// Kind of a press of a button.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Press {
@@ -21,7 +21,7 @@ pub enum Press {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Level {
-    /// How often each level came.
+    /// Number of occurrences of each level.
     pub count: [u32; 4],
 }
 
@@ -79,13 +79,13 @@ impl Guarded {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pressed {
-    /// What came last.
+    /// Last press.
     pub last: Press,
 }
 
 #[component]
 impl Pressed {
-    /// What a press means.
+    /// Meaning of a press.
     #[entry(infallible)]
     pub fn run(&mut self, press: Press, twice: bool) -> u32 {
         match self.last {

@@ -30,7 +30,7 @@ impl Book {
         self.codes.get(usize::from(symbol)).copied().filter(|code| code.len > 0)
     }
 
-    /// What is no symbol becomes `None`.
+    /// Encodes symbols; an unknown one becomes `None`.
     fn encode<'a>(&'a self, symbols: &'a [u8]) -> impl Iterator<Item = Option<bool>> + 'a {
         symbols.iter().flat_map(move |&s| {
             let code = self.code(s % 4);

@@ -18,7 +18,7 @@ impl Default for Search {
 
 #[component]
 impl Search {
-    /// Where it stands; a negative number ends its row.
+    /// Position of a value; a negative number ends its row.
     #[entry]
     pub fn run(&mut self, wanted: i32, replacement: i32) -> i32 {
         let mut found = -1;

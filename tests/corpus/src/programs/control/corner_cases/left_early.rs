@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
-    /// Which sensor.
+    /// Number of the sensor.
     pub sensor: u8,
     /// The value.
     pub value: f64,
@@ -177,7 +177,7 @@ pub fn looped(start: u32) -> u32 {
     n
 }
 
-/// Of a generic function, and without a `break`; one label twice.
+/// A generic function without a `break`; one label twice.
 #[function]
 pub fn generic<T: Real, const N: usize>(values: &[T; N], limit: T) -> T {
     let first = 'value: {

@@ -25,7 +25,7 @@ where
     Some(number(bytes)? ^ number(&mut *bytes)?.rotate_left(1))
 }
 
-/// What is left, once it is known how much.
+/// Sum of the remaining items after the first says their number.
 #[function]
 fn rest(bytes: &mut impl Iterator<Item = u8>, most: usize) -> u32 {
     let mut sum = 0_u32;
@@ -46,7 +46,7 @@ pub fn read(line: &[u8]) -> Option<(u32, u32, u32, usize)> {
     Some((first, both, sum, bytes.count()))
 }
 
-/// Of what has no name.
+/// Borrow of an iterator without a name.
 #[function]
 pub fn unnamed(line: &[u8; 6], key: u8) -> Option<u32> {
     two(&mut line.iter().map(|byte| byte ^ key))
@@ -85,7 +85,7 @@ impl Iterator for Noise {
     }
 }
 
-/// Of an iterator of one's own.
+/// Borrow of an author's own iterator.
 #[function]
 pub fn own(seed: u8) -> (Option<u32>, u32, u8) {
     let mut noise = Noise { state: seed };

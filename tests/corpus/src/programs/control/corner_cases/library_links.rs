@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What stands in rows, one after the other: in a chain, and in a loop that ends early.
+/// Elements of rows, one after the other: in a chain, and in a loop that stops early.
 #[function]
 pub fn flattened(rows: &[[i16; 3]; 2], limit: i16) -> (i16, i16) {
     let mut first = 0;
@@ -60,7 +60,7 @@ pub fn backwards(values: &[i32; 6]) -> i32 {
     values.iter().map(|x| x ^ 3).filter(|x| *x > 0).rev().fold(0, |s, x| s.wrapping_mul(3) ^ x)
 }
 
-/// What is left of rows where a link in a loop in a loop ends: only the inner loop ends there.
+/// Rest of rows after an adapter ends the inner of two loops: the outer one continues.
 #[function]
 pub fn leading(rows: &[[i8; 3]; 2], limit: i8) -> i32 {
     rows.iter()
@@ -91,7 +91,7 @@ fn good(samples: &[f64; 4]) -> impl Iterator<Item = f64> {
     samples.iter().copied().filter(|x| *x > 0.0)
 }
 
-/// What a function gives has a name before it is gone through; and a chain begins with what is computed.
+/// Result of a function that has a name before iteration; and a chain that begins with a computed value.
 #[function]
 pub fn later(samples: &[f64; 4], start: f64) -> f64 {
     let good = good(samples);

@@ -69,7 +69,7 @@ pub fn same(count: u32) -> (bool, u32) {
     (same, count)
 }
 
-/// What it computes may fail, whether its items are wanted or not.
+/// Parts whose computation may fail, whether they are requested or not.
 #[function]
 fn parts(of: u32) -> impl Iterator<Item = u32> {
     let step = 1000 / of;
@@ -225,7 +225,7 @@ pub fn rest(values: &[u32; 6], key: u32) -> [u32; 3] {
     [first, sum, rest.fold(1, |sum: u32, value| sum.wrapping_mul(5) ^ value)]
 }
 
-/// What a function is given, as it is.
+/// Returns its argument unchanged.
 #[function]
 fn passed<I: Iterator<Item = u32>>(items: I) -> impl Iterator<Item = u32> {
     items

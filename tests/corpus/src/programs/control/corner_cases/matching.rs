@@ -28,7 +28,7 @@ impl Phase {
     }
 }
 
-/// Of one variant.
+/// An enum of one variant.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Only {

@@ -1,5 +1,5 @@
-//! Iterators of one's own by value: what a loop goes through is a value of its own, whatever it was copied from; and the order
-//! in which what stands side by side is computed.
+//! Authors' own iterators by value: a loop iterates over a value of its own, whatever it was copied from. Also the
+//! order of evaluation of iterators side by side.
 
 use bessemer::prelude::*;
 
@@ -35,7 +35,7 @@ pub struct Keep {
 
 #[data]
 impl Keep {
-    /// What it holds, which changes it.
+    /// Its values, which reading changes.
     pub fn values(&mut self) -> [u32; 3] {
         self.changes = self.changes.wrapping_mul(3).wrapping_add(1);
         [self.changes, self.it.at, 7]
@@ -92,7 +92,7 @@ pub fn moved_on(p: &mut Count) -> u32 {
     before.wrapping_mul(31).wrapping_add(f(p.clone()))
 }
 
-/// What stands first is computed first.
+/// The first operand is evaluated first.
 #[function]
 pub fn side_by_side(n: u32, mut v: [u32; 3]) -> [u32; 3] {
     let mut k = Keep { it: Count { at: n & 3, end: 9 }, other: None, changes: n };
@@ -119,7 +119,7 @@ pub fn side_by_side(n: u32, mut v: [u32; 3]) -> [u32; 3] {
     [first, second ^ v[0], third ^ m]
 }
 
-/// What it has itself comes before what it has as an iterator.
+/// Inherent methods have priority over those of the iterator.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cursor {
@@ -144,13 +144,13 @@ impl Cursor {
         Some(self.n)
     }
 
-    /// Where it is.
+    /// Present position.
     pub fn position(&self) -> usize {
         self.n as usize
     }
 }
 
-/// Of both kinds.
+/// Methods of both kinds.
 #[function]
 pub fn cursors(n: u32) -> (Option<u32>, usize, u32, Option<u32>) {
     let mut cursor = Cursor { n };

@@ -54,7 +54,7 @@ pub fn divided(d: u32, n: u32) -> u32 {
     bits
 }
 
-/// What stays without a check: each pass that begins within the bounds ends within them.
+/// Sums without a check: each pass that begins within the bounds ends within them.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sums {

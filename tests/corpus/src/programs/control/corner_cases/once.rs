@@ -1,4 +1,4 @@
-//! What the C writes in place of a method computes everything once, in the order of the Rust.
+//! The C that replaces a method evaluates everything once, in the order of the Rust.
 
 use bessemer::prelude::*;
 
@@ -59,7 +59,7 @@ pub fn key_of_pairs(a: [i16; 3], b: [u8; 3]) -> Option<(i16, u8)> {
     least.map(|(x, y)| (*x, *y))
 }
 
-/// Where a view lies is computed once.
+/// The position of a view is evaluated once.
 #[function]
 pub fn scaled_column(m: Matrix3<f64>, place: usize) -> (Matrix3<f64>, usize) {
     let (mut m, mut place) = (m, place % 3);

@@ -1,8 +1,9 @@
-//! A `let` of a reference whose value is a `match`, or an `if let`, of which all arms but one leave: the name is that of the place.
+//! A `let` of a reference whose value is a `match` or an `if let` with one arm that does not leave. The name is that
+//! place.
 
 use bessemer::prelude::*;
 
-/// What has places.
+/// A struct with places.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shelf {
@@ -19,7 +20,7 @@ impl Shelf {
         self.levels.get_mut(i)
     }
 
-    /// Of its own method's.
+    /// A match on its own method's result.
     pub fn raise(&mut self, i: usize, by: u8) -> bool {
         let level = match self.level(i) {
             Some(level) => level,
@@ -30,7 +31,7 @@ impl Shelf {
     }
 }
 
-/// What may be there, written and read.
+/// An optional place, written and read.
 #[function]
 pub fn written(levels: &mut [u8; 4], i: usize) -> u8 {
     let level = match levels.get_mut(i) {
@@ -60,7 +61,7 @@ pub fn in_loops(levels: &mut [u8; 4], at: &[usize; 3]) -> u8 {
     sum
 }
 
-/// What comes as an argument, in either order of the arms.
+/// An argument, with the arms in either order.
 #[function]
 pub fn given(first: Option<&mut u8>, second: Option<&mut u8>) -> u8 {
     let one = match first {
@@ -90,7 +91,7 @@ pub fn handed_on(levels: &mut [u8; 4], r: Result<usize, u8>, e: u8, i: usize) ->
     Ok(*level ^ i as u8)
 }
 
-/// What is found, and written before it has its name.
+/// A found place, written before it has its name.
 #[function]
 pub fn found(levels: &mut [u8; 4], sought: u8) -> u8 {
     let level = if let Some(level) = levels.iter_mut().find(|it| **it == sought) {
@@ -120,7 +121,7 @@ pub fn between(shelf: &mut Shelf, k: u8) -> u8 {
     *level
 }
 
-/// What is in a field.
+/// A place in a field.
 #[function]
 pub fn spare(shelf: &mut Shelf, k: u8) -> i16 {
     let spare = match shelf.spare.as_mut() {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How many there are, and what is in them.
+/// Number and contents of the chunks.
 #[function]
 pub fn chunks_of_many(bytes: &[u8; 10], used: usize) -> (u8, u32) {
     let used = used.min(bytes.len());

@@ -1,5 +1,5 @@
-//! Ranges without an end, by themselves and beside elements: a range that is asked for the last number of its type steps
-//! beyond it, which is a fault, and a `zip` asks its parts in order, once more than the shortest has elements.
+//! Ranges without an end, alone and beside elements. The last number of the type is followed by a fault, and a `zip`
+//! requests its parts in order, once more than the shortest has elements.
 
 use bessemer::prelude::*;
 

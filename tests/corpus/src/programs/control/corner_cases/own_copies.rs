@@ -1,4 +1,4 @@
-//! What a loop or a closure names with `mut` is its own: neither the element nor the counter changes with it.
+//! Variables that a loop or a closure binds with `mut` are copies: neither element nor counter changes with them.
 
 use bessemer::prelude::*;
 
@@ -13,7 +13,7 @@ pub fn raised(values: &mut [i32; 4]) -> i32 {
     raised
 }
 
-/// The same where nothing stands before the closure, behind one that computes, and in the index.
+/// The case of a closure at the beginning, after one that computes, and in the index.
 #[function]
 pub fn raised_each(values: &[i16; 3]) -> i64 {
     let plain = values.iter().copied().map(|mut x| {

@@ -44,7 +44,7 @@ impl Iterator for Ramp {
 /// The most passes of a ramp.
 pub const LIMIT: usize = 12;
 
-/// How long a ramp is, and its sum.
+/// Length and sum of a ramp.
 #[function]
 pub fn through(from: i32, to: i32) -> (u32, i32) {
     let (mut steps, mut sum) = (0, 0_i32);
@@ -82,7 +82,7 @@ pub fn beside(values: &[i32; 5], to: i32) -> (i32, i32) {
     (first, second)
 }
 
-/// What is left of it behind what was taken by hand.
+/// Rest of a ramp after explicit `next` calls.
 #[function]
 pub fn by_hand(to: i32) -> (Option<i32>, u32, Option<i32>, i32) {
     let mut ramp = Ramp::new(0, to, 2);

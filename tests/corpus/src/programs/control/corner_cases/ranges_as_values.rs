@@ -48,7 +48,7 @@ pub fn closed(window: &Window) -> u32 {
     digest
 }
 
-/// How many numbers there are.
+/// Numbers of integers in ranges.
 #[function]
 pub fn lengths(window: &Window, low: i32, high: i32) -> [usize; 4] {
     let wide = Range { start: low, end: high };

@@ -13,7 +13,7 @@ pub fn lent(values: &[u8; 8]) -> (Option<u8>, Option<u8>, usize) {
     (first, bytes.next(), bytes.count())
 }
 
-/// The same by its method.
+/// The search by its method.
 #[function]
 pub fn by_method(values: &[u8; 8], end: u8) -> [Option<usize>; 3] {
     let mut parts = values.split(|byte| *byte == end);
@@ -56,7 +56,7 @@ fn counted_up(count: &mut u32) -> u32 {
     *count
 }
 
-/// What ends it is computed when it is made.
+/// An iterator whose end is computed when it is made.
 #[function]
 fn below(count: &mut u32) -> impl Iterator<Item = u32> + use<> {
     let start = *count & 1;
@@ -114,7 +114,7 @@ impl Add<&Word> for Word {
     }
 }
 
-/// What comes of words.
+/// Digest of words.
 #[data]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Digest(u32);

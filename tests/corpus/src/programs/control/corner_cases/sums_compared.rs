@@ -14,7 +14,7 @@ pub fn correlated(values: &[u8; 16], used: usize) -> u32 {
     sum
 }
 
-/// How often `by` fits between `low` and `high`; a difference below 0 is a fault, as it is in Rust.
+/// Number of times that `by` fits between `low` and `high`; a negative difference is a fault, as in Rust.
 #[function]
 pub fn fits(low: u8, high: u8, by: u8) -> u32 {
     let (mut high, mut count) = (high, 0);
@@ -25,7 +25,7 @@ pub fn fits(low: u8, high: u8, by: u8) -> u32 {
     count
 }
 
-/// Whether a number has no divisor but itself.
+/// Returns true if a number has no divisor but itself.
 #[function]
 pub fn is_prime(n: u16) -> bool {
     let (n, mut divisor) = (u32::from(n), 2);

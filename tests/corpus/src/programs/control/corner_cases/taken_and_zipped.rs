@@ -1,4 +1,4 @@
-//! How many are taken behind a link, items side by side with others, and whether both are the same.
+//! `take` after an adapter, items side by side with others, and equality of sequences.
 
 use bessemer::prelude::*;
 
@@ -9,7 +9,7 @@ pub fn first_of(values: &[i32; 6], most: u8) -> i32 {
     good.take(usize::from(most)).fold(1, |joined: i32, value| joined.wrapping_mul(3) ^ value)
 }
 
-/// What is left out and what ends the loop behind it; what is looked at is not more than is taken.
+/// Skipped items, and an early end of the loop; no more is requested than taken.
 #[function]
 pub fn looked_at(values: &[u8; 6], most: u8, seen: &mut u32) -> u32 {
     let mut joined = 0_u32;
@@ -45,7 +45,7 @@ pub fn three(a: &[u8; 4], b: &[u8], c: &[u8; 3]) -> u32 {
     both.map(|((x, y), z)| u32::from(x) ^ u32::from(*y) << 8 ^ u32::from(z) << 16).sum()
 }
 
-/// Whether those that count are the same.
+/// Equality of the elements that count.
 #[function]
 pub fn same(values: &[i32; 3], others: &[i32; 4], part: u8) -> (bool, bool, bool) {
     let part = &others[..usize::from(part % 5)];

@@ -44,7 +44,7 @@ pub fn swapped(a: i32, b: i32) -> (i32, i32) {
     turned((d, c), b)
 }
 
-/// What is made on the way is taken apart; what nothing looks at is computed all the same.
+/// Destructured temporaries; unused parts are computed nevertheless.
 #[function]
 pub fn made(values: &[u8; 4], divisor: u8) -> (u32, usize) {
     let sum = values
@@ -56,7 +56,7 @@ pub fn made(values: &[u8; 4], divisor: u8) -> (u32, usize) {
     (sum, values.iter().map(|x| x / divisor).map(|_| 3).filter(|_| true).count())
 }
 
-/// What is gathered is a pair, and its parts have the names of parameters.
+/// A folded pair whose parts have the names of parameters.
 #[function]
 pub fn gathered(values: &[i32; 4], a: i32, b: i32) -> (i32, i32) {
     values.iter().fold((b % 100, a % 100), |(a, b), x| (b + x % 10, a + 1))

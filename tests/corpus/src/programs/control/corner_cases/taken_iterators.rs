@@ -140,7 +140,7 @@ pub fn sums(xs: [u32; 3], ys: [Option<u32>; 3]) -> (Option<u32>, Option<u32>, u6
     (checked(ys), checked(xs.iter().map(|&x| x.checked_mul(3))), by_place(xs.into_iter().enumerate()))
 }
 
-/// What an iterator copies is copied when it is made.
+/// Copies that an iterator makes when it is constructed.
 #[function]
 pub fn copied_before(mut n: u32, mut xs: [u32; 4]) -> (u32, u32, u32, u32, [u32; 4]) {
     n %= 8;

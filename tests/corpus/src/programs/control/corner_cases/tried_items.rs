@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What an item may be.
+/// Kinds of items.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
@@ -26,7 +26,7 @@ pub fn copied(values: &[u8; 5], most: u8, out: &mut [u8; 4]) -> Result<(), Fault
     })
 }
 
-/// Whether none of the last ones is this one.
+/// Checks that none of the last elements equals a value.
 #[function]
 pub fn without(values: &[u8], one: u8) -> Option<()> {
     values.iter().rev().take(4).try_for_each(|value| (*value != one).then_some(()))

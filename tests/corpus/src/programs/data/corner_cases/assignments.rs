@@ -37,7 +37,7 @@ pub struct Reached {
     pub by: Step,
 }
 
-/// How far, and how often.
+/// Width of the step, and number of repetitions.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step(pub i16, pub u8);

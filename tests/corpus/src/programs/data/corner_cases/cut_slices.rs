@@ -1,4 +1,5 @@
-//! Slices cut into parts, `split` and its like, in loops and chains and by hand; and what goes on by hand in a loop of its own.
+//! Slices cut into parts by `split` and its like. The parts are used in loops, in chains and by explicit `next` calls,
+//! some of which continue in a loop of their own.
 
 use bessemer::prelude::*;
 
@@ -27,7 +28,7 @@ pub fn chained(line: &[u8; 9], end: u8) -> [usize; 5] {
     [short, second, rising, whole, last]
 }
 
-/// Of nothing there is one part, and none that has its end.
+/// An empty slice has one part, and none with its end.
 #[function]
 pub fn empty(line: &[u8]) -> (usize, usize, usize) {
     let none = &line[..line.len().min(1) / 2];
@@ -70,7 +71,7 @@ pub fn unescaped(frame: &[u8; 8], open: u8) -> Option<(u32, usize)> {
     Some((sum, count + bytes.count()))
 }
 
-/// The same of those that are left of what a chain gives, up to one of another kind.
+/// Pairs among the remaining items of a chain, up to one of another kind.
 #[function]
 pub fn pairs(values: &[i16]) -> i32 {
     let mut odd = values.iter().filter(|value| **value & 1 == 1).map(|value| i32::from(*value));

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What the heater does.
+/// State of the heater.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum State {
@@ -13,7 +13,7 @@ pub enum State {
     Heating(u16),
     /// Holds a temperature.
     Holding {
-        /// Which, °C.
+        /// Target temperature, °C.
         target: f64,
         /// For how many periods it has.
         since: u16,

@@ -1,4 +1,4 @@
-//! What a loop fills only in part, or reads before it fills it, keeps the zeros that it started with.
+//! Arrays that a loop fills partly, or reads before it fills them, keep their initial zeros.
 
 use bessemer::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What is split.
+/// Rows that are split.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rows {

@@ -1,4 +1,4 @@
-//! What holds nothing, wherever a value may stand: what computes it is done all the same, and its indices are looked at.
+//! Zero-sized values in every position: their expressions are evaluated nevertheless, and their indices are checked.
 
 use core::marker::PhantomData;
 use core::ops::Mul;
@@ -66,7 +66,7 @@ pub fn counted(n: u32) -> u32 {
     u32::from(slot.before) * 10_000 + u32::from(slot.after) * 100 + n + again.code()
 }
 
-/// Of an element that need not be there.
+/// A zero-sized element that may be absent.
 #[function]
 pub fn looked(slots: &mut [Slot; 3], i: usize, j: usize) -> u32 {
     let mark = slots[i].mark;

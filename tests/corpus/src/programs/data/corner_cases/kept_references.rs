@@ -6,9 +6,9 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
-    /// What was measured.
+    /// Measured value.
     pub value: i32,
-    /// How much it counts.
+    /// Weight.
     pub weight: i32,
 }
 

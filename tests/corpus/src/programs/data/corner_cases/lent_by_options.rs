@@ -1,4 +1,4 @@
-//! What an `Option` lends: where it stands, in which order, and whether it is a copy.
+//! Borrows of an `Option`'s content: position, order of evaluation, and copies.
 
 use bessemer::prelude::*;
 
@@ -8,7 +8,7 @@ use bessemer::prelude::*;
 pub struct Counter {
     /// Steps so far.
     pub steps: u8,
-    /// What was seen last.
+    /// Last reading.
     pub last: Option<i16>,
 }
 
@@ -75,7 +75,7 @@ pub fn methods(counter: &mut Option<Counter>, by: u8) -> u8 {
     first.wrapping_add(second).wrapping_add(third).wrapping_add(fourth)
 }
 
-/// What is lent, by name, and the fault if there is nothing.
+/// A named borrow, and the fault if there is no content.
 #[function]
 pub fn named(counter: &mut Option<Counter>, by: u8) -> u8 {
     let lent = counter.as_mut().unwrap();
@@ -130,7 +130,7 @@ pub fn indexed(kept: &mut [Option<u8>; 3], at: usize, divisor: u8) -> u8 {
     kept[i].get_or_insert(7).wrapping_add(at as u8)
 }
 
-/// Of a list.
+/// Borrow from a list.
 #[function]
 pub fn listed(kept: &mut List<Option<u8>, 3>, at: usize) -> u8 {
     *kept[at].get_or_insert(5) += 1;
@@ -179,7 +179,7 @@ pub fn taken(x: &mut u8, list: &mut List<u8, 3>, array: &mut [f64; 2], counter: 
     f64::from(a) + b.len() as f64 + c[0] + e + f64::from(d.steps)
 }
 
-/// Of what is generic.
+/// Borrow of generic content.
 #[function]
 pub fn held<T: Real>(held: &mut Option<T>, x: T) -> T {
     *held.get_or_insert(x) += x;

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What is done.
+/// Present duty.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Duty {

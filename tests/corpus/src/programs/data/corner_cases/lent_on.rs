@@ -38,7 +38,7 @@ pub fn in_a_loop(mut counter: Option<&mut u8>, times: u8) -> u8 {
     counted ^ counter.copied().unwrap_or_default()
 }
 
-/// Of what is found among elements.
+/// Borrow of an element that a search found.
 #[function]
 pub fn found(values: &mut [i16; 4], sought: i16) -> (Option<i16>, Option<i16>, bool) {
     let mut found = values.iter_mut().find(|it| **it == sought);

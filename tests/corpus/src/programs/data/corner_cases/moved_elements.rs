@@ -70,7 +70,7 @@ pub fn round(a: &mut [u8; 5], b: &mut [Own; 3], by: usize) {
     a[1..4].rotate_right(1);
 }
 
-/// Of a list, and of a part of it.
+/// Rotates a list, and a part of it.
 #[function]
 pub fn listed(list: &mut List<i16, 6>, by: usize) {
     list.rotate_left(by);
@@ -85,7 +85,7 @@ pub fn over(a: &mut [i32; 6], from: usize, to: usize, place: usize) {
     a.copy_within(from..to, place);
 }
 
-/// The same, with the end, from the beginning, to the end, all.
+/// Copies with an end, from the beginning, to the end, and of everything.
 #[function]
 pub fn over_ends(a: &mut [i32; 6], list: &mut List<u8, 5>, from: usize, to: usize) {
     a.copy_within(from..=to, 1);
@@ -95,7 +95,7 @@ pub fn over_ends(a: &mut [i32; 6], list: &mut List<u8, 5>, from: usize, to: usiz
     list.copy_within(0..=usize::MAX, 0);
 }
 
-/// What stands in the arguments is computed once, in its order.
+/// Arguments are evaluated once, in order.
 #[function]
 pub fn effects(a: &mut [i32; 6], own: &mut Own) {
     a.copy_within(
@@ -118,7 +118,7 @@ pub fn ends(a: &[f64; 3], list: &List<f64, 4>, n: usize) -> [bool; 6] {
     ]
 }
 
-/// Of bytes.
+/// Case conversions of bytes.
 #[function]
 pub fn letters(text: &List<u8, 6>) -> u8 {
     if text.starts_with(b"AT+") {
@@ -147,7 +147,7 @@ pub fn unwrapped(a: &mut [i32; 6], from: usize, to: usize) -> i32 {
     part[0].wrapping_sub(part[1]).wrapping_add(same[5])
 }
 
-/// Where it is one, and where not.
+/// Tests of elements that pass, and that do not.
 #[function]
 pub fn tested(list: &List<Own, 4>, a: &[u16; 3]) -> f64 {
     let mut sum = 0.0;

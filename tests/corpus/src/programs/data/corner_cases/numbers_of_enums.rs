@@ -54,7 +54,7 @@ pub fn less(kind: Kind) -> u8 {
     }
 }
 
-/// What remains without a check.
+/// Trims that need no check.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trims {

@@ -46,7 +46,7 @@ pub fn nested(pair: &Pair) -> Option<i16> {
     })
 }
 
-/// What is tested may change what is asked.
+/// The tested value may change the condition.
 #[function]
 pub fn tested(mut value: Option<i16>) -> (bool, Option<i16>) {
     let asked = value;

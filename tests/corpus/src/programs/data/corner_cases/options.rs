@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What can go wrong.
+/// Possible errors.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Trouble {

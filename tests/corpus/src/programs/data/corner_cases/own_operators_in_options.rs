@@ -1,4 +1,4 @@
-//! What an option's method is given is computed whether it is wanted or not; an author's own operator may fault.
+//! Arguments of an option's method are evaluated whether they are needed or not; an author's own operator may fault.
 
 use bessemer::prelude::*;
 

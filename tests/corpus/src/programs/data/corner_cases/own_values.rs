@@ -54,7 +54,7 @@ pub fn set(mut n: u32, mut flag: bool, mut x: f32) -> u8 {
     1
 }
 
-/// What is compared with itself is not computed, so nothing that computing it would need stands in the C.
+/// A comparison of a value with itself is not evaluated, so the C has no part of it.
 #[function]
 pub fn at_most_itself(x: i8) -> bool {
     (x as u32) <= (x as u32)

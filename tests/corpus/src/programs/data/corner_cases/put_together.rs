@@ -16,7 +16,7 @@ pub struct Gains {
 
 #[data]
 impl Gains {
-    /// How much of the past counts.
+    /// Weight of the past.
     pub const SHARE: f64 = 0.25;
 
     /// Gains without a past.

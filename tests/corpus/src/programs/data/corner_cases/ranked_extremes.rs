@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// How bad it is.
+/// Severity of a fault.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
@@ -56,7 +56,7 @@ pub fn of_numbers(x: &i32, y: &f64) -> (i32, f64) {
     ((*x).max(3).clamp(-5, 7), y.min(2.0))
 }
 
-/// Of references, as `Ord` is implemented for them: the least, the greatest, the nearest, and their sum.
+/// Extremes of references, as `Ord` is implemented for them: the least, the greatest, the nearest, and their sum.
 #[function]
 pub fn of_references(levels: &[i32; 5], low: i32, high: i32) -> (i32, i32, i32, i64) {
     let most = *levels.iter().fold(&levels[0], |most, level| most.max(level));
@@ -68,7 +68,7 @@ pub fn of_references(levels: &[i32; 5], low: i32, high: i32) -> (i32, i32, i32, 
     (*least, most, levels[2].clamp(low, high).max(low).min(levels[4]), sum)
 }
 
-/// Of references to what is no number.
+/// Extremes of references to types that are no numbers.
 #[function]
 pub fn worse(seen: &Severity, others: &[Severity; 3], pair: &(u8, i32)) -> (Severity, (u8, i32), Severity) {
     let worst = *others.iter().fold(seen, |worst, other| worst.max(other));
@@ -76,7 +76,7 @@ pub fn worse(seen: &Severity, others: &[Severity; 3], pair: &(u8, i32)) -> (Seve
     (worst, *pair.clamp(&(1, -3), &(200, 4)), first)
 }
 
-/// What is kept is what it was, whatever is written after.
+/// A copied extreme does not change with later writes.
 #[function]
 pub fn kept(values: &mut [u16; 3]) -> u16 {
     let most = values[0].max(values[1]).max(values[2]);

@@ -8,7 +8,7 @@ pub fn stays(values: [u32; 3]) -> u32 {
     values.iter().skip(2).take(0).fold(8_u32, |sum, _| ((sum as i32) as u32))
 }
 
-/// The same, where something is behind it.
+/// A read without use before another statement.
 #[function]
 pub fn comes_back(values: [u32; 3], t: &mut u32) -> u32 {
     let mut kept = values[0];
@@ -19,7 +19,7 @@ pub fn comes_back(values: [u32; 3], t: &mut u32) -> u32 {
     kept
 }
 
-/// What a default is made of.
+/// Parts of a default.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Own {

@@ -1,4 +1,4 @@
-//! What a value refers to when a reference is taken stays what is referred to, whatever the value refers to later.
+//! A reference keeps its place, whatever the variable through which it was taken refers to later.
 
 #![allow(missing_docs)]
 

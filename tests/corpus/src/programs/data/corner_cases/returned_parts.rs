@@ -1,4 +1,4 @@
-//! What calls fill and a `return` moves into its struct: in one branch or in several, read before, used twice.
+//! Parts that calls fill and a `return` moves into its struct: in one branch or several, read before, used twice.
 
 use bessemer::prelude::*;
 
@@ -50,7 +50,7 @@ pub fn crossed(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Both {
     Both { first, second, corner: second[(1, 0)] }
 }
 
-/// The same in two parts, and what the other branch computes of it.
+/// Two such parts, and the other branch's computation from them.
 #[function]
 pub fn twice(a: &Matrix3<f64>) -> Both {
     let square = squared(a);

@@ -1,5 +1,5 @@
-//! Patterns that are longer or shorter than a slice whose ends are numbers: rustc counts the elements of an array, and not
-//! those of a slice.
+//! Patterns longer or shorter than a slice with literal bounds: rustc knows the length of an array, and not that of a
+//! slice.
 
 use bessemer::prelude::*;
 
@@ -40,7 +40,7 @@ pub fn otherwise(values: &[i16; 4]) -> i16 {
     x ^ y
 }
 
-/// The same of a slice with a name.
+/// Patterns on a named slice.
 #[function]
 pub fn named(values: &[i16; 4]) -> i16 {
     let part = &values[1..2];

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Whether the halves of eight bytes are equal, and what is before a place and behind it.
+/// Returns true if the halves of eight bytes are equal, and what is before a place and behind it.
 #[function]
 pub fn halves(bytes: [u8; 8], n: usize) -> bool {
     let left = &bytes[..4];
@@ -10,7 +10,7 @@ pub fn halves(bytes: [u8; 8], n: usize) -> bool {
     left == right || bytes[..n] == bytes[n..]
 }
 
-/// Whether a part is another; no NaN equals anything.
+/// Returns true if a part is another; no NaN equals anything.
 #[function]
 pub fn parts(x: [f64; 4], i: usize) -> bool {
     x[i..] == x[..2] || x[1..3] != x[2..4]
@@ -21,7 +21,7 @@ fn begins_with(text: &[u8], start: &[u8]) -> bool {
     text.len() >= start.len() && &text[..start.len()] == start
 }
 
-/// Whether a line is one of position.
+/// Returns true if a line is one of position.
 #[function]
 pub fn is_position(line: [u8; 5]) -> bool {
     begins_with(&line, b"GP") && line[2..] == *b"GGA"

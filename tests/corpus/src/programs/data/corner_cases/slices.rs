@@ -174,7 +174,7 @@ pub fn together(a: &[i64; 6], b: &List<i64, 4>, from: usize) -> i64 {
     sum
 }
 
-/// What is lent again.
+/// Reborrows of a slice.
 #[function]
 pub fn again(values: &mut [f64], depth: usize) {
     halve(&mut values[depth..]);

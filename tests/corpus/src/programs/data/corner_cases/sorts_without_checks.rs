@@ -23,7 +23,7 @@ impl MiddleOfFive {
         sorted[2]
     }
 
-    /// The same of ranks, which are integers.
+    /// The rank among integers.
     #[entry(infallible)]
     pub fn rank(&self, ranks: &[u16; 6]) -> u16 {
         let mut sorted = *ranks;
@@ -31,7 +31,7 @@ impl MiddleOfFive {
         sorted[3]
     }
 
-    /// Whether ranks stand in order, and the sum of their steps.
+    /// Test that ranks are in order, and the sum of their differences.
     #[entry(infallible)]
     pub fn rises(&self, ranks: &[u16; 6], used: u8) -> (bool, u32) {
         let used = &ranks[..usize::from(used % 7)];

@@ -12,7 +12,7 @@ pub struct Kept {
     pub last: Option<Ordering>,
     /// All of them.
     pub all: [Ordering; 2],
-    /// How many.
+    /// Number of elements.
     pub count: u8,
 }
 
@@ -56,19 +56,19 @@ pub fn own(kept: &mut Kept) -> u8 {
     a.wrapping_add(b).wrapping_add(c).wrapping_add(d).wrapping_add(kept.is_lt() as u8)
 }
 
-/// Of each kind of number.
+/// Order of each kind of number.
 #[function]
 pub fn kinds(a: u8, b: u8, c: i64, d: i64, e: usize, f: bool, g: bool) -> [Ordering; 4] {
     [a.cmp(&b), c.cmp(&d), e.cmp(&3), f.cmp(&g)]
 }
 
-/// Of floats, which may have none.
+/// Order of floats, which may have none.
 #[function]
 pub fn floats(x: f64, y: f64, z: f32) -> (Option<Ordering>, Option<Ordering>, Ordering) {
     (x.partial_cmp(&y), z.partial_cmp(&0.5), x.total_cmp(&y))
 }
 
-/// Of integers, which always have one.
+/// Order of integers, which always have one.
 #[function]
 pub fn partial(x: i8, y: i8) -> bool {
     x.partial_cmp(&y) == Some(Ordering::Less) || x.partial_cmp(&y).unwrap() == Ordering::Equal
@@ -84,7 +84,7 @@ pub fn kept(kept: &mut Kept, x: u16, y: u16) -> bool {
     kept.all[0] != kept.all[1] || same
 }
 
-/// What is asked of it.
+/// Queries on an order.
 #[function]
 pub fn asked(x: i32, y: i32) -> u8 {
     let order = x.cmp(&y);
@@ -141,7 +141,7 @@ pub fn handed(x: i32, y: i32, z: i32) -> i32 {
     by(x, y, |a, b| a.cmp(&b)).wrapping_add(by(x, y, |a, b| b.cmp(&a).then(z.cmp(&a))))
 }
 
-/// Of what is generic.
+/// Order of generic numbers.
 #[function]
 pub fn between<T: Real>(x: T, low: T, high: T) -> Ordering {
     match (x.partial_cmp(&low), x.partial_cmp(&high)) {

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// What is kept of a port.
+/// Record of a port.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Port {

@@ -49,7 +49,7 @@ pub fn paired(tables: &Tables, i: usize, count: usize) -> usize {
     tables.rows[0][..count % 4].iter().zip(tables.rows[i].iter()).count()
 }
 
-/// What its author copies nowhere.
+/// A type that its author never copies.
 #[data]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Held {

@@ -137,7 +137,7 @@ impl<'a> TryFrom<&'a [u8]> for Frame<'a> {
     }
 }
 
-/// What words and frames come to.
+/// Digest of words and frames.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Digest(u32);

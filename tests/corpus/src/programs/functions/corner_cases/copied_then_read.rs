@@ -1,5 +1,5 @@
-//! A pair that gets another and is read behind that, in a function that is handed both: gcc 12 takes what it wrote for what it
-//! only read where it follows what functions do to memory, and the caller reads the old pair.
+//! A pair that is assigned another and read afterwards, in a function with references to both. gcc 12 mistakes the
+//! write for a read in its analysis of side effects, and the caller reads the old pair.
 
 use bessemer::prelude::*;
 

@@ -1,4 +1,4 @@
-//! What is generic over types and sizes, in several instances.
+//! Generic items over types and sizes, in several instances.
 
 use bessemer::prelude::*;
 
@@ -6,9 +6,9 @@ use bessemer::prelude::*;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coefficients<T> {
-    /// Of the inputs, newest first.
+    /// Coefficients of the inputs, newest first.
     pub b: [T; 3],
-    /// Of the outputs, newest first.
+    /// Coefficients of the outputs, newest first.
     pub a: [T; 2],
 }
 
@@ -16,7 +16,7 @@ pub struct Coefficients<T> {
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Biquad<T> {
-    /// What it does.
+    /// Its action.
     pub coefficients: Coefficients<T>,
     /// Past inputs and outputs.
     pub x: [T; 2],

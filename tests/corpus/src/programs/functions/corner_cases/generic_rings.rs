@@ -33,12 +33,12 @@ impl<T: Copy + Default, const N: usize> Ring<T, N> {
         (0..self.len).map(move |i| self.items[(start + i) % N])
     }
 
-    /// The same, as an iterator with a name.
+    /// The values as an iterator with a name.
     pub fn values(&self) -> Values<'_, T, N> {
         Values { ring: self, at: 0 }
     }
 
-    /// Whether another has the same values.
+    /// Returns true if another has the same values.
     pub fn is_same(&self, other: &Self) -> bool
     where
         T: PartialEq,

@@ -16,13 +16,13 @@ impl Stretch {
         self.0
     }
 
-    /// Whether it is one at all.
+    /// Returns true if it is one at all.
     pub fn is_long(&self) -> bool {
         self.0 > 1.0
     }
 }
 
-/// What went wrong with how much, or at all.
+/// Errors with or without a number.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Lapse {
@@ -54,7 +54,7 @@ fn is_above(x: &f64) -> bool {
     *x > 0.0
 }
 
-/// Of options and results.
+/// Functions passed to methods of options and results.
 #[function]
 pub fn one_by_one(x: Option<f64>, y: Result<f64, u8>) -> (f64, f64, Option<Stretch>, f64) {
     let z = y.map_err(Lapse::Code).or_else(recovered);
@@ -66,7 +66,7 @@ pub fn one_by_one(x: Option<f64>, y: Result<f64, u8>) -> (f64, f64, Option<Stret
     )
 }
 
-/// Of two arguments, and of matrices.
+/// Functions of two arguments, and on matrices.
 #[function]
 pub fn two_by_two(samples: &[f64; 4], m: &Matrix2<f64>) -> (f64, Option<f64>, Matrix2<f64>, Option<f64>) {
     (
@@ -95,7 +95,7 @@ pub struct Amplifier {
 
 #[data]
 impl Amplifier {
-    /// What comes of the gain.
+    /// Applies a function to the gain.
     pub fn applied(&self, f: impl Fn(f64) -> f64) -> f64 {
         f(self.gain)
     }
@@ -130,7 +130,7 @@ fn low_bits(number: &i16) -> i16 {
     *number & 7
 }
 
-/// What sorts is given functions, too.
+/// Functions passed to sorts.
 #[function]
 pub fn sorted(mut numbers: [i16; 5], mut levels: [f32; 4]) -> ([i16; 5], [i16; 5], [f32; 4]) {
     numbers.sort_by(descending);

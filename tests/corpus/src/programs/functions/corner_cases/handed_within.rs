@@ -13,7 +13,7 @@ pub fn within(one: i32, other: u8) -> u8 {
     visit(one, 3, |x| visit(other, 4_u8, |y| y > 1) > 1 && x > 0)
 }
 
-/// What a closure saw last.
+/// Last value seen by a closure.
 #[function]
 pub fn last(one: i32, mut other: i32) -> (i32, i32, u8) {
     let mut last = 0;

@@ -19,7 +19,7 @@ impl Cell {
     }
 }
 
-/// What holds much.
+/// A large store.
 #[data]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Store {
@@ -137,7 +137,7 @@ pub fn unread(store: &mut Store, i: usize) -> u8 {
     store.at
 }
 
-/// Where what is lent is itself made of parts.
+/// A borrow of a place with several parts.
 #[function]
 pub fn parts(store: &mut Store, i: usize) -> f64 {
     let mut sum = 0.0;
@@ -206,7 +206,7 @@ pub struct Ring {
     next: u8,
 }
 
-/// What any ring has.
+/// Methods of every ring.
 #[interface]
 pub trait Recent {
     fn back(&self, n: usize) -> &f32;
@@ -272,7 +272,7 @@ impl Slots {
     }
 }
 
-/// Of the value itself, and of copies that nobody sees.
+/// Borrows of the value itself, and of unused copies.
 #[function]
 pub fn copied(slots: &mut Slots, key: u8, i: usize) -> f64 {
     *slots.of_mut(key) += 1.0;

@@ -21,7 +21,7 @@ pub trait Zone {
         sum
     }
 
-    /// What goes on to a function for every zone.
+    /// Passes every zone to a function.
     fn both(&self, xs: [u32; 4]) -> u32
     where
         Self: Sized,

@@ -8,13 +8,13 @@ pub fn half(x: f64) -> f64 {
     x / 2.0
 }
 
-/// What `f` makes of what it made.
+/// `f` applied twice.
 #[function]
 pub fn twice(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     f(f(x))
 }
 
-/// The same, handed on.
+/// `f` applied through another function.
 #[function]
 pub fn thrice(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     twice(&f, f(x))
@@ -31,14 +31,14 @@ pub fn named(x: f64, y: f64) -> f64 {
     larger(both, twice(smaller, y)) + [x, y].iter().copied().map(size).fold(0.0, larger)
 }
 
-/// What makes a value, under a name.
+/// A value and its named constructor.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Level(pub u8);
 
 #[data]
 impl Level {
-    /// Of a number.
+    /// Level of a number.
     pub fn of(x: u32) -> Level {
         Level((x & 0xFF) as u8)
     }

@@ -28,7 +28,7 @@ pub fn hidden(x: u8) -> u8 {
     }
 }
 
-/// What a path names is handed on as it is, where closures have names, too.
+/// A path passed as a function is itself, even if closures have names.
 #[function]
 pub fn beside_constants(x: u8, low: u8) -> Option<u8> {
     let far = |n: u8| n > low;
@@ -41,8 +41,8 @@ pub fn behind_constants(x: i16, low: i16) -> i16 {
     up(x).wrapping_add(i16::MIN).max(i16::MIN).min(i16::MAX)
 }
 
-/// What a closure uses means what it meant where the closure was written, whatever hides it later; also where another closure
-/// calls it, and where its name is handed on.
+/// Names in a closure keep the meaning that they have where it is written, whatever hides them later. That includes
+/// calls from another closure, and passing the closure by name.
 #[function]
 pub fn hidden_later(x: i16, y: i16) -> i16 {
     let gain = x & 7;

@@ -1,5 +1,5 @@
-//! A scalar trait of one's own, whose methods are called as those of numbers, implemented for both floats by a macro; and what
-//! bounds ask of conversions.
+//! An author's own scalar trait with methods named like those of numbers, implemented for both floats by a macro; and
+//! bounds with conversions.
 
 use bessemer::prelude::*;
 use core::ops::{Add, Mul, Sub};
@@ -116,7 +116,7 @@ impl<T: Scalar> Filter<T> {
         Filter { state: T::default(), gain }
     }
 
-    /// What it makes of a number.
+    /// One step on a number.
     pub fn step(&mut self, x: T) -> T {
         let of = T::of;
         let limit = T::from(2.5_f32);

@@ -23,7 +23,7 @@ impl Steps {
         found
     }
 
-    /// How many steps are above a number.
+    /// Number of steps above a number.
     pub fn partition_point(&self, above: i32) -> u32 {
         let mut count = 0;
         for step in self.at {
@@ -60,7 +60,7 @@ pub fn search_steps(steps: &mut Steps, wanted: i32) -> u32 {
     }
 }
 
-/// Those of slices and lists, whose closures look at other slices.
+/// Searches in slices and lists, whose closures read other slices.
 #[function]
 pub fn search_elements(values: &[i32; 6], marks: &[i32], list: &mut List<i32, 6>) -> usize {
     let marked = &marks[..marks.len().min(3)];

@@ -32,7 +32,7 @@ pub fn chosen(switch: &mut Switch, other: Switch, value: u8) -> Option<u8> {
     chosen
 }
 
-/// Those of `bool`: of `then_some` the value is computed first, and may fault.
+/// Methods of `bool`: the argument of `then_some` is evaluated first, and may fault.
 #[function]
 pub fn given(switch: Switch, value: u8) -> Option<u8> {
     let quotient = switch.on.then_some(200 / value);

@@ -1,11 +1,11 @@
-//! What is written in plain Rust: a trait that gathers bounds, builders, a packet with an error of its own, a ring with an
+//! Idioms of plain Rust: a trait that collects bounds, builders, a packet with an error of its own, a ring with an
 //! iterator.
 
 use bessemer::nalgebra::RealField;
 use bessemer::prelude::*;
 use core::fmt;
 
-/// What the models compute with.
+/// Scalars of the models.
 #[interface]
 pub trait Num: RealField + Copy {}
 #[data]
@@ -61,7 +61,7 @@ pub struct Packet { id: u8, values: [i16; 3], stamp: u32 }
 #[data]
 impl Packet {
     const LEN: usize = 12;
-    /// Of the bytes that came.
+    /// Parses received bytes.
     pub fn parse(bytes: &[u8]) -> Result<Packet> {
         let bytes: &[u8; Self::LEN] = bytes.get(..Self::LEN).and_then(|b| b.try_into().ok()).ok_or(Error::Short { need: Self::LEN, got: bytes.len() })?;
         let sum = bytes[..11].iter().fold(0_u8, |sum, b| sum.wrapping_add(*b));

@@ -12,7 +12,7 @@ pub struct LowPass {
 
 #[component]
 impl LowPass {
-    /// How much of a new sample counts.
+    /// Weight of a new sample.
     const SHARE: f64 = 0.25;
 
     /// A filter that starts at a level.

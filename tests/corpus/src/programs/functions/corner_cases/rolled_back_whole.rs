@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 #[component]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tally {
-    /// How often each came.
+    /// Number of occurrences of each.
     pub counts: [u32; 80],
 }
 

@@ -1,4 +1,4 @@
-//! What nobody uses, and bodies with nothing in them.
+//! Unused items, and empty bodies.
 
 use bessemer::prelude::*;
 

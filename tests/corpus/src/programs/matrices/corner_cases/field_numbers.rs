@@ -1,4 +1,4 @@
-//! What nalgebra's fields have: ends of their numbers, conversions from double precision, roots where there are any.
+//! Methods of nalgebra's fields: limits of their numbers, conversions from double precision, roots that may not exist.
 
 use bessemer::nalgebra::{self, ComplexField, RealField};
 use bessemer::prelude::*;
@@ -17,7 +17,7 @@ pub fn both(x: f64, y: f32) -> (Option<f64>, Option<f32>) {
     (scaled_root(x), scaled_root(y))
 }
 
-/// Of known numbers.
+/// A distance of known numbers.
 #[function]
 pub fn distance(x: f32, y: f32) -> f32 {
     (x * x - y * y).try_sqrt().map_or(-1.0, |root| root + x)

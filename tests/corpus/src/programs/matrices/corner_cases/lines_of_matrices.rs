@@ -71,7 +71,7 @@ pub fn folded(m: &BoundedMatrix<i32, 3, 4>) -> (i32, bool, usize, Option<i32>) {
     (sum, odd, positive, m.iter().copied().max())
 }
 
-/// What has a name in a condition is lent by the next.
+/// A name bound in a condition is borrowed by the next.
 #[function]
 pub fn lent(flag: bool, x: Option<i32>) -> i32 {
     if let mut kept = flag

@@ -22,7 +22,7 @@ impl Table {
         found
     }
 
-    /// What a closure makes of the ends, from the last.
+    /// Fold of the ends, from the last.
     pub fn fold(&self, start: u32, join: impl Fn(u32, u32) -> u32) -> u32 {
         join(join(start, self.cells[3]), self.cells[0])
     }
@@ -34,7 +34,7 @@ pub fn of_a_table(table: &Table, least: u32) -> (u32, u32) {
     (table.apply(|cell| cell > least), table.fold(least, |sum, cell| sum.wrapping_mul(3) ^ cell))
 }
 
-/// What a closure makes of one element, wherever that is.
+/// A closure applied to one element at any index.
 #[function(expand)]
 fn of_one<F: FnMut(u32) -> u32>(values: &[u32; 4], at: usize, mut f: F) -> u32 {
     f(values[at])

@@ -18,7 +18,7 @@ pub fn write_next(nodes: &mut [Node; 4], at: usize, value: i32) -> i32 {
     nodes[at].value
 }
 
-/// The same with a copy of another node.
+/// Assigns a copy of another node.
 #[function]
 pub fn copy_next(nodes: &mut [Node; 4], at: usize) -> i32 {
     let at = at % 4;
@@ -33,7 +33,7 @@ pub fn write_row(rows: &mut [[u8; 3]; 4], value: u8) -> u8 {
     rows[2][2]
 }
 
-/// The same, each element from the one before.
+/// Assigns each element from the one before.
 #[function]
 pub fn fill_row(rows: &mut [[u8; 3]; 4], value: u8) -> u8 {
     rows[usize::from(rows[1][0]) % 4] = core::array::from_fn(|at| value.wrapping_add(at as u8));

@@ -2,7 +2,7 @@
 
 use bessemer::prelude::*;
 
-/// Whether to turn the sign.
+/// True if to turn the sign.
 const TURNED: bool = true;
 
 #[function]

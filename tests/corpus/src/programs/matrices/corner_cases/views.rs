@@ -47,7 +47,7 @@ pub fn changed(m: &mut Matrix3<f64>, column: usize, by: &Vector3<f64>) {
     m.set_column(column, &column_of);
 }
 
-/// What a scalar has by the same name, of parts of a matrix.
+/// Methods of parts of a matrix that are named like those of scalars.
 #[function]
 pub fn magnitudes_of_parts(m: &Matrix3<f64>) -> [f64; 4] {
     let block = m.fixed_view::<2, 2>(1, 0);

@@ -2,13 +2,13 @@
 
 use bessemer::prelude::*;
 
-/// What is left of a byte, compared.
+/// Complements of a byte, compared.
 #[function]
 pub fn left(x: u8, y: u8) -> (bool, bool, bool) {
     (u8::MAX - x < y, 255 - x == y, y >= u8::MAX - x)
 }
 
-/// The same in 16 bits, and with constants.
+/// Complements in 16 bits, and with constants.
 #[function]
 pub fn wide(x: u16, y: u16) -> (bool, bool, bool) {
     (u16::MAX - x > y, 65535 - x != 7, u16::MAX - x <= 9)
@@ -46,13 +46,13 @@ pub struct Cell {
     pub voltage: u16,
 }
 
-/// Whether it is full.
+/// Returns true if it is full.
 #[function]
 pub fn full(cell: &Cell) -> bool {
     u16::MAX - cell.voltage < 5
 }
 
-/// What was widened before.
+/// Complements of widened values.
 #[function]
 pub fn widened(a: u8, b: u16, flag: bool) -> (bool, bool, bool, bool) {
     let most = !(flag as u64) >= 6;

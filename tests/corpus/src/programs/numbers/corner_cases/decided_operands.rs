@@ -1,5 +1,5 @@
-//! Operands that one constant decides, whatever the other value is: compilers know them, and warn of what certainly
-//! faults with them, although a check stands before it.
+//! Operands that one constant decides, whatever the other value is. Compilers know them, and warn about certain faults
+//! although a check is before them.
 #![allow(unconditional_panic, arithmetic_overflow, clippy::all)]
 
 use bessemer::prelude::*;
@@ -50,7 +50,7 @@ pub fn signed_too_far(x: i64, y: u32, n: u8) -> i64 {
     x >> (y | u32::MAX)
 }
 
-/// What is compared is known, too.
+/// Known results of comparisons.
 #[function]
 pub fn compared(y: u16, z: i8) -> [bool; 6] {
     [(y & 0) == 0, y % 1 > 0, (y | u16::MAX) == u16::MAX, z * 0 != 0, z % -1 <= 0, (y * 0) < (y & 0)]

@@ -1,4 +1,5 @@
-//! What is taken from a number that is below another leaves it below, unless it is taken from the other side.
+//! A number that is below another stays below it when something is subtracted, unless it is subtracted from the other
+//! side.
 
 use bessemer::prelude::*;
 
@@ -12,7 +13,7 @@ pub fn behind(x: i32, n: i32) -> i32 {
     0
 }
 
-/// Of floats, too.
+/// The case of floats.
 #[function]
 pub fn before(x: f64, n: f64) -> f64 {
     if x < n {

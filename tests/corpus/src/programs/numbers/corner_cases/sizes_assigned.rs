@@ -3,7 +3,7 @@
 
 use bessemer::prelude::*;
 
-/// How many neighbours rise: the counter is below 8.
+/// Number of rising neighbours: the counter is below 8.
 #[function]
 pub fn rises(values: &[u8; 8]) -> usize {
     let (mut k, mut count) = (0, 0);
@@ -16,7 +16,7 @@ pub fn rises(values: &[u8; 8]) -> usize {
     count
 }
 
-/// How often a size of any number of bits is halved until nothing is left.
+/// Number of halvings of a size until nothing is left.
 #[function]
 pub fn halved(n: usize) -> (usize, u32) {
     let (mut rest, mut last, mut count) = (n, 0, 0);

@@ -41,7 +41,7 @@ impl SmallSizes {
     }
 }
 
-/// How far two sizes are apart.
+/// Distance of two sizes.
 #[function]
 fn distance(a: usize, b: usize) -> u64 {
     if a > b { (a - b) as u64 } else { (b - a) as u64 }

@@ -1,5 +1,5 @@
-//! What a compiler computes otherwise when it is told to be fast, and gcc fuses untold: `tests/tests/corpus/guards.rs` compiles it with
-//! each such flag.
+//! Operations that compilers change in fast modes, and that gcc fuses by default: `tests/tests/corpus/guards.rs`
+//! compiles them with each such flag.
 
 use bessemer::prelude::*;
 
@@ -73,7 +73,7 @@ pub fn fused_single(a: f32, b: f32, c: f32) -> [f32; 3] {
     [a * b + c, a * b - c, c - a * b]
 }
 
-/// What is left of the rounding of a sum, which is nothing in another order.
+/// Rounding error of a sum, which is zero in another order.
 #[function]
 pub fn lost(a: f64, b: f64) -> f64 {
     let sum = a + b;

@@ -1,4 +1,4 @@
-//! The same names in several modules.
+//! Equal names in several modules.
 
 use bessemer::prelude::*;
 

@@ -12,7 +12,7 @@ pub struct Near {
     pub value: i16,
 }
 
-/// Of the other module.
+/// Type from the other module.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wide {

@@ -8,7 +8,7 @@ use bessemer::prelude::*;
 use left::Near;
 use right::{Far, far_of};
 
-/// What both hold.
+/// Sum of both types.
 #[function]
 pub fn both(a: i16, b: i16) -> i32 {
     let far = far_of(Near { value: a }, b);

@@ -8,17 +8,17 @@ use super::left::Near;
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Middle {
-    /// Of 256.
+    /// Fraction, of 256.
     pub share: u8,
 }
 
-/// Of the other module.
+/// Type from the other module.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Far {
     /// The number.
     pub near: Near,
-    /// Of 256.
+    /// Fraction, of 256.
     pub share: u8,
 }
 
