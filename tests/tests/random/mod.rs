@@ -194,7 +194,7 @@ impl Batch {
 
     /// The programs that a compiler complains of, each with its first complaint; all that are left, if none can be reported.
     fn told(&self, said: &str, workspace: &Workspace) -> BTreeMap<String, String> {
-        let mut told = BTreeMap::new();
+        let mut reasons = BTreeMap::new();
         let mut title = "";
         for line in said.lines() {
             if line.starts_with("error") {
@@ -203,30 +203,30 @@ impl Batch {
                 let claimed = line.split('`').nth(1).filter(|_| line.contains("is not infallible"));
                 let left = self.left();
                 if let Some(program) = left.iter().find(|it| claimed == Some(it.name.as_str())) {
-                    told.entry(program.name.clone()).or_insert_with(|| title.to_owned());
+                    reasons.entry(program.name.clone()).or_insert_with(|| title.to_owned());
                 }
             }
             if let Some((number, _)) = place(line, native::SOURCE)
                 && let Some(name) = native::at(workspace, number)
             {
-                told.entry(name).or_insert_with(|| format!("{title}\n    where it is called"));
+                reasons.entry(name).or_insert_with(|| format!("{title}\n    where it is called"));
             }
             let Some((number, column)) = place(line, "src/lib.rs") else { continue };
             if let Some(name) = self.at(number) {
                 let at = self.text.lines().nth(number - 1).unwrap_or_default();
                 let (before, at) = at.split_at_checked(column - 1).unwrap_or(("", at));
-                told.entry(name).or_insert_with(|| {
+                reasons.entry(name).or_insert_with(|| {
                     let before = &before[before.len().saturating_sub(80)..];
                     format!("{title}\n    {before} >>> {:.200}", at)
                 });
             }
         }
-        if told.is_empty() {
+        if reasons.is_empty() {
             let all = self.left();
             assert!(!all.is_empty(), "what the programs call is refused: {said}");
-            told.extend(all.into_iter().map(|it| (it.name.clone(), said.to_owned())));
+            reasons.extend(all.into_iter().map(|it| (it.name.clone(), said.to_owned())));
         }
-        told
+        reasons
     }
 }
 
