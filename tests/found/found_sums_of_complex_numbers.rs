@@ -1,5 +1,4 @@
 // Sums of complex numbers, their parts by the names of `ComplexField`, and iterators through one value.
-use bessemer::nalgebra::Complex;
 #[function]
 pub fn found_sums_of_complex_numbers(x: [f64; 6], n: usize) -> [f64; 6] {
     let zs = [Complex::new(x[0], x[1]), Complex::new(x[2], x[3]), Complex::new(x[4], x[5])];
@@ -12,7 +11,6 @@ pub fn found_sums_of_complex_numbers(x: [f64; 6], n: usize) -> [f64; 6] {
 fn found_sums_of_complex_numbers_of<T: Real>(x: T, y: T) -> Complex<T> { [Complex::new(x, y), Complex::new(y, x)].iter().map(|z| z.conj()).sum() }
 #[function]
 pub fn found_sums_of_complex_numbers_g(x: f32, y: f32) -> (f32, f64) { (found_sums_of_complex_numbers_of(x, y).im, found_sums_of_complex_numbers_of(f64::from(x), 1.0).im + [1.0, f64::from(y)].iter().sum::<f64>()) }
-use bessemer::nalgebra::ComplexField;
 #[function]
 pub fn found_sums_of_complex_numbers_parts(a: f64, b: f64) -> [f64; 5] {
     let z = Complex::new(a, b);
