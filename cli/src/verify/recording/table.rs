@@ -95,7 +95,7 @@ fn head(lines: &mut Lines<'_>, wanted: &Wanted<'_>) -> Result<(Vec<String>, u8),
         let names = |separator: u8| names(line.trim_start_matches(COMMENTS), separator);
         let found = |names: &[String]| wanted.found(|name| names.iter().any(|it| it == name));
         let candidates = SEPARATORS.into_iter().rev().map(|it| (names(it), it));
-        // Of equal counts the last one wins.
+        // Among equal counts, `max_by_key` takes the last: the comma.
         let Some((names, separator)) = candidates.max_by_key(|(names, _)| found(names)) else {
             continue;
         };

@@ -49,7 +49,7 @@ pub fn taken(module: &Module, names: &Names) -> Vec<(Span, Taken)> {
             found.local(&function.attributes.result, &output.name, function.span);
         }
     }
-    // Where an author gave the name, it is that which is reported.
+    // A name that the author chose is the one reported.
     let (made, mut list): (Vec<_>, Vec<_>) =
         found.list.into_iter().partition(|(_, it)| matches!(it, Taken::Made(_)));
     let known = |name: &str| {

@@ -294,7 +294,7 @@ impl<'a> Lower<'a> {
     /// `place = value`, or `place += …` where it is that.
     fn assign(&mut self, place: Expr, value: Expr) {
         match value {
-            // What C has no need to convert may are there already: `kept = kept as i32 as u32`.
+            // A value that needs no conversion in C may be there already: `kept = kept as i32 as u32`.
             value if value == place => {}
             Expr::Binary(op, left, right) if *left == place && compound(op).is_some() => {
                 self.emit(StmtKind::Assign(place, compound(op).expect("just seen"), *right));
