@@ -1,14 +1,15 @@
-//! Substitution of temporaries into the expressions that read them: the one place that reasons about evaluation order.
+//! Substitutes temporaries into the expressions that read them: the one place that reasons about evaluation order.
 //!
-//! Lowering holds an operand in a local of its own wherever something comes between the operand and its reader. Here the
-//! local goes again if nothing tells: no statement between writes what the operand reads, reads what it writes, or ends the
-//! function where either shows.
+//! Lowering holds an operand in a local wherever a statement may come between the operand and its reader. Here the
+//! local is removed again if nobody can observe it: no statement in between writes what the operand reads, reads what
+//! it writes, or ends the function where either is visible.
 //!
-//! Invariants: each place holds the same at each end of the function, and the same fault comes first. The time is linear: one
-//! walk from the last statement to the first decides, with the next access to each local at hand; one walk from the first to
-//! the last replaces.
+//! Invariants: at each end of the function each place has the same value, and the same fault comes first. The time is
+//! linear: one walk from the last statement to the first decides, knowing the next access to each local; one walk
+//! from the first to the last substitutes.
 //!
-//! Must not know: why lowering made a local; the tree; C, which does not order operands (the passes see to that).
+//! Must not know: why lowering made a local; the tree; C, which does not order operands (the passes take care of
+//! that).
 
 mod known;
 mod put;
@@ -22,12 +23,12 @@ use bessemer_ir::{
 };
 use known::Known;
 
-/// Substitutes the temporaries in `made` that are only read, where the program means the same without them.
+/// Substitutes those temporaries of `made` that are only read and whose removal does not change the program.
 ///
-/// Other locals may have new handles then; parameters keep theirs.
+/// Other locals may get new handles; parameters keep theirs.
 ///
-/// Precondition: the function is valid in `module`, whose types it has; no parameter is in `made`, and no local is a name for a
-/// place. Postcondition: it is valid, and means the same.
+/// Precondition: the function is valid in `module`; no parameter is in `made`, and no local is an alias of a place.
+/// Postcondition: it is valid, and equivalent.
 pub fn fuse(module: &Module, function: &mut Function, made: &HashSet<LocalId>) {
     let gone = gone(module, &function.locals, made, &function.body);
     if gone.contains(&true) {
@@ -36,7 +37,7 @@ pub fn fuse(module: &Module, function: &mut Function, made: &HashSet<LocalId>) {
     }
 }
 
-/// Returns the body of a loop as [`fuse`] will leave it, with each statement at its index and each local with its handle.
+/// Returns a loop's body as [`fuse`] will leave it, but with unchanged indices of statements and handles of locals.
 pub(crate) fn view(
     module: &Module,
     locals: &[Local],
@@ -50,7 +51,7 @@ pub(crate) fn view(
     body
 }
 
-/// Decides which of the locals go.
+/// Returns true for each local that is to be substituted.
 fn gone(module: &Module, locals: &[Local], made: &HashSet<LocalId>, body: &Block) -> Vec<bool> {
     if made.is_empty() {
         return Vec::new();
@@ -63,60 +64,62 @@ fn gone(module: &Module, locals: &[Local], made: &HashSet<LocalId>, body: &Block
     backwards.gone
 }
 
-/// A moment of the evaluation: of two, the later one is larger.
+/// Position in the evaluation; a later one is larger.
 type Moment = u64;
 
-/// Tells where a temporary is read.
+/// Reads of a temporary.
 #[derive(Clone, Copy)]
 struct Reads {
     count: u32,
     first: Moment,
-    /// The last one; of those in a loop that the declaration is not in, the end of that loop.
+    /// Moment of the last read. A read in a loop without the declaration counts until the loop's end.
     last: Moment,
-    /// The block of the first one that was met, and where its value would begin and end to be evaluated there.
+    /// Block of the read that the walk met first. In it, `first` and `begin` are the moments between which the value
+    /// would be evaluated there.
     block: u32,
     begin: Moment,
     end: Moment,
-    /// Set if that read is evaluated on a condition, or may have no effect.
+    /// True if the read is conditional, or in an operation that may be skipped.
     conditional: bool,
-    /// Set if only a name may replace that read.
+    /// True if only a name, and no expression, may replace the read.
     named_only: bool,
-    /// The call that borrows it.
+    /// Moment of the call that borrows the temporary.
     borrowed: Option<Moment>,
 }
 
-/// Decides which temporaries go, from the last statement to the first.
+/// Backward walk that decides which temporaries are substituted.
 struct Backwards<'f> {
     module: &'f Module,
     locals: &'f [Local],
     known: Known,
     gone: Vec<bool>,
     reads: Vec<Reads>,
-    /// The next access to each local, from the moment at hand.
+    /// Moment of the next read of each local.
     read: Vec<Moment>,
     written: Vec<Moment>,
-    /// When an index may be beyond the end next, when the function may end otherwise, and when something is written that its
-    /// caller sees.
+    /// Moment of the next index that may be out of range.
     misses: Moment,
+    /// Moment of the next other end of the function.
     ends: Moment,
+    /// Moment of the next write that the caller sees.
     shows: Moment,
     now: Moment,
     block: u32,
     blocks: u32,
-    /// The ends of the loops around, outermost first.
+    /// Moments of the ends of the surrounding loops, outermost first.
     loops: Vec<Moment>,
     conditional: bool,
     named_only: bool,
 }
 
-/// Effects of the evaluation of a value.
+/// Effects of evaluating a value.
 #[derive(Default)]
 struct Effects {
     reads: Vec<LocalId>,
     writes: Vec<LocalId>,
-    /// An index in it may be beyond the end.
+    /// True if an index in it may be out of range.
     misses: bool,
-    /// Another operation in it may end the function.
+    /// True if another operation in it may end the function.
     ends: bool,
 }
 
@@ -253,7 +256,8 @@ impl<'f> Backwards<'f> {
         }
     }
 
-    /// Notes a call: what it borrows mutably is written at the call, what it borrows is read from its own moment on.
+    /// Records a call: a mutable borrow is written at the call, and a shared borrow is read from its own moment until
+    /// the call.
     fn call(&mut self, arguments: &[Argument]) {
         self.may_end();
         let call = self.now;
@@ -277,7 +281,7 @@ impl<'f> Backwards<'f> {
         }
     }
 
-    /// Notes what leads to a place: of each step its indices, then whether they are beyond the end.
+    /// Records the steps to a place: for each step its indices, then the bounds check.
     fn steps(&mut self, place: &Place) {
         let misses = self.misses(place);
         for (step, misses) in place.steps.iter().zip(misses).rev() {
@@ -302,7 +306,7 @@ impl<'f> Backwards<'f> {
         }
     }
 
-    /// Returns, for each step to a place, whether its index may be beyond the end; literals seldom are.
+    /// Returns, for each step to a place, true if its index may be out of range; a literal seldom is.
     fn misses(&self, place: &Place) -> Vec<bool> {
         if is_plain(place) {
             return vec![false; place.steps.len()];
@@ -334,12 +338,12 @@ impl<'f> Backwards<'f> {
         }
     }
 
-    /// Returns whether the caller sees writes to a local.
+    /// Returns true if the caller sees writes to a local.
     fn is_seen(&self, local: LocalId) -> bool {
         self.locals[local.index()].mode != Mode::Value
     }
 
-    /// Notes the read of a temporary, and leaves room there for its value.
+    /// Records the read of a temporary, and reserves moments for the evaluation of its value there.
     fn temporary(&mut self, local: LocalId, borrowed: Option<Moment>) {
         let (end, depth) = (self.now - 1, self.known.depth[local.index()]);
         self.now = end - self.known.room(local);
@@ -353,7 +357,8 @@ impl<'f> Backwards<'f> {
         *reads = Reads { begin, end, block, conditional, named_only, borrowed, ..*reads };
     }
 
-    /// Decides whether a temporary goes, and notes the effects of its value at the new place.
+    /// Decides if a temporary is substituted, and records the effects of its value at the place where it is then
+    /// evaluated.
     fn goes(&mut self, local: LocalId, value: &Expr) -> bool {
         let (at, reads) = (local.index(), self.reads[local.index()]);
         if !self.known.may_go[at] {
@@ -386,7 +391,7 @@ impl<'f> Backwards<'f> {
         }
     }
 
-    /// Returns whether a value may be evaluated at its only reader.
+    /// Returns true if a value may be evaluated at its only reader.
     fn may_wait(&self, effects: &Effects, value: &Expr, reads: &Reads) -> bool {
         let until = match (reads.borrowed, &value.kind) {
             // It is not copied, so the call must not write it either.
@@ -407,7 +412,7 @@ impl<'f> Backwards<'f> {
             && (!seen || self.ends > reads.begin)
     }
 
-    /// Returns whether a temporary only names a place or a literal that stays the same until the last read.
+    /// Returns true if a temporary only names a place or a literal that does not change until the last read.
     fn is_name_for(&mut self, local: LocalId, value: &Expr, reads: &Reads) -> bool {
         let place = match &value.kind {
             ExprKind::Literal(_) | ExprKind::Const(_) => return !self.known.parts[local.index()],
@@ -449,12 +454,12 @@ fn earlier(known: &mut Moment, now: Moment) {
     *known = now.min(*known);
 }
 
-/// Returns whether only fields lead to a place.
+/// Returns true if a place has only fields as steps.
 fn is_plain(place: &Place) -> bool {
     place.steps.iter().all(|step| matches!(step, Step::Field(_)))
 }
 
-/// Returns whether a value of type `ty` surely has the part that a step leads to.
+/// Returns true if a value of type `ty` certainly has the part to which a step leads.
 fn is_there(ty: &Type, step: &Step) -> bool {
     let below = |index: &Expr, len: u32| match (&index.kind, index.ty.as_int()) {
         (ExprKind::Literal(word), Some(int)) => {
@@ -475,7 +480,7 @@ fn is_there(ty: &Type, step: &Step) -> bool {
     }
 }
 
-/// Returns whether an operation may fault by itself.
+/// Returns true if an operation itself may fault.
 fn may_fault(expr: &Expr) -> bool {
     let float = matches!(expr.ty, Type::Scalar(Scalar::Float(_) | Scalar::Bool));
     match &expr.kind {

@@ -1,9 +1,9 @@
-//! From the tree that the DSL hands on to the typed IR, or to what is told at the author's own line.
+//! Lowers the tree from the DSL to the typed IR, or reports errors at the author's lines.
 //!
-//! [`typify`] is the way. [`diagnostic`] is how it tells, with the lines of [`source`]; [`termination`] is its proof that a loop
-//! ends. [`fuse`] decides which operands have to be computed before what comes after them.
+//! [`typify`] is the lowering. [`diagnostic`] formats the errors, with lines from [`source`]. [`termination`] proves
+//! that a loop ends. [`fuse`] substitutes temporaries that evaluation order does not need.
 //!
-//! Must not know: what the passes do with the IR, and C.
+//! Must not know: the passes over the IR, and C.
 
 // The order of a hash table differs from run to run: the C must not depend on it.
 #![warn(clippy::iter_over_hash_type)]

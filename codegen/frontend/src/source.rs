@@ -1,4 +1,5 @@
-//! The author's source files: for diagnostics, and for what no macro can see: `//` comments, and how a default is computed.
+//! Author's source files. Diagnostics quote their lines, and they contain what no macro sees: `//` comments, and the
+//! expressions of a `Default`.
 
 mod defaults;
 
@@ -6,26 +7,26 @@ use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// Source files below a root, each read once.
+/// Source files below a root; each is read once.
 pub struct Sources {
     root: PathBuf,
     files: Mutex<HashMap<String, Arc<File>>>,
 }
 
-/// A file, and what is asked of it for name after name.
+/// A file, and the names that its imports define.
 struct File {
     lines: Vec<String>,
-    /// The names that its `use`s give to something else.
+    /// Names that a `use … as` of the file defines.
     renamed: OnceLock<BTreeSet<String>>,
 }
 
 impl Sources {
-    /// Files named relative to `root`.
+    /// Creates a reader of files that are named relative to `root`.
     pub fn new(root: impl Into<PathBuf>) -> Sources {
         Sources { root: root.into(), files: Mutex::default() }
     }
 
-    /// A file; without lines if it cannot be read.
+    /// Returns a file; without lines if it cannot be read.
     fn file(&self, file: &str) -> Arc<File> {
         let mut files = self.files.lock().unwrap_or_else(PoisonError::into_inner);
         files
@@ -38,24 +39,24 @@ impl Sources {
             .clone()
     }
 
-    /// A line, counted from 1.
+    /// Returns a line, counted from 1.
     pub fn line(&self, file: &str, line: u32) -> Option<String> {
         self.file(file).lines.get((line as usize).checked_sub(1)?).cloned()
     }
 
-    /// A whole file; empty if it cannot be read.
+    /// Returns the text of a file; empty if it cannot be read.
     pub fn text(&self, file: &str) -> String {
         std::fs::read_to_string(self.root.join(file)).unwrap_or_default()
     }
 
-    /// The bytes before a line, counted from 1.
+    /// Returns the number of bytes before a line, counted from 1.
     pub fn offset(&self, file: &str, line: u32) -> usize {
         let text = self.text(file);
         let lines = text.split_inclusive('\n').take((line as usize).saturating_sub(1));
         lines.map(str::len).sum()
     }
 
-    /// The `//` lines right above `line`, without the slashes.
+    /// Returns the `//` lines directly above `line`, without the slashes.
     pub fn comments_above(&self, file: &str, line: u32) -> Vec<String> {
         let file = self.file(file);
         let above = file.lines.get(..(line as usize).saturating_sub(1)).unwrap_or_default();
@@ -81,19 +82,19 @@ impl Sources {
         about
     }
 
-    /// The fields that the `impl Default` of a struct of `file` computes, each with the author's expression.
+    /// Returns the fields that the `impl Default` of a struct in `file` computes, each with the author's expression.
     pub fn computed_defaults(&self, file: &str, name: &str) -> Vec<(String, String)> {
         defaults::computed(&self.file(file).lines.join("\n"), name)
     }
 
-    /// Returns true if a `use` of `file` gives something else the name `name`.
+    /// Returns true if a `use` in `file` renames an item to `name`.
     pub fn renames(&self, file: &str, name: &str) -> bool {
         let file = self.file(file);
         file.renamed.get_or_init(|| renamed(&file.lines)).contains(name)
     }
 }
 
-/// The names that `use`s give to something else: the word behind each `as` between `use` and `;`.
+/// Returns the names that `use … as` defines: the word after each `as` between `use` and `;`.
 fn renamed(lines: &[String]) -> BTreeSet<String> {
     let code = |line: &String| line.split("//").next().unwrap_or_default().to_owned();
     let text = lines.iter().map(code).collect::<Vec<_>>().join(" ");
@@ -108,7 +109,7 @@ fn renamed(lines: &[String]) -> BTreeSet<String> {
     names
 }
 
-/// The text of a line that is an ordinary comment and nothing else.
+/// Returns the text of a line that contains only an ordinary comment.
 fn comment(line: &str) -> Option<&str> {
     let text = line.trim_start().strip_prefix("//")?;
     if text.starts_with(['/', '!']) {
@@ -121,7 +122,7 @@ fn comment(line: &str) -> Option<&str> {
 mod tests {
     use super::Sources;
 
-    /// The head of a module, and nothing below a heading or an example.
+    /// The description of a file ends at a heading or an example.
     #[test]
     fn a_file_says_what_it_is_about() -> std::io::Result<()> {
         let folder = tempfile::tempdir()?;
@@ -139,7 +140,7 @@ mod tests {
         Ok(())
     }
 
-    /// Only a `use` renames; a cast to a type of that name does not.
+    /// A `use` renames; a cast by `as` does not.
     #[test]
     fn a_use_renames() -> std::io::Result<()> {
         let folder = tempfile::tempdir()?;

@@ -1,14 +1,13 @@
-//! Loops that end by themselves: which numbers show how often a `while` runs at most.
+//! Proves that a `while` loop ends, and finds two numbers that bound its passes.
 //!
-//! Its condition compares two integers, `low < high`, of which one goes up or the other down in every
-//! pass, on every path, and neither ever moves the other way. Either may be a part of what is compared: `i` of
-//! `i + 2 < n`. What moves is a place, what does not is
-//! written nowhere in the loop. Then no more passes begin than lie between the two before the first.
-//! A loop that does something before its condition is looked at from one condition to the next; what goes
-//! before the first is one pass more.
+//! The condition compares two integers, `low < high`. In every pass, on every path, `low` increases or `high`
+//! decreases, and neither ever moves the other way. Either may be part of a compared expression, such as `i` of `i +
+//! 2 < n`. The number that moves is a place; the other is not written in the loop. Then the loop has at most as many
+//! passes as there are integers between the two before the first pass. A loop with statements before its condition is
+//! followed from one condition to the next, and has one pass more.
 //!
-//! Invariant: a proof errs on the side of none. Known are sums, differences, halves, remainders, middles
-//! and what was named for one of them in the same pass; integers are checked, so none of them wraps.
+//! Invariant: if in doubt, there is no proof. Known are sums, differences, halves, remainders, midpoints and names
+//! for these in the same pass. Integer overflow is a fault, so no value wraps.
 
 use std::collections::HashMap;
 
@@ -26,30 +25,30 @@ mod tests;
 
 use compared::{bounds, is_unsigned, place, shown_least};
 
-/// Between which two numbers there are as many as there are passes.
+/// Two numbers whose difference bounds the number of passes.
 pub(crate) struct Proof {
     pub low: Expr,
     pub high: Expr,
-    /// Whether another pass may begin where they are the same.
+    /// True if another pass may begin where the two numbers are equal.
     pub inclusive: bool,
 }
 
-/// A loop that is left where `condition` is not `truth`.
+/// A loop that is left if `condition` is not `truth`.
 pub(crate) struct Loop<'a> {
     /// The statements before the condition.
     pub before: &'a [Stmt],
     pub condition: &'a Expr,
     pub truth: bool,
-    /// The statements behind it.
+    /// The statements after the condition.
     pub rest: &'a [Stmt],
-    /// The statements that lead to the loop.
+    /// The statements before the loop, back to the beginning of the function.
     pub lead: &'a [Stmt],
 }
 
-/// Why there is no proof, for the author.
+/// Reason why there is no proof, as a text for the author.
 pub(crate) type Reason = String;
 
-/// Shows that a loop ends.
+/// Proves that a loop ends, and returns the bound of its passes.
 pub(crate) fn proof(
     module: &Module,
     name: impl Fn(&Place) -> String,
@@ -74,8 +73,8 @@ pub(crate) fn proof(
     Err(reason.unwrap_or_else(no_integers))
 }
 
-/// Shows that a loop ends from one condition to the next; how often depends on its first pass, of which nothing
-/// is known.
+/// Proves that a loop ends, by following it from one condition to the next. Its number of passes depends on the first
+/// pass, of which nothing is known.
 pub(crate) fn turned(
     module: &Module,
     name: impl Fn(&Place) -> String,
@@ -97,7 +96,7 @@ pub(crate) fn turned(
     Err(reason.unwrap_or_else(no_integers))
 }
 
-/// Shows that a loop ends that takes an element off a list in every pass, and ends where there is none.
+/// Proves that a loop ends which removes an element of a list in every pass, and stops at an empty list.
 pub(crate) fn popped(
     module: &Module,
     name: impl Fn(&Place) -> String,
@@ -119,12 +118,12 @@ fn no_integers() -> Reason {
     "its condition compares no integers with `<`".into()
 }
 
-/// Reports if a statement continues the loop around it.
+/// Returns true if a statement continues the loop that is being proved.
 fn continues(stmt: &Stmt) -> bool {
     stmt.any_branch(&|kind| matches!(kind, StmtKind::Continue))
 }
 
-/// A lower bound of a number where a loop begins: the last write to it before, if that shows.
+/// Returns a lower bound of a number at the beginning of a loop, from the last write before it.
 fn least_at(module: &Module, number: &Expr, lead: &[Stmt]) -> Option<i128> {
     let ours = place(number)?;
     let touches = |stmt: &&Stmt| reads(number, &writes([*stmt]));
@@ -138,35 +137,35 @@ fn least_at(module: &Module, number: &Expr, lead: &[Stmt]) -> Option<i128> {
     shown_least(module, value)
 }
 
-/// Order of a value and the one that it is compared with: at least that far on, or further.
+/// A bound of a value relative to a number: at least equal to it, or beyond it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Far {
     AsFar,
     Further,
 }
 
-/// The knowledge on a path through the body.
+/// Facts that hold on a path through the body.
 #[derive(Clone, Default)]
 struct Path {
-    /// Whether low has gone up, or high down.
+    /// True if `low` has increased or `high` has decreased.
     moved: bool,
-    /// Whether low, or high, was written.
+    /// True for `low` or `high` if it was written.
     written: [bool; 2],
-    /// Whether high was found to be more than 0.
+    /// True if a condition on the path implies that `high` is more than 0.
     above: bool,
-    /// Locals, and how they stand to low (upward) and to high (downward) as these are now.
+    /// Bound of each local relative to the present `low` (upwards) and `high` (downwards).
     locals: HashMap<LocalId, [Option<Far>; 2]>,
 }
 
 impl Path {
-    /// Forgets the locals that are written.
+    /// Removes the facts about locals that are written.
     fn forget(&mut self, writes: &[Place]) {
         writes.iter().for_each(|written| {
             self.locals.remove(&written.root);
         });
     }
 
-    /// The knowledge where two paths meet.
+    /// Returns the facts that hold on both of two paths that meet.
     fn join(self, other: Option<Path>) -> Path {
         let Some(other) = other else { return self };
         let locals = self.locals.into_iter().filter_map(|(local, sides)| {
@@ -183,20 +182,20 @@ impl Path {
     }
 }
 
-/// A comparison that is looked at.
+/// The comparison that a proof follows.
 struct Looked<'a> {
     module: &'a Module,
     low: &'a Expr,
     high: &'a Expr,
     inclusive: bool,
-    /// A lower bound of `low` at first, and so ever.
+    /// Lower bound of `low`, before the loop and in each pass.
     least: Option<i128>,
     name: &'a dyn Fn(&Place) -> String,
-    /// Those of the two that the loop changes.
+    /// The compared numbers that the loop changes.
     moving: Vec<Side>,
 }
 
-/// Which of the two numbers: 0 is low, which goes up; 1 is high, which goes down.
+/// Index of a compared number: 0 is `low`, which increases; 1 is `high`, which decreases.
 type Side = usize;
 
 const WAYS: [&str; 2] = ["go up", "go down"];
@@ -233,7 +232,8 @@ impl Looked<'_> {
         Ok(())
     }
 
-    /// What is known of the names that statements give before the condition, which do not write the two.
+    /// Adds the facts about names that statements declare before the condition. These statements write neither
+    /// number.
     fn named(&self, before: &[Stmt], mut path: Path) -> Path {
         for (at, stmt) in before.iter().enumerate() {
             if let StmtKind::Let { local, value: Some(value) } = &stmt.kind
@@ -250,7 +250,7 @@ impl Looked<'_> {
         [self.low, self.high][side]
     }
 
-    /// The place that moves, if that side can.
+    /// Returns the place of a side, if it is one; a constant never moves.
     fn place(&self, side: Side) -> Option<&Place> {
         place(self.side(side))
     }
@@ -263,7 +263,8 @@ impl Looked<'_> {
         format!("{} in every pass{more}", sides.collect::<Vec<_>>().join(", nor "))
     }
 
-    /// Follows a block; nothing where no path comes to its end. `inner`: in a loop of the body's own.
+    /// Follows a block and returns the facts at its end; none if no path reaches it. `inner`: inside a loop of the
+    /// body.
     fn block(&self, stmts: &[Stmt], path: Path, inner: bool) -> Result<Option<Path>, Reason> {
         let mut path = Some(path);
         for stmt in stmts {
@@ -330,14 +331,14 @@ impl Looked<'_> {
         Ok(Some(path))
     }
 
-    /// Whether high is more than 0: it is more than low at first.
+    /// Returns true if `high` is known to be more than 0, since it is more than `low` in the first pass.
     fn is_above(&self, path: &Path) -> bool {
         let first = !self.inclusive || self.least(self.low) >= Some(1);
         let from_zero = is_unsigned(self.high) || self.least(self.low) >= Some(0);
         path.above || (first && from_zero && !path.written[1])
     }
 
-    /// Whether a condition says that.
+    /// Returns true if a condition implies that `high` is more than 0.
     fn says_above(&self, condition: &Expr) -> bool {
         matches!(&condition.kind, ExprKind::Compare(CompareOp::Gt, a, b)
             if self.is(1, a) && is_unsigned(a) && matches!(b.kind, ExprKind::Literal(0)))
@@ -372,7 +373,7 @@ impl Looked<'_> {
         Ok(())
     }
 
-    /// The places that a call may write.
+    /// Forgets the places that a call may write; an error if it may write one of the two numbers.
     fn lent(&self, expr: &Expr, path: &mut Path) -> Result<(), Reason> {
         let lent = lent(expr);
         path.forget(&lent);
@@ -387,7 +388,7 @@ impl Looked<'_> {
         }
     }
 
-    /// Order of a value and low (upward) or high (downward), as these are now.
+    /// Returns the bound of a value relative to the present `low` (upwards) or `high` (downwards).
     fn against(&self, side: Side, value: &Expr, path: &Path) -> Option<Far> {
         if self.is(side, value) {
             return Some(Far::AsFar);
@@ -475,8 +476,8 @@ impl Looked<'_> {
         }
     }
 
-    /// `(low + high) / 2`, `low + (high - low) / 2`: no less than low, and less than high unless they are
-    /// the same.
+    /// Recognises midpoints, `(low + high) / 2` and `low + (high - low) / 2`. They are at least `low`, and less than
+    /// `high` unless the two are equal.
     fn middle(&self, side: Side, value: &Expr, path: &Path) -> Option<Far> {
         let half = |expr: &Expr| -> Option<Expr> {
             match &expr.kind {
@@ -513,7 +514,7 @@ impl Looked<'_> {
         Some(if side == 1 && !self.inclusive { Far::Further } else { Far::AsFar })
     }
 
-    /// Whether an expression is one of the two numbers.
+    /// Returns true if an expression is the number of this side.
     fn is(&self, side: Side, expr: &Expr) -> bool {
         match (&self.side(side).kind, &expr.kind) {
             (ExprKind::Load(a), ExprKind::Load(b)) => same_place(a, b),
@@ -523,13 +524,13 @@ impl Looked<'_> {
         }
     }
 
-    /// The least value of an integer, if it shows.
+    /// Returns a lower bound of an integer, if its expression implies one.
     fn least(&self, expr: &Expr) -> Option<i128> {
         shown_least(self.module, expr)
     }
 }
 
-/// What is written to `ours` where `value` is written to `to`, if that shows.
+/// Returns the part of `value` that an assignment to `to` writes to `ours`, if it can be seen.
 fn part<'v>(ours: &Place, to: &Place, value: &'v Expr) -> Option<&'v Expr> {
     let (outer, inner) = ours.steps.split_at_checked(to.steps.len())?;
     if !same_place(&Place { steps: outer.to_vec(), ..ours.clone() }, to) {

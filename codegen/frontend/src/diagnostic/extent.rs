@@ -1,5 +1,5 @@
-//! Extent of the text at a position: the tree has the beginnings of the author's nodes, and a diagnostic marks the
-//! whole.
+//! Computes the extent of a syntax node in the source text. The tree records only where a node begins; a diagnostic
+//! underlines the whole node.
 
 /// Returns the length, in bytes and within its line, of the node at the beginning of `text`. It is a keyword with its
 /// syntax, or an operand with the calls and fields after it, and the operand after an operator.
@@ -18,7 +18,7 @@ pub fn length(text: &str) -> usize {
     if end == 0 { text.chars().next().map_or(0, char::len_utf8) } else { end }
 }
 
-/// The end of the operand behind an operator at `end`, or `end`.
+/// Returns the end of the operand after a binary operator at `end`, or `end` if there is no operator.
 fn behind_operator(text: &str, end: usize) -> usize {
     const OPERATORS: [&str; 10] = ["<<=", ">>=", "<<", ">>", "==", "+", "-", "*", "/", "%"];
     let rest = &text[end..];
@@ -34,7 +34,8 @@ fn behind_operator(text: &str, end: usize) -> usize {
     at + operand(&text[at..])
 }
 
-/// The end of an operand: signs and references, a name, a number or what stands in brackets, with all that hangs on it.
+/// Returns the end of an operand: signs and references, then a name, a number or a bracketed expression, then its
+/// calls and fields.
 fn operand(text: &str) -> usize {
     let mut at = 0;
     loop {
@@ -62,12 +63,13 @@ fn operand(text: &str) -> usize {
     }
 }
 
-/// The bytes of the word that `text` begins with.
+/// Returns the length in bytes of the word at the beginning of `text`.
 fn word(text: &str) -> usize {
     text.find(|it: char| !(it.is_alphanumeric() || it == '_')).unwrap_or(text.len())
 }
 
-/// The bytes up to the bracket that closes the one that `text` begins with, or all that there are.
+/// Returns the length in bytes up to the bracket that closes the first one, or of the whole text if no bracket closes
+/// it.
 fn bracket(text: &str) -> usize {
     let mut depth = 0_usize;
     for (at, it) in text.char_indices() {

@@ -1,7 +1,7 @@
-//! A message of the compiler to the author: a place in the source, a text, and a remedy.
+//! Messages of the compiler to the author: a place in the source, a text and a remedy.
 //!
-//! Every stage that refuses something gives these, and what rustc says of a model becomes one, too; only [`render`]
-//! knows how they look, and [`json`] what tools read. Both are rustc's own forms.
+//! Every stage that refuses a program returns these, and rustc's own errors about a model become them, too. Only
+//! [`render`] knows how a terminal shows them, and only [`json`] what tools read. Both have rustc's own format.
 
 mod extent;
 
@@ -13,21 +13,21 @@ use serde_json::{Value, json};
 
 use crate::source::Sources;
 
-/// The remedy where the tool contradicts itself.
+/// Remedy for an internal contradiction of the compiler.
 pub const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
 
 /// Severity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Level {
-    /// No C is made.
+    /// An error: no C is emitted.
     #[default]
     Error,
-    /// The C is made, and may not be what its author expects.
+    /// A warning: the C is emitted, but may not be what its author expects.
     Warning,
 }
 
 impl Level {
-    /// rustc's word for it.
+    /// Returns rustc's word for the severity.
     pub fn word(self) -> &'static str {
         match self {
             Level::Error => "error",
@@ -36,79 +36,79 @@ impl Level {
     }
 }
 
-/// One thing that is wrong, and where.
+/// One error or warning, with its place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Diagnostic {
     /// Severity.
     pub level: Level,
     /// The source file, relative to the workspace.
     pub file: String,
-    /// Line, from 1; 0: nowhere in particular.
+    /// Line, from 1; 0 if the diagnostic has no place.
     pub line: u32,
     /// Column in characters, from 1.
     pub column: u32,
-    /// Line and column behind it; none: the token that stands there.
+    /// Line and column after the last character; none: the token at the beginning is marked.
     pub end: Option<(u32, u32)>,
-    /// rustc's number of the error, where it is one of rustc's.
+    /// Error code of rustc, such as `E0308`; empty for Bessemer's own errors.
     pub code: String,
     /// The mistake.
     pub message: String,
-    /// The label below the place that is marked.
+    /// Text of the label below the marked place.
     pub label: String,
     /// The remedy.
     pub help: String,
     /// A note.
     pub notes: Vec<String>,
-    /// Other places of the same file that have to do with it.
+    /// Further places of the same file that the diagnostic marks.
     pub also: Vec<Place>,
-    /// rustc's own message, where nothing of it is reworded.
+    /// The original message of rustc, if it is shown unchanged.
     pub rustc: Option<Box<Value>>,
 }
 
-/// A place beside the one that a diagnostic is about.
+/// A further place that a diagnostic marks.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Place {
     /// Line and column, from 1.
     pub start: (u32, u32),
-    /// Those behind it, in the same line.
+    /// Line and column after the last character, in the same line.
     pub end: (u32, u32),
-    /// The label below it.
+    /// Text of the label below the place.
     pub label: String,
 }
 
-/// The diagnostics for an author, in order, and their look.
+/// All diagnostics of one run in order, rendered for a terminal and as JSON.
 #[derive(Clone, Default)]
 pub struct Told {
-    /// One by one.
+    /// The diagnostics.
     pub diagnostics: Vec<Diagnostic>,
-    /// As a terminal shows them.
+    /// Text for a terminal.
     text: String,
-    /// As tools read them, one a line.
+    /// JSON for tools, one diagnostic per line.
     lines: String,
 }
 
 impl Told {
-    /// These, with the lines of `sources` under each.
+    /// Renders diagnostics with the source lines of `sources`.
     pub fn new(diagnostics: Vec<Diagnostic>, sources: &Sources, colour: bool) -> Told {
         let text = render(&diagnostics, sources, colour);
         let lines = diagnostics.iter().map(|it| format!("{}\n", json(it, sources))).collect();
         Told { diagnostics, text, lines }
     }
 
-    /// A message without a place: from cargo or from a program.
+    /// Returns a message without a place, such as one from cargo.
     pub fn plain(text: String) -> Told {
         let said = Diagnostic { message: text.clone(), ..Diagnostic::default() };
         let lines = format!("{}\n", json(&said, &Sources::new("")));
         Told { diagnostics: Vec::new(), text, lines }
     }
 
-    /// As `rustc --error-format=json` has them, one a line: what editors read.
+    /// Returns one JSON object per line, in the format of `rustc --error-format=json`, which editors read.
     pub fn json_lines(&self) -> &str {
         &self.lines
     }
 }
 
-/// As a terminal shows it: what `main` prints of an error that it gives.
+/// Prints the terminal text, since `main` prints an error that it returns by `Debug`.
 impl fmt::Debug for Told {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         Display::fmt(self, f)
@@ -121,7 +121,7 @@ impl Display for Told {
     }
 }
 
-/// The diagnostics as rustc would print them, the source line under each.
+/// Renders diagnostics as rustc prints them, each with its source line.
 pub fn render(diagnostics: &[Diagnostic], sources: &Sources, colour: bool) -> String {
     let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
     let mut text = String::new();
@@ -173,7 +173,7 @@ fn render_one(diagnostic: &Diagnostic, sources: &Sources, renderer: &Renderer) -
     renderer.render(&[group])
 }
 
-/// The diagnostic as rustc writes one in JSON; `rendered` is how a terminal shows it.
+/// Returns the diagnostic in rustc's JSON format; its field `rendered` has the terminal text.
 pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> Value {
     if let Some(said) = &diagnostic.rustc {
         let mut said = (**said).clone();
@@ -204,11 +204,11 @@ pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> Value {
     })
 }
 
-/// The range that a diagnostic marks, in bytes of its file.
+/// Byte range that a diagnostic marks in its file.
 struct Extent {
     start: usize,
     end: usize,
-    /// Line and column behind the mark.
+    /// Line and column after the mark.
     behind: (u32, u32),
 }
 
@@ -268,7 +268,7 @@ fn byte(line: &str, column: u32) -> usize {
     starts.nth(column.saturating_sub(1) as usize).map_or(line.len(), |(index, _)| index)
 }
 
-/// Text without the sequences that colour it, ESC [ … m.
+/// Returns a text without colour sequences (`ESC [ … m`).
 fn uncoloured(coloured: &str) -> String {
     let mut text = String::new();
     let mut rest = coloured;

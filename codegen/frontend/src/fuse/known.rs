@@ -7,12 +7,13 @@ use bessemer_ir::{Expr, LocalId, Place, Stmt, StmtKind};
 
 /// Counts uses, parts, widths and loops of temporaries.
 pub(super) struct Known {
-    /// Which locals may go: made by the compiler, declared with a value, and only read.
+    /// Marks the locals that `fuse` may substitute: temporaries of the compiler, declared with a value, and only
+    /// read.
     pub may_go: Vec<bool>,
     pub uses: Vec<u32>,
-    /// Locals of which parts are read.
+    /// Marks the locals of which single parts are read.
     pub parts: Vec<bool>,
-    /// No fewer than the steps in which the value is evaluated, with the values of the temporaries that it alone reads.
+    /// Upper bound of the evaluation steps of each value, including the values of temporaries that only it reads.
     width: Vec<u64>,
     /// Number of loops around the declaration.
     pub depth: Vec<usize>,
@@ -34,7 +35,8 @@ impl Known {
         }
     }
 
-    /// The width that a use of a temporary takes.
+    /// Returns the number of evaluation steps that a use of a temporary adds: its width if this is the only use, else
+    /// 0.
     pub fn room(&self, local: LocalId) -> u64 {
         if self.uses[local.index()] == 1 { self.width[local.index()] } else { 0 }
     }

@@ -1,18 +1,19 @@
-//! The values of temporaries in the places where these were read.
+//! Substitutes values of temporaries for their reads.
 //!
-//! Must not know: why a temporary goes.
+//! Must not know: why a temporary is substituted.
 
 use bessemer_ir::visit::{
     Access, VisitMut, walk_block_mut, walk_expr_mut, walk_place_mut, walk_stmt_mut,
 };
 use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Place, Stmt, StmtKind};
 
-/// Puts the values of the locals that are gone where these are read; with `blanks`, an idle statement replaces each declaration.
+/// Substitutes the values of the locals in `gone` where they are read. With `blanks`, an empty statement replaces
+/// each declaration, so that indices of statements stay.
 pub(super) fn put(body: &mut Block, gone: &[bool], blanks: bool) {
     Put { gone, values: vec![None; gone.len()], blanks }.block(body);
 }
 
-/// Removes the locals that are gone from the table.
+/// Removes the substituted locals from the table and renumbers the others.
 pub(super) fn close_ranks(function: &mut Function, gone: &[bool]) {
     let mut next = 0;
     let to = gone.iter().map(|gone| {
@@ -25,7 +26,7 @@ pub(super) fn close_ranks(function: &mut Function, gone: &[bool]) {
     function.locals.retain(|_| stays.next().unwrap_or(true));
 }
 
-/// Puts the values of the temporaries that are gone where they are read.
+/// Substitutes values of temporaries for their reads, statement by statement.
 struct Put<'g> {
     gone: &'g [bool],
     values: Vec<Option<Expr>>,
@@ -79,7 +80,7 @@ impl VisitMut for Put<'_> {
     }
 }
 
-/// Gives locals their new handles.
+/// Replaces each local's handle by its new one.
 struct Renumber(Vec<LocalId>);
 
 impl VisitMut for Renumber {

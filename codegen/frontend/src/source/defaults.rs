@@ -1,13 +1,13 @@
-//! The author's expressions for the fields of a written `Default`, for comments of the C. The `impl` needs no mark, so
-//! that no macro sees it, and rustc provides the numbers only.
+//! Finds the author's expressions for the fields of a hand-written `Default`, for comments in the C. The `impl` has
+//! no attribute, so no macro sees it, and rustc provides only the resulting numbers.
 //!
-//! Read is one form: `impl Default for Name`, of which `default` gives a literal of the struct and does nothing else. What is
-//! of any other says nothing. Must not know: what the expressions mean.
+//! Only one form is read: `impl Default for Name` whose `default` is one struct literal. Any other form yields no
+//! expressions. Must not know: what the expressions mean.
 
-/// The longest expression that a comment quotes, in characters.
+/// Longest expression that a comment quotes, in characters.
 const LONGEST: usize = 72;
 
-/// The fields of the default of `name` in a file's text that are computed, each with its expression.
+/// Returns the computed fields of the default of `name`, each with its expression.
 pub(super) fn computed(text: &str, name: &str) -> Vec<(String, String)> {
     let text = without_comments(text);
     literal(&text, name).map(fields).unwrap_or_default()
@@ -44,7 +44,7 @@ fn braced(text: &str) -> Option<(&str, &str)> {
     None
 }
 
-/// The fields of a literal whose values are more than numbers and what they are put into.
+/// Returns the fields of a struct literal whose values contain a computation, each with its expression.
 fn fields(literal: &str) -> Vec<(String, String)> {
     let mut parts = vec![String::new()];
     let mut depth = 0;
@@ -101,7 +101,7 @@ fn constant(value: &str) -> bool {
     })
 }
 
-/// A text with spaces for its comments.
+/// Returns a text in one line without its `//` comments.
 fn without_comments(text: &str) -> String {
     let line = |line: &str| line.split("//").next().unwrap_or_default().to_owned();
     text.lines().map(line).collect::<Vec<_>>().join(" ")
@@ -141,7 +141,7 @@ mod tests {
         assert_eq!(told, wanted);
     }
 
-    /// One that does more, or that is none, says nothing.
+    /// Any other form of `default`, or none, yields no expressions.
     #[test]
     fn other_forms_say_nothing() {
         for text in [

@@ -1,6 +1,6 @@
-//! Comparisons in a condition: pairs of numbers of which one is below the other while it is true, and known values.
+//! Finds comparisons in a condition: pairs of numbers of which one is less than the other while it is true.
 //!
-//! It looks at one condition alone; how the two move is for [`termination`](super) to follow.
+//! Looks at one condition only; [`termination`](super) follows how the numbers move.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Module, Place, Step, Stmt, StmtKind,
@@ -43,7 +43,7 @@ pub(super) fn meant<'e>(before: &'e [Stmt], expr: &'e Expr) -> &'e Expr {
     if stays { value } else { expr }
 }
 
-/// The parts of a number that are at most it: `i` of `i + 2`, of `3 * i` and of `i * i`.
+/// Returns the parts of a number that cannot exceed it: `i` of `i + 2`, of `3 * i` and of `i * i`.
 fn no_more<'e>(module: &Module, expr: &'e Expr) -> Vec<&'e Expr> {
     let ExprKind::Binary(op, a, b) = &expr.kind else { return Vec::new() };
     let least = |part: &Expr| shown_least(module, part).unwrap_or(-1);
@@ -60,13 +60,13 @@ fn no_more<'e>(module: &Module, expr: &'e Expr) -> Vec<&'e Expr> {
         .collect()
 }
 
-/// The part of a number that is at least it: `n` of `n - 2`.
+/// Returns the part of a number that cannot be less than it: `n` of `n - 2`.
 fn no_less<'e>(module: &Module, expr: &'e Expr) -> Option<&'e Expr> {
     let ExprKind::Binary(BinaryOp::Sub, whole, less) = &expr.kind else { return None };
     shown_least(module, less).is_some_and(|least| least >= 0).then_some(whole)
 }
 
-/// The comparisons `low < high` that have to hold for a condition to be `truth`.
+/// Returns the comparisons `low < high` that must hold for a condition to be `truth`.
 fn comparisons(condition: &Expr, truth: bool) -> Vec<(&Expr, &Expr, bool)> {
     match &condition.kind {
         ExprKind::Unary(UnaryOp::Not, inner) => comparisons(inner, !truth),
@@ -117,7 +117,7 @@ pub(super) fn is_unsigned(expr: &Expr) -> bool {
     expr.ty.as_int().is_some_and(|int| !int.signed())
 }
 
-/// A place of fields alone.
+/// Returns the place that an expression loads, if only fields lead to it.
 pub(super) fn place(expr: &Expr) -> Option<&Place> {
     match &expr.kind {
         ExprKind::Load(place) => {

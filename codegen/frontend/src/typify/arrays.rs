@@ -1,5 +1,5 @@
-//! Conversions to and from arrays: slices as arrays, `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`;
-//! matrices from arrays of their elements, `Vector3::from([x, y, z])`, by columns as nalgebra has it, and arrays from matrices.
+//! Conversions to and from arrays: of slices, `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`; and of matrices,
+//! `Vector3::from([x, y, z])`. The elements of a matrix are in nalgebra's order, by columns.
 
 use bessemer_ir::tree::{self, Builtin, SliceMethod};
 use bessemer_ir::{Expr, ExprKind, Fault, Place, Span, Step, StmtKind, StructId, Type};
@@ -11,7 +11,8 @@ use super::words;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
-    /// `Ok` or `Some` of the elements, if there are as many (`whole`), or no fewer.
+    /// Lowers a slice to `Ok` or `Some` of an array. With `whole` it needs exactly as many elements as the array,
+    /// else at least as many.
     pub(super) fn as_array(
         &mut self,
         whole: bool,
@@ -26,7 +27,7 @@ impl Lowering<'_, '_> {
         Ok(self.either("part", none, (there, some), span))
     }
 
-    /// The same behind `unwrap`: a check, and the elements; none if `expr` is something else.
+    /// Lowers such a conversion with its `unwrap`: a check, then the elements. Returns none for any other expression.
     pub(super) fn unwrapped_array(&mut self, expr: &tree::Expr) -> Result<Option<Expr>> {
         let Some((Builtin::Slice(method), arguments)) = self.builtin_call(expr) else {
             return Ok(None);
@@ -46,7 +47,7 @@ impl Lowering<'_, '_> {
         Ok(Some(slice.as_array(ty, span)))
     }
 
-    /// The `Option` or `Result` of a call, the array in it, and how many elements that has.
+    /// Returns the `Option` or `Result` type of a call, its array type, and the length of the array.
     fn array_in(&mut self, expr: &tree::Expr) -> Result<(StructId, Type, u32)> {
         let ty = match self.slot_of(expr)? {
             Type::Struct(id) => {
@@ -66,7 +67,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A matrix from an array, or an array from a matrix.
+    /// Lowers a matrix made from an array, or an array made from a matrix.
     pub(super) fn exchanged_with_array(
         &mut self,
         from: &tree::Expr,
@@ -108,10 +109,10 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// How many elements are written out at most.
+/// Largest number of elements that is written out without a loop.
 const MOST: u32 = 32;
 
-/// The elements of an array that is written out, or of one of such arrays.
+/// Returns the elements of an array literal, also of nested literals, in order.
 fn leaves(array: &tree::Expr) -> Option<Vec<tree::Expr>> {
     let tree::ExprKind::Array(items) = &array.kind else { return None };
     let nested: Vec<_> = items.iter().map(leaves).collect();
@@ -121,7 +122,7 @@ fn leaves(array: &tree::Expr) -> Option<Vec<tree::Expr>> {
     }
 }
 
-/// The length of an array, and of the arrays in it.
+/// Returns the length of an array, and of its inner arrays if it has any.
 fn dimensions(ty: &Type) -> Option<(u32, Option<u32>)> {
     match ty {
         Type::Array { element, len } => match &**element {
@@ -132,7 +133,7 @@ fn dimensions(ty: &Type) -> Option<(u32, Option<u32>)> {
     }
 }
 
-/// The part of an array or a matrix at a column and a row, or at an index.
+/// Returns the element of an array or a matrix at a column and a row, or at one index.
 fn cell(whole: &Place, at: &[Expr], span: Span) -> Place {
     match (&whole.ty, at) {
         (Type::Matrix { element, .. }, [first, rest @ ..]) => {
@@ -149,7 +150,7 @@ fn cell(whole: &Place, at: &[Expr], span: Span) -> Place {
     }
 }
 
-/// The value of few elements.
+/// Returns an aggregate of at most [`MOST`] elements, each read by its own expression.
 fn written_out(
     source: &Place,
     ty: &Type,

@@ -1,7 +1,7 @@
-//! Lowering of an `Ordering` that is queried at once: `a.cmp(&b).is_lt()` becomes `a < b`, and a comparing closure is
+//! Lowering of an `Ordering` that is tested at once: `a.cmp(&b).is_lt()` becomes `a < b`, and a comparing closure is
 //! inlined at its call.
 //!
-//! Must not know: what becomes of the answer.
+//! Must not know: how the result is used.
 
 use bessemer_ir::tree::{
     self, BinaryOp as Op, Builtin, Callee, ExprKind as Tree, OptionMethod, Site, Ty,
@@ -11,7 +11,7 @@ use bessemer_ir::{Expr, Scalar, Type};
 use super::Result;
 use super::lowering::Lowering;
 
-/// The functions of the library that ask, and what they ask of the two that were compared.
+/// Library functions that test an `Ordering`, and the comparison of the two values that each means.
 const ASKED: [(&str, Op); 6] = [
     ("bessemer::comparison::is_less", Op::Lt),
     ("bessemer::comparison::is_at_most", Op::Le),
@@ -28,13 +28,13 @@ const PARTIAL: &str = "bessemer::comparison::partial";
 const TOTAL: &str = "bessemer::comparison::total";
 const BELOW: &str = "bessemer::sort::below";
 
-/// A path without what its function is generic over.
+/// Returns a path without its generic arguments.
 fn bare(path: &str) -> &str {
     path.split('<').next().unwrap_or(path)
 }
 
 impl Lowering<'_, '_> {
-    /// The answer, where it is one about two values; none if a call asks something else.
+    /// Returns the result of a test of an `Ordering` as a comparison of two values; none for another call.
     pub(super) fn order_asked(
         &mut self,
         path: &str,
@@ -108,8 +108,7 @@ impl Lowering<'_, '_> {
         self.value(&answer, Some(&Type::BOOL)).map(Some)
     }
 
-    /// Returns true if an expression can be computed before another that stands before it: it does nothing, and has no
-    /// fault.
+    /// Returns true if an expression may be evaluated before an earlier one, since it has no effect and cannot fault.
     fn is_calm(&self, expr: &tree::Expr) -> bool {
         let is_float = || {
             let ty = self.seen_as(expr);

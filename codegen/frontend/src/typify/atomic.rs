@@ -1,5 +1,5 @@
-//! `#[entry(atomic)]`: what the entry point writes through references is written in copies, and goes back
-//! where it returns. So a fault leaves everything as it was.
+//! `#[entry(atomic)]`: an entry point writes to copies of its mutable arguments, and copies them back where it
+//! returns. A fault so leaves the arguments unchanged.
 
 use bessemer_ir::visit::{self, Access, VisitMut};
 use bessemer_ir::{Block, Expr, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
@@ -9,7 +9,7 @@ use super::order::is_free;
 use super::words;
 
 impl Lowering<'_, '_> {
-    /// Makes the body that was lowered write to copies.
+    /// Redirects the writes of a lowered body to copies.
     pub(super) fn roll_back(&mut self, params: usize, span: Span) {
         let mut copies = Vec::new();
         for index in 0..params {
@@ -42,7 +42,8 @@ fn commit(copies: &[(Place, Place)], span: Span) -> impl Iterator<Item = Stmt> {
     })
 }
 
-/// Writes go to the copies in place of the references; these are put back before each `return`, behind what its value does.
+/// Replaces each write through a reference by a write to its copy, and inserts the copying back before each `return`,
+/// after the returned value is computed.
 struct RolledBack<'l, 'a, 'c> {
     lowering: &'l mut Lowering<'a, 'c>,
     copies: &'l [(Place, Place)],

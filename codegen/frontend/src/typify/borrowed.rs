@@ -1,10 +1,10 @@
 //! Types that borrow: slices in structs, variants, tuples and results, and `&mut T` in an `Option` or a `Result`.
 //!
-//! C has no lifetimes, so no pointer is ever part of a value. A slice in a value is data: where its elements begin and how
-//! many there are, a struct of two numbers. A `&mut T` is a slice of one element, a struct of one number. The array that they
-//! are elements of, its *lender*, is known when the C is written, for each slice in each local: it follows the value wherever
-//! that goes. A function that takes such a value takes the lender of each slice in it beside it, as a slice; one that gives such
-//! a value gives slices of what it was lent.
+//! C has no lifetimes, so no value contains a pointer. A slice in a value is a struct of two numbers: the index of
+//! its first element and its length. A `&mut T` is a slice of one element, a struct of one number. The array of these
+//! elements, the slice's *lender*, is known when the C is written, for each slice in each local; the analysis follows
+//! the value through assignments. A function that takes such a value also takes the lender of each of its slices, as
+//! a slice parameter. The slices of a returned value refer to arrays that the function received.
 //!
 //! Must not know: how the lenders of a function's values are found ([`lenders`](super::lenders)).
 
@@ -13,13 +13,13 @@ use bessemer_ir::{Expr, Field, LocalId, Place, Span, Step, StructId, Type};
 
 use super::{Context, Problem, Result, refusals, refused};
 
-/// The fields that lead to a slice in a value; an element of an array is as any other.
+/// Fields that lead to a slice in a value. The elements of an array have no step, since they share one lender.
 pub(super) type Path = Vec<u32>;
 
 /// Location of a slice: a local or, without one, the result; and the fields that lead to it.
 pub(super) type Spot = (Option<LocalId>, Path);
 
-/// Two slices in a struct that have one lender, since a function makes one a part of the other.
+/// Two slices in a struct that have the same lender, since a function makes one a part of the other.
 pub(super) type Joined = (StructId, [Path; 2]);
 
 /// A slice in a value.
@@ -29,22 +29,22 @@ pub(super) struct Borrowed {
     pub element: Type,
     /// True if its elements may be written through it.
     pub mutable: bool,
-    /// True if it is one element, `&mut T`.
+    /// True for one element, `&mut T`.
     pub one: bool,
 }
 
-/// The slices in the locals of a function, and the arrays whose elements they are.
+/// The slices in the locals of a function, with the arrays that they refer to.
 #[derive(Default)]
 pub(super) struct Lenders {
     /// The lender of each slice.
     pub known: Vec<(Spot, Place)>,
-    /// The lenders of values with slices that no local holds yet.
+    /// The lenders of values that no local holds yet.
     pub made: Vec<(Expr, Place)>,
-    /// The parameters that lend: of which other one, and of which slices in it.
+    /// Parameters that are lenders: the lender, the parameter that has the slice, and the path to the slice in it.
     pub lending: Vec<(LocalId, LocalId, Path)>,
-    /// The locals that stand for lenders which are not known yet.
+    /// Locals that represent lenders that are not known yet.
     pub awaited: Vec<Awaited>,
-    /// Slices that were copied before their lender was known: to where, from where.
+    /// Slices that were copied before their lender was known: destination and source.
     pub copied: Vec<(Spot, Copied)>,
     /// Number of locals that are parameters.
     pub params: usize,
@@ -53,17 +53,17 @@ pub(super) struct Lenders {
 }
 
 impl Lenders {
-    /// The lender of the slice at a spot.
+    /// Returns the lender of the slice at a spot.
     pub fn of(&self, spot: &Spot) -> Option<Place> {
         self.known.iter().find(|it| it.0 == *spot).map(|it| it.1.clone())
     }
 
-    /// Returns the numbers of open queries, and true if a slice was refused.
+    /// Returns the numbers of unresolved lenders and copies, and true if a slice was refused.
     pub fn open(&self) -> (usize, usize, bool) {
         (self.awaited.len(), self.copied.len(), self.problem.is_some())
     }
 
-    /// Forgets what came to be asked since, or was refused, of what is dropped.
+    /// Restores the counts of unresolved lenders and copies, and the refusal, after a lowering is discarded.
     pub fn forget(&mut self, (awaited, copied, refused): (usize, usize, bool)) {
         self.awaited.truncate(awaited);
         self.copied.truncate(copied);
@@ -73,13 +73,13 @@ impl Lenders {
     }
 }
 
-/// The slice that another one is a copy of, and where it was copied.
+/// Source of a copied slice, and the span of the copy.
 pub(super) type Copied = (Spot, Span);
 
-/// A local that stands for an array until something shows which one it is.
+/// A local that represents a lender until it is known.
 pub(super) struct Awaited {
     pub stands: LocalId,
-    /// The slice, and where it is.
+    /// The slice whose lender is unknown.
     pub slice: Borrowed,
     pub of: Spot,
     pub site: Site,
@@ -94,12 +94,12 @@ pub(super) fn spot_of(place: &Place) -> Spot {
     (Some(place.root), place.steps.iter().filter_map(field).collect())
 }
 
-/// Paths from a field to its slices, as paths from its struct.
+/// Extends paths within a field to paths within its struct.
 pub(super) fn in_field<T>(at: u32, found: Vec<(Path, T)>) -> impl Iterator<Item = (Path, T)> {
     found.into_iter().map(move |(path, known)| ([vec![at], path].concat(), known))
 }
 
-/// The struct that a type is, or an array of.
+/// Returns the struct of a type that is one, or an array of one.
 fn struct_in(ty: &Type) -> Option<StructId> {
     match ty {
         Type::Array { element, .. } => struct_in(element),
@@ -108,19 +108,19 @@ fn struct_in(ty: &Type) -> Option<StructId> {
     }
 }
 
-/// Returns true if a type is a `&mut T` of one value.
+/// Returns true for a `&mut T` to one value, not to a slice.
 pub(super) fn is_element(ty: &Ty) -> bool {
     matches!(ty, Ty::Ref(of, true) if !matches!(**of, Ty::Slice(_)))
 }
 
 impl Context<'_> {
-    /// The struct of `&[T]`, or `&mut [T]`, in a value.
+    /// Returns the struct that represents `&[T]` or `&mut [T]` in a value.
     pub(super) fn borrowed(&mut self, element: &Ty, mutable: bool, site: Site) -> Result<Type> {
         let ty = Ty::Ref(Box::new(Ty::Slice(Box::new(element.clone()))), mutable);
         self.borrowed_type(ty, element, (mutable, false), site)
     }
 
-    /// The type of what a tuple, an `Option` or a `Result` holds.
+    /// Returns the IR type of a value inside a tuple, an `Option` or a `Result`.
     pub(super) fn content_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
             Ty::Ref(element, true) if is_element(ty) => {
@@ -148,7 +148,7 @@ impl Context<'_> {
         Ok(Type::Struct(id))
     }
 
-    /// The type of the elements of a slice.
+    /// Returns the IR type of a slice's elements.
     pub(super) fn element_type(&mut self, element: &Ty, site: Site) -> Result<Type> {
         match self.value_type(element, site)? {
             Type::Unit => refused(site, refusals::EMPTY_ELEMENTS),
@@ -156,7 +156,7 @@ impl Context<'_> {
         }
     }
 
-    /// The slice that a type is.
+    /// Returns the struct and the slice of a type that represents one.
     pub(super) fn as_borrowed(&self, ty: &Type) -> Option<(StructId, &Borrowed)> {
         match ty {
             Type::Struct(id) => Some((*id, self.borrowed.get(id)?)),
@@ -164,7 +164,7 @@ impl Context<'_> {
         }
     }
 
-    /// The slices in a value of a type.
+    /// Returns the slices in a value of a type, each with its path.
     pub(super) fn slices_in(&self, ty: &Type) -> Vec<(Path, Borrowed)> {
         let Some(id) = struct_in(ty).filter(|_| !self.borrowed.is_empty()) else {
             return Vec::new();
@@ -176,7 +176,7 @@ impl Context<'_> {
         (0..).zip(self.fields(id)).flat_map(inside).collect()
     }
 
-    /// The slices in a value of a type, those together that have one lender.
+    /// Returns the slices in a value of a type, grouped by common lender.
     pub(super) fn groups_in(&self, ty: &Type) -> Vec<(Vec<Path>, Borrowed)> {
         let mut groups: Vec<(Vec<Path>, Borrowed)> = Vec::new();
         for (path, borrowed) in self.slices_in(ty) {
@@ -194,7 +194,7 @@ impl Context<'_> {
         groups
     }
 
-    /// Two slices in a value, as fields of the innermost struct that has both.
+    /// Returns two slices of a value by their paths from the innermost struct that contains both.
     pub(super) fn within_one(&self, ty: &Type, one: &[u32], other: &[u32]) -> Option<Joined> {
         let common = one.iter().zip(other).take_while(|(one, other)| one == other).count();
         let mut id = struct_in(ty)?;
@@ -206,7 +206,7 @@ impl Context<'_> {
         Some((id, both))
     }
 
-    /// The name of the parameter that lends the slice at a path of another.
+    /// Returns the name of the lender parameter for the slice at `path` in the parameter `param`.
     pub(super) fn lender_name(&self, param: &str, ty: &Type, path: &[u32]) -> String {
         let (mut name, mut ty) = (param.to_owned(), ty);
         for at in path {

@@ -1,8 +1,8 @@
 //! Methods of slices that return references (`get`, `split_at` and the like), and patterns of slices.
 //!
-//! Nothing is copied: what is lent is another name for its place, behind the test that it is there, where it is
-//! taken apart where it is called, by `let`, `if let`, `let … else` or `match`. Elsewhere `get`, `first` and `last` give
-//! a copy, slices become values ([`held_slices`](super::held_slices)), and what would be written is refused.
+//! If the result is matched at once, by `let`, `if let`, `let … else` or `match`, nothing is copied: the name is an
+//! alias of the place, after a test that the place exists. Elsewhere `get`, `first` and `last` return a copy, slices
+//! become values ([`held_slices`](super::held_slices)), and a mutable reference is refused.
 
 use bessemer_ir::tree::{self, Builtin, NO_SLOT, Site, SliceMethod};
 use bessemer_ir::{CompareOp, Expr, ExprKind, LogicOp, Type};
@@ -16,7 +16,8 @@ use super::words;
 use super::{Needed, Result, refusals, refused};
 
 impl Lowering<'_, '_> {
-    /// The slice that a method of slices lends or that an expression is; none if it is neither.
+    /// Returns the slice or the reference that a method of slices returns, or the slice that an expression is; none
+    /// for any other expression.
     pub(super) fn lent(&mut self, expr: &tree::Expr) -> Result<Option<Value>> {
         if let Some(option) = self.option_lent(expr)? {
             return Ok(Some(Value::Place(option)));
@@ -97,13 +98,13 @@ impl Lowering<'_, '_> {
         }))
     }
 
-    /// An index that is computed once.
+    /// Evaluates an index once, into an operand that later writes do not change.
     pub(super) fn steady_index(&mut self, role: &str, index: &tree::Expr) -> Result<Expr> {
         let index = self.value(index, Some(&Type::USIZE))?;
         Ok(self.atom(role, index))
     }
 
-    /// The condition for `pattern` to take what may be absent.
+    /// Returns the condition that `pattern` matches a reference that exists only if `there` is true.
     pub(super) fn test_maybe(
         &mut self,
         pattern: &tree::Pattern,
@@ -124,7 +125,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The condition for `pattern` to take a slice.
+    /// Returns the condition that `pattern` matches a slice.
     pub(super) fn test_slice(
         &mut self,
         pattern: &tree::Pattern,
@@ -168,7 +169,7 @@ impl Lowering<'_, '_> {
         Ok(all)
     }
 
-    /// The slice that a name means, if its length is a literal.
+    /// Returns the slice that a name refers to, if its length is a literal.
     pub(super) fn part_named(&self, expr: &tree::Expr) -> Option<Box<Slice>> {
         match self.meaning(expr)? {
             Value::Slice(part) if part.length.is_literal() => Some(part),
@@ -176,7 +177,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `*part`: its elements as an array.
+    /// Lowers `*part`: copies the elements of a slice into an array.
     pub(super) fn part_value(&mut self, part: &Slice, site: Site) -> Result<Expr> {
         let len = number(&part.length)
             .and_then(|length| u32::try_from(length).ok())
@@ -185,7 +186,7 @@ impl Lowering<'_, '_> {
         Ok(part.as_array(ty, self.span(site)))
     }
 
-    /// The name of a part: the part itself, or a copy where the author takes its value.
+    /// Binds a name to a part of a slice: as an alias, or as a copy if the name has a value type.
     pub(super) fn bind_part(
         &mut self,
         (name, slot): (&str, u32),
@@ -205,7 +206,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The methods that lend no part of their slice.
+/// Methods of slices whose result does not refer to a part of the slice.
 const NOT_LENT: [SliceMethod; 6] = {
     use SliceMethod as M;
     [M::Len, M::IsEmpty, M::CopyFrom, M::Reverse, M::ToArray, M::FirstChunk]

@@ -1,8 +1,9 @@
-//! Containers with a run-time size and a fixed capacity. A `List` has methods, a length, and elements below it. A `BoundedMatrix`
-//! has elements: one, whose row and column are checked against the size, and all of them, column by column, in two loops that
-//! the author wrote as one.
+//! Containers with a run-time size and a fixed capacity: `List` and `BoundedMatrix`.
 //!
-//! Room and indices are checked before anything is written.
+//! An element of a matrix is read by row and column, each checked against its size. A `for` over a matrix is two
+//! nested loops, column by column, which the author wrote as one.
+//!
+//! Invariant: capacity and indices are checked before anything is written.
 
 use bessemer_ir::tree::{self, Builtin, ListMethod};
 use bessemer_ir::{
@@ -20,20 +21,20 @@ use super::value::Value;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
 
-/// A container in its place.
+/// A container at a place.
 struct Bounded {
-    /// The place of all elements, those beyond its size too.
+    /// Place of all elements, including those beyond its size.
     items: Place,
     element: Type,
-    /// The place of the length, in a matrix of the number of rows; and the most that it may be.
+    /// Place of the length (in a matrix, of the number of rows), and the greatest valid value.
     length: Place,
     capacity: u32,
-    /// The place of the number of columns of a matrix, and the most that it may be.
+    /// Place of the number of columns of a matrix, and the greatest valid value.
     columns: Option<(Place, u32)>,
 }
 
 impl Bounded {
-    /// The place of the element at an index; in a matrix at a column and a row.
+    /// Returns the place of the element at an index, or at a column and a row of a matrix.
     fn at(&self, indices: impl IntoIterator<Item = Expr>) -> Place {
         indices.into_iter().fold(self.items.clone(), |place, index| match &place.ty {
             Type::Array { element, .. } => place.inside(Step::Index(index), (**element).clone()),
@@ -41,12 +42,12 @@ impl Bounded {
         })
     }
 
-    /// How the length compares with a number.
+    /// Compares the length with a number.
     fn length_is(&self, op: CompareOp, number: u32, span: Span) -> Expr {
         Expr::compare(op, self.length.load(), Expr::usize(u64::from(number), span)).at(span)
     }
 
-    /// Whether the length is one that a list may have.
+    /// Returns the condition that the length is at most the capacity.
     fn is_sound(&self, span: Span) -> Expr {
         self.length_is(CompareOp::Le, self.capacity, span)
     }
@@ -55,7 +56,7 @@ impl Bounded {
         StmtKind::Assign { place: self.length.clone(), value }
     }
 
-    /// A length that is greater or less by one.
+    /// Returns a statement that increases or decreases the length by one.
     fn moved_length(&self, op: Intrinsic, span: Span) -> StmtKind {
         let operands = vec![self.length.load(), Expr::usize(1, span)];
         self.set_length(Expr::intrinsic(op, operands).at(span))
@@ -63,7 +64,8 @@ impl Bounded {
 }
 
 impl Lowering<'_, '_> {
-    /// The elements of a type that is a container, and how many there may be; in a matrix in a column, and how many columns.
+    /// Returns the element type and the capacity of a container; of a matrix, the capacity of a column and the
+    /// greatest number of columns.
     pub(super) fn contained(&self, ty: &Type) -> Option<(Type, u32, Option<u32>)> {
         let Type::Struct(id) = ty else { return None };
         let definition = &self.cx.module.structs[id.index()];
@@ -79,7 +81,7 @@ impl Lowering<'_, '_> {
         Some((element.clone(), len, None))
     }
 
-    /// The container at a place, if one is there.
+    /// Returns the container at a place, if its type is one.
     fn bounded(&self, place: &Place) -> Option<Bounded> {
         let (element, capacity, columns) = self.contained(&place.ty)?;
         let array = |element: &Type, len| Type::Array { element: Box::new(element.clone()), len };
@@ -97,7 +99,7 @@ impl Lowering<'_, '_> {
         self.bounded(place).filter(|it| it.columns.is_none())
     }
 
-    /// The places of a list's length and of its elements.
+    /// Returns the places of a list's length and of its elements.
     pub(super) fn list_items(&self, place: &Place) -> Option<(Place, Place)> {
         self.list_at(place).map(|list| (list.length, list.items))
     }
@@ -108,8 +110,8 @@ impl Lowering<'_, '_> {
         self.list_at(&place).needed(expr.site, "this is not a `List`")
     }
 
-    /// `list[index]`, `matrix[(row, column)]`: each index is checked against the size, and that against the room that there
-    /// is: this holds of every container, and keeps a damaged one from being read beyond its end.
+    /// Lowers `list[index]` and `matrix[(row, column)]`. Each index is checked against the size, and the size against
+    /// the capacity, so that a corrupt size cannot cause a read beyond the array.
     pub(super) fn bounded_element(
         &mut self,
         mut place: Place,
@@ -161,14 +163,14 @@ impl Lowering<'_, '_> {
         Ok([self.atom("row", row), self.atom("column", column)])
     }
 
-    /// A `BoundedMatrix` that a loop goes through, if it has a name.
+    /// Returns the place of a named `BoundedMatrix` that a loop iterates over.
     pub(super) fn bounded_place(&mut self, expr: &tree::Expr) -> Option<Place> {
         // Whatever else is wrong with it is told where it is lowered.
         let place = is_named(expr, true).then(|| self.base(expr).ok())??;
         self.contained(&place.ty)?.2.map(|_| place)
     }
 
-    /// `for` over all its elements.
+    /// Lowers a `for` over all elements of a matrix.
     pub(super) fn each_of_bounded(
         &mut self,
         mut matrix: Place,
@@ -193,7 +195,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// The value of a method of `List` that has one.
+    /// Lowers a method of `List` that returns a value.
     pub(super) fn list_method(&mut self, method: ListMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let (site, span) = (expr.site, self.span(expr.site));
@@ -234,7 +236,7 @@ impl Lowering<'_, '_> {
         Ok(held)
     }
 
-    /// A method of `List` for its effect; false if it is none.
+    /// Lowers a method of `List` that is called for its effect; returns false for another expression.
     pub(super) fn list_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
         let Some((Builtin::List(method), arguments)) = self.builtin_call(expr) else {
             return Ok(false);
@@ -267,7 +269,7 @@ impl Lowering<'_, '_> {
         Ok(true)
     }
 
-    /// An argument, computed once.
+    /// Evaluates an argument once.
     fn length_argument(&mut self, argument: &tree::Expr) -> Result<Expr> {
         let length = self.value(argument, Some(&Type::USIZE))?;
         Ok(self.atom("length", length))
@@ -303,7 +305,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// `==` of two lists: as long, and the same elements.
+    /// Lowers `==` of two lists: equal lengths, then equal elements.
     pub(super) fn equal_lists(&mut self, pair: &Pair) -> Result<Expr> {
         let (site, span) = (pair.site, pair.span);
         let [left, right] = pair.sides.each_ref().map(|list| self.list_at(list));

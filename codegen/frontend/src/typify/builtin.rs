@@ -1,4 +1,4 @@
-//! The DSL's own operations: which IR node each is, and the type of its result.
+//! Lowers the DSL's own operations to IR nodes with their result types.
 
 use bessemer_ir::tree::{self, Builtin, MatrixMethod};
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
@@ -12,7 +12,7 @@ use super::order::is_free;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
-/// `N as f64`, where `N` is what an instance is made of, as a literal.
+/// Folds `N as f64`, where `N` is a const generic of the instance, into a literal.
 fn whole(value: Expr) -> Expr {
     if let ExprKind::Cast(operand) = &value.kind
         && let (ExprKind::Literal(word), Some(int)) = (&operand.kind, operand.ty.as_int())
@@ -24,7 +24,7 @@ fn whole(value: Expr) -> Expr {
     value
 }
 
-/// The word of a number in double precision, in single.
+/// Converts the bits of an `f64` to those of the nearest `f32`.
 fn single(word: u64) -> u64 {
     u64::from((f64::from_bits(word) as f32).to_bits())
 }
@@ -86,7 +86,7 @@ impl Lowering<'_, '_> {
         Ok(size(count, self.span(expr.site)))
     }
 
-    /// The rows and columns of a matrix, of which nothing is read; what it is computed with is done, and faults.
+    /// Returns the dimensions of a matrix. Its operand is evaluated for its effects and faults only.
     fn shape_of(&mut self, matrix: &tree::Expr) -> Result<Option<(u32, u32)>> {
         if let Some(part) = self.submatrix(matrix)? {
             return Ok(Some((part.rows, part.cols)));
@@ -100,7 +100,7 @@ impl Lowering<'_, '_> {
         Ok(shape(&value.ty).map(|(_, rows, cols)| (rows, cols)))
     }
 
-    /// `vector![a, b]`, `matrix![a, b; c, d]`.
+    /// Lowers `vector![a, b]` and `matrix![a, b; c, d]`.
     fn by_rows(&mut self, rows: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
         let inside = |expr: &tree::Expr| match &expr.kind {
             tree::ExprKind::Array(elements) => elements.clone(),
@@ -110,7 +110,8 @@ impl Lowering<'_, '_> {
         self.constructor(MatrixMethod::New, Call { arguments: &elements, expr })
     }
 
-    /// `real(0.5)`, `x.as_f64()`: a float as one of another type, a literal as one of it.
+    /// Lowers `real(0.5)` and `x.as_f64()`: converts a float to the float type of the slot, a literal at compile
+    /// time.
     fn real(&mut self, expected: Option<Type>, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
@@ -176,7 +177,7 @@ impl Lowering<'_, '_> {
         self.routine_node(routine, values, expr.site)
     }
 
-    /// A matrix of its elements, or of numbers.
+    /// Lowers a constructor of a matrix: from its elements, or from a constant such as zero or identity.
     fn constructor(&mut self, method: MatrixMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;

@@ -1,12 +1,13 @@
-//! Iterators that are gone through by hand: `let mut bytes = frame.iter();`, then `bytes.next()` here and there.
+//! Iterators with explicit `next` calls: `let mut bytes = frame.iter();`, then `bytes.next()` in several places.
 //!
-//! How many items were taken is a local of its own. Each loop through the iterator begins there, and counts on in each pass.
+//! A local counts the items that were taken. Each loop over the iterator begins at this count and increments it in
+//! each pass.
 //!
-//! Invariants: an iterator is gone through by hand if it gives at most one item for each item of its source and has no state of
-//! its own, or if a generator function gives it by one loop, whose locals then live on. Any other iterator that is used more
-//! than once is an error.
+//! Invariants: such an iterator yields at most one item per item of its source and has no state; or it is one loop of
+//! a generator function, whose locals then persist between calls. Any other iterator that is used more than once is
+//! an error.
 //!
-//! Must not know: which methods end an iterator.
+//! Must not know: which methods consume an iterator.
 
 use std::rc::Rc;
 
@@ -24,32 +25,34 @@ use super::syntax::{generates, some_of};
 use super::value::Value;
 use super::{Needed, Result, refusals, refused};
 
-/// The function that takes the next item of an iterator.
+/// Library function for `Iterator::next`.
 const NEXT: &str = "bessemer::iterate::next";
 
-/// The ends that compare two iterators. Where std knows both lengths, it compares these first and may take no item at all.
+/// Library functions that compare two iterators. If std knows both lengths, it compares these first and may take no
+/// item.
 const COMPARED: [&str; 2] = ["bessemer::iterate::eq", "bessemer::iterate::ne"];
 
-/// The adapter `zip`. Where std knows both lengths, a fold over it takes exactly as many items as the shorter one has.
+/// Path of the adapter `zip`. If std knows both lengths, a fold over it takes exactly as many items as the shorter
+/// side has.
 const ZIP: &str = "bessemer::adapt::zip";
 
-/// The index of an item that is taken, beside the item.
+/// Name of an item's index, in the pattern of a counted loop.
 const TAKEN: &str = "index%";
 
-/// The name of the counted iterator below an adapter, in the adapter's call.
+/// Name of the counted iterator below an adapter, in the adapter's call.
 const WITHIN: &str = "within%";
 
-/// The name of an iterator with as many items as another has left, through which a `while let` loops.
+/// Name of an iterator with as many items as another has left; a `while let` loops over it.
 const PASSES: &str = "passes%";
 
-/// Such a loop over an iterator counts the items that it takes: its pattern has the index beside each. It is neither reversed nor
-/// zipped.
+/// Returns true for the pattern of a loop that counts the items it takes: it also binds an index. Such a loop is
+/// neither reversed nor zipped.
 pub(super) fn takes(pattern: &Pattern) -> bool {
     matches!(pattern, Pattern::Tuple(parts) if matches!(&parts[..], [Pattern::Name { name, .. }, _] if name == TAKEN))
 }
 
 impl<'a> Lowering<'a, '_> {
-    /// An iterator with a name that may be changed: what it gives next, it gives once.
+    /// Registers a mutable named iterator, if it is one: each item is yielded once.
     pub(super) fn by_hand(
         &mut self,
         name: &str,
@@ -67,13 +70,13 @@ impl<'a> Lowering<'a, '_> {
         self.counted(name, through, site).map(Value::Closure)
     }
 
-    /// The counted iterator that an iterator is, or that goes through the same items.
+    /// Returns the counted iterator that `through` is or shares its items with.
     fn counted_already(&self, through: usize) -> Option<usize> {
         let mut all = self.hands.iter();
         all.find(|(counted, hand)| **counted == through || hand.again == through).map(|it| *it.0)
     }
 
-    /// Returns the iterator as one with explicit `next` calls.
+    /// Returns the iterator as a counted one, whose taken items a local counts.
     pub(super) fn counted(&mut self, name: &str, through: usize, site: Site) -> Result<usize> {
         if let Some(counted) = self.counted_already(through) {
             return Ok(counted);
@@ -164,8 +167,8 @@ impl<'a> Lowering<'a, '_> {
         Ok(Some(counted))
     }
 
-    /// Starts the generator function that an iterator calls. Gives the loop, and the names of the locals that live on from item
-    /// to item.
+    /// Starts the generator function that an iterator calls. Returns its loop and the names of the locals that
+    /// persist between items.
     fn started(
         &mut self,
         through: &Closure<'a>,
@@ -186,8 +189,8 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// The closure behind a copy of an iterator: the copy goes on from here by itself, and taking from the iterator does
-    /// not move it.
+    /// Returns a copy of a counted iterator. The copy continues at the present count, and the two then advance
+    /// separately.
     pub(super) fn copy_of_hand(&mut self, known: usize) -> usize {
         let Some((counted, hand)) = self.hands.iter().find(|(_, hand)| hand.again == known) else {
             return known;
@@ -222,7 +225,7 @@ impl<'a> Lowering<'a, '_> {
         self.hand(both, taken, local, kept).1
     }
 
-    /// The copy of an iterator whose counted iterator is below an adapter: the counted one is copied.
+    /// Copies an adapted iterator by copying the counted iterator below its adapter.
     fn copy_within(&mut self, mut both: [Closure<'a>; 2], within: usize) -> usize {
         let again = self.copy_of_hand(self.hands[&within].again);
         let copied = self.hands.iter().find(|(_, hand)| hand.again == again);
@@ -240,7 +243,8 @@ impl<'a> Lowering<'a, '_> {
         counted + 1
     }
 
-    /// An iterator of which so many items were taken, and what goes through the others and takes none.
+    /// Registers a counted iterator and its non-consuming twin, which reads the remaining items without counting
+    /// them.
     fn hand(
         &mut self,
         both: [Closure<'a>; 2],
@@ -259,8 +263,8 @@ impl<'a> Lowering<'a, '_> {
         (counted, again)
     }
 
-    /// Refuses ends that take a number of items which depends on std's specialisations, of an iterator that is used afterwards.
-    /// `handed` is true unless a `for` of the author's asks for the items.
+    /// Refuses a consumer whose number of taken items depends on std's specialisations, if the iterator is used
+    /// afterwards. `handed` is false if an author's `for` loop consumes the items.
     pub(super) fn check_settled(
         &self,
         (function, handed): (&tree::Function, bool),
@@ -276,14 +280,14 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// True for the count of an iterator that is gone through by hand.
+    /// Returns true if an expression reads the count of a counted iterator.
     pub(super) fn is_taken(&self, value: &Expr) -> bool {
         let mut counts = self.hands.values().filter(|hand| hand.taken.is_some());
         matches!(&value.kind, ExprKind::Load(place) if counts.any(|it| it.local == place.root))
     }
 
-    /// Lets a loop begin behind the items that were taken, and, where it is not a copy, count each that it hands on. Says
-    /// whether it can.
+    /// Changes a loop to begin after the taken items; with `counts` it also counts each item. Returns false for a
+    /// loop that cannot be changed.
     fn count(&mut self, through: &mut tree::Expr, taken: &str, counts: bool) -> bool {
         let site = through.site;
         let Tree::Each { pattern, source, body, .. } = &mut through.kind else { return false };
@@ -335,7 +339,7 @@ impl<'a> Lowering<'a, '_> {
         true
     }
 
-    /// The own iterator whose items an iterator gives, once it is settled: its name, and the local that it is in.
+    /// Returns the author's own iterator that is the source of an iterator: its name and its local.
     fn own_below(&mut self, through: &tree::Expr) -> Option<(String, LocalId)> {
         let Source::Elements(of, _) = items_of(through)? else { return None };
         let Tree::Local(name) = &of.kind else { return None };
@@ -344,13 +348,13 @@ impl<'a> Lowering<'a, '_> {
         Some((name.clone(), self.place_of(&meaning, span)?.root))
     }
 
-    /// True for an adapter like `map`: a generator function of one loop, without state, over all items of its iterator.
+    /// Returns true for an adapter like `map`: a generator function with one loop over all items and no state.
     fn is_for_each(&self, function: &tree::Function) -> bool {
         let [Stmt::Expr(through)] = function.tree.body.stmts.as_slice() else { return false };
         function.tree.body.tail.is_none() && self.goes_through_all(function, through)
     }
 
-    /// True for a loop of such an adapter over all items of the adapter's iterator, without a `break` or an inner loop.
+    /// Returns true if `through` is such a loop, without `break` or an inner loop.
     fn goes_through_all(&self, function: &tree::Function, through: &tree::Expr) -> bool {
         let Tree::Each { source, body: pass, .. } = &through.kind else { return false };
         use Tree::{Break, Each, While};
@@ -359,7 +363,7 @@ impl<'a> Lowering<'a, '_> {
         !pass.any_expr(loops) && self.are_all(function, of)
     }
 
-    /// True for the adapter's iterator itself, and for a chain above it whose links are such adapters.
+    /// Returns true for the adapter's iterator parameter, and for a chain above it that consists of such adapters.
     fn are_all(&self, function: &tree::Function, of: &tree::Expr) -> bool {
         match &of.kind {
             Tree::Local(name) => function.tree.params.iter().any(|it| it.items && it.name == *name),
@@ -380,8 +384,8 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// `while let Some(x) = bytes.next()`, as a loop through the rest of them: what goes through it in the body is another
-    /// loop's.
+    /// Returns the pattern and the source of `while let Some(x) = bytes.next()`, as a loop over the remaining items.
+    /// The body must not use the iterator.
     pub(super) fn rest_of<'e>(
         &self,
         condition: &'e tree::Expr,
@@ -397,8 +401,8 @@ impl<'a> Lowering<'a, '_> {
         Some((pattern, Source::Elements(array.clone(), false)))
     }
 
-    /// Lowers `while let Some(x) = bytes.next()` with a body that takes more of `bytes`. The loop has as many passes as
-    /// items are left, since each pass takes at least one.
+    /// Lowers `while let Some(x) = bytes.next()` with a body that takes more items of `bytes`. The loop has as many
+    /// passes as items are left, since each pass takes at least one.
     pub(super) fn as_many_as_left(
         &mut self,
         condition: &tree::Expr,
@@ -427,7 +431,7 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// The body of a loop that takes its item by a call: `let Some(item) = next else { break };` comes first.
+/// Returns the body of a loop that takes its item by a call: it begins with `let Some(item) = next else { break };`.
 pub(super) fn taking_next(
     item: &Pattern,
     next: tree::Expr,
@@ -442,12 +446,12 @@ pub(super) fn taking_next(
     body
 }
 
-/// True for `bessemer::iterate::next`, the DSL's `Iterator::next`.
+/// Returns true for `bessemer::iterate::next`, the DSL's `Iterator::next`.
 pub(super) fn is_next(function: &tree::Function) -> bool {
     format!("{}::{}", function.module, function.tree.name) == NEXT
 }
 
-/// The expression whose items an iterator gives unchanged; none if it does anything else.
+/// Returns the expression whose items an iterator yields unchanged; none for another iterator.
 fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
     let Tree::Each { pattern, source, body, .. } = &through.kind else { return None };
     let Source::Elements(of, _) = &**source else { return None };
@@ -458,7 +462,8 @@ fn all_of(through: &tree::Expr) -> Option<&tree::Expr> {
     handed.then_some(of)
 }
 
-/// True for a generator function without an iterator among its parameters whose body is `let`s and then one loop without `break`.
+/// Returns true for a generator function without an iterator parameter whose body is `let`s and one loop without
+/// `break`.
 fn counts_on(function: &tree::Function) -> bool {
     let Some((Stmt::Expr(each), before)) = function.tree.body.stmts.split_last() else {
         return false;
@@ -474,7 +479,7 @@ fn counts_on(function: &tree::Function) -> bool {
         && !pass.any_expr(loops)
 }
 
-/// The innermost source of an iterator that is gone through by hand: it has an item for each item of the iterator, or more.
+/// Returns the innermost source of a counted iterator. It has at least one item for each item of the iterator.
 fn items_of(through: &tree::Expr) -> Option<Source> {
     let source = match &through.kind {
         Tree::Block(block) => match block.stmts.last()? {

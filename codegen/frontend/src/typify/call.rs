@@ -1,4 +1,4 @@
-//! Calls of functions: what is passed, in the order in which Rust computes it.
+//! Calls of functions, with their arguments evaluated in Rust's order.
 
 use bessemer_ir::tree::{self, Builtin, Site};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Place, Type};
@@ -9,17 +9,17 @@ use super::words;
 use super::{Result, refusals, refused};
 use bessemer_ir::{alias, effects};
 
-/// A function, and what it is called with.
+/// A function and the arguments of a call.
 pub(super) type Called<'a, 't> = (&'a tree::Function, &'t [tree::Expr]);
 
 impl<'a> Lowering<'a, '_> {
-    /// The callee with a number.
+    /// Returns the callee with a number.
     pub(super) fn callee(&self, number: u32) -> Option<&tree::Callee> {
         let named = self.source.callees.get(number as usize);
         named.or_else(|| self.cx.unnamed_callee(number))
     }
 
-    /// The operation that a callee is; none if it is a function.
+    /// Returns the built-in operation that a callee is; none for a function.
     pub(super) fn builtin_of(&self, callee: u32) -> Option<Builtin> {
         match self.callee(callee)? {
             tree::Callee::Builtin(builtin) => Some(*builtin),
@@ -27,7 +27,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// The operation that an expression calls, and what it is called with.
+    /// Returns the built-in operation that an expression calls, and its arguments.
     pub(super) fn builtin_call<'t>(
         &self,
         expr: &'t tree::Expr,
@@ -36,7 +36,7 @@ impl<'a> Lowering<'a, '_> {
         Some((self.builtin_of(*callee)?, arguments))
     }
 
-    /// The function that an expression calls, and what it is called with.
+    /// Returns the function that an expression calls, and its arguments.
     pub(super) fn called<'t>(&self, expr: &'t tree::Expr) -> Option<Called<'a, 't>> {
         let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
         match self.callee(*callee)? {
@@ -54,7 +54,7 @@ impl<'a> Lowering<'a, '_> {
         self.call_with(id, arguments, Vec::new(), expr)
     }
 
-    /// Lowers a call with further arguments after the author's.
+    /// Lowers a call with additional arguments after the author's.
     pub(super) fn call_with(
         &mut self,
         id: FunctionId,
@@ -142,7 +142,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(vec![passed])
     }
 
-    /// Makes the copies that are passed beside what they are copied from, where a call may write that: `v.axpy(a, &v.clone(), b)`.
+    /// Copies arguments whose source the call may write: `v.axpy(a, &v.clone(), b)`.
     fn keep_copies(&mut self, passed: &mut [Argument]) -> Result<()> {
         let written = passed.iter().filter_map(lent).filter(|(_, written)| *written);
         let lent: Vec<_> = written.map(|(place, _)| place.clone()).collect();
@@ -164,7 +164,7 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// The place that an argument lends, and whether to be written.
+/// Returns the place that an argument borrows, and true if the borrow is mutable.
 pub(super) fn lent(argument: &Argument) -> Option<(&Place, bool)> {
     match argument {
         Argument::RefMut(place) => Some((place, true)),
@@ -173,7 +173,8 @@ pub(super) fn lent(argument: &Argument) -> Option<(&Place, bool)> {
     }
 }
 
-/// Refuses two values whose slices one array lends, one of them to be written: the C would be lent the array twice.
+/// Refuses two arguments whose slices have one lender, if one of them is mutable: the C would receive the array
+/// twice.
 fn lent_twice(passed: &[Argument], lenders: &[Argument], site: Site) -> Result<()> {
     let hurt = passed.iter().filter_map(lent).any(|(earlier, mutable)| {
         let mut lenders = lenders.iter().filter_map(lent);

@@ -1,4 +1,4 @@
-//! `match`: a list of cases where the arms name few values, else conditions one after the other.
+//! Lowering of `match`: a `switch` if the arms name few values, else a chain of conditions.
 
 use std::cell::RefCell;
 
@@ -19,17 +19,17 @@ use super::{Result, problem, refusals, refused};
 use bessemer_ir::effects;
 use bessemer_ir::visit::VisitMut;
 
-/// An arm with more values than this is told by their ends.
+/// Largest number of values that an arm lists; one with more is a range.
 const LISTED: usize = 8;
 
-/// The condition of an arm, if it has one, and its body.
+/// Condition of an arm, if it has one, and its body.
 type Branch = (Option<Expr>, Block);
 
-/// The values that an arm takes; none: every one that is left.
+/// The values that an arm matches; none: all that no earlier arm matches.
 type Words = Option<Vec<i128>>;
 
 impl Lowering<'_, '_> {
-    /// `match`, its value to `target` if one is wanted.
+    /// Lowers `match`, and assigns its value to `target` if there is one.
     pub(super) fn match_stmt(
         &mut self,
         site: Site,
@@ -73,8 +73,8 @@ impl Lowering<'_, '_> {
         self.subject_arms((subject, scrutinee), arms, target, span)
     }
 
-    /// Arms that take a value apart: a list of cases where they name numbers, or the variants of one enum, else
-    /// conditions one after the other.
+    /// Lowers arms that destructure a value: a `switch` if they name numbers or variants of one enum, else a chain of
+    /// conditions.
     fn subject_arms(
         &mut self,
         (mut subject, scrutinee): (Value, &tree::Expr),
@@ -141,7 +141,8 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// What has to hold for an arm to be taken, its guard included; notes what the guard writes.
+    /// Returns the condition under which an arm is taken, including its guard, and adds the places that the guard
+    /// writes to `written`.
     fn arm_test(
         &mut self,
         arm: &tree::Arm,
@@ -160,8 +161,8 @@ impl Lowering<'_, '_> {
         Ok(test)
     }
 
-    /// Adds a guard to the test of a pattern, whose names stand for their places in it; `site`: where the whole stands, if
-    /// not at the guard.
+    /// Adds a guard to the test of a pattern, whose names are aliases of their places in it. `site` is the site of
+    /// the whole `match` if it is not the guard's.
     pub(super) fn guard(
         &mut self,
         test: &mut Test,
@@ -179,8 +180,8 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Arms as conditions, one after the other; `taken` gives the condition and the body of one. The last takes what is
-    /// left. Where one `stays` alone, what it does stands behind the others, by which control leaves.
+    /// Lowers arms as a chain of conditions; `taken` returns the condition and the body of one. The last arm has no
+    /// condition. If only one arm `stays`, its body follows the others, all of which leave.
     pub(super) fn chain<A>(
         &mut self,
         arms: &[A],
@@ -209,7 +210,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// A list of cases, and what takes all that is left. Earlier arms win, in Rust and so here.
+    /// Returns the cases of a `switch`, and the block for all other values. An earlier arm has priority, as in Rust.
     fn cases<A>(
         &mut self,
         arms: impl Iterator<Item = (Words, A)>,
@@ -233,7 +234,7 @@ impl Lowering<'_, '_> {
         Ok((cases, None))
     }
 
-    /// Arms with the values that each takes: a list of cases, or an `if` of what is one of two.
+    /// Lowers arms with listed values: a `switch`, or an `if` for a value with two cases.
     fn listed_arms(
         &mut self,
         (of, listed): (Expr, Vec<Words>),
@@ -267,8 +268,8 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The values that each arm takes, of a number or of the tag of an enum with payload; none if an arm looks within, has a
-    /// guard, or takes many.
+    /// Returns the values that each arm matches, of a number or of an enum's tag. Returns none if an arm has a guard,
+    /// matches a payload, or has many values.
     fn listed(&mut self, of: &Type, arms: &[tree::Arm]) -> Result<Option<Vec<Words>>> {
         let mut listed = Vec::new();
         for arm in arms {
@@ -284,7 +285,7 @@ impl Lowering<'_, '_> {
         Ok(Some(listed))
     }
 
-    /// The values that a pattern takes; none if it looks within, or takes many.
+    /// Returns the values that a pattern matches; none if it matches a payload, or many values.
     fn words(&mut self, pattern: &Pattern, of: &Type, site: Site) -> Result<Option<Vec<i128>>> {
         let named = |name: &str, id| Some(self.case(id, name)?.0);
         let word = match (pattern, of) {
@@ -313,12 +314,12 @@ impl Lowering<'_, '_> {
         Ok(word.map(|word| vec![word.into()]))
     }
 
-    /// Whether a struct is an enum with payload, and its first field an enum of its variants.
+    /// Returns true if a struct represents an enum with payload, and its first field is the tag.
     fn is_tagged(&self, id: StructId) -> bool {
         !self.cx.known_of(id).cases.is_empty() && matches!(self.cx.field_type(id, 0), Type::Enum(_))
     }
 
-    /// The least and the greatest number that a pattern takes.
+    /// Returns the least and the greatest number that a pattern matches.
     pub(super) fn range(
         &mut self,
         pattern: &Pattern,
@@ -353,7 +354,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The word of a variant without payload.
+    /// Returns the word of a variant without payload.
     fn variant_word(&self, name: &str, ty: &Type, site: Site) -> Result<i128> {
         let variants = match ty {
             Type::Enum(id) => self.cx.module.enums[id.index()].variants.as_slice(),
@@ -384,13 +385,13 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// An arm with names inside `|` as an arm for each.
+/// Splits an arm with names inside `|` into an arm for each alternative.
 fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
     let arms = alternatives(&arm.pattern).into_iter();
     arms.map(|pattern| tree::Arm { pattern, ..arm.clone() }).collect()
 }
 
-/// The name that a pattern gives to all that is matched, and its slot.
+/// Returns the name that a pattern binds to the whole value, and its slot.
 fn named_whole(pattern: &Pattern) -> Option<(&str, u32)> {
     match pattern {
         Pattern::Name { name, slot, .. } if *slot != NO_SLOT => Some((name, *slot)),
@@ -402,7 +403,7 @@ fn has_names(pattern: &Pattern) -> bool {
     !pattern.bound().is_empty()
 }
 
-/// True for a pattern that no value fails to match, whatever its type: `_`, a name, or tuples and `|` of these.
+/// Returns true for a pattern that matches every value of any type: `_`, a name, or tuples and `|` of these.
 pub(super) fn takes_all(pattern: &Pattern) -> bool {
     match pattern {
         Pattern::Any | Pattern::Rest => true,
@@ -413,8 +414,8 @@ pub(super) fn takes_all(pattern: &Pattern) -> bool {
     }
 }
 
-/// The arms that can be reached: what follows one that takes everything is never tried, nor a guard
-/// behind arms that take everything between them.
+/// Returns the arms that can be reached: an arm after one that matches everything cannot, nor can a guard among final
+/// arms.
 pub(super) fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
     let all = |arm: &tree::Arm| takes_all(&arm.pattern) && arm.guard.is_none();
     let end = arms.iter().position(all).map_or(arms.len(), |last| last + 1);
@@ -422,7 +423,7 @@ pub(super) fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
     &arms[..last.map_or(0, |last| last + 1)]
 }
 
-/// Whether a value can be read again, and is the same while the arms are tried.
+/// Returns true if a value can be read again and does not change while the arms are tested.
 fn is_still(value: &Expr) -> bool {
     matches!(&value.kind, ExprKind::Load(place) if place.steps.iter().all(super::order::is_fixed))
 }

@@ -1,7 +1,7 @@
-//! Functions that take closures: a copy of the function for each closure that it is called with.
+//! Functions that take closures: each combination of closures has a copy of the function.
 //!
-//! The copy takes, in the closure's place, what the closure uses: words that it only reads by value, everything
-//! else by reference. Where the function calls its closure, the closure's body stands.
+//! Instead of the closure the copy takes the variables that the closure uses: words that it only reads by value, all
+//! others by reference. The body of the closure replaces each call of it.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -20,7 +20,7 @@ use super::{Needed, Result, names, refusals, refused};
 use bessemer_ir::effects;
 
 impl<'a> Lowering<'a, '_> {
-    /// A call of a function that takes closures.
+    /// Lowers a call of a function that takes closures.
     pub(super) fn call_handing(
         &mut self,
         template: &'a tree::Function,
@@ -38,7 +38,7 @@ impl<'a> Lowering<'a, '_> {
         self.call_with(id, &plain, captured, expr)
     }
 
-    /// The closure that an argument is, and what it uses.
+    /// Returns the closure that an argument is, with its captured variables.
     fn handed(&mut self, argument: &tree::Expr) -> Result<Closure<'a>> {
         let closure = self.closure_given(argument)?;
         let known = (*self.closures[closure]).clone();
@@ -52,7 +52,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// A closure that makes those that it names first.
+    /// Returns a closure whose body begins with the definitions of the closures that it calls.
     fn with_called(&self, mut text: tree::Closure, site: Site) -> Result<tree::Closure> {
         let is_here = |name: &String| self.with_name(name).is_some();
         let mut stmts = Vec::new();
@@ -70,7 +70,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(text)
     }
 
-    /// The closure to which its author gave a name in the function at hand.
+    /// Returns the closure that the author named in the current function.
     fn with_name(&self, name: &str) -> Option<&Closure<'a>> {
         let closure = &self.closures[self.closure_named(name)?];
         let is_here = closure.text.name.is_some()
@@ -88,7 +88,7 @@ impl<'a> Lowering<'a, '_> {
         names_in(&closure.text).iter().all(same).then(|| closure.text.clone())
     }
 
-    /// One that calls the closure that a name means.
+    /// Returns a closure that calls the named closure with its own arguments.
     fn calling(&self, name: &str, site: Site) -> Option<tree::Closure> {
         let called = self.with_name(name)?;
         let given = (0..called.text.parameters.len()).map(|at| format!("given%{at}"));
@@ -100,7 +100,7 @@ impl<'a> Lowering<'a, '_> {
         Some(tree::Closure { name: None, parameters, body })
     }
 
-    /// Arguments with closures in the place of their names.
+    /// Returns the arguments with each name of a closure replaced by the closure itself.
     pub(super) fn written_out<'e>(&self, arguments: &'e [tree::Expr]) -> Cow<'e, [tree::Expr]> {
         let closure = |argument: &tree::Expr| match &argument.kind {
             tree::ExprKind::Local(name) => {
@@ -117,7 +117,7 @@ impl<'a> Lowering<'a, '_> {
         arguments
     }
 
-    /// The closure that an argument names, or that is written there.
+    /// Returns the closure that an argument names or contains.
     pub(super) fn closure_given(&mut self, argument: &tree::Expr) -> Result<usize> {
         match &argument.kind {
             tree::ExprKind::Closure(closure) => {
@@ -131,13 +131,13 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// True for the closure of a named iterator: it hands items on.
+    /// Returns true for the closure that represents a named iterator: it yields items.
     fn is_iterator(&self, closure: usize) -> bool {
         let hands = |it: &tree::Expr| matches!(&it.kind, tree::ExprKind::Apply(name, _) if name == tree::EACH);
         self.closures[closure].text.body.any_expr(hands)
     }
 
-    /// A closure with what it uses, each a place that can be passed.
+    /// Returns a closure with its captured variables, each a place that can be passed.
     fn captured(&mut self, text: tree::Closure, site: Site) -> Result<Closure<'a>> {
         let mut captures = Vec::new();
         for name in names_in(&text) {
@@ -161,7 +161,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(Closure { text, source: self.source, scope, outermost: None })
     }
 
-    /// The copy of a function for closures; and what they use, as the arguments for it.
+    /// Returns the copy of a function for some closures, and the captured variables as its arguments.
     fn specialised(
         &mut self,
         template: &'a tree::Function,
@@ -232,9 +232,9 @@ impl<'a> Lowering<'a, '_> {
         Ok((id, captured))
     }
 
-    /// `bisect_error`, for the closure called `error`; else `bisect_in_step`, for the function that calls it. A copy for an
-    /// instance is named for it, so that no other instance moves its name. Gives the copy that is known already: what is
-    /// lowered again, or for its type alone, has no copy more.
+    /// Names a copy `bisect_error` for a closure named `error`, else `bisect_in_step` for the calling function
+    /// `step`. A copy for a generic instance has the instance's name in it, so that no other instance changes its
+    /// name. Returns an identical copy that exists already.
     fn named_copy(
         &self,
         template: &tree::Function,
@@ -263,7 +263,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// `f(x)`: the body of the closure, its parameters the arguments; none if there is nothing to its value.
+    /// Lowers `f(x)` by inlining the body of the closure; its value is none if it is zero-sized.
     pub(super) fn apply(
         &mut self,
         name: &str,
@@ -289,7 +289,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(self.naming_as("", |inner| inner.temporary(name, value)))
     }
 
-    /// A condition: what a closure says that is inlined is looked at at once, and need not be held.
+    /// Lowers a condition. The result of an inlined closure is tested directly, without a temporary.
     pub(super) fn asked(&mut self, condition: &tree::Expr) -> Result<Expr> {
         match &condition.kind {
             tree::ExprKind::Apply(name, arguments) if self.stands_here(condition) => {
@@ -302,7 +302,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// True for a call of a closure that is inlined in the scope in which its author wrote it.
+    /// Returns true for a call of a closure that is inlined in the scope of its definition.
     pub(super) fn stands_here(&self, expr: &tree::Expr) -> bool {
         let tree::ExprKind::Apply(name, _) = &expr.kind else { return false };
         let closure = self.closure_named(name).filter(|_| name != tree::EACH);
@@ -347,7 +347,8 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// Returns the value of an argument for the parameter of a closure; `each`: it is an item.
+    /// Returns the value of an argument for the parameter of a closure; `each`: the argument is an item of an
+    /// iterator.
     fn argument_for(
         &mut self,
         parameter: &tree::Pattern,
@@ -408,7 +409,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(self.value_subject(value))
     }
 
-    /// Lowers what stands in a closure, where names mean what they mean there; `each` is what items are handed to.
+    /// Lowers code of a closure in the scope of its definition; `each` receives the items that it yields.
     pub(super) fn in_scope_of<T>(
         &mut self,
         closure: &Closure<'a>,
@@ -423,8 +424,8 @@ impl<'a> Lowering<'a, '_> {
         self.from(closure.source, Scope { names, expanding, locals: *locals }, site, lower)
     }
 
-    /// Binds the parameters of a closure; to the places themselves where they stay what they are. A local of what calls
-    /// the closure, which comes behind those of whoever wrote it, has the name that he gives it.
+    /// Binds the parameters of a closure: as aliases of the argument places where these do not change. A local of the
+    /// caller that is newer than the closure gets the parameter's name.
     fn bind_arguments(
         &mut self,
         closure: &tree::Closure,
@@ -452,7 +453,8 @@ impl<'a> Lowering<'a, '_> {
         self.bind_names(&names)
     }
 
-    /// Gives locals that hold what a pattern takes the names that it gives: none of the first ones, unless no author named it.
+    /// Renames temporaries that hold the parts of a pattern after the pattern's names, except the first `stays`
+    /// locals unless their names are hidden.
     pub(super) fn name_own(
         &mut self,
         pattern: &tree::Pattern,
@@ -502,15 +504,15 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// Begins the name of a local that has the name of the pattern that takes it, if there is one.
+/// Prefix of a temporary's name that the name of a pattern may replace.
 pub(super) const UNTIL_NAMED: &str = "%%";
 
-/// Returns true if no author wrote a name.
+/// Returns true for a name of the compiler, not of the author.
 pub(super) fn is_hidden(name: &str) -> bool {
     name.contains('%')
 }
 
-/// The names that stand in a closure's body, as far as they are not its own parameters.
+/// Returns the names that a closure's body uses, except its own parameters.
 fn names_in(closure: &tree::Closure) -> BTreeSet<String> {
     let own = closure.parameters.iter().flat_map(Walk::bound).collect();
     let mut names = closure.body.locals();

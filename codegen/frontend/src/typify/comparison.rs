@@ -1,4 +1,4 @@
-//! `==` and `<` of values of many words.
+//! Lowers `==` and `<` of values with several words.
 //!
 //! `==` is taken part by part, of an array of more than a few in a loop. A struct of words alone is compared where `==` stands;
 //! any other has a function for it, one for each type, so that what nests is written once: `motor_equal(&one, &other)`. Floats
@@ -22,13 +22,13 @@ use super::value::step_to;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
-/// Up to so many elements are compared one by one.
+/// Largest number of elements that are compared one by one, without a loop.
 const FEW: u32 = 4;
 
-/// An array of more elements has no order: it is not written out.
+/// Largest length of an array that `<` compares; its comparison has no loop.
 const MOST: u32 = 8;
 
-/// Two places of one type that are compared, and where.
+/// Two places of one type that are compared, with the site.
 #[derive(Clone)]
 pub(super) struct Pair {
     pub sides: [Place; 2],
@@ -37,20 +37,20 @@ pub(super) struct Pair {
 }
 
 impl Pair {
-    /// The same part of both.
+    /// Returns the pair of the same part of both places.
     pub(super) fn map(&self, part: impl Fn(&Place) -> Place) -> Pair {
         let [left, right] = &self.sides;
         Pair { sides: [part(left), part(right)], ..*self }
     }
 
-    /// The parts that a step leads to.
+    /// Returns the pair of the parts that a step leads to.
     fn at(&self, step: &Step, ty: &Type) -> Pair {
         self.map(|whole| whole.inside(step.clone(), ty.clone()))
     }
 }
 
 impl Lowering<'_, '_> {
-    /// `left == right` of two values of one type.
+    /// Lowers `left == right` of two values of one type.
     pub(super) fn equality(&mut self, left: Expr, right: Expr, site: Site) -> Result<Expr> {
         if left.ty.is_word()
             && let Some(equal) = self.own_equality(&left, &right, site)?
@@ -76,14 +76,14 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The place of a value that is compared; its indices are computed once.
+    /// Returns the place of a compared value; its indices are evaluated once.
     pub(super) fn compared(&mut self, value: Expr) -> Place {
         let mut place = self.hold(value);
         self.keep_moving(&mut place);
         place
     }
 
-    /// Whether a value is a variant that stands there: `Some(3)`.
+    /// Returns true for a variant constructed in place, such as `Some(3)`.
     fn is_variant(&self, value: &Expr) -> bool {
         let (ExprKind::Struct(parts), Type::Struct(id)) = (&value.kind, &value.ty) else {
             return false;
@@ -97,7 +97,7 @@ impl Lowering<'_, '_> {
         of_literal && matches!(self.cx.module.structs[id.index()].form, Form::Choice(_))
     }
 
-    /// `value == Some(part)`: the part is compared, and no variant is built.
+    /// Lowers `value == Some(part)`: compares the payload, and builds no variant.
     fn equal_variant(&mut self, value: Expr, variant: Expr, site: Site) -> Result<Expr> {
         let span = self.span(site);
         self.check_equality(&value.ty, site)?;
@@ -128,7 +128,7 @@ impl Lowering<'_, '_> {
         self.and_then(there, |inner| inner.equal(&pair))
     }
 
-    /// Whether a struct is made of words alone, and compared as such.
+    /// Returns true if a struct has only fields of one word, which are compared as words.
     fn is_flat(&self, id: StructId) -> bool {
         let rotation = self.cx.known_of(id).unit == Some(true);
         let fields = self.cx.fields(id);
@@ -168,7 +168,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The function that compares two values of a type.
+    /// Returns the function that compares two values of a type, and generates it at the first call.
     fn equality_of(&mut self, id: StructId, site: Site) -> Result<FunctionId> {
         if let Some(known) = self.cx.known_of(id).equality {
             return Ok(known);
@@ -204,7 +204,7 @@ impl Lowering<'_, '_> {
         Ok(function)
     }
 
-    /// `equal`, unless the author has a function that would be called so in the C.
+    /// Returns the name `equal`, or another one if the author has a function whose C name would be the same.
     fn equality_name(&self, id: StructId) -> String {
         let ty = Type::Struct(id);
         let paths = self.cx.types.iter().filter(|(_, it)| **it == ty);
@@ -217,7 +217,7 @@ impl Lowering<'_, '_> {
         name.to_owned()
     }
 
-    /// Refuses `==` of a type whose author did not say, where the DSL sees it, what it is.
+    /// Refuses `==` of a type without an equality that the DSL can see.
     fn check_equality(&self, ty: &Type, site: Site) -> Result<()> {
         if !self.cx.known(ty).unequal {
             return Ok(());
@@ -282,7 +282,7 @@ impl Lowering<'_, '_> {
         Ok(all.unwrap_or_else(|| Expr::bool(true, pair.span)))
     }
 
-    /// A loop over the indices below `count`, which ends at the first that are not equal.
+    /// Emits a loop over the indices below `count` that ends at the first unequal pair.
     pub(super) fn all_equal(
         &mut self,
         count: Expr,
@@ -301,7 +301,7 @@ impl Lowering<'_, '_> {
         Ok(held)
     }
 
-    /// `left < right` and the like of two values of several words.
+    /// Lowers `left < right` and the like of two values of several words.
     pub(super) fn lexical(
         &mut self,
         op: CompareOp,
@@ -324,7 +324,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The first parts that differ decide.
+    /// Compares part by part; the first unequal parts decide.
     fn by_parts(&mut self, op: CompareOp, pair: &Pair, steps: Vec<(Step, Type)>) -> Result<Expr> {
         let site = pair.site;
         let mut decided: Option<Expr> = None;
@@ -342,7 +342,7 @@ impl Lowering<'_, '_> {
         decided.or_refused(site, refusals::EMPTY_ORDER)
     }
 
-    /// An enum with payload that has an order, an `Option` or a `Result`.
+    /// Returns the struct of an ordered enum with payload, an `Option` or a `Result`.
     fn ordered_choice(&self, ty: &Type) -> Option<StructId> {
         let Type::Struct(id) = *ty else { return None };
         let known = self.cx.known(ty);
@@ -350,7 +350,7 @@ impl Lowering<'_, '_> {
         (is_ordered && !known.cases.is_empty()).then_some(id)
     }
 
-    /// The variants decide, and what they hold where both are the same.
+    /// Compares the variants, then the payloads of equal variants.
     fn by_variants(&mut self, op: CompareOp, id: StructId, pair: &Pair) -> Result<Expr> {
         let span = pair.span;
         let [one, other] = pair.map(|whole| self.part(whole, id, 0)).sides.map(|tag| tag.load());
@@ -395,7 +395,7 @@ impl Lowering<'_, '_> {
         Ok(Expr::logic(LogicOp::Or, first, Expr::logic(LogicOp::And, same, held)))
     }
 
-    /// The number of an enum that `<` compares.
+    /// Returns the number of an enum's value that `<` compares.
     pub(super) fn rank(&self, id: EnumId, value: Expr, site: Site) -> Result<Expr> {
         let definition = &self.cx.module.enums[id.index()];
         if !self.cx.known(&Type::Enum(id)).ordered {
@@ -408,7 +408,7 @@ impl Lowering<'_, '_> {
         Ok(self.number(id, value))
     }
 
-    /// Its number, or its index where the author gave none.
+    /// Returns the author's number of an enum's value, or its index if there is none.
     fn number(&self, id: EnumId, value: Expr) -> Expr {
         match self.cx.module.enums[id.index()].is_numbered() {
             true => value.cast(&Type::Scalar(Scalar::Int(Int::I32))),
@@ -416,13 +416,13 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The way to each field, and its type.
+    /// Returns the step to each field, and its type.
     fn steps_to_fields(&self, id: StructId) -> Vec<(Step, Type)> {
         let fields = self.cx.fields(id).iter();
         (0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect()
     }
 
-    /// The way to each part, and its type; none if the whole has no order part by part.
+    /// Returns the step to each part, and its type; none if the type has no order by parts.
     fn steps_to_parts(&self, place: &Place) -> Option<Vec<(Step, Type)>> {
         let known = self.cx.known(&place.ty);
         let is_tuple = known.shown.is_some() && known.cases.is_empty();
@@ -439,7 +439,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The comparison that is false of two equals.
+/// Returns the comparison without equality: `<` for `<=`.
 fn strict(op: CompareOp) -> CompareOp {
     match op {
         CompareOp::Le => CompareOp::Lt,
@@ -448,7 +448,7 @@ fn strict(op: CompareOp) -> CompareOp {
     }
 }
 
-/// The opposite of a comparison of equality, of floats too.
+/// Negates a comparison of equality, also of floats.
 fn opposite(same: Expr) -> Expr {
     let span = same.span;
     match same.kind {

@@ -1,5 +1,5 @@
-//! Conditions: those with patterns in them (`if let Some(x) = … && x > 0`), `&&` whose right side needs statements, and
-//! whether a value lies between two others.
+//! Lowers conditions: with patterns (`if let Some(x) = … && x > 0`), with `&&` whose right side needs statements, and
+//! range tests.
 
 use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT};
 use bessemer_ir::{
@@ -15,7 +15,7 @@ use bessemer_ir::effects;
 use bessemer_ir::visit::VisitMut;
 
 impl Lowering<'_, '_> {
-    /// A condition with patterns in it; its names stand for their places from here on.
+    /// Lowers a condition with patterns, whose names are aliases of their places from here on.
     pub(super) fn pattern_condition(
         &mut self,
         expr: &tree::Expr,
@@ -37,9 +37,9 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Lowers the next condition of a chain; the conditions before it bound `names`. A name whose place this condition writes
-    /// is copied first; the other names stand for their places until the whole chain is lowered. Until it is known which they
-    /// are, a local stands for each.
+    /// Lowers the next condition of a chain; earlier conditions bound `names`. A name whose place this condition
+    /// writes is copied first. The other names are aliases, represented by placeholder locals until the chain is
+    /// lowered.
     pub(super) fn further_condition(
         &mut self,
         expr: &tree::Expr,
@@ -98,7 +98,7 @@ impl Lowering<'_, '_> {
         Ok(value)
     }
 
-    /// Emits the branches of a pattern, or the one that is taken where the lengths alone decide.
+    /// Emits the branches of a pattern, or only the branch that constant lengths select.
     pub(super) fn branch(&mut self, condition: Expr, then: Block, otherwise: Block, span: Span) {
         match decided(&condition) {
             Some(true) => self.out.extend(then.0),
@@ -107,7 +107,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `&&` and `||`: where the right side needs statements, they run only if it does.
+    /// Lowers `&&` and `||`. Statements of the right side run only if it is evaluated.
     pub(super) fn short_circuit(
         &mut self,
         op: LogicOp,
@@ -122,7 +122,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The same of a right side that needs statements.
+    /// Lowers a logic operation whose right side needs statements, with a temporary for its result.
     fn right_behind(&mut self, op: LogicOp, left: Expr, right: Expr, mut inner: Vec<Stmt>) -> Expr {
         let span = left.span;
         let place = self.temporary_place("holds", left);
@@ -138,7 +138,7 @@ impl Lowering<'_, '_> {
         held
     }
 
-    /// `left && right`, the same, but what the statements declare can be read behind them.
+    /// Lowers `left && right` so that locals declared by the right side can be read after it.
     pub(super) fn and_then(
         &mut self,
         left: Expr,
@@ -175,7 +175,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether a condition has a pattern in it.
+/// Returns true if a condition contains a pattern.
 pub(super) fn has_let(expr: &tree::Expr) -> bool {
     match &expr.kind {
         Tree::Let(..) => true,
@@ -184,7 +184,7 @@ pub(super) fn has_let(expr: &tree::Expr) -> bool {
     }
 }
 
-/// Whether a condition holds, where its literals alone say so.
+/// Returns the truth of a condition that literals decide.
 pub(super) fn decided(condition: &Expr) -> Option<bool> {
     let number = |expr: &Expr| match (&expr.kind, expr.ty.as_int()) {
         (ExprKind::Literal(word), Some(int)) => Some(int.from_word(*word)),
@@ -212,7 +212,7 @@ pub(super) fn decided(condition: &Expr) -> Option<bool> {
     }
 }
 
-/// `low <= value && value <= high`, or what is left of it.
+/// Returns `low <= value && value <= high` without the comparisons that the value's type makes redundant.
 pub(super) fn within(value: &Expr, (low, high): (i128, i128), span: Span) -> Expr {
     if value.ty == Type::BOOL {
         let not = Expr::unary(UnaryOp::Not, value.clone()).at(span);

@@ -1,4 +1,4 @@
-//! Control flow: statements, and values that control flow decides.
+//! Lowers control flow: statements, and values computed by control flow.
 
 use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Site};
 use bessemer_ir::{Block, Expr, ExprKind, Fault, Mode, Place, Span, StmtKind, Type};
@@ -13,17 +13,17 @@ use super::words;
 use super::{Needed, Result, order, refusals, refused};
 
 impl Lowering<'_, '_> {
-    /// Computes `expr` and sends its value to `target`.
+    /// Lowers `expr` and assigns its value to `target`.
     pub(super) fn into(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
         self.lowered(expr, Some(target))
     }
 
-    /// Runs `expr` for its effect.
+    /// Lowers `expr` for its effects only.
     pub(super) fn effect(&mut self, expr: &tree::Expr) -> Result<()> {
         self.lowered(expr, None)
     }
 
-    /// Runs `expr`, and sends its value to `target` if one is wanted.
+    /// Lowers `expr`, and assigns its value to `target` if there is one.
     pub(super) fn lowered(&mut self, expr: &tree::Expr, target: Option<&Target>) -> Result<()> {
         if let Some(other) = self.in_place(expr) {
             return self.lowered(&other, target);
@@ -63,7 +63,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `if`, in which what holds in this instance is all that there is.
+    /// Lowers `if`; if the instance decides the condition, only the branch that is taken.
     fn if_stmt(
         &mut self,
         site: Site,
@@ -116,8 +116,8 @@ impl Lowering<'_, '_> {
         self.builtin_of(callee) == Some(Builtin::Option(OptionMethod::Unwrap))
     }
 
-    /// `operand?`: leaves with what it is unless there is a value; that value, if there is something to
-    /// it.
+    /// Lowers `operand?`: returns early with `None` or the error, else continues with the payload; none if that is
+    /// zero-sized.
     pub(super) fn try_value(
         &mut self,
         label: Option<&str>,
@@ -152,7 +152,7 @@ impl Lowering<'_, '_> {
         Ok(value.map(|value| value.load()))
     }
 
-    /// The type of what goes to a target.
+    /// Returns the type of a target.
     fn wanted(&self, target: &Target) -> Type {
         match target {
             Target::Place(place) => place.ty.clone(),
@@ -160,7 +160,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A local that control flow decides: declared first, then assigned on every path.
+    /// Declares a local that control flow then assigns on every path.
     pub(super) fn decided_by(
         &mut self,
         name: String,
@@ -176,7 +176,7 @@ impl Lowering<'_, '_> {
         Ok(place)
     }
 
-    /// The value of a local that a loop assigns: C compilers do not see that the loop runs.
+    /// Returns an initial value for a local that a loop assigns, since C compilers cannot see that the loop runs.
     fn before_loop(&self, value: &tree::Expr, ty: &Type, span: Span) -> Option<Expr> {
         (ends_in_loop(value) && *ty != Type::Unit).then(|| self.zero(ty, span))
     }
@@ -206,7 +206,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// A block, its value to `target` if one is wanted.
+    /// Lowers a block, and assigns its value to `target` if there is one.
     pub(super) fn block(&mut self, block: &tree::Block, target: Option<&Target>) -> Result<Block> {
         self.scoped(|inner| {
             inner.stmts(block)?;
@@ -218,14 +218,14 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// The same, into the block at hand.
+    /// Lowers a block into the current one.
     fn run(&mut self, block: &tree::Block, target: Option<&Target>) -> Result<()> {
         let Block(stmts) = self.block(block, target)?;
         self.out.extend(stmts);
         Ok(())
     }
 
-    /// `else`, as far as there is one.
+    /// Lowers the `else` branch, which is empty if there is none.
     fn otherwise(
         &mut self,
         otherwise: Option<&tree::Expr>,
@@ -234,7 +234,7 @@ impl Lowering<'_, '_> {
         self.scoped(|inner| otherwise.map_or(Ok(()), |it| inner.lowered(it, target)))
     }
 
-    /// Lowers an expression for its effect, where it is no control flow that has a value.
+    /// Lowers an expression for its effect, unless it is control flow with a value.
     fn statement(&mut self, expr: &tree::Expr) -> Result<()> {
         let span = self.span(expr.site);
         match &expr.kind {
@@ -300,7 +300,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The value of a condition in this instance: `if N == 0` is none of the C's business.
+    /// Returns the truth of a condition that a const generic of the instance decides, such as `if N == 0`. The C then
+    /// has only one branch.
     fn decided(&self, condition: &Expr) -> Option<bool> {
         if self.source.generics.is_empty() {
             return None;
@@ -346,7 +347,8 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Refuses to let a name refer to something else: in the C it is another name of its place.
+    /// Refuses an assignment that makes a reference refer to another place: in the C its name is an alias of one
+    /// place.
     pub(super) fn keeps_what_it_refers_to(
         &mut self,
         place: &tree::Expr,
@@ -379,7 +381,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `place = value`, `place op= value`.
+    /// Lowers `place = value` and `place op= value`.
     fn assign(
         &mut self,
         op: Option<tree::BinaryOp>,
@@ -456,7 +458,8 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The place of `place op= value` by a name, where an index in it takes computing: Rust does that once, and first.
+    /// Returns the place of `place op= value` with its computed indices in temporaries, since Rust evaluates them
+    /// once and first.
     fn computed_once(&mut self, place: &tree::Expr) -> Result<tree::Expr> {
         if is_repeatable(place) {
             return Ok(place.clone());
@@ -467,8 +470,8 @@ impl Lowering<'_, '_> {
         Ok(tree::Expr { kind: Tree::Local(PLACE.to_owned()), ..place.clone() })
     }
 
-    /// The place and the operand of `place op= value`: of scalars Rust computes the operand first, of
-    /// matrices the place. The place is written into the statement twice and computed once.
+    /// Returns the place and the operand of `place op= value`. Rust evaluates the operand of scalars first, and the
+    /// place of matrices first. The statement contains the place twice, but its indices are evaluated once.
     fn compound(
         &mut self,
         place: &tree::Expr,
@@ -497,7 +500,7 @@ impl Lowering<'_, '_> {
         Ok((place, value))
     }
 
-    /// The name for a value that goes into a place: its last field, or its variable.
+    /// Returns the name of a temporary for a value that a place receives: the place's last field, or its variable.
     pub(super) fn name_of(&self, place: &tree::Expr) -> String {
         match &place.kind {
             // What a function that stands here calls its parameter has the author's name.
@@ -515,17 +518,17 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The place that an assignment writes.
+    /// Returns the place that an assignment writes.
     pub(super) fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
         self.not_coords(expr)?;
         self.place(expr)?.or_refused(expr.site, refusals::ASSIGNED)
     }
 }
 
-/// What a place that takes computing is called while it is assigned.
+/// Name of a place with computed indices during its assignment.
 const PLACE: &str = "%place";
 
-/// Whether to compute a place again does nothing: it is made of names and numbers.
+/// Returns true if a place may be evaluated twice: it consists of names and literals.
 fn is_repeatable(place: &tree::Expr) -> bool {
     match &place.kind {
         Tree::Local(_) | Tree::Int(..) => true,

@@ -1,5 +1,5 @@
-//! `let` with a pattern; and tuples that are never made: the items of `zip` and `enumerate` under one name, in expanded
-//! functions. The name denotes the parts side by side; a tuple is made only where it is used as a value.
+//! Lowers `let` with a pattern, and tuples that are never built, such as the items of `zip` and `enumerate` in
+//! expanded functions. A name of such a tuple denotes its parts; the tuple is built only if it is used as a value.
 
 use std::cell::RefCell;
 
@@ -11,7 +11,7 @@ use super::pattern::{Test, aligned};
 use super::syntax::either;
 use super::value::Value;
 
-/// `let name = value;`
+/// A `let name = value;`.
 #[derive(Clone, Copy)]
 pub(super) struct Let<'t> {
     pub name: &'t str,
@@ -22,7 +22,7 @@ pub(super) struct Let<'t> {
 }
 
 impl Lowering<'_, '_> {
-    /// `let name = value;`
+    /// Lowers `let name = value;`.
     pub(super) fn let_stmt(&mut self, it: Let) -> Result<()> {
         let Let { name, slot, value, site, mutable } = it;
         let whole = Pattern::Name { name: name.to_owned(), slot, mutable: false, inner: None };
@@ -35,7 +35,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// `let pattern = value;`
+    /// Lowers `let pattern = value;`.
     pub(super) fn take_apart(
         &mut self,
         pattern: &Pattern,
@@ -55,7 +55,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// `let (a, b) = (x, y);`: each in a local of its own before the next is computed.
+    /// Lowers `let (a, b) = (x, y);`: each part is stored in a local before the next is evaluated.
     fn take_each(&mut self, pattern: &Pattern, value: &tree::Expr) -> Result<()> {
         let mut bound = Vec::new();
         self.take_part(pattern, value, &mut bound)?;
@@ -112,7 +112,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The parts of such a tuple, if an expression names it.
+    /// Returns the parts of an unbuilt tuple that an expression names.
     pub(super) fn parts_named(&self, expr: &tree::Expr) -> Option<Value> {
         self.meaning_lent(expr).filter(|it| matches!(it, Value::Tuple(..)))
     }
@@ -165,7 +165,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Returns true if control leaves by an expression, whatever the input.
+/// Returns true if control always leaves the block by an expression.
 fn leaves(expr: &tree::Expr) -> bool {
     let block = |block: &tree::Block| match (&block.tail, block.stmts.last()) {
         (Some(tail), _) => leaves(tail),

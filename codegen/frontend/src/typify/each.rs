@@ -1,6 +1,6 @@
-//! `for` over the elements of arrays and matrices: a `for` over their indices.
+//! Lowers `for` over elements of arrays and matrices to a `for` over their indices.
 //!
-//! A name for a reference is another name for the element; a name for a value is a local of its own.
+//! A name with a reference type is an alias of the element; a name with a value type is a local.
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Grouping, Pattern, Site, Source, Ty};
 use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Place, Span, Stmt, StmtKind, Type};
@@ -13,14 +13,14 @@ use super::words;
 use super::{Result, refusals, refused};
 use bessemer_ir::effects;
 
-/// A loop.
+/// A `for` loop.
 #[derive(Clone, Copy)]
 pub(super) struct Each<'e> {
     pub site: Site,
     pub label: Option<&'e str>,
     pub pattern: &'e Pattern,
     pub source: &'e Source,
-    /// Of an own iterator, how many passes there may be.
+    /// Bound that the author gives for the number of passes over an own iterator.
     pub bound: Option<&'e tree::Expr>,
     pub body: &'e tree::Block,
 }
@@ -103,7 +103,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The name for the counter of a loop whose author has none.
+    /// Returns a name for the counter of a loop without an index of the author's.
     fn next_index(&self, items: &[Item]) -> &'static str {
         let names = words::COUNTERS;
         let named = |wanted: &str| {
@@ -121,7 +121,7 @@ impl Lowering<'_, '_> {
         names[taken.count() % names.len()]
     }
 
-    /// Gives the name of an item its meaning.
+    /// Binds the pattern of an item.
     fn name_item(&mut self, Item { pattern, of, index }: &Item, site: Site) -> Result<()> {
         let element = match of {
             Some(Kind::Elements(elements)) => elements.slice.at(index.clone()),
@@ -173,7 +173,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The element at an index of several sequences, in a local of its own.
+    /// Copies the element at an index of a `chain` of sequences into a local.
     fn one_of_several(
         &mut self,
         pattern: &Pattern,
@@ -218,8 +218,8 @@ impl Lowering<'_, '_> {
         Ok(place)
     }
 
-    /// A loop over a value does not see what its body writes: then it goes through a copy. Gives the
-    /// declarations of the copies.
+    /// Copies arrays that a loop iterates over by value, if its body writes them, and returns the declarations of the
+    /// copies.
     fn copy_written(&mut self, items: &[Item], body: &mut Block, span: Span) -> Vec<Stmt> {
         let mut copies = Vec::new();
         for item in items {
@@ -256,7 +256,7 @@ impl Lowering<'_, '_> {
         copies
     }
 
-    /// True if the loop goes through an `Option`.
+    /// Returns true if the loop iterates over an `Option`.
     fn may_be_there(&mut self, of: &tree::Expr) -> bool {
         match (self.seen_as(of), &of.kind) {
             (Some(Ty::Option(_)), _) => true,
@@ -269,7 +269,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `for x in option`: the body, if there is something. What leaves the loop, or the pass, leaves that.
+    /// Lowers `for x in option` to a test with the body in it. A `break` or a `continue` leaves the test.
     fn one_pass(&mut self, option: &tree::Expr, each: Each) -> Result<()> {
         let of = |kind| tree::Expr::plain(kind, each.site);
         let pattern = Pattern::Constructor("Some".into(), vec![each.pattern.clone()]);
@@ -282,7 +282,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether a source is the steps of a range.
+/// Returns true if a source is a range with a step.
 fn counted(source: &Source) -> bool {
     match source {
         Source::Rev(of) => counted(of),

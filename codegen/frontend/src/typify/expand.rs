@@ -1,10 +1,10 @@
-//! Functions that stand where they are called: `#[function(expand)]`.
+//! Functions that are inlined at each call: `#[function(expand)]`.
 //!
-//! The body is lowered at each call, in a scope of its own. A parameter is the place that is borrowed for it, or a value
-//! that does not change. A closure is called in the scope that it was written in: it may use all that its author sees
-//! there, slices too.
+//! The body is lowered at each call, in its own scope. A parameter is an alias of the borrowed place, or a value that
+//! does not change. A closure is called in the scope of its definition, so it may use everything that its author sees
+//! there, also slices.
 //!
-//! Invariants: the body ends in its last expression, since a `return` would leave the caller; the macro refuses others.
+//! Invariant: the body has no `return`, which would leave the caller; the macro refuses it.
 //!
 //! Must not know: what any such function computes.
 
@@ -18,21 +18,21 @@ use super::syntax::generates;
 use super::value::Value;
 use super::{Problem, Result, diagnostic, problem, refusals, refused};
 
-/// The crate whose functions no author reads.
+/// Name of the DSL's crate, whose code is not the author's.
 const DSL: &str = "bessemer";
 
-/// Returns true if a function is one of the DSL's.
+/// Returns true if a function belongs to the DSL.
 pub(super) fn is_ours(function: &tree::Function) -> bool {
     function.module.split("::").next() == Some(DSL)
 }
 
 impl<'a> Lowering<'a, '_> {
-    /// The function that stands where `expr` calls it, and its arguments; none if `expr` is something else.
+    /// Returns the inlined function that `expr` calls, and its arguments; none for any other expression.
     pub(super) fn expansion<'e>(&self, expr: &'e tree::Expr) -> Option<Called<'a, 'e>> {
         self.called(expr).filter(|(function, _)| function.tree.role == Role::Expanded)
     }
 
-    /// Its value.
+    /// Lowers an inlined call to its value.
     pub(super) fn expanded_value(
         &mut self,
         called: Called<'a, '_>,
@@ -51,7 +51,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(value)
     }
 
-    /// Lowers its body, and hands what that ends in to `end`.
+    /// Lowers the body of an inlined function, and calls `end` with its tail expression.
     pub(super) fn expanded<T>(
         &mut self,
         (function, arguments): Called<'a, '_>,
@@ -68,7 +68,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// The meaning of the parameters of a function.
+    /// Returns the meaning of each parameter of a function.
     pub(super) fn given_to(
         &mut self,
         function: &'a tree::Function,
@@ -108,7 +108,7 @@ impl<'a> Lowering<'a, '_> {
         Ok((param.name.clone(), given))
     }
 
-    /// Lowers what belongs to another function, in which names have these meanings.
+    /// Lowers code of another function, with its parameters bound to these meanings.
     pub(super) fn inside<T>(
         &mut self,
         function: &'a tree::Function,
@@ -123,9 +123,8 @@ impl<'a> Lowering<'a, '_> {
         self.from(function, Scope { names: vec![bound], expanding, locals: None }, site, lower)
     }
 
-    /// Lowers what stands in another function, in which names have these meanings and these functions are expanded. What
-    /// is wrong there is told in that function's file, once; at `site` nothing is left to say. What is wrong in a function
-    /// of the DSL's is told where the author calls it.
+    /// Lowers code of another function in its own scope. An error in it is reported once, at its line; the caller's
+    /// `site` has no message then. An error in a function of the DSL is reported at the author's call.
     pub(super) fn from<T>(
         &mut self,
         function: &'a tree::Function,

@@ -1,4 +1,4 @@
-//! Expressions: each gets its type from its operands, and rustc's slot has to agree.
+//! Lowers expressions: the type of each follows from its operands, and must agree with rustc's slot.
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Role, Site};
 use bessemer_ir::{
@@ -13,25 +13,25 @@ use super::syntax::{control_with_value, is_question, numbered};
 use super::words;
 use super::{Needed, OUR_FAULT, Result, literal, problem, refusals, refused};
 
-/// An operand still to be lowered: the expression, the type expected of it, and its role.
+/// An operand to be lowered: the expression, its expected type, and its role, which names its temporary.
 pub(super) struct Operand<'e> {
     pub expr: &'e tree::Expr,
     pub expected: Option<Type>,
     pub role: &'static str,
 }
 
-/// A call of one of the DSL's operations: what it is called with, and the whole.
+/// A call of an operation of the DSL: its arguments, and the whole expression.
 #[derive(Clone, Copy)]
 pub(super) struct Call<'e> {
     pub arguments: &'e [tree::Expr],
     pub expr: &'e tree::Expr,
 }
 
-/// The remedy where an operator is a function that the DSL does not find.
+/// Remedy for an operator without an implementation in the DSL.
 const OPERATOR: &str = "of a type of your own: mark the `impl` block of the operator `#[data]`; of a type parameter: call the operator where the type is known";
 
 impl Lowering<'_, '_> {
-    /// The value of `expr`; what it needs done before is emitted.
+    /// Lowers `expr` to a value, and emits the statements that it needs before.
     pub(super) fn value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
         if let Some(other) = self.in_place(expr) {
             return self.value(&other, expected);
@@ -240,8 +240,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Two operands, of which one that is a literal without a type has the other's. That one is lowered first: when a literal
-    /// is computed does not show.
+    /// Lowers two operands, of which an unsuffixed literal gets the other's type. The literal is lowered last, which
+    /// nobody can observe.
     pub(super) fn beside_literal(
         &mut self,
         both: [Operand<'_>; 2],
@@ -262,7 +262,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The type of an expression that is looked at for nothing else: what it emits is dropped.
+    /// Returns the type of an expression without emitting any statement.
     pub(super) fn type_alone(&mut self, expr: &tree::Expr) -> Result<Type> {
         let (statements, locals) = (std::mem::take(&mut self.out), self.locals.len());
         let open = self.lenders.open();
@@ -382,7 +382,7 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Cast(Box::new(operand)), ty, expr.site)
     }
 
-    /// `matches!(…)`: the test alone.
+    /// Lowers `matches!(…)` to its condition.
     fn question(&mut self, scrutinee: &tree::Expr, arm: &tree::Arm, site: Site) -> Result<Expr> {
         let subject = self.subject(scrutinee)?;
         self.naming_scope(|inner| {
@@ -392,7 +392,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// Control flow as part of an expression: into a local of its own.
+    /// Lowers control flow inside an expression to a local that it assigns.
     fn control_value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
         let ty = match (expr.slot, expected) {
             (None, Some(ty)) => ty.clone(),
@@ -403,8 +403,8 @@ impl Lowering<'_, '_> {
         Ok(self.decided_by(name, ty, Some(expr), span)?.load())
     }
 
-    /// Lowers operands left to right. Where a later one needs statements, what came before and could
-    /// change by them is computed first.
+    /// Lowers operands left to right. If a later one needs statements, earlier values that these could change are
+    /// held in temporaries.
     pub(super) fn operands(&mut self, operands: &[Operand<'_>]) -> Result<Vec<Expr>> {
         let mut values: Vec<Expr> = Vec::new();
         for (index, operand) in operands.iter().enumerate() {
@@ -418,7 +418,7 @@ impl Lowering<'_, '_> {
         Ok(values)
     }
 
-    /// The values of operands of one expected type; one without a role of its own is an element.
+    /// Lowers operands of one expected type. An operand without a role is named as an element.
     pub(super) fn alike(
         &mut self,
         operands: &[tree::Expr],
@@ -439,7 +439,7 @@ impl Lowering<'_, '_> {
         self.call_of(&callee, arguments, expr)
     }
 
-    /// A call of what rustc resolved.
+    /// Lowers a call of the callee that rustc resolved.
     pub(super) fn call_of(
         &mut self,
         callee: &tree::Callee,
@@ -474,7 +474,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The type of the elements of an array.
+/// Returns the element type of an array.
 fn elements_of(ty: &Type) -> Option<&Type> {
     match ty {
         Type::Array { element, .. } => Some(element),
@@ -494,7 +494,7 @@ fn is_unsuffixed_float(expr: &tree::Expr) -> bool {
     }
 }
 
-/// The type of the elements of a matrix, or of anything else itself.
+/// Returns the element type of a matrix, or any other type itself.
 fn of_elements(ty: &Type) -> Type {
     match ty {
         Type::Matrix { element, .. } => Type::Scalar(*element),
@@ -502,7 +502,7 @@ fn of_elements(ty: &Type) -> Type {
     }
 }
 
-/// An author's operator as one of the IR's.
+/// IR operation that an author's operator means.
 enum Plain {
     Logic(LogicOp),
     Compare(CompareOp),

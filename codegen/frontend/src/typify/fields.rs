@@ -1,4 +1,4 @@
-//! Values of structs and variants: their fields in the author's order, and the rest from another value.
+//! Values of structs and variants: fields evaluated in the author's order, and the rest from a base value.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Place, Span, StmtKind, StructId, Type};
@@ -10,7 +10,7 @@ use super::syntax::numbered;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 impl Lowering<'_, '_> {
-    /// `Name { field: value, ..base }`: a struct, or a variant.
+    /// Lowers `Name { field: value, ..base }` of a struct or a variant.
     pub(super) fn struct_value(
         &mut self,
         name: &str,
@@ -32,7 +32,7 @@ impl Lowering<'_, '_> {
         self.variant(id, case, fields, expr)
     }
 
-    /// A variant, by its word and what it holds.
+    /// Lowers a variant of an enum with payload, from its word and its fields.
     fn variant(
         &mut self,
         id: StructId,
@@ -58,7 +58,7 @@ impl Lowering<'_, '_> {
         self.choice(id, word, payload, expr.site)
     }
 
-    /// `Name(a, b)`.
+    /// Lowers `Name(a, b)`.
     pub(super) fn constructed(
         &mut self,
         name: &str,
@@ -75,7 +75,7 @@ impl Lowering<'_, '_> {
         self.struct_value(name, &numbered(parts), None, expr)
     }
 
-    /// The variant `word` of a struct that stands for an enum.
+    /// Returns the value of variant `word` of a struct that represents an enum.
     pub(super) fn choice(
         &mut self,
         id: StructId,
@@ -98,7 +98,7 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Struct(parts), Type::Struct(id), site)
     }
 
-    /// The value of a type whose every word is zero.
+    /// Returns the value of a type in which every word is zero.
     pub(super) fn zero(&self, ty: &Type, span: Span) -> Expr {
         let kind = match ty {
             Type::Unit | Type::Slice(_) | Type::Scalar(_) | Type::Enum(_) => ExprKind::Literal(0),
@@ -114,7 +114,7 @@ impl Lowering<'_, '_> {
         Expr { kind, ty: ty.clone(), span }
     }
 
-    /// A struct of its parts.
+    /// Lowers a struct with its fields.
     pub(super) fn parts(
         &mut self,
         id: StructId,
@@ -173,7 +173,7 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Struct(ordered), Type::Struct(id), expr.site)
     }
 
-    /// Computes the values of fields in the author's order, where that of the definition would show.
+    /// Evaluates field values in the author's order, if another order could be observed.
     fn keep_order_of_fields(
         &mut self,
         values: &mut [Expr],
@@ -191,7 +191,7 @@ impl Lowering<'_, '_> {
         });
     }
 
-    /// The place of `..base`; values that its statements could change are computed before them.
+    /// Returns the place of `..base`; earlier values that its statements could change are held before.
     fn rest(
         &mut self,
         values: &mut [Expr],

@@ -1,4 +1,4 @@
-//! One function: its parameters, its scopes, and its statements in order.
+//! Lowers one function: parameters, scopes, and statements in order.
 
 use std::collections::{HashMap, HashSet};
 
@@ -17,16 +17,16 @@ use super::value::Value;
 use super::{Context, Needed, Result, names, problem, refusals, refused};
 use crate::fuse::fuse;
 
-/// A function, and what its callers have to know of it.
+/// A lowered function, with facts that its callers need.
 pub(super) struct Lowered {
     pub function: Function,
-    /// Which of its parameters hold nothing.
+    /// True for each parameter that is zero-sized, so the C has none.
     pub absent: Vec<bool>,
-    /// What the slices in its result are parts of.
+    /// The lender of each slice in its result.
     pub given_back: Vec<(Path, Place)>,
 }
 
-/// Lowers a function; its callees are in the module already.
+/// Lowers a function whose callees are in the module already.
 pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Lowered> {
     let tree = &source.tree;
     let span = cx.span(&source.file, tree.site);
@@ -70,22 +70,22 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Low
     Ok(Lowered { function: Function { name, module, role, ..lowered.function }, ..lowered })
 }
 
-/// Whether each call of a function has a copy of its own, for the closures that it is called with.
+/// Returns true if a function has a closure parameter, so that it is copied for each combination of closures.
 pub(super) fn takes_closures(function: &tree::Function) -> bool {
     function.tree.params.iter().any(|param| param.closure)
 }
 
-/// The local without the marks that kept its name apart from others.
+/// Returns the local with the `%` marks removed from its name.
 pub(super) fn without_marks(local: Local) -> Local {
     Local { name: local.name.replace('%', ""), ..local }
 }
 
-/// The type of what a function gives, as rustc saw it.
+/// Returns the result type of a function, as rustc inferred it.
 pub(super) fn result_of(function: &tree::Function) -> Option<&Ty> {
     function.slots.get(function.tree.result as usize)
 }
 
-/// The elements of the slice that a type refers to.
+/// Returns the element type of the slice that a type refers to.
 pub(super) fn slice_of(ty: &Ty) -> Option<&Ty> {
     match ty {
         Ty::Ref(inner, _) => match &**inner {
@@ -96,7 +96,7 @@ pub(super) fn slice_of(ty: &Ty) -> Option<&Ty> {
     }
 }
 
-/// The type of numbers or characters that the function was implemented for: Rust's own, so it is nobody's owner.
+/// Returns the primitive type on which a function is implemented, such as `f64`; it is not an author's type.
 fn number_of(source: &tree::Function) -> Option<&str> {
     let is_one = |path: &&str| path.starts_with(char::is_lowercase) && !path.contains("::");
     source.owner.as_deref().filter(is_one)
@@ -107,7 +107,7 @@ fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
 }
 
 impl<'a, 'c> Lowering<'a, 'c> {
-    /// With nothing lowered yet.
+    /// Returns a lowering without statements.
     pub(super) fn new(cx: &'a mut Context<'c>, source: &'a tree::Function) -> Result<Self> {
         let site = source.tree.site;
         if let Some(path) = &source.owner
@@ -157,7 +157,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
 }
 
 impl Lowering<'_, '_> {
-    /// The type whose method is being lowered.
+    /// Returns the author's type whose method is being lowered.
     pub(super) fn owner(&self) -> Option<Owner> {
         match self.cx.types.get(self.source.owner.as_ref()?) {
             Some(Type::Struct(id)) => Some(Owner::Struct(*id)),
@@ -166,7 +166,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The function, its body lowered; the first `params` of its locals are its parameters. Its caller gives it a name.
+    /// Returns the lowered function, whose first `params` locals are its parameters. The caller names it.
     pub(super) fn finished(&mut self, params: usize, span: Span) -> Result<Lowered> {
         self.follow_copies();
         self.put_awaited()?;
@@ -261,12 +261,12 @@ impl Lowering<'_, '_> {
         self.cx.span(&self.source.file, site)
     }
 
-    /// The type in a slot, as that of a value.
+    /// Returns the type in a slot as a value type.
     pub(super) fn slot(&mut self, slot: u32, site: Site) -> Result<Type> {
         self.cx.value_type(slot_type(self.source, slot, site)?, site)
     }
 
-    /// The same of an expression, which may give a reference to what is read.
+    /// Returns the type in a slot of an expression that is read; for a reference it is the referent's type.
     pub(super) fn seen(&mut self, slot: u32, site: Site) -> Result<Type> {
         match slot_type(self.source, slot, site)? {
             Ty::Ref(inner, false) => self.cx.pointee(inner, site),
@@ -274,12 +274,12 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The type of an expression, as rustc saw it; none where it was not asked.
+    /// Returns the type of an expression as rustc inferred it; none if it has no slot.
     pub(super) fn seen_as(&self, expr: &tree::Expr) -> Option<&Ty> {
         self.source.slots.get(expr.slot? as usize)
     }
 
-    /// The referent of the reference in a slot.
+    /// Returns the referent of the reference type in a slot.
     pub(super) fn refers_to(&mut self, slot: u32, site: Site) -> Result<Type> {
         self.cx.pointee(slot_type(self.source, slot, site)?, site)
     }
@@ -296,13 +296,13 @@ impl Lowering<'_, '_> {
         Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(_, true)))
     }
 
-    /// A new local by value, which nothing means yet.
+    /// Adds a local by value, which no name denotes yet.
     pub(super) fn local(&mut self, name: impl Into<String>, ty: Type, span: Span) -> LocalId {
         self.locals.push(Local { name: name.into(), ty, mode: Mode::Value, span });
         LocalId(self.locals.len() as u32 - 1)
     }
 
-    /// The same, declared with its value.
+    /// Declares a local with its value, and returns its place.
     pub(super) fn let_local(&mut self, name: impl Into<String>, value: Expr) -> Place {
         let (ty, span) = (value.ty.clone(), value.span);
         let local = self.local(name, ty.clone(), span);
@@ -310,7 +310,7 @@ impl Lowering<'_, '_> {
         Place::local(local, ty, span)
     }
 
-    /// A new local that `name` means from here on.
+    /// Adds a local, and binds `name` to it.
     pub(super) fn declare(&mut self, name: &str, ty: Type, mode: Mode, span: Span) -> LocalId {
         let id = self.local(name, ty, span);
         self.locals[id.index()].mode = mode;
@@ -318,14 +318,14 @@ impl Lowering<'_, '_> {
         id
     }
 
-    /// The same, with its value.
+    /// Declares a local with its value, and binds `name` to it.
     pub(super) fn let_named(&mut self, name: &str, value: Expr, span: Span) -> LocalId {
         let local = self.declare(name, value.ty.clone(), Mode::Value, span);
         self.emit(StmtKind::Let { local, value: Some(value) }, span);
         local
     }
 
-    /// The meaning of a name, as a value.
+    /// Returns the value that a name denotes.
     pub(super) fn named(&mut self, name: &str, site: Site) -> Result<Expr> {
         let span = self.span(site);
         let meaning = self.lookup(name, site)?;
@@ -359,7 +359,7 @@ impl Lowering<'_, '_> {
         self.out.push(Stmt::new(kind, span));
     }
 
-    /// Gives the author's comments above `site` to the first statement since `mark`.
+    /// Attaches the author's comments above `site` to the first statement after `mark`.
     fn comment(&mut self, mark: usize, Site(line, _): Site) {
         if let Some(stmt) = self.out.get_mut(mark)
             && stmt.comments.is_empty()
@@ -368,7 +368,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Lowers in a scope of its own, into the block at hand.
+    /// Lowers in a new scope, into the current block.
     pub(super) fn naming_scope<T>(
         &mut self,
         lower: impl FnOnce(&mut Self) -> Result<T>,
@@ -379,7 +379,7 @@ impl Lowering<'_, '_> {
         done
     }
 
-    /// Lowers in a scope of its own, into a block of its own.
+    /// Lowers in a new scope, into a new block.
     pub(super) fn scoped(&mut self, lower: impl FnOnce(&mut Self) -> Result<()>) -> Result<Block> {
         self.scopes.push(Vec::new());
         let done = self.apart(lower);
@@ -387,7 +387,7 @@ impl Lowering<'_, '_> {
         done.map(|((), inner)| Block(inner))
     }
 
-    /// The statements of a block, without its tail.
+    /// Lowers the statements of a block, without its tail expression.
     pub(super) fn stmts(&mut self, block: &tree::Block) -> Result<()> {
         for stmt in &block.stmts {
             let mark = self.out.len();
@@ -416,7 +416,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The same of a value that is no `lent?`.
+    /// Lowers `let name = value`, if the value has no `?` on a borrowed option.
     pub(super) fn give_name(&mut self, it: Let) -> Result<()> {
         let Let { name, slot, value, site, mutable } = it;
         if let Some(value) = value {
@@ -497,7 +497,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// The local that a value was put together in, and nothing else: it can have the author's name.
+    /// Returns the temporary in which a value was built, if nothing else uses it. It may get the author's name.
     fn made_for(&mut self, value: &Expr, since: usize) -> Option<LocalId> {
         match &value.kind {
             ExprKind::Load(place) => local_since(place, since).filter(|local| self.release(*local)),
@@ -505,7 +505,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `let name = if …`.
+    /// Lowers `let name = if …`.
     pub(super) fn let_control(
         &mut self,
         name: &str,
@@ -518,24 +518,24 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// A temporary that holds `value`; named for what it is part of.
+    /// Holds `value` in a temporary, named after its role, and returns the read of it.
     pub(super) fn temporary(&mut self, role: &str, value: Expr) -> Expr {
         self.temporary_place(role, value).load()
     }
 
-    /// Its place.
+    /// Holds `value` in a temporary, and returns its place.
     pub(super) fn temporary_place(&mut self, role: &str, value: Expr) -> Place {
         let place = self.mutable_place(role, value);
         self.held.insert(place.root);
         place
     }
 
-    /// The same, which may be written again.
+    /// Declares a mutable temporary with this value, and returns its place.
     pub(super) fn mutable_place(&mut self, role: &str, value: Expr) -> Place {
         self.let_local(self.temporary_name(role), value)
     }
 
-    /// Lowers with a name for what its author left unnamed.
+    /// Lowers with `name` as the first part of temporaries' names.
     pub(super) fn naming_as<T>(
         &mut self,
         name: impl Into<String>,
@@ -561,7 +561,7 @@ impl Lowering<'_, '_> {
         if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) }
     }
 
-    /// Holds a computed type against rustc's.
+    /// Reports an internal error if a computed type differs from rustc's.
     pub(super) fn agree(&self, computed: &Type, rustc: &Type, site: Site) -> Result<()> {
         if computed == rustc {
             return Ok(());
@@ -577,7 +577,7 @@ impl Lowering<'_, '_> {
         )
     }
 
-    /// The module in which the function stands.
+    /// Returns the module that contains the function.
     pub(super) fn module_path(&self) -> String {
         if self.source.module.is_empty() {
             split(&self.source.path).0.to_owned()

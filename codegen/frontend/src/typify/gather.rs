@@ -1,7 +1,7 @@
-//! Loops that gather: sums, products and folds, and arrays that are filled element by element, `array.map(|x| …)`. Methods
-//! that stand for such a loop become one in the tree.
+//! Lowers loops that accumulate: sums, products, folds, and arrays filled element by element, `array.map(|x| …)`.
+//! Methods that are such loops become loops of the tree.
 //!
-//! Methods that stand for a `match` are functions of the library ([`rewrite`](super::rewrite)).
+//! Methods that are equivalent to a `match` are functions of the library ([`rewrite`](super::rewrite)).
 
 use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
 use bessemer_ir::tree::{
@@ -19,7 +19,7 @@ use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 
 impl Lowering<'_, '_> {
-    /// What a call stands for; none if `expr` is something else.
+    /// Returns the equivalent expression for a call that has one; none for any other expression.
     pub(super) fn in_place(&mut self, expr: &tree::Expr) -> Option<tree::Expr> {
         if let Some(next) = self.own_next_called(expr) {
             return Some(next);
@@ -42,7 +42,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The local that holds what is gathered in the end; called as the author calls it, if he does.
+    /// Lowers an accumulating loop, and returns the local with the result. The local has the author's name if
+    /// `called` is one.
     pub(super) fn fold(&mut self, expr: &tree::Expr, called: Option<&str>) -> Result<LocalId> {
         let Tree::Fold { name, start, each } = &expr.kind else {
             return problem(expr.site, "this gathers nothing", OUR_FAULT);
@@ -82,7 +83,7 @@ impl Lowering<'_, '_> {
         Ok(local)
     }
 
-    /// `Some(value)`, or `Ok(value)`.
+    /// Lowers `Some(value)`, or `Ok(value)`, for the result type of a `try_fold`.
     fn goes_on(&mut self, value: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
         let case = match self.slot_of(expr)? {
             Type::Struct(id) => self.going_on(id),
@@ -93,7 +94,7 @@ impl Lowering<'_, '_> {
         self.value(&tree::Expr { kind, site: value.site, slot: expr.slot }, None)
     }
 
-    /// Computes the bounds of a loop that may fault.
+    /// Evaluates the bounds of a loop that may fault into temporaries.
     fn settle_bounds(&mut self, passes: Option<&mut Stmt>) {
         let Some(Stmt { kind: StmtKind::For { from, to, .. }, .. }) = passes else { return };
         for (bound, role) in [from, to].into_iter().zip(words::BOUNDS) {
@@ -101,7 +102,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The number that a sum or a product begins with; nalgebra's sum of matrices, or of complex numbers, with zeros.
+    /// Returns the neutral element that a sum or a product begins with. A sum of matrices or complex numbers begins
+    /// with zeros, as in nalgebra.
     fn neutral(&mut self, number: f64, ty: &Type, expr: &tree::Expr) -> Result<Expr> {
         let of_zeros = matches!(ty, Type::Matrix { .. }) || self.operator(expr.slot).is_some();
         if of_zeros && number == 0.0 {
@@ -119,7 +121,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The initial value of a fold, if that is one value.
+/// Returns the initial value of a fold, if it was emitted as one declaration.
 fn beginning(begun: &[Stmt]) -> Option<&Expr> {
     match begun {
         [Stmt { kind: StmtKind::Let { value: Some(value), .. }, .. }] => Some(value),
@@ -127,7 +129,7 @@ fn beginning(begun: &[Stmt]) -> Option<&Expr> {
     }
 }
 
-/// `array.map(|x| …)`: a loop that assigns each element.
+/// Rewrites `array.map(|x| …)` as a loop that assigns each element.
 fn mapped(array: &tree::Expr, closure: &tree::Expr, expr: &tree::Expr) -> Option<tree::Expr> {
     let Tree::Closure(closure) = &closure.kind else { return None };
     let pattern = closure.parameters.first().cloned().unwrap_or(Pattern::Any);
@@ -135,7 +137,7 @@ fn mapped(array: &tree::Expr, closure: &tree::Expr, expr: &tree::Expr) -> Option
     Some(filled(("%mapped", "%i"), elements, &closure.body, expr))
 }
 
-/// `core::array::from_fn(|i| …)`: the same of the index.
+/// Rewrites `core::array::from_fn(|i| …)` as a loop that assigns each element.
 fn from_fn(closure: &tree::Expr, expr: &tree::Expr) -> Option<tree::Expr> {
     let Tree::Closure(closure) = &closure.kind else { return None };
     let index = match closure.parameters.as_slice() {
@@ -147,7 +149,7 @@ fn from_fn(closure: &tree::Expr, expr: &tree::Expr) -> Option<tree::Expr> {
     Some(filled(("%elements", index), (Pattern::Any, elements), &closure.body, expr))
 }
 
-/// A loop that gives each element of an array its value; the array and the index have these names.
+/// Returns a loop that assigns each element of an array; `name` and `index` name the array and the index.
 fn filled(
     (name, index): (&str, &str),
     (pattern, elements): (Pattern, Source),
@@ -165,8 +167,7 @@ fn filled(
     tree::Expr { kind, ..*expr }
 }
 
-/// `items.sum()`, `items.product()`: a loop that adds each item to what it has so far, or multiplies by it; `by_function`, if
-/// the operator is one.
+/// Rewrites `items.sum()` and `items.product()` as a loop. With `by_function`, the operator is an author's function.
 fn together(how: Together, items: &tree::Expr, expr: &tree::Expr, by_function: bool) -> tree::Expr {
     let (name, start, op) = match how {
         Together::Product => ("%product", Start::Product, tree::BinaryOp::Mul),
@@ -182,7 +183,7 @@ fn together(how: Together, items: &tree::Expr, expr: &tree::Expr, by_function: b
     })
 }
 
-/// `items.try_fold(start, |so_far, item| …)`: what comes of what was gathered so far and of the item, until nothing does.
+/// Rewrites `items.try_fold(start, |so_far, item| …)` as a loop that ends at the first `None` or `Err`.
 fn tried(items: &tree::Expr, rest: &[tree::Expr], expr: &tree::Expr) -> Option<tree::Expr> {
     let [start, tree::Expr { kind: Tree::Closure(closure), .. }] = rest else { return None };
     let [so_far, taken] = closure.parameters.as_slice() else { return None };
@@ -204,8 +205,7 @@ fn tried(items: &tree::Expr, rest: &[tree::Expr], expr: &tree::Expr) -> Option<t
     }))
 }
 
-/// A loop through items that gathers under a name, in the place of `expr`: what it has so far, and what is done with that
-/// and an item.
+/// Returns an accumulating loop in place of `expr`: `pass` computes the new value from the accumulator and an item.
 fn gathered(
     items: &tree::Expr,
     (name, start): (&str, Start),
@@ -218,7 +218,7 @@ fn gathered(
     tree::Expr { kind, ..*expr }
 }
 
-/// Puts what is done with an item in the place of handing it on.
+/// Replaces the yield of an item by an operation on the item.
 struct Taken<'f>(&'f dyn Fn(tree::Expr) -> Tree);
 
 impl VisitMut for Taken<'_> {

@@ -1,11 +1,10 @@
-//! Functions that give or take iterators, put where what they give is gone through.
+//! Functions that return or take iterators, inlined where their items are consumed.
 //!
-//! A function that gives one hands each item to a closure; a loop through it is the function's own loop, in which the body
-//! of the author's loop stands for that closure. An iterator that is an argument is a closure of the same kind: a loop
-//! through the parameter is the loop that stands in the argument.
+//! A function that returns an iterator passes each item to a closure. A loop over its result is the function's own
+//! loop, with the author's body in the closure's place. An iterator argument is such a closure too: a loop over the
+//! parameter is the loop in the argument.
 //!
-//! Invariants: one loop of the function hands its items on, so that what leaves the body's pass, or the author's loop,
-//! leaves the same of that one.
+//! Invariant: exactly one loop of the function yields items, so a `break` or `continue` in the body leaves that loop.
 
 use std::rc::Rc;
 
@@ -30,22 +29,22 @@ use super::{Result, refusals, refused};
 
 /// Source of the items.
 pub(super) enum By<'a, 'e> {
-    /// A call of a function.
+    /// A call of a generator function.
     Call(Called<'a, 'e>),
-    /// An iterator that is an argument.
+    /// An iterator argument.
     Argument(Rc<Closure<'a>>),
-    /// A closure that gives an iterator.
+    /// A closure that returns an iterator.
     Closure(&'e str, &'e [tree::Expr]),
 }
 
 impl By<'_, '_> {
-    /// Returns true if it gives elements or numbers as they are.
+    /// Returns true if it yields elements or numbers unchanged.
     pub(super) fn has_elements(&self) -> bool {
         matches!(self, By::Argument(through) if elements_through(through).is_some())
     }
 }
 
-/// The authors' own `iter`s, but those beside which an `iter_mut` stands.
+/// Returns the authors' `iter` methods, except of types that also have an `iter_mut`.
 pub(super) fn own_iterators(package: &tree::Package) -> Vec<&tree::Function> {
     let named = |name| {
         let all = package.functions.iter().filter(|it| it.owner.is_some());
@@ -113,7 +112,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(true)
     }
 
-    /// `for pattern in function(arguments)`.
+    /// Lowers `for pattern in function(arguments)`.
     pub(super) fn generated_stmt(
         &mut self,
         by: By<'a, '_>,
@@ -228,7 +227,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// Numbers the items, from zero on.
+    /// Adds a counter of the items, from zero on, bound to `number`.
     pub(super) fn count_items(
         &mut self,
         number: &Pattern,
@@ -251,7 +250,7 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// A loop that hands on each item, with what stands behind it as its own links; none if that cannot be said of it.
+/// Returns a loop that yields each item after the given adapters; none if an adapter needs state.
 fn going(links: &Source, through: &tree::Expr) -> Option<tree::Expr> {
     let (of, counted) = match links {
         Source::Rev(of) => (of, false),
@@ -287,7 +286,7 @@ fn going(links: &Source, through: &tree::Expr) -> Option<tree::Expr> {
     Some(text)
 }
 
-/// Lets a pass hand on each item with a number beside it.
+/// Adds a number to each item that a pass yields.
 fn with_number(body: &mut tree::Block, number: &str) -> Option<()> {
     let Some(Stmt::Expr(tree::Expr { kind: Tree::Apply(name, items), site, .. })) =
         body.stmts.last_mut().filter(|_| body.tail.is_none())
@@ -303,11 +302,11 @@ fn with_number(body: &mut tree::Block, number: &str) -> Option<()> {
     Some(())
 }
 
-/// Ways in which a pass of a loop passes on items.
+/// Counts of the yields in a loop.
 struct Hands {
-    /// In how many places; in a loop of its own, in more than one.
+    /// Number of places that yield; a nested loop counts as two.
     each: usize,
-    /// True if it may end the loop.
+    /// True if a pass may end the loop.
     ends: bool,
 }
 
@@ -326,16 +325,16 @@ impl Visit for Hands {
     }
 }
 
-/// The index of an element that is handed on.
+/// Name of the index of a yielded element.
 const COUNTER: &str = "i%";
 
-/// The name of the second iterator of a `zip`, of which each pass takes an item.
+/// Name of the second iterator of a `zip`, of which each pass takes one item.
 const OTHERS: &str = "others%";
 
-/// The number of the next item.
+/// Name of the number of the next item.
 const NUMBER: &str = "next%";
 
-/// A loop through what a closure's body gives.
+/// Returns a loop over the iterator that a closure's body returns.
 fn through(body: &tree::Expr) -> tree::Expr {
     match &body.kind {
         Tree::Block(tree::Block { stmts, tail: Some(tail) }) => {

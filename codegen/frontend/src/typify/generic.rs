@@ -1,8 +1,7 @@
-//! Types that the C has to name though no author did: tuples, `Option`, `Result`, and what an enum with
-//! payload is made of.
+//! C types that no author named: tuples, `Option`, `Result`, and the payloads of enums.
 //!
-//! A type of Rust's own is named by its content (`option_f64`, `pair_f64_bool`), so that another one changes
-//! nothing about it.
+//! A standard type is named by its content (`option_f64`, `pair_f64_bool`), so that further types do not change its
+//! name.
 
 use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::{
@@ -13,28 +12,28 @@ use super::names::snake;
 use super::words;
 use super::{Context, OUR_FAULT, Result, problem, refusals, refused};
 
-/// A variant of a [`Form::Choice`]; its word is its index.
+/// A variant of a [`Form::Choice`]. Its word is its index.
 #[derive(Clone)]
 pub(super) struct Case {
-    /// The author's name, `Some`.
+    /// Name in Rust, such as `Some`.
     pub name: String,
-    /// The field that holds its payload.
+    /// Index of the field that holds the payload.
     pub field: Option<u32>,
-    /// True if the payload is the one part itself, not a struct of parts.
+    /// True if the payload is one value, not a struct of several.
     pub single: bool,
 }
 
-/// Location of an author's type.
+/// Location of an author's type: its module, and its position in the order of definitions.
 #[derive(Clone)]
 pub(super) struct Home {
-    /// Types are made of those with a lower one.
+    /// A type contains only types with a lower number.
     pub order: usize,
     pub module: String,
     pub span: Span,
 }
 
-/// The type with nalgebra's as what they are in the C. What tuples, `Option`s and `Result`s alone lead to is `copied`:
-/// `Option<&T>` is `Option<T>` there, since nothing writes to what is lent while it is.
+/// Returns a type with nalgebra's types replaced by what represents them in the C. Inside tuples, `Option` and
+/// `Result` (`copied`), `&T` becomes `T`: nothing can write the referent during a shared borrow.
 fn bare(ty: &Ty, copied: bool) -> Ty {
     let part = |ty: &Ty| Box::new(bare(ty, copied));
     let element = |ty: &Ty| Box::new(bare(ty, false));
@@ -60,7 +59,7 @@ pub(super) fn position(fields: &[Field], name: &str) -> Option<usize> {
     }
 }
 
-/// The name of a tuple of so many parts.
+/// Returns the name of a tuple with this number of parts.
 pub(super) fn arity(count: usize) -> String {
     match count.checked_sub(1).and_then(|at| words::TUPLES.get(at)) {
         Some(name) => (*name).to_owned(),
@@ -68,7 +67,7 @@ pub(super) fn arity(count: usize) -> String {
     }
 }
 
-/// The name in the C of the part `index` of a tuple of `count`.
+/// Returns the C name of part `index` of a tuple of `count`.
 fn part(index: usize, count: usize) -> String {
     match (words::PARTS.get(index), count) {
         (_, 1) => words::VALUE.to_owned(),
@@ -78,7 +77,7 @@ fn part(index: usize, count: usize) -> String {
 }
 
 impl Context<'_> {
-    /// The struct that stands for a type of Rust's own.
+    /// Returns the struct that represents a standard type.
     pub(super) fn generic(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         let ty = &bare(ty, true);
         if let Some(known) = self.generics.get(ty) {
@@ -111,7 +110,7 @@ impl Context<'_> {
         self.own_struct(name, (shown, ""), fields, Form::Record, site)
     }
 
-    /// The struct of two numbers that a slice is in a value, or of one.
+    /// Returns the struct that represents a slice in a value: two numbers, or one for `&mut T`.
     pub(super) fn borrowed_struct(
         &mut self,
         element: &Type,
@@ -158,7 +157,7 @@ impl Context<'_> {
         self.own_struct(name, shown, fields, Form::Sequence, site)
     }
 
-    /// An `Option`, or a `Result` with this error: a flag, and room for what each variant holds.
+    /// Returns the struct for an `Option`, or for a `Result` with this error: a tag, and a field for each payload.
     fn outcome(&mut self, of: &Ty, or: Option<&Ty>, site: Site) -> Result<StructId> {
         let value = self.content_type(of, site)?;
         let error = or.map(|or| self.value_type(or, site)).transpose()?;
@@ -187,9 +186,9 @@ impl Context<'_> {
         Ok(id)
     }
 
-    /// A struct of a type of Rust's own. It stands beside the author's type that it is made of (of several,
-    /// beside the one that can know the others), so that no two headers need each other; else in a
-    /// header of its own.
+    /// Adds a struct for a standard type. It belongs to the header of the author's type that it contains; of several
+    /// types, to the one defined last, so that headers do not include each other. Without an author's type it has its
+    /// own header.
     fn own_struct(
         &mut self,
         name: String,
@@ -231,7 +230,7 @@ impl Context<'_> {
         }
     }
 
-    /// The content of an `Option` or a `Result`, as part of its name.
+    /// Returns the content of an `Option` or a `Result` as part of its name.
     fn content(&self, ty: &Ty, lowered: &Type) -> String {
         match self.nothing_of(ty) {
             Some(it) => self.qualified(&it.name, &it.module),
@@ -244,7 +243,7 @@ impl Context<'_> {
         self.nothing_of(ty).map_or_else(|| self.show(lowered), |it| it.name.clone())
     }
 
-    /// A type as part of a name.
+    /// Returns a type as part of a name.
     fn word(&self, ty: &Type) -> String {
         let scalar = |scalar: Scalar| capitalised(scalar.name());
         match ty {
@@ -281,7 +280,7 @@ impl Context<'_> {
         format!("{words}{name}")
     }
 
-    /// An enum: plain, or a tag and what its variants hold.
+    /// Adds an enum: plain, or a tag with payloads.
     pub(super) fn define_enum(
         &mut self,
         variants: &[tree::Variant],
@@ -329,7 +328,7 @@ impl Context<'_> {
         Ok(ty)
     }
 
-    /// The content of a variant, and whether that is one part itself.
+    /// Returns the payload type of a variant, and true if it is one value.
     fn payload(
         &mut self,
         named: &Enum,
@@ -364,7 +363,7 @@ impl Context<'_> {
         }
     }
 
-    /// The fields of a struct or a variant that hold something, and which these are.
+    /// Returns the fields of a struct or a variant that are not zero-sized, and a flag for each original field.
     pub(super) fn kept_fields(
         &mut self,
         module: &str,
@@ -388,7 +387,7 @@ impl Context<'_> {
         Ok((typed.collect(), kept))
     }
 
-    /// A name that no author's type has.
+    /// Extends a name until no author's type has it.
     fn free_name(&self, mut name: String) -> String {
         while self.package.types.iter().any(|it| it.name == name) {
             name.push_str("Of");
@@ -402,7 +401,7 @@ fn field(name: &str, docs: &str, ty: Type) -> Field {
     Field { name: name.to_owned(), docs, ty, given: Given::default() }
 }
 
-/// The C name of a type that comes with one whose name its author gave: `valve_t`, `valve_tag_t`.
+/// Returns the C name of a companion of a type with a name of the author's: `valve_t`, `valve_tag_t`.
 fn beside(given: &Given, part: &str) -> Given {
     let name = given.name.as_ref().map(|name| match name.strip_suffix("_t") {
         Some(stem) => format!("{stem}_{part}_t"),
@@ -411,12 +410,12 @@ fn beside(given: &Given, part: &str) -> Given {
     Given { name, site: given.site, ..Given::default() }
 }
 
-/// The last segment of a path.
+/// Returns the last segment of a path.
 fn last(path: &str) -> &str {
     path.rsplit_once("::").map_or(path, |(_, last)| last)
 }
 
-/// Adds a field for what there is something to hold of.
+/// Adds a field unless its type is zero-sized.
 fn held(fields: &mut Vec<Field>, name: &str, docs: &str, ty: Type) -> Option<u32> {
     (ty != Type::Unit).then(|| {
         fields.push(field(name, docs, ty));
@@ -429,7 +428,7 @@ fn capitalised(word: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// The variants of an enum with their numbers: the author's, or from 0 upwards.
+/// Returns the variants of an enum with their numbers: the author's, or from 0 upwards.
 pub(super) fn numbered(variants: &[tree::Variant], site: Site) -> Result<Vec<Variant>> {
     let number = |(index, it): (i64, &tree::Variant)| {
         let Ok(value) = i32::try_from(it.value.unwrap_or(index)) else {

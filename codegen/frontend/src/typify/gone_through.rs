@@ -1,9 +1,9 @@
 //! Values that are converted for iteration. A stored range becomes its numbers, as in `for hour in
-//! window.hours.clone()`, and a value with an own `iter` becomes the items of that.
+//! window.hours.clone()`. A value with an author's `iter` becomes a call of it.
 //!
-//! Invariant: no loop takes numbers from a range in a variable, since the variable would have to change.
+//! Invariant: no loop takes numbers from a range in a variable, since it would have to change the variable.
 //!
-//! Must not know: how a loop counts, or what a slice is.
+//! Must not know: how a loop counts, or how slices are represented.
 
 use bessemer_ir::Type;
 use bessemer_ir::tree::{
@@ -17,7 +17,8 @@ use super::syntax::generates;
 use super::{Result, refusals, refused};
 
 impl Lowering<'_, '_> {
-    /// A source with its held ranges as numbers and its types with an own `iter` as calls of that; none if it has neither.
+    /// Replaces stored ranges in a source by their numbers, and types with an author's `iter` by its call. Returns
+    /// none if it has neither.
     pub(super) fn meant(&mut self, source: &Source) -> Option<Source> {
         let mut inner = |of: &Source| self.meant(of).map(Box::new);
         Some(match source {
@@ -45,8 +46,8 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// The call of an author's own `iter`: the adaptor is the iterator's own, as its name is. Not of a type that has an
-    /// `iter_mut` as well, since either may be meant.
+    /// Returns the call of an author's `iter`, since the adapter belongs to the iterator. Returns none for a type
+    /// that also has an `iter_mut`, since either may be meant.
     fn own_iter(&mut self, of: &tree::Expr) -> Option<tree::Expr> {
         let is_place = matches!(of.kind, Tree::Local(_) | Tree::Field(..) | Tree::Index(..));
         if !is_place || self.cx.own_iterators.is_empty() || self.holds_nothing(of) {
@@ -70,12 +71,12 @@ impl Lowering<'_, '_> {
         Some(tree::Expr::plain(Tree::Call(callee, vec![lent]), of.site))
     }
 
-    /// The numbers of a range in a place, or of its copy.
+    /// Returns the numbers of a range in a place, or of its copy.
     pub(super) fn numbers_of(&mut self, of: &tree::Expr) -> Option<Range> {
         self.numbers_in(self.copied(of).unwrap_or(of))
     }
 
-    /// Refuses `range.next()` and its like: the range in the variable would have to become shorter.
+    /// Refuses `range.next()` and the like, which would change the range in the variable.
     pub(super) fn check_taken(&mut self, of: &tree::Expr) -> Result<()> {
         match &of.kind {
             // A copy that has no name.
@@ -103,7 +104,7 @@ impl Lowering<'_, '_> {
         Some(Range { from: ends.next()?, to: Some(ends.next()?), inclusive, slot: NO_SLOT })
     }
 
-    /// The type of the numbers in a range; of one that is held, rustc put it into no slot.
+    /// Returns the type of the numbers in a range. A stored range has no slot for it.
     pub(super) fn type_of_numbers(&mut self, range: &Range, site: Site) -> Result<Type> {
         match range.slot {
             NO_SLOT => self.place_type(&range.from),
@@ -112,7 +113,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// True for a place that may be evaluated twice: its indices are names and numbers.
+/// Returns true for a place that may be evaluated twice: its indices are names and literals.
 fn is_place(expr: &tree::Expr) -> bool {
     match &expr.kind {
         Tree::Local(_) => true,
@@ -124,7 +125,7 @@ fn is_place(expr: &tree::Expr) -> bool {
     }
 }
 
-/// Two sources, each replaced where there is something for it; none if there is nothing for either.
+/// Returns two sources with the replaced ones in place; none if neither was replaced.
 fn both(
     one: &Source,
     other: &Source,

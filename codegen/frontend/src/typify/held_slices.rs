@@ -1,7 +1,7 @@
-//! Slices as values, and values as slices: reads of a slice in a struct, a variant, a tuple or a result, and its
-//! construction.
+//! Conversions between slices and values: slices in structs, variants, tuples and results are read and constructed
+//! here.
 //!
-//! Invariant: a slice that was read stays what it is, whatever is written to the place that it was read from.
+//! Invariant: a slice that was read does not change when its place is written later.
 //!
 //! Must not know: how lenders are followed ([`lenders`](super::lenders)).
 
@@ -19,7 +19,7 @@ use super::{Needed, OUR_FAULT, Result, problem, refusals, refused};
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
-    /// The slice at a place that is one.
+    /// Returns the slice at a place whose type represents one.
     pub(super) fn slice_at(&mut self, place: Place, site: Site) -> Result<Option<Slice>> {
         let Some((_, borrowed)) = self.cx.as_borrowed(&place.ty) else { return Ok(None) };
         let borrowed = borrowed.clone();
@@ -45,7 +45,7 @@ impl Lowering<'_, '_> {
         Ok(Some(Slice::whole(base, element, length.clone()).part(from, length)))
     }
 
-    /// The name of the field that is the last step of a place.
+    /// Returns the name of the last field of a place.
     fn field_name(&self, place: &Place) -> Option<String> {
         let (Step::Field(at), outer) = place.steps.split_last()? else { return None };
         match self.type_of(place.root, outer) {
@@ -54,7 +54,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The value of an expression where a slice is wanted in a value; none if no slice is.
+    /// Lowers an expression to a slice as a value, if `expected` represents one; none otherwise.
     pub(super) fn wanted_slice(
         &mut self,
         expr: &tree::Expr,
@@ -93,12 +93,12 @@ impl Lowering<'_, '_> {
         Ok(slice.map(|slice| slice.at(slice.from.clone())))
     }
 
-    /// The place itself, or the element that a `&mut T` there refers to.
+    /// Returns the place itself, or the element to which a `&mut T` there refers.
     pub(super) fn followed(&mut self, place: Place, site: Site) -> Result<Place> {
         Ok(self.element_lent(&place, site)?.unwrap_or(place))
     }
 
-    /// The type itself, or that of the element that a `&mut T` refers to.
+    /// Returns the type itself, or the element type of a `&mut T`.
     pub(super) fn type_behind(&self, ty: Type) -> Type {
         match self.cx.as_borrowed(&ty) {
             Some((_, Borrowed { element, one: true, .. })) => element.clone(),
@@ -106,7 +106,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A place as the value of a `&mut T`: which element of an array it is. One that is no element lends itself, as number 0.
+    /// Returns the value of a `&mut T` to a place: the index of an array's element. Any other place is its own
+    /// lender, with index 0.
     fn element_value(&mut self, mut place: Place, id: StructId, site: Site) -> Result<Expr> {
         if place.ty == Type::Struct(id) {
             return Ok(place.load());
@@ -128,7 +129,7 @@ impl Lowering<'_, '_> {
         Ok(self.borrowed_value(slice, id, site))
     }
 
-    /// A slice as a value.
+    /// Returns a slice as a value: its first index and its length.
     fn borrowed_value(&mut self, slice: Slice, id: StructId, site: Site) -> Expr {
         let span = self.span(site);
         if let (ExprKind::Load(from), ExprKind::Load(length)) =
@@ -163,7 +164,7 @@ impl Lowering<'_, '_> {
         value
     }
 
-    /// Makes a value of type `ty` of what a method returned by reference, or of what a name stands for.
+    /// Converts the result of a borrowing method, or the meaning of a name, to a value of type `ty`.
     pub(super) fn lent_value(&mut self, lent: Value, ty: &Type, site: Site) -> Result<Expr> {
         let span = self.span(site);
         match (lent, ty) {
@@ -205,14 +206,14 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Takes out of a body what nothing asks.
+    /// Removes declarations of temporaries that nothing reads.
     pub(super) fn leave_unasked(&self, body: &mut Block) {
         if !self.unasked.is_empty() {
             Unasked(&self.unasked).block(body);
         }
     }
 
-    /// A parameter that is a slice and is made another one: where it begins is in a local from here on.
+    /// Gives a slice parameter that is assigned later a local for its present beginning and length.
     pub(super) fn rebound(&mut self, name: &str, slot: u32, site: Site) -> Result<()> {
         let ty = self.slot(slot, site)?;
         let local = tree::Expr::local(name, site);
@@ -222,7 +223,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// A slice of a loan is copied: the value that holds the loan may be assigned another.
+    /// Copies a slice whose base is a loan, since the value that holds the loan may be assigned another one.
     pub(super) fn kept_elements(&mut self, slice: Slice) -> Slice {
         if !self.is_loan(&slice.base) || self.is_lasting(&slice.base) {
             return slice;
@@ -232,7 +233,7 @@ impl Lowering<'_, '_> {
         Slice { base, ..slice }
     }
 
-    /// The type of an expression, if there are slices in it.
+    /// Returns the type of an expression, if it contains slices.
     pub(super) fn borrowing_type(&mut self, expr: &tree::Expr) -> Option<Type> {
         if !borrows(self.seen_as(expr)?) {
             return None;
@@ -252,7 +253,7 @@ fn borrows(ty: &Ty) -> bool {
     }
 }
 
-/// Takes out those of some locals that nothing mentions behind them.
+/// Removes the declarations of locals that no later statement mentions.
 struct Unasked<'l>(&'l [LocalId]);
 
 impl VisitMut for Unasked<'_> {

@@ -1,7 +1,7 @@
-//! Functions that no call names: an author's own `==`, the conversion that `?` makes of an error, the `next` of an iterator.
+//! Functions without a call in the source: an author's `==`, the conversion of an error by `?`, the `next` of an
+//! iterator.
 //!
-//! Which one is meant follows from the types. It may stand behind what needs it, so a function is made when it
-//! is first asked for.
+//! The types select the function. Its definition may follow its use, so it is lowered at the first use.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, StructId, Type};
@@ -10,7 +10,7 @@ use super::lowering::Lowering;
 use super::{Context, Problem, Result, diagnostic, function, problem, refusals, refused};
 
 impl<'a> Context<'a> {
-    /// The function of a path, made now if it was not; none where it was refused, which is told.
+    /// Returns the function of a path, lowered now if it was not before; none if it was refused, which is reported.
     pub(super) fn function(&mut self, path: &str) -> Option<FunctionId> {
         if let Some(function) = self.waiting.remove(path) {
             self.underway.push(&function.path);
@@ -36,14 +36,14 @@ impl<'a> Context<'a> {
         id
     }
 
-    /// Tells what is wrong; what uses something of which it has been told is refused silently.
+    /// Reports a problem. A problem without a message depends on one that was reported already, and is dropped.
     pub(super) fn tell(&mut self, file: &str, problem: Problem) {
         if !problem.message.is_empty() {
             self.told.push(diagnostic(file, problem));
         }
     }
 
-    /// Notes what authors wrote of their types; these are known.
+    /// Records the implementations of traits that authors wrote for their types.
     pub(super) fn note_implied(&mut self, implied: &'a [tree::Implied]) {
         for it in implied {
             match (it.of.as_str(), &it.owner) {
@@ -64,7 +64,7 @@ impl<'a> Context<'a> {
 }
 
 impl Lowering<'_, '_> {
-    /// The callee at a path, or why there is none.
+    /// Returns the callee at a path, or an error that says why there is none.
     pub(super) fn function_at(&mut self, path: &str, site: Site) -> Result<FunctionId> {
         match self.cx.function(path) {
             Some(id) => Ok(id),
@@ -79,7 +79,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `left == right` as the author of their type wrote it; none where it is part by part.
+    /// Lowers `left == right` by the author's implementation; none if the comparison is part by part.
     pub(super) fn own_equality(
         &mut self,
         left: &Expr,
@@ -90,7 +90,8 @@ impl Lowering<'_, '_> {
         self.call_implied(path, [left.clone(), right.clone()], Type::BOOL, site).map(Some)
     }
 
-    /// The value that a `?` leaves with, in a `Result` of the second type: the error, or nothing where it is zero-sized.
+    /// Returns the error with which `?` leaves, converted to the error type of the function's result; none if it is
+    /// zero-sized.
     pub(super) fn converted_error(
         &mut self,
         error: Option<Expr>,
@@ -137,7 +138,7 @@ impl Lowering<'_, '_> {
         Ok(None)
     }
 
-    /// A call of a function that no call names.
+    /// Returns a call of a function without a call in the source.
     pub(super) fn call_implied(
         &mut self,
         path: &str,

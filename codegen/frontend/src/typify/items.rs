@@ -1,9 +1,9 @@
-//! Iterators that are arguments: closures that hand each item on.
+//! Iterator arguments: closures that yield each item.
 //!
-//! An iterator is made where it is an argument ([`settled`](super::settled)), and gone through later. A copy of one has a copy of
-//! what changes from item to item.
+//! An iterator is evaluated where it is an argument ([`settled`](super::settled)), and consumed later. A copy of an
+//! iterator has a copy of its state.
 //!
-//! Must not know: how an iterator is gone through ([`generator`](super::generator)).
+//! Must not know: how an iterator is consumed ([`generator`](super::generator)).
 
 use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, Builtin, Desugared, EACH, ExprKind as Tree, Source, Stmt};
@@ -30,7 +30,8 @@ pub(super) fn handing(argument: &tree::Expr) -> tree::Closure {
     tree::Closure { name: None, parameters: Vec::new(), body: Box::new(plain(each)) }
 }
 
-/// The iterator that is lent: `bytes` of `&mut *bytes`, and a chain of a reference to one. An array is not one.
+/// Returns the iterator that an argument borrows mutably: `bytes` of `&mut *bytes`, or a chain behind `&mut`. An
+/// array is not one.
 pub(super) fn lent(argument: &tree::Expr) -> &tree::Expr {
     let Tree::Ref(true, of) = &argument.kind else { return argument };
     match &of.kind {
@@ -40,8 +41,7 @@ pub(super) fn lent(argument: &tree::Expr) -> &tree::Expr {
     }
 }
 
-/// Returns true if a function goes through the one iterator that it takes before anything else that it takes is looked
-/// at.
+/// Returns true if a function consumes its only iterator before it evaluates another parameter.
 pub(super) fn begins_at_once(function: &tree::Function) -> bool {
     let params = &function.tree.params;
     let Some((_, before)) = function.tree.body.stmts.split_last() else { return false };
@@ -81,7 +81,7 @@ impl<'a> Lowering<'a, '_> {
         is_iterator.then(|| self.gone_through(value)).transpose()
     }
 
-    /// The iterator that an expression names, or is a copy of.
+    /// Returns the iterator that an expression names, or copies.
     pub(super) fn iterator_named(&self, expr: &tree::Expr) -> Option<usize> {
         if let Some((Builtin::Desugared(Desugared::AsRef), of)) = self.builtin_call(expr) {
             let named = self.iterator_named(of.first()?)?;
@@ -111,7 +111,7 @@ impl<'a> Lowering<'a, '_> {
         Some(if copies && !by_hand { self.copy_of_chain(known) } else { known })
     }
 
-    /// An iterator with copies of the own iterators, and of those that are gone through by hand, which are part of it.
+    /// Copies an iterator, with copies of the own iterators and the counted iterators in its chain.
     fn copy_of_chain(&mut self, known: usize) -> usize {
         let mut closure = (*self.closures[known]).clone();
         let mut copies = Vec::new();

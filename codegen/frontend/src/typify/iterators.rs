@@ -1,9 +1,10 @@
-//! Iterators of the author's own, `#[data] impl Iterator for Countdown`: a loop calls their `next` until that gives nothing.
+//! Author-defined iterators, `#[data] impl Iterator for Countdown`: a loop calls their `next` until it returns
+//! `None`.
 //!
-//! Invariant: such a type is not `Copy`, which the builder refuses. So Rust moves an iterator that a loop takes by value, nothing
-//! reads its variable afterwards, and the loop mutates it in place.
+//! Invariant: the builder refuses such a type if it is `Copy`. So Rust moves an iterator that a loop takes by value,
+//! nothing reads its variable afterwards, and the loop mutates it in place.
 //!
-//! Must not know: how a loop ends, or shows that it does ([`loops`](super::loops)).
+//! Must not know: how a loop ends, or how its end is proved ([`loops`](super::loops)).
 
 use bessemer_ir::tree::{self, Builtin, Desugared, ExprKind as Tree, Pattern, Site, Source, Ty};
 use bessemer_ir::{Expr, ExprKind, Mode, Place, Type};
@@ -18,29 +19,29 @@ use super::syntax::bare;
 use super::value::Value;
 use super::{Context, Problem, Result, loops, names, refusals, words};
 
-/// The first number of the callees that no author names: `next` and `iter` of their own.
+/// First number of callees that have no name in the source: `next` and `iter` of author-defined iterators.
 const CALLEES: u32 = 1 << 31;
 
-/// Told where nothing shows how often a loop through one runs.
+/// Message for a loop over such an iterator without a proved bound.
 const UNBOUNDED: &str = "this loop has no known bound: its iterator can return any number of items";
 
-/// The remedy for a loop of the author's.
+/// Remedy for a loop of the author's.
 const BOUND: &str = "write `#[bound(64)]` above the loop, which makes any further pass a fault; or limit the items: `it.take(64)`; or zip a finite iterator with it: `values.iter().zip(it)`";
-/// The remedy for the loop of a chain.
+/// Remedy for the loop of an iterator chain.
 const TAKE: &str = "limit the items directly after the iterator, `it.take(64)`, before other adapters; or zip a finite iterator with it: `values.iter().zip(it)`";
 
-/// A loop's source with an own iterator in it.
+/// Source of a loop that contains an author-defined iterator.
 enum Own<'e> {
-    /// The iterator by itself: the callee that is its `next`, and the iterator.
+    /// The iterator alone: the callee of its `next`, and the iterator.
     Alone(u32, &'e tree::Expr),
-    /// The iterator beside what is asked before it.
+    /// The iterator as the second side of a `zip`: the first side, then the callee of `next`, then the iterator.
     Beside(&'e Source, u32, &'e tree::Expr),
-    /// Its items are numbered.
+    /// Items with a number, as by `enumerate`.
     Numbered(Box<Own<'e>>),
 }
 
 impl<'a> Context<'a> {
-    /// Notes an author's own iterator.
+    /// Records an author-defined iterator.
     pub(super) fn note_iterator(&mut self, it: &'a tree::Implied) {
         if let Ty::Named(path) = &it.owner
             && let Some(ty) = self.types.get(path)
@@ -73,7 +74,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The number of a function that is called by no name.
+    /// Returns the number of a callee that has no name in the source.
     pub(super) fn unnamed(&mut self, path: &str) -> u32 {
         let is_it =
             |it: &tree::Callee| matches!(it, tree::Callee::Function(known) if known == path);
@@ -84,14 +85,14 @@ impl<'a> Context<'a> {
         CALLEES + known as u32
     }
 
-    /// The callee with such a number.
+    /// Returns the callee with such a number.
     pub(super) fn unnamed_callee(&self, number: u32) -> Option<&tree::Callee> {
         self.unnamed.get(number.checked_sub(CALLEES)? as usize)
     }
 }
 
 impl Lowering<'_, '_> {
-    /// `iterator.next()`, if that is an own iterator's: the call of its function.
+    /// Rewrites `iterator.next()` of an author-defined iterator as a call of its function.
     pub(super) fn own_next_called(&mut self, expr: &tree::Expr) -> Option<tree::Expr> {
         if self.cx.iterators.is_empty() {
             return None;
@@ -103,7 +104,7 @@ impl Lowering<'_, '_> {
         Some(tree::Expr { kind: calling(self.own_next(iterator)?, iterator.clone()), ..*expr })
     }
 
-    /// The callee that gives the next item of an expression; none if that is no own iterator.
+    /// Returns the callee that yields the next item of an expression; none if it is no author-defined iterator.
     pub(super) fn own_next(&mut self, expr: &tree::Expr) -> Option<u32> {
         if self.cx.iterators.is_empty() {
             return None;
@@ -140,7 +141,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// True for a field or an element of a variable that has a place.
+    /// Returns true for a field or an element of a variable that has a place.
     fn is_of_place(&mut self, expr: &tree::Expr) -> bool {
         match &bare(expr).kind {
             Tree::Field(base, _) | Tree::Index(base, _) => self.is_of_place(base),
@@ -151,7 +152,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The place of an own iterator, which is changed there.
+    /// Returns the place of an author-defined iterator, which is mutated there.
     pub(super) fn own_iterator(&mut self, expr: &tree::Expr) -> Result<Place> {
         let (of, before) = (self.itself(expr), self.locals.len());
         let place = match self.place(of)? {
@@ -178,7 +179,7 @@ impl Lowering<'_, '_> {
         Ok(place)
     }
 
-    /// An own iterator in a local that is called as its type is.
+    /// Copies an author-defined iterator into a local named after its type.
     pub(super) fn own_copy(&mut self, value: Expr) -> Place {
         let name = match &value.ty {
             Type::Struct(id) => names::role(&self.cx.module.structs[id.index()].name),
@@ -187,7 +188,7 @@ impl Lowering<'_, '_> {
         self.naming_as("", |inner| inner.mutable_place(&name, value))
     }
 
-    /// A loop through an own iterator; false if it goes through something else.
+    /// Lowers a loop over an author-defined iterator; returns false for another source.
     pub(super) fn each_of_own(&mut self, each: Each) -> Result<bool> {
         let Some(own) = self.own_source(each.source) else { return Ok(false) };
         self.naming_scope(|inner| inner.own_loop(own, each))?;
@@ -255,7 +256,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The call that gives the next item of an iterator, which has a name from here on.
+    /// Binds an iterator to a name, and returns the call that yields its next item.
     fn next_item(&mut self, callee: u32, of: &tree::Expr, site: Site) -> Result<tree::Expr> {
         let place = self.own_iterator(of)?;
         let known: usize = self.scopes.iter().map(|scope| scope.len()).sum();
@@ -265,7 +266,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// A call of an iterator's `next`.
+/// Returns a call of an iterator's `next`.
 fn calling(callee: u32, iterator: tree::Expr) -> Tree {
     let site = iterator.site;
     let lent = tree::Expr::plain(Tree::Ref(true, Box::new(iterator)), site);

@@ -1,7 +1,7 @@
-//! Routines of linear algebra: the kernel of a call, if the routine is a function of its own. Routines on matrices of
-//! integers are loops over their elements, where each operation is checked as on two integers.
+//! Routines of linear algebra: a call of a kernel if the routine has its own function. Routines on integer matrices
+//! are loops over their elements, in which each operation is checked as for scalars.
 //!
-//! The order is nalgebra's: a product adds its terms in the order of the columns of its left factor.
+//! The order of operations is nalgebra's: a product adds its terms in the order of the columns of its left factor.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
@@ -15,7 +15,7 @@ use super::words;
 use super::{Context, Needed, OUR_FAULT, Result, problem};
 
 impl Context<'_> {
-    /// The function that stands for a kernel; of the module once it is asked for.
+    /// Returns the function of a kernel, which is added to the module at its first use.
     fn kernel(&mut self, kernel: &Kernel) -> FunctionId {
         let known = |function: &bessemer_ir::Function| function.kernel.as_ref() == Some(kernel);
         let index = self.module.functions.iter().position(known).unwrap_or_else(|| {
@@ -31,7 +31,7 @@ impl Context<'_> {
 }
 
 impl Lowering<'_, '_> {
-    /// The call of a kernel.
+    /// Lowers the call of a kernel.
     pub(super) fn kernel_call(
         &mut self,
         routine: KernelRoutine,
@@ -49,8 +49,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The call of a kernel with copies of the matrices that do not lie as it takes them; what it changes is
-    /// copied back.
+    /// Lowers the call of a kernel with copies of the matrices whose layout differs from the kernel's. Changed copies
+    /// are copied back.
     fn call_with_copies(
         &mut self,
         id: FunctionId,
@@ -103,7 +103,7 @@ impl Lowering<'_, '_> {
         Ok(value)
     }
 
-    /// Loops that copy a matrix to an array of its elements, by columns, or back.
+    /// Emits loops that copy a matrix to an array of its columns, or back.
     fn copy_columns(
         &mut self,
         matrix: &Place,
@@ -129,7 +129,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// A routine of values: a kernel, where it is large enough for one.
+    /// Lowers a routine: as a kernel if it is large enough, else as an IR node.
     pub(super) fn routine_node(
         &mut self,
         routine: Routine,
@@ -150,7 +150,7 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Call(id, arguments), ty, site)
     }
 
-    /// A routine of matrices of integers.
+    /// Lowers a routine on integer matrices.
     pub(super) fn integer_routine(
         &mut self,
         routine: Routine,
@@ -223,8 +223,8 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The kernel that a product is, and its operands: what is transposed for the product alone is read as it
-/// lies in memory.
+/// Returns the kernel of a product, and its operands. A factor that is transposed only for the product is read
+/// untransposed by a kernel of its own.
 fn product(routine: Routine, values: &[Expr]) -> Option<(Kernel, Vec<Expr>)> {
     let [left, right] = values else { return None };
     let transposed = |value: &Expr| match &value.kind {
@@ -242,7 +242,7 @@ fn product(routine: Routine, values: &[Expr]) -> Option<(Kernel, Vec<Expr>)> {
     kernel.is_function().then(|| (kernel, vec![left, right]))
 }
 
-/// The elements, rows and columns of a matrix.
+/// Returns the element type, rows and columns of a matrix type.
 pub(super) fn shape(ty: &Type) -> Option<(Scalar, u32, u32)> {
     match *ty {
         Type::Matrix { element, rows, cols } => Some((element, rows, cols)),
@@ -250,7 +250,7 @@ pub(super) fn shape(ty: &Type) -> Option<(Scalar, u32, u32)> {
     }
 }
 
-/// The type of what a routine gives.
+/// Returns the result type of a routine.
 fn result(routine: Routine, values: &[Expr]) -> Option<Type> {
     let (element, rows, cols) = shape(&values.first()?.ty)?;
     let matrix = |rows, cols| Type::Matrix { element, rows, cols };
@@ -264,7 +264,7 @@ fn result(routine: Routine, values: &[Expr]) -> Option<Type> {
     })
 }
 
-/// The kernel of a routine for operands of these types: its dimensions, as [`KernelRoutine`] says.
+/// Returns the kernel of a routine for operands of these types, with the dimensions that [`KernelRoutine`] documents.
 fn kernel_of(routine: KernelRoutine, types: &[Type]) -> Option<Kernel> {
     use KernelRoutine as R;
     let (Scalar::Float(element), rows, cols) = shape(types.first()?)? else { return None };

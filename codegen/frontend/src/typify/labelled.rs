@@ -1,11 +1,11 @@
-//! Blocks with a label, and statements that nothing reaches. C has no way out of a block, so what follows a `break` stands in the
+//! Labelled blocks and unreachable statements. C cannot leave a block, so the statements after a `break` move to the
 //! other branch:
 //!
-//! `'found: { if a { break 'found x; } rest }` is `if a { x } else { rest }`. Where both branches may come to
-//! what follows, or a loop is left, a flag says whether the block has been left.
+//! `'found: { if a { break 'found x; } rest }` becomes `if a { x } else { rest }`. If both branches can reach the
+//! following statements, or a loop is left, a flag records that the block was left.
 //!
-//! Statements behind a `return`, `break` or `continue`, which nothing reaches (MISRA C:2012, rule 2.1), are left out. They
-//! come about where the sizes of an instance or the length of a slice decide a condition.
+//! Unreachable statements after a `return`, `break` or `continue` (MISRA C:2012, rule 2.1) are removed. They arise
+//! where the sizes of an instance or the length of a slice decide a condition.
 
 use bessemer_ir::tree;
 use bessemer_ir::visit::{VisitMut, Walk, walk_block_mut};
@@ -15,13 +15,13 @@ use super::Result;
 use super::lowering::{Frame, Lowering, Target};
 use bessemer_ir::effects;
 
-/// A stand-in for the `break` of a block until all of the block is known.
+/// Returns a mark that represents the `break` of a block until the whole block is lowered.
 pub(super) fn left(mark: LocalId) -> StmtKind {
     StmtKind::Let { local: mark, value: None }
 }
 
 impl Lowering<'_, '_> {
-    /// `'label: { … }`, the value of each `break` and of its end to `target` if it has one.
+    /// Lowers `'label: { … }`, and assigns the value of each `break` and of its end to `target` if there is one.
     pub(super) fn labelled(
         &mut self,
         label: &str,
@@ -33,7 +33,7 @@ impl Lowering<'_, '_> {
         self.left(label, frame, span, |inner| inner.block(body, target))
     }
 
-    /// A block that is left early; `name`: of what says so.
+    /// Lowers a block that may be left early; `name` names the flag that records it.
     pub(super) fn left(
         &mut self,
         name: &str,
@@ -68,7 +68,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Gives what was noted a value where it is declared.
+    /// Adds initial values to the declarations of locals that need one.
     pub(super) fn give_values(&self, stmts: &mut [Stmt]) {
         if self.valued.is_empty() {
             return;
@@ -87,17 +87,17 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The block whose marks are taken out.
+/// Replaces the marks of one block.
 struct Leaving {
     mark: LocalId,
-    /// The marks of all blocks that may be left here, this one's among them.
+    /// Marks of all blocks that may be left here, including this one.
     marks: Vec<LocalId>,
     /// True if a flag is needed.
     flagged: bool,
 }
 
 impl Leaving {
-    /// The block without marks; `followed`: something comes behind it, unless the flag is set.
+    /// Returns the block without its marks. `followed` is true if further statements run unless the flag is set.
     fn without_marks(&mut self, block: Block, followed: bool) -> Block {
         let mut done = Vec::new();
         let mut rest = block.0.into_iter();
@@ -119,7 +119,7 @@ impl Leaving {
         Block(done)
     }
 
-    /// A statement in whose branches the block is left, and what follows it.
+    /// Moves the statements after a branching statement into the branches that do not leave the block.
     fn branching(&mut self, mut next: Stmt, behind: Vec<Stmt>, followed: bool) -> Vec<Stmt> {
         let marks = &self.marks;
         let mut passing = branches_mut(&mut next);
@@ -168,7 +168,7 @@ fn is_mark(kind: &StmtKind, mark: LocalId) -> bool {
     matches!(kind, StmtKind::Let { local, value: None } if *local == mark)
 }
 
-/// The branches of a statement, to change them.
+/// Returns the branches of a statement, mutably.
 fn branches_mut(stmt: &mut Stmt) -> Vec<&mut Block> {
     match &mut stmt.kind {
         StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
@@ -190,7 +190,7 @@ fn falls_through(block: &Block, marks: &[LocalId]) -> bool {
     })
 }
 
-/// Without an empty first branch.
+/// Negates an `if` whose first branch is empty, and swaps its branches.
 fn turned(mut stmt: Stmt) -> Stmt {
     if let StmtKind::If { condition, then, otherwise } = &mut stmt.kind
         && then.0.is_empty()
@@ -219,8 +219,8 @@ impl VisitMut for Unreached {
     }
 }
 
-/// Returns true if control leaves the block by this statement, whatever the input; the blocks in it have lost what
-/// nothing reaches.
+/// Returns true if control always leaves the block by this statement. Unreachable statements must have been removed
+/// from its branches.
 fn leaves(stmt: &Stmt) -> bool {
     let left = |block: &Block| block.0.last().is_some_and(leaves);
     match &stmt.kind {

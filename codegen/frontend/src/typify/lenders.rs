@@ -1,13 +1,14 @@
-//! The arrays whose elements the slices in values are: which one each is of, followed from local to local and through calls.
+//! Follows each slice in a value to the array that it refers to, its lender: from local to local, and through calls.
 //!
-//! What is read of a slice, or of a `&mut T`, before anything shows which array it is of (in a loop, that the local begins as
-//! `None` and an assignment further down gives it one) is read of a local that stands for the array while the function is
-//! lowered, and is nowhere in what is given: the array has been shown by then.
+//! A slice may be read before its lender is known: in a loop, a local begins as `None`, and an assignment further
+//! down sets it. Such a read uses a placeholder local instead of the array. When the function is lowered, the lender
+//! is known and replaces the placeholder.
 //!
-//! Invariants: a slice in a local has one lender at most, whatever path was taken; the indices in a lender were computed
-//! before the local was declared, so that they mean the same as long as it lives. What else would need a pointer is refused.
+//! Invariants: a slice in a local has at most one lender, whatever path is taken. The indices in a lender's place
+//! were evaluated before the local was declared, so they do not change during its lifetime. Anything that needs a
+//! pointer is refused.
 //!
-//! Must not know: how a slice becomes a value, or what is done with one ([`held_slices`](super::held_slices)).
+//! Must not know: how a slice becomes a value, or how one is used ([`held_slices`](super::held_slices)).
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::visit::{self, Access, VisitMut, Walk};
@@ -25,21 +26,21 @@ use super::value::{Slice, Submatrix, Value};
 use super::{Needed, Problem, Result, problem, refusals, refused};
 use bessemer_ir::effects::same_place;
 
-/// The remedies where the array of a slice, or of a `&mut T`, is not known.
+/// Remedies for a slice, or a `&mut T`, without a known array.
 const FIRST_VALUE: &str = "assign the slice a first value above this line, such as `&values[..0]`";
 const KEEP_INDEX: &str = "store an index instead of the reference, `Option<usize>`, or choose with `iter_mut().min_by_key(…)` and the like";
 const PASS_GIVEN: &str =
     "pass an element of an array: `values.get_mut(i)`, `values.iter_mut().find(…)`";
 
-/// The lender of a slice or, where it is not known yet, what the slice is a copy of.
+/// Lender of a slice or, if it is not known yet, the slice that this one copies.
 type Lent = Result<Place, Copied>;
 
-/// The fields of the struct that a slice is in a value.
+/// Index of the first element, in the struct that represents a slice.
 pub(super) const FROM: u32 = 0;
 pub(super) const LENGTH: u32 = 1;
 
 impl Lowering<'_, '_> {
-    /// Declares the parameters that lend the slices in another one.
+    /// Declares the parameters that are lenders of the slices in another parameter.
     pub(super) fn lending_parameters(&mut self, param: &tree::Param, local: LocalId) -> Result<()> {
         let Local { ty, span, .. } = self.locals[local.index()].clone();
         let groups = self.cx.groups_in(&ty);
@@ -57,7 +58,8 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Joins the two slices in a parameter that two lenders are of, if they are; what is lowered with that known is right.
+    /// Records that two slices of a parameter have one lender; the function is lowered again with this. Returns false
+    /// if they are not slices of one parameter.
     fn join(&mut self, one: &Place, other: &Place) -> bool {
         let slice = |of: &Place| self.lenders.lending.iter().find(|it| it.0 == of.root).cloned();
         let (Some((_, param, one)), Some((_, also, other))) = (slice(one), slice(other)) else {
@@ -71,12 +73,12 @@ impl Lowering<'_, '_> {
         joins
     }
 
-    /// The lender of the slice at a place.
+    /// Returns the lender of the slice at a place.
     pub(super) fn lender_of(&self, place: &Place) -> Option<Place> {
         self.lenders.of(&spot_of(place))
     }
 
-    /// Follows the slices in a value to the place where a statement puts it.
+    /// Records the lenders of the slices in a value where a statement stores it.
     pub(super) fn follow(&mut self, stmt: &StmtKind) {
         let ((to, at), value) = match stmt {
             StmtKind::Let { local, value } => {
@@ -97,7 +99,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Follows what was copied before its lender was known: both are of one array.
+    /// Resolves copies of slices whose lender was unknown when they were made.
     pub(super) fn follow_copies(&mut self) {
         loop {
             let before = self.lenders.copied.len();
@@ -114,7 +116,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The slices in a value: their lenders, or what they are copies of where it is not known yet.
+    /// Returns the slices in a value: each with its lender, or with the slice it copies if that is unknown.
     fn slices_of(&self, value: &Expr) -> Vec<(Path, Lent)> {
         let slices = self.cx.slices_in(&value.ty);
         if slices.is_empty() {
@@ -144,7 +146,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What a call gives slices of: what it was lent.
+    /// Returns the lenders of the slices in a call's result: places that its arguments borrow.
     fn lent_by_call(&self, id: FunctionId, arguments: &[Argument]) -> Vec<(Path, Lent)> {
         let Some(given) = self.cx.given_back.get(&id) else { return Vec::new() };
         let mapped = |(path, lender): &(Path, Place)| {
@@ -160,7 +162,7 @@ impl Lowering<'_, '_> {
         given.iter().filter_map(mapped).collect()
     }
 
-    /// The type at a place.
+    /// Returns the type at a place.
     pub(super) fn type_of(&self, root: LocalId, steps: &[Step]) -> Type {
         let root = self.locals[root.index()].ty.clone();
         steps.iter().fold(root, |ty, step| match step {
@@ -170,7 +172,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// Notes the lender of a slice; refuses what would need a pointer.
+    /// Records the lender of a slice; refuses what would need a pointer.
     fn lend(&mut self, to: Spot, lender: Place, span: Span) {
         let of_param = lender.root.index() < self.lenders.params;
         let (message, help) = match (to.0, self.lenders.of(&to)) {
@@ -193,7 +195,7 @@ impl Lowering<'_, '_> {
         self.lenders.problem.get_or_insert(told);
     }
 
-    /// The arguments that lend the slices in another one.
+    /// Returns the arguments that pass the lenders of the slices in another argument.
     pub(super) fn lending_arguments(
         &mut self,
         argument: &Argument,
@@ -239,7 +241,8 @@ impl Lowering<'_, '_> {
         Ok(passed)
     }
 
-    /// The value of a call whose slices count from where its arguments begin, counted from where their lenders do.
+    /// Shifts the slices in a call's result: they count from the beginning of an argument, and become relative to the
+    /// lender's beginning.
     pub(super) fn counted_from_lender(&mut self, call: Expr) -> Result<Expr> {
         let ExprKind::Call(id, arguments) = &call.kind else { return Ok(call) };
         let Some(given) = self.cx.given_back.get(id) else { return Ok(call) };
@@ -259,7 +262,7 @@ impl Lowering<'_, '_> {
         Ok(place.load())
     }
 
-    /// Moves the slice at a path of a place, where there is one.
+    /// Adds an offset to the beginning of the slice at a path of a place.
     fn shift(&mut self, place: &Place, path: &[u32], by: &Expr) -> Result<()> {
         let span = place.span;
         let Some((first, rest)) = path.split_first() else {
@@ -280,7 +283,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// What the slices in the result are parts of, or what is wrong with a slice of the function.
+    /// Returns the lender of each slice in the result, or the first error about a slice of the function.
     pub(super) fn lent_out(&mut self) -> Result<Vec<(Path, Place)>> {
         let is_entry = matches!(self.source.tree.role, tree::Role::Entry { .. });
         if is_entry && !self.cx.slices_in(&self.result).is_empty() {
@@ -296,7 +299,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What stands for the array whose elements the slice at a place has.
+    /// Returns the placeholder for the unknown lender of the slice at a place.
     pub(super) fn awaited(&mut self, place: &Place, slice: &Borrowed, site: Site) -> Place {
         let of = spot_of(place);
         let ty = Type::Array { element: Box::new(slice.element.clone()), len: u32::MAX };
@@ -309,12 +312,12 @@ impl Lowering<'_, '_> {
         Place::local(stands, ty, place.span)
     }
 
-    /// Whether a local stands for an array.
+    /// Returns true if a local is a placeholder for a lender.
     pub(super) fn stands(&self, local: LocalId) -> bool {
         self.lenders.awaited.iter().any(|it| it.stands == local)
     }
 
-    /// Puts the arrays where something stands for them.
+    /// Replaces all placeholders by their lenders.
     pub(super) fn put_awaited(&mut self) -> Result<()> {
         for Awaited { stands, slice, of, site } in std::mem::take(&mut self.lenders.awaited) {
             let lender = self.lenders.of(&of).filter(|it| it.root != stands);
@@ -338,21 +341,21 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The place that a call lends for a parameter.
+/// Returns the place that a call passes for a parameter.
 fn passed_for<'a>(lender: &Place, arguments: &'a [Argument]) -> Option<&'a Place> {
     lent(arguments.get(lender.root.index())?).map(|(place, _)| place)
 }
 
-/// Whether an index is computed from a local as young as `root`, or younger.
+/// Returns true if an index reads the local `root` or one declared after it.
 fn mentions_from(index: &Expr, root: LocalId) -> bool {
     index.any_expr(|it| matches!(&it.kind, ExprKind::Load(place) if place.root >= root))
 }
 
-/// Puts a place where a local stands for it.
+/// Replaces a placeholder local by a place.
 pub(super) struct Put {
     stands: LocalId,
     lender: Place,
-    /// Whether what lends is the one element itself.
+    /// True if the lender is a single element, not an array.
     whole: bool,
 }
 
@@ -361,7 +364,7 @@ impl Put {
         Put { stands, lender: place, whole: false }
     }
 
-    /// Puts the place into what a name stands for.
+    /// Replaces the placeholder in the meaning of a name.
     pub(super) fn value(&mut self, value: &mut Value) {
         match value {
             Value::Place(place) => self.place(place, Access::Read),

@@ -1,9 +1,9 @@
-//! Arithmetic of lengths and indices, shorter where a number is known.
+//! Arithmetic of lengths and indices, simplified for literals.
 
 use bessemer_ir::effects;
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, Span};
 
-/// The number that a length is known to be.
+/// Returns the number of a literal length.
 pub(super) fn number(expr: &Expr) -> Option<u64> {
     match expr.kind {
         ExprKind::Literal(word) => Some(word),
@@ -15,7 +15,7 @@ pub(super) fn is_number(expr: &Expr, wanted: u64) -> bool {
     expr.kind == ExprKind::Literal(wanted)
 }
 
-/// Returns true if both are the same but for where they stand.
+/// Returns true if two expressions are equal except for their spans.
 pub(super) fn same(one: &Expr, other: &Expr) -> bool {
     match (&one.kind, &other.kind) {
         (ExprKind::Load(one), ExprKind::Load(other)) => effects::same_place(one, other),
@@ -27,17 +27,17 @@ pub(super) fn same(one: &Expr, other: &Expr) -> bool {
     }
 }
 
-/// A number of elements that a type has.
+/// Returns a number of elements as a `usize` literal.
 pub(super) fn size(number: u32, span: Span) -> Expr {
     Expr::usize(u64::from(number), span)
 }
 
-/// `one < other` and the like.
+/// Returns a comparison, such as `one < other`.
 pub(super) fn compared(op: CompareOp, one: &Expr, other: &Expr, span: Span) -> Expr {
     Expr::compare(op, one.clone(), other.clone()).at(span)
 }
 
-/// `one + other`, shorter where one of them is a number.
+/// Returns `one + other`, simplified for literals.
 pub(super) fn plus(one: Expr, other: Expr) -> Expr {
     match (&one.kind, &other.kind) {
         (ExprKind::Literal(0), _) => other,
@@ -48,7 +48,7 @@ pub(super) fn plus(one: Expr, other: Expr) -> Expr {
     }
 }
 
-/// `one - other`, the same.
+/// Returns `one - other`, simplified for literals and for a common term.
 pub(super) fn minus(one: Expr, other: Expr) -> Expr {
     match (&one.kind, &other.kind) {
         (_, ExprKind::Literal(0)) => one,
@@ -58,7 +58,7 @@ pub(super) fn minus(one: Expr, other: Expr) -> Expr {
     }
 }
 
-/// The lesser of two, where one of them may be a number that is known to be.
+/// Returns the lesser of two lengths, as a literal if both are.
 pub(super) fn least(one: Expr, other: Expr) -> Expr {
     match (number(&one), number(&other)) {
         (Some(a), Some(b)) => Expr::usize(a.min(b), one.span),
@@ -84,7 +84,7 @@ pub(super) fn divided(one: Expr, other: Expr) -> Expr {
     }
 }
 
-/// The length, and no more than there is room for.
+/// Returns the lesser of two lengths.
 pub(super) fn lesser(length: Expr, most: Expr) -> Expr {
     Expr::intrinsic(Intrinsic::Min, vec![length, most])
 }

@@ -1,4 +1,4 @@
-//! Literals, from the author's digits to words of the type that the context gives; and paths that rustc evaluated: constants,
+//! Literals, from the author's digits to words of the expected type; and paths that rustc evaluated: constants,
 //! variants, defaults.
 
 use bessemer_ir::tree::{self, BinaryOp, Builtin, MatrixMethod, Site};
@@ -8,7 +8,7 @@ use super::lowering::Lowering;
 use super::value::Value;
 use super::{Needed, OUR_FAULT, Result, names, problem, refusals, refused};
 
-/// The word of an integer literal as a value of `scalar`.
+/// Returns the word of an integer literal of type `scalar`.
 pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) -> Result<u64> {
     let value = match digits.strip_prefix("0x") {
         Some(digits) => i128::from_str_radix(digits, 16),
@@ -30,7 +30,7 @@ pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) 
     }
 }
 
-/// The word of an operation on two integer literals, where it has one.
+/// Returns the result of an operation on two integer literals, unless it overflows or faults.
 pub(super) fn folded(op: BinaryOp, left: &Expr, right: &Expr) -> Option<u64> {
     let (ExprKind::Literal(a), ExprKind::Literal(b)) = (&left.kind, &right.kind) else {
         return None;
@@ -48,7 +48,7 @@ pub(super) fn folded(op: BinaryOp, left: &Expr, right: &Expr) -> Option<u64> {
     (int.min()..=int.max()).contains(&value).then_some(value as u64)
 }
 
-/// The word of a float literal as a value of `scalar`.
+/// Returns the word of a float literal of type `scalar`.
 pub(super) fn float(digits: &str, scalar: Scalar, site: Site) -> Result<u64> {
     let word = match scalar {
         Scalar::Float(Float::F64) => digits.parse::<f64>().ok().map(f64::to_bits),
@@ -58,7 +58,8 @@ pub(super) fn float(digits: &str, scalar: Scalar, site: Site) -> Result<u64> {
     word.needed(site, "this literal is not a float here")
 }
 
-/// The type of a literal: its suffix, or what is expected, or Rust's default. A float may be expected of an integer's digits.
+/// Returns the type of a literal: its suffix, the expected type, or Rust's default. Digits of an integer may be a
+/// float if one is expected.
 pub(super) fn type_of(suffix: Option<Scalar>, expected: Option<&Type>, default: Scalar) -> Scalar {
     match (suffix, expected, default) {
         (Some(scalar), ..) => scalar,
@@ -95,7 +96,7 @@ impl<'a> Lowering<'a, '_> {
         generics.find(|(known, _)| known == wanted).map(|(_, argument)| argument)
     }
 
-    /// A path that rustc evaluated: a constant, a variant, a default.
+    /// Lowers a path that rustc evaluated: a constant, a variant, a default.
     pub(super) fn path(&mut self, index: u32, name: &str, site: Site) -> Result<Expr> {
         let source = self.source;
         let constant = source.constants.get(index as usize);

@@ -1,8 +1,8 @@
-//! Values that hold a copy of what they refer to. Where nothing else can write to the place during the borrow, a `&T`
-//! in a tuple, an `Option`, a struct or an array is a `T` in the C. A name of it must keep its value when the reference
-//! is assigned again, so it is copied out of a variable that its author may assign.
+//! Values that contain a copy of their referent. If nothing else can write the place during the borrow, a `&T` in a
+//! tuple, an `Option`, a struct or an array is a `T` in the C. A name bound to such a value must keep it when the
+//! author assigns the reference again, so it is copied from a variable that may be assigned.
 //!
-//! Invariant: what is copied is read and never written, since only a shared reference is a copy.
+//! Invariant: the copy is never written, since only a shared reference is represented by one.
 
 use bessemer_ir::tree::Ty;
 use bessemer_ir::{LocalId, Mode, Place, Step, StructId, Type};
@@ -11,7 +11,7 @@ use super::lowering::Lowering;
 use super::{Context, generic};
 
 impl Context<'_> {
-    /// The type of what a step leads to, as rustc sees it, from that of what it begins at.
+    /// Returns rustc's type of the part to which a step leads, from rustc's type of the whole.
     fn rustc_behind(&self, step: &Step, at: &Type, ty: Option<&Ty>) -> Option<Ty> {
         match (step, at, ty) {
             (step, _, Some(Ty::Known(_, inner) | Ty::Ref(inner, _))) => {
@@ -43,13 +43,13 @@ impl Context<'_> {
 }
 
 impl Lowering<'_, '_> {
-    /// Notes that its author may write a local again, of which rustc put the type into a slot.
+    /// Records that the author may assign a local again, with rustc's type from its slot.
     pub(super) fn note_changing(&mut self, local: LocalId, slot: u32) {
         let ty = self.source.slots.get(slot as usize).cloned();
         self.changing.insert(local, ty.unwrap_or(Ty::Unit));
     }
 
-    /// The types on the way to a place as rustc sees them, that of its local first, where they are known.
+    /// Returns rustc's types along a place, beginning with its local; none where unknown.
     fn rustc_along(&self, place: &Place) -> Vec<Option<Ty>> {
         let first = match self.changing.get(&place.root) {
             // What a parameter refers to.
@@ -64,7 +64,7 @@ impl Lowering<'_, '_> {
         along
     }
 
-    /// The type of what is at a place that its author may write again, as rustc sees it.
+    /// Returns rustc's type of a place that its author may assign again.
     pub(super) fn rustc_at(&self, place: &Place) -> Option<Ty> {
         self.changing.get(&place.root)?;
         self.rustc_along(place).pop()?

@@ -1,8 +1,8 @@
-//! Loops, and how they are left.
+//! Lowers loops, and `break` and `continue`.
 //!
-//! A loop with a declared bound is a `for` over its passes; one whose bound shows is a `for` that its
-//! own condition ends. Leaving a loop that is not the innermost
-//! raises a flag: each loop in between ends, and looks at the flag behind it.
+//! A loop with a declared bound is a `for` over its passes; one with a proved bound is a `for` that its own condition
+//! ends. Leaving a loop that is not the innermost sets a flag: each loop in between ends, and the flag is tested
+//! after it.
 
 use bessemer_ir::tree::{self, Builtin, ListMethod, Pattern, Site};
 use bessemer_ir::{
@@ -23,11 +23,11 @@ use super::value::Named;
 use super::words;
 use super::{Needed, Result, labelled, problem, refusals, refused};
 
-/// The remedy where nothing shows how often a loop runs.
+/// Remedy for a loop without a proved bound.
 pub(super) const DECLARE: &str = "write `#[bound(64)]` above the loop, which makes any further pass a fault; or count: `while i < n { …; i += 1; }`";
 
 impl Lowering<'_, '_> {
-    /// A loop that counts through a range, perhaps from its end.
+    /// Lowers a `for` over a range, reversed or not.
     pub(super) fn for_stmt(
         &mut self,
         (range, reversed): (&tree::Range, bool),
@@ -55,8 +55,8 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// `while`, of which the condition is asked once more than the bound says, and not beyond; without a condition `loop`,
-    /// the value of its `break` to `target` if it has one.
+    /// Lowers `while` and `loop`. A condition is tested once more than the bound allows passes. The value of a
+    /// `loop`'s `break` is assigned to `target` if there is one.
     pub(super) fn while_stmt(
         &mut self,
         site: Site,
@@ -132,7 +132,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The length of the list that `while let Some(…) = list.pop()` takes from.
+    /// Returns the length of the list from which `while let Some(…) = list.pop()` removes elements.
     fn popped_length(&mut self, condition: &tree::Expr) -> Result<Option<Expr>> {
         if let Some((_, value)) = some_of(condition)
             && let Some((Builtin::List(ListMethod::Pop), [list])) = self.builtin_call(value)
@@ -144,9 +144,9 @@ impl Lowering<'_, '_> {
         Ok(None)
     }
 
-    /// Leaves a loop where its condition does not hold; gives the places of the `if`s that do. There is one for all
-    /// that C can say in one expression: what has to be computed first is computed only where the conditions before
-    /// it hold.
+    /// Emits the tests that leave a loop if its condition is false, and returns the indices of these `if`s.
+    /// Conditions that C can compute in one expression share an `if`. Statements that a condition needs run only if
+    /// the conditions before it hold.
     fn heads(
         &mut self,
         condition: &tree::Expr,
@@ -181,12 +181,12 @@ impl Lowering<'_, '_> {
         Ok(heads)
     }
 
-    /// Returns the body of a loop without the temporaries that go.
+    /// Returns the body of a loop with its temporaries substituted.
     fn fused(&self, body: &Block) -> Block {
         fuse::view(&self.cx.module, &self.locals, &self.atoms, body)
     }
 
-    /// The bound that shows of a loop which one of the `if`s at `heads` of its body ends.
+    /// Returns the bound of a loop that one of the `if`s at `heads` ends.
     fn shown(&self, body: &Block, heads: &[usize]) -> Result<Proof, termination::Reason> {
         let name = |place: &Place| self.place_name(place);
         let body = self.fused(body);
@@ -199,7 +199,7 @@ impl Lowering<'_, '_> {
         first.or_else(|why| all.find_map(Result::ok).ok_or(why))
     }
 
-    /// A `loop` without a declared bound: one of its `if … { break; }` has to show that it ends.
+    /// Lowers a `loop` without a declared bound. One of its `if … { break; }` must prove that it ends.
     fn ended_loop(&mut self, site: Site, body: Block) -> Result<StmtKind> {
         let at_once = self.frames.last().is_some_and(|frame| frame.behind.is_empty());
         if at_once && single_pass(&body.0).is_some() {
@@ -230,7 +230,7 @@ impl Lowering<'_, '_> {
         self.ended(site, shown, body)
     }
 
-    /// A loop that its body ends, within a bound that shows.
+    /// Returns the loop statement for a body that ends within a proved bound.
     fn ended(
         &mut self,
         site: Site,
@@ -254,7 +254,7 @@ impl Lowering<'_, '_> {
         Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
     }
 
-    /// A place as its author names it.
+    /// Returns a place as the author would write it.
     fn place_name(&self, place: &Place) -> String {
         let mut name = self.locals[place.root.index()].name.replace('%', "");
         let mut ty = &self.locals[place.root.index()].ty;
@@ -268,7 +268,7 @@ impl Lowering<'_, '_> {
         name
     }
 
-    /// The bound of a loop.
+    /// Lowers the declared bound of a loop.
     fn passes(&mut self, bound: &tree::Expr) -> Result<Expr> {
         let value = self.value(bound, Some(&Type::USIZE))?;
         if value.ty.as_int().is_none() {
@@ -285,7 +285,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Lowers a loop and emits it, with the flags of what leaves it from within.
+    /// Lowers a loop and emits it, followed by tests of the flags that its body sets.
     pub(super) fn repeated(
         &mut self,
         label: Option<&str>,
@@ -318,7 +318,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// A loop below an end, whose author has no name for its counter.
+    /// Emits a loop over the numbers below `end`, with a counter named `name`.
     pub(super) fn below(
         &mut self,
         name: &str,
@@ -336,7 +336,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// Loops through the rows of each column of a matrix, counted by this name; a single row or column needs none.
+    /// Emits loops over the rows of each column of a matrix. A single row or column has no loop.
     pub(super) fn each_cell(
         &mut self,
         name: &str,
@@ -349,7 +349,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// A loop below a number, unless that is 1.
+    /// Emits a loop over the numbers below `count`, unless that is 1.
     pub(super) fn below_unless_one(
         &mut self,
         name: &str,
@@ -363,7 +363,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Lowers a pass of a loop that several are, the outermost of them at `outermost`.
+    /// Lowers the body of a loop that is several nested loops in the C. `outermost` is the first of their frames.
     pub(super) fn pass_of<T>(
         &mut self,
         label: Option<&str>,
@@ -376,7 +376,7 @@ impl Lowering<'_, '_> {
         done
     }
 
-    /// `break`, with its value if it has one.
+    /// Lowers `break`, with its value if it has one.
     pub(super) fn break_stmt(
         &mut self,
         label: Option<&str>,
@@ -393,7 +393,8 @@ impl Lowering<'_, '_> {
         self.leave(label, Leaving::Break, site)
     }
 
-    /// Where the value goes with which the closure's body with this label is left; the function, without one.
+    /// Returns the target of the value with which `return` or `?` leaves: the labelled closure body, or else the
+    /// function.
     pub(super) fn left_by(&self, label: Option<&str>, site: Site) -> Result<Target> {
         match label {
             Some(_) => self.frames[self.depth(label, site)?]
@@ -404,7 +405,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Leaves a pass of the loop with this label, or of the innermost.
+    /// Emits the statements that leave a pass of the loop with this label, or of the innermost.
     pub(super) fn leave(
         &mut self,
         label: Option<&str>,
@@ -433,12 +434,12 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Whether no loop stands between the frame that is left and the one at `depth`.
+    /// Returns true if no loop is between the frame that is left and the frame at `depth`.
     fn is_outermost(&self, left: usize, depth: usize) -> bool {
         !self.frames[left + 1..depth].iter().any(Frame::is_loop)
     }
 
-    /// What leaves the frame at `left` from `depth`; none if a loop stands between.
+    /// Returns the statement that leaves the frame at `left` directly from `depth`; none if a loop is between.
     fn way_out(&self, left: usize, leaving: Leaving, depth: usize) -> Option<StmtKind> {
         let direct = self.is_outermost(left, depth);
         direct.then(|| match (leaving, self.frames[left].mark) {
@@ -448,8 +449,8 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// The frame that a label means, or the innermost loop. Between the pass of a loop through what a function gives and the
-    /// outermost of that function's frames all are the function's, whose labels the author of the pass does not see.
+    /// Returns the frame of a label, or of the innermost loop. Frames of an inlined generator function are skipped,
+    /// since their labels are not visible in the author's loop body.
     fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
         let is_meant = |frame: &Frame| match label {
             None => frame.mark.is_none() || frame.pass,
@@ -465,7 +466,7 @@ impl Lowering<'_, '_> {
         None.needed(site, "there is no such loop here")
     }
 
-    /// The flag that leaves the loop at `depth`; each loop in between looks at it.
+    /// Returns the flag that leaves the loop at `depth`; each loop in between tests it.
     fn flag(
         &mut self,
         (depth, named): (usize, Option<String>),
@@ -495,7 +496,8 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The statements of a loop before the one `break` that it begins with: they stand behind it as well.
+/// Returns the statements before the only `break`, with which a loop body begins, and removes them. They run after
+/// the loop.
 fn last_breath(body: &mut Block) -> Vec<Stmt> {
     let Some((head, rest)) = body.0.split_first_mut() else { return Vec::new() };
     match &mut head.kind {
@@ -511,7 +513,7 @@ fn last_breath(body: &mut Block) -> Vec<Stmt> {
     }
 }
 
-/// A loop that the `if … { break; }` at `head` of its body leaves.
+/// Returns the loop that the `if … { break; }` at index `head` of its body leaves.
 fn left_at<'a>(body: &'a [Stmt], head: usize, lead: &'a [Stmt]) -> Option<Loop<'a>> {
     let StmtKind::If { condition, then, otherwise } = &body.get(head)?.kind else { return None };
     let leaves = matches!(then.0.last()?.kind, StmtKind::Break | StmtKind::Return(_));
@@ -528,7 +530,7 @@ fn no_end() -> termination::Reason {
     "its body has no `if … { break; }` of its own".into()
 }
 
-/// What has to hold one after the other for a condition to hold.
+/// Returns the operands of nested `&&`, in order.
 fn conjuncts(condition: &tree::Expr) -> Vec<&tree::Expr> {
     match &condition.kind {
         tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) => {
@@ -538,7 +540,7 @@ fn conjuncts(condition: &tree::Expr) -> Vec<&tree::Expr> {
     }
 }
 
-/// Whether a statement of the body of a loop ends it.
+/// Returns true if a statement of a loop's body ends the loop.
 fn breaks_in(stmt: &Stmt) -> bool {
     stmt.any_branch(&|kind| matches!(kind, StmtKind::Break))
 }

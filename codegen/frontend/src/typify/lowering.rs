@@ -13,9 +13,9 @@ use super::Context;
 use super::borrowed::Lenders;
 use super::value::Value;
 
-/// The owner of temporaries where nothing has a name.
+/// Name of temporaries if nothing else provides one.
 pub(super) const UNNAMED: &str = "value";
-/// The name of what a function gives, where its author named nothing.
+/// Name of a function's result if the author gave it none.
 pub(super) const RESULT: &str = "result";
 
 /// A function being lowered.
@@ -23,84 +23,84 @@ pub(super) struct Lowering<'a, 'c> {
     pub cx: &'a mut Context<'c>,
     pub source: &'a tree::Function,
     pub locals: Vec<Local>,
-    /// Innermost scope last; in each, later bindings shadow.
+    /// Scopes with the meaning of each name, innermost last. In a scope, later bindings shadow earlier ones.
     pub scopes: Vec<Vec<(String, Value)>>,
-    /// The statements of the block being lowered, so far.
+    /// Statements of the current block so far.
     pub out: Vec<Stmt>,
-    /// A name for a value that the author left unnamed here.
+    /// First part of the names of temporaries.
     pub naming: String,
     pub result: Type,
-    /// The locals that the author has no name for: nothing writes to them again.
+    /// Locals without a name of the author's, which are not written again.
     pub held: HashSet<LocalId>,
-    /// Locals among them that [`fuse`](crate::fuse) may put back.
+    /// Those of `held` that [`fuse`](crate::fuse) may substitute.
     pub atoms: HashSet<LocalId>,
-    /// The counters of loops over ranges, which only their loop changes, and parameters that nobody does.
+    /// Counters that only their loop changes, and parameters that nothing changes.
     pub steady: HashSet<LocalId>,
-    /// The locals that their author may write again, and their types as rustc sees them.
+    /// Locals that the author may assign again, with rustc's types.
     pub changing: HashMap<LocalId, tree::Ty>,
-    /// Locals that not every use asks: where a slice begins, how many elements it has, and what the guard of an arm names.
+    /// Locals that may remain unread: beginnings and lengths of slices, and names that only a guard uses.
     pub unasked: Vec<LocalId>,
-    /// Locals that have to have a value where they are declared.
+    /// Locals that need an initial value in their declaration.
     pub valued: HashSet<LocalId>,
-    /// The arrays whose elements the slices in its locals are.
+    /// The lenders of the slices in locals.
     pub lenders: Lenders,
-    /// The loops around what is being lowered, outermost first.
+    /// Frames around the current code, outermost first.
     pub frames: Vec<Frame>,
-    /// The counters of the loops over elements around it, outermost first.
+    /// Counters of the surrounding loops over elements, outermost first.
     pub counters: Vec<LocalId>,
-    /// The closures that names mean.
+    /// All closures, by the index that [`Value::Closure`] holds.
     pub closures: Vec<Rc<Closure<'a>>>,
-    /// Those of them that are iterators gone through by hand.
+    /// Counted iterators, by the index of their closure.
     pub hands: HashMap<usize, Hand>,
-    /// Which of its parameters hold nothing.
+    /// True for each parameter that is zero-sized.
     pub absent: Vec<bool>,
-    /// The functions that lend whose bodies are being lowered, outermost first.
+    /// Paths of the functions that are being inlined, outermost first.
     pub expanding: Vec<&'a str>,
 }
 
-/// What a name means in scopes, the innermost last.
+/// Returns the meaning of a name in scopes, of which the innermost is last.
 pub(super) fn meaning_in<'s>(scopes: &'s [Vec<(String, Value)>], name: &str) -> Option<&'s Value> {
     let mut found = scopes.iter().rev().flat_map(|scope| scope.iter().rev());
     found.find_map(|(known, meaning)| (known == name).then_some(meaning))
 }
 
-/// The local that a place is, if it is none of the first ones.
+/// Returns the local that a place is, if its handle is at least `first`.
 pub(super) fn local_since(place: &Place, first: usize) -> Option<LocalId> {
     (place.steps.is_empty() && place.root.index() >= first).then_some(place.root)
 }
 
-/// Where a value goes.
+/// Destination of a value.
 #[derive(Clone)]
 pub(super) enum Target {
-    /// To a place.
+    /// Assignment to a place.
     Place(Place),
-    /// Out of the function.
+    /// The result of the function.
     Return,
 }
 
-/// A loop, a block with a label, or the pass of several loops that are one, that is being lowered.
+/// A loop or a labelled block that is being lowered, or one body for several loops.
 pub(super) struct Frame {
     pub label: Option<String>,
-    /// Where the value of a `break` goes.
+    /// Destination of the value of a `break`.
     pub target: Option<Target>,
-    /// Of a block: the local whose declaration marks where it is left ([`labelled`](super::labelled)).
+    /// For a block: the local whose declaration marks an exit ([`labelled`](super::labelled)).
     pub mark: Option<LocalId>,
-    /// Of the pass of a loop that several are: the outermost of these, which what leaves the loop leaves.
+    /// For a body of several loops: the index of the outermost frame, which a `break` leaves.
     pub outermost: Option<usize>,
-    /// Whether it is the pass of what is gone through at most once: what leaves a loop leaves it as well.
+    /// True for a body that runs at most once: `break` and `continue` leave it.
     pub pass: bool,
-    /// The flags that are tested behind the loop.
+    /// Flags that are tested after the loop.
     pub behind: Vec<Behind>,
 }
 
 impl<'a> Lowering<'a, '_> {
-    /// A closure that is written here.
+    /// Registers a closure with the current scope, and returns it as a value.
     pub(super) fn closure_here(&mut self, text: tree::Closure) -> Value {
         let closure = self.written_here(text);
         Value::Closure(self.closure(closure))
     }
 
-    /// The same, before a name means it.
+    /// Returns a closure with the current scope, without registering it.
     pub(super) fn written_here(&self, text: tree::Closure) -> Closure<'a> {
         let scope = Scope {
             names: self.scopes.clone(),
@@ -110,7 +110,7 @@ impl<'a> Lowering<'a, '_> {
         Closure { text, source: self.source, scope, outermost: None }
     }
 
-    /// The closure that a name means, whatever hides it since.
+    /// Returns the closure that a name denotes, even if another meaning shadows it.
     pub(super) fn closure_named(&self, name: &str) -> Option<usize> {
         let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
         found.find_map(|(known, meaning)| match meaning {
@@ -119,7 +119,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// Drops all locals but the first ones, and what is known of them: others will have their numbers.
+    /// Removes all locals from `first` on, with everything recorded about them, since new locals reuse their handles.
     pub(super) fn drop_locals(&mut self, first: usize) {
         let stays = |local: &LocalId| local.index() < first;
         self.locals.truncate(first);
@@ -131,7 +131,7 @@ impl<'a> Lowering<'a, '_> {
         self.changing.retain(|local, _| stays(local));
     }
 
-    /// A closure that a name can mean.
+    /// Registers a closure and returns its index.
     pub(super) fn closure(&mut self, closure: Closure<'a>) -> usize {
         self.closures.push(Rc::new(closure));
         self.closures.len() - 1
@@ -139,65 +139,65 @@ impl<'a> Lowering<'a, '_> {
 }
 
 impl Frame {
-    /// Whether it is a loop of the C.
+    /// Returns true if the frame is a loop in the C.
     pub(super) fn is_loop(&self) -> bool {
         self.mark.is_none() && self.outermost.is_none()
     }
 
-    /// That of a loop, with a mark that of a block, which is left where its mark is declared.
+    /// Returns the frame of a loop. With a mark it becomes the frame of a block.
     pub(super) fn of(label: Option<&str>, target: Option<&Target>) -> Frame {
         let (label, target) = (label.map(str::to_owned), target.cloned());
         Frame { label, target, mark: None, outermost: None, pass: false, behind: Vec::new() }
     }
 }
 
-/// A flag that is looked at behind a loop.
+/// A flag that is tested after a loop.
 pub(super) struct Behind {
     pub flag: LocalId,
-    /// The loop that is left for good, or continued, by its depth.
+    /// Index of the frame that the flag leaves or continues.
     pub left: usize,
     pub leaving: Leaving,
 }
 
-/// The two ways to leave a pass.
+/// Ways to leave a pass of a loop.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Leaving {
     Break,
     Continue,
 }
 
-/// An iterator that is gone through by hand.
+/// A counted iterator: explicit `next` calls and loops share its position.
 pub(super) struct Hand {
-    /// What goes through the same items and takes none.
+    /// Closure that reads the remaining items without counting them.
     pub again: usize,
-    /// The name in the text of how many were taken; none for an own iterator, which goes on by itself.
+    /// Name of the count in the tree; none for an author-defined iterator, which holds its own state.
     pub taken: Option<String>,
-    /// The local that each item changes: how many were taken, or the own iterator.
+    /// Local that changes with each item: the count, or the author-defined iterator.
     pub local: LocalId,
-    /// What it keeps from item to item, by the names in the text.
+    /// Names, in the tree, of locals that persist between items.
     pub kept: Vec<String>,
-    /// The iterator whose items a link changes or leaves out, which is gone through by hand in its place.
+    /// Closure of the counted iterator below an adapter that filters or changes items.
     pub within: Option<usize>,
 }
 
-/// A closure that a name means in the function that is being lowered.
+/// A closure that a name denotes in the current function.
 #[derive(Clone)]
 pub(super) struct Closure<'a> {
     pub text: tree::Closure,
-    /// The function that its body stands in.
+    /// Function in which its body is written.
     pub source: &'a tree::Function,
     pub scope: Scope<'a>,
-    /// Of the pass of a loop through what a function gives: the loop's label, and the frame that what leaves it leaves.
+    /// For the body of a loop over a generator: the loop's label, and the frame that a `break` leaves.
     pub outermost: Option<(Option<String>, usize)>,
 }
 
-/// The meaning of names in a closure.
+/// Meaning of the names in a closure.
 #[derive(Clone)]
 pub(super) struct Scope<'a> {
     pub names: Vec<Vec<(String, Value)>>,
-    /// The functions around it whose bodies are being lowered.
+    /// Paths of the functions that were being inlined at its definition.
     pub expanding: Vec<&'a str>,
-    /// How many locals there were where it was written. None in a copy of a function for it: there its names mean
+    /// Number of locals at its definition. None in a copy of a function for this closure, where its names denote
     /// parameters of the copy.
     pub locals: Option<usize>,
 }

@@ -5,8 +5,8 @@
 use bessemer_ir::tree::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::tree::{self, ExprKind as Tree, Stmt};
 
-/// A walk that counts the uses of a name. A use in a loop counts twice, and so does a `let` that gives the iterator a second
-/// name.
+/// Visitor that counts the uses of a name. A use in a loop counts twice, and so does a `let` that binds the iterator
+/// to a second name.
 struct Mentions<'n> {
     name: &'n str,
     depth: usize,
@@ -25,7 +25,7 @@ pub(super) fn mentions(name: &str, body: &tree::Block) -> usize {
 }
 
 impl Mentions<'_> {
-    /// Returns true if an expression is the name, or lends what it means: `&mut bytes`, `bytes.by_ref()`.
+    /// Returns true if an expression is the name, or a mutable borrow of it: `&mut bytes`, `bytes.by_ref()`.
     fn is_it(&self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             Tree::Local(name) => name == self.name,

@@ -1,11 +1,11 @@
-//! From the tree to the typed IR.
+//! Lowers the tree to the typed IR.
 //!
-//! Resolves names and scopes, computes every type from the bottom up and holds it against the slot in
-//! which rustc put its own; gives operators and the DSL's operations their IR nodes; turns control
-//! flow that has a value into statements that assign it.
+//! It resolves names and scopes, and computes each type from the operands; the type must agree with rustc's type in
+//! the slot. It selects the IR node of each operator and operation, and turns control flow with a value into
+//! assignments.
 //!
-//! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
-//! from the operands comes from a slot.
+//! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow from the
+//! operands comes from a slot.
 
 mod arrays;
 mod asked_orders;
@@ -80,10 +80,10 @@ use bessemer_ir::{FunctionId, Module, Span, StructId, Type};
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::source::Sources;
 
-/// A mistake, its place, and the remedy.
+/// An error of the author: site, message and remedy.
 struct Problem {
     site: Site,
-    /// Empty where the problem has been told elsewhere.
+    /// Message; empty if the error was reported elsewhere.
     message: String,
     help: String,
 }
@@ -94,21 +94,21 @@ fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -
     Err(Problem { site, message: message.into(), help: help.into() })
 }
 
-/// A problem with a message of the table.
+/// Returns an error with a message of the table.
 fn refused<T>(site: Site, (message, help): refusals::Reason) -> Result<T> {
     problem(site, message, help)
 }
 
-/// Turns an absent value into a problem.
+/// Conversion of an absent value to an error.
 trait Needed<T>: Sized {
     fn or_told(self, site: Site, message: impl Into<String>, help: &str) -> Result<T>;
 
-    /// With a message of the table.
+    /// Returns the value, or an error with a message of the table.
     fn or_refused(self, site: Site, (message, help): refusals::Reason) -> Result<T> {
         self.or_told(site, message, help)
     }
 
-    /// Where only a fault of the compiler can leave it absent.
+    /// Returns the value, or an internal error, since only a bug of the compiler can leave it absent.
     fn needed(self, site: Site, message: impl Into<String>) -> Result<T> {
         self.or_told(site, message, OUR_FAULT)
     }
@@ -120,7 +120,7 @@ impl<T> Needed<T> for Option<T> {
     }
 }
 
-/// The struct that a type is, where it has to be one.
+/// Returns the struct that a type must be.
 fn struct_of(ty: &Type, site: Site, wanted: &str) -> Result<StructId> {
     match ty {
         Type::Struct(id) => Ok(*id),
@@ -128,20 +128,20 @@ fn struct_of(ty: &Type, site: Site, wanted: &str) -> Result<StructId> {
     }
 }
 
-/// How the types were found: from the bottom up, and held against what rustc put in the slots.
+/// Counts of expressions whose types were computed and compared with rustc's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Typed {
-    /// Expressions whose type was computed.
+    /// Number of expressions with a computed type.
     pub expressions: u32,
-    /// Those that rustc was asked about, and agreed.
+    /// Number of computed types that agree with rustc's slot.
     pub agreed: u32,
 }
 
-/// The typed module, or everything that is wrong.
+/// The typed module, or all errors.
 pub type Outcome = Result<(Module, Typed), Vec<Diagnostic>>;
 
-/// The typed module of a package, or everything that is wrong with it. `by_columns`: matrices lie in memory as
-/// kernels take them; else kernels are lent copies.
+/// Lowers a package to a typed module, or returns all errors in it. With `by_columns`, matrices have the memory
+/// layout of the kernels; else kernels receive copies.
 pub fn typify(package: &Package, sources: &Sources, by_columns: bool) -> Outcome {
     // A function may show that two slices in a struct have one lender, of which those before it have to know.
     let mut joined = Vec::new();
@@ -156,7 +156,7 @@ pub fn typify(package: &Package, sources: &Sources, by_columns: bool) -> Outcome
     }
 }
 
-/// What of its structs has one lender, as far as it shows; the typed module, or everything that is wrong.
+/// Returns the pairs of slices that have one lender, as far as they were found, and the typed module or all errors.
 fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::Joined>, Outcome) {
     for definition in &package.types {
         if let Err(problem) = cx.define(definition) {
@@ -196,7 +196,8 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<borrowed::J
     (cx.joined, typed)
 }
 
-/// A constant is told by its name, its type and its value: of two that agree in these the same must be said.
+/// Refuses two constants with equal name, type and value but different C attributes, since the C has only one of
+/// them.
 fn said_twice(table: &tree::Table, before: &[tree::Table]) -> Result<()> {
     let same = |other: &&tree::Table| other.name == table.name && other.value == table.value;
     let unplaced = |given: &bessemer_ir::Given| (given.name.clone(), given.section.clone());
@@ -210,7 +211,7 @@ fn said_twice(table: &tree::Table, before: &[tree::Table]) -> Result<()> {
     }
 }
 
-/// Whether a function is the package's own: it stands there, or its instance is named there.
+/// Returns true if a function belongs to the package: it is defined there, or its instance has a name there.
 fn is_own(package: &Package, function: &tree::Function) -> bool {
     let own = package.name.replace('-', "_");
     let named = |owner: &String| package.aliases.iter().any(|alias| alias.of == *owner);
@@ -228,7 +229,7 @@ fn refusal(refusal: &tree::Refusal) -> Diagnostic {
     diagnostic(&refusal.file, Problem { site: refusal.site, message, help })
 }
 
-/// The names of what is not an instance, and of instances that have one.
+/// Returns the names of items that are no instances, and of instances with an author's name.
 fn authored(package: &Package) -> HashSet<String> {
     let name = |home: &str, name: &str| format!("{home}::{}", names::snake(name));
     let types = package.types.iter().filter(|it| it.arguments.is_empty());
@@ -240,45 +241,45 @@ fn authored(package: &Package) -> HashSet<String> {
         .collect()
 }
 
-/// The name that a method would have, in its owner.
+/// Returns a function's owner, name and suffix, which must be unique.
 fn claim(function: &tree::Function) -> (Option<&str>, &str, &[tree::Argument]) {
     (function.owner.as_deref(), &function.tree.name, &function.suffix)
 }
 
-/// What is known of a type beside its definition.
+/// Facts about a type besides its definition.
 #[derive(Default)]
 struct Known<'a> {
-    /// Of an author's, and of what is made of these: where it stands.
+    /// Location of an author's type, or of a type that contains one.
     home: Option<generic::Home>,
-    /// Of a struct that stands for a type of Rust's own: that one.
+    /// Rust's name of the standard type that a struct represents.
     shown: Option<String>,
-    /// The variants of a struct that stands for an `Option`, a `Result` or an enum with payload.
+    /// Variants of a struct that represents an `Option`, a `Result` or an enum with payload.
     cases: Vec<generic::Case>,
-    /// The error of one that stands for a `Result`.
+    /// Error type of a struct that represents a `Result`.
     error: Option<tree::Ty>,
-    /// The author's fields, if some hold nothing, and where the others are.
+    /// Fields with their indices in the C, if some are zero-sized and have none.
     fields: Vec<(String, Option<usize>)>,
-    /// The types of the fields of a struct, or of an enum with payload, as rustc sees them.
+    /// rustc's types of the fields of a struct, or of an enum with payload.
     rustc: Vec<tree::Ty>,
-    /// The function that compares two values part by part.
+    /// Generated function that compares two values part by part.
     equality: Option<FunctionId>,
-    /// The function that its author wrote for `==`.
+    /// Path of the author's function for `==`.
     own_equality: Option<&'a str>,
-    /// It does not derive `PartialEq`.
+    /// True if the type does not derive `PartialEq`.
     unequal: bool,
-    /// It derives `PartialOrd`.
+    /// True if the type derives `PartialOrd`.
     ordered: bool,
-    /// The greater comes first.
+    /// True for `Reverse`, which orders greater values first.
     reversed: bool,
-    /// It is a `BoundedMatrix`.
+    /// True for a `BoundedMatrix`.
     bounded: bool,
-    /// It is a range; whether its end is in it.
+    /// For a range: true if it includes its end.
     range: Option<bool>,
-    /// Of what stands for a quaternion: whether that is a unit one.
+    /// For a quaternion: true if it is a unit quaternion.
     unit: Option<bool>,
 }
 
-/// The module so far, and what its names mean.
+/// The module so far, and the meaning of its names.
 struct Context<'a> {
     module: Module,
     typed: Typed,
@@ -287,51 +288,51 @@ struct Context<'a> {
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, Type>,
-    /// Zero-sized types, which are not in the C.
+    /// Zero-sized types, which the C does not have.
     nothings: HashMap<String, zero_sized::Nothing>,
-    /// Whether the C leaves out a type or a field.
+    /// True if the C omits a type or a field.
     leaves_out: bool,
-    /// The authors' types with which something is wrong, which has been told.
+    /// Authors' types with an error that was reported.
     undefined: HashSet<&'a str>,
-    /// The names of instances, by their paths.
+    /// Names that authors gave to generic instances, by path.
     aliases: HashMap<&'a str, &'a tree::Alias>,
-    /// The names that authors gave, in snake case behind their module or type.
+    /// Names in snake case, below their module or type, that authors chose.
     authored: HashSet<String>,
-    /// The structs that stand for types of Rust's own.
+    /// Structs that represent standard types.
     generics: HashMap<tree::Ty, Type>,
-    /// What is known of each type, and of one of which nothing is.
+    /// Facts about each type; `unknown` serves all others.
     known: HashMap<Type, Known<'a>>,
     unknown: Known<'a>,
-    /// The conversions between authors' types.
+    /// Conversions between authors' types.
     conversions: Vec<&'a tree::Implied>,
-    /// The structs that stand for slices in values.
+    /// Structs that represent slices in values.
     borrowed: HashMap<StructId, borrowed::Borrowed>,
-    /// The slices in structs that have one lender.
+    /// Pairs of slices in structs that have one lender.
     joined: Vec<borrowed::Joined>,
-    /// Which parameters of functions hold nothing.
+    /// For each function, true for the parameters that are zero-sized.
     absent: HashMap<FunctionId, Vec<bool>>,
-    /// What functions give slices of: places in their parameters.
+    /// For each function, the lenders of the slices in its result, as places in its parameters.
     given_back: HashMap<FunctionId, Vec<(borrowed::Path, bessemer_ir::Place)>>,
     functions: HashMap<String, FunctionId>,
-    /// All functions, by their paths.
+    /// All functions, by path.
     all: HashMap<&'a str, &'a tree::Function>,
-    /// The authors' own `iter`s.
+    /// The authors' `iter` methods.
     own_iterators: Vec<&'a tree::Function>,
-    /// Those that return references and are inlined: a reference lowers to a place, never to a pointer.
+    /// Paths of functions that return references and are inlined: a reference lowers to a place, never to a pointer.
     lending: HashSet<&'a str>,
-    /// The authors' own `[…]`.
+    /// The authors' implementations of `Index`.
     indexing: Vec<(Type, &'a tree::Implied)>,
-    /// The authors' own iterators, each with its `next`, by the number of the callee.
+    /// Author-defined iterators, each with the callee number of its `next`.
     iterators: Vec<(Type, u32)>,
-    /// The functions that no author names.
+    /// Callees without a name in the source.
     unnamed: Vec<tree::Callee>,
-    /// Functions that are still to be made.
+    /// Functions that are lowered at their first use.
     waiting: HashMap<&'a str, &'a tree::Function>,
-    /// Functions that are being made, each for the one before.
+    /// Functions that are being lowered, each required by the one before.
     underway: Vec<&'a str>,
-    /// The mistakes so far.
+    /// Errors so far.
     told: Vec<Diagnostic>,
-    /// Whether the builder found something wrong.
+    /// True if the builder found an error.
     refused: bool,
 }
 
@@ -373,22 +374,22 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// What is known of a type.
+    /// Returns the facts about a type.
     fn known(&self, ty: &Type) -> &Known<'a> {
         self.known.get(ty).unwrap_or(&self.unknown)
     }
 
-    /// The same of a struct.
+    /// Returns the facts about a struct.
     fn known_of(&self, id: StructId) -> &Known<'a> {
         self.known(&Type::Struct(id))
     }
 
-    /// The same, to note more.
+    /// Returns the facts about a type, to add more.
     fn note(&mut self, ty: &Type) -> &mut Known<'a> {
         self.known.entry(ty.clone()).or_default()
     }
 
-    /// Whether another function of its owner wants its name, too.
+    /// Returns true if another function of the same owner has the same name.
     fn is_claimed_twice(&self, function: &tree::Function) -> bool {
         let all = self.package.functions.iter();
         all.filter(|other| claim(other) == claim(function)).nth(1).is_some()

@@ -1,10 +1,10 @@
-//! Names for what the author left unnamed, and for constants that a path leads to.
+//! Names for values that the author left unnamed, and for constants that a path denotes.
 
 use bessemer_ir::{Scalar, Type, tree};
 
 use super::Context;
 
-/// `RateMatrix` as `rate_matrix`.
+/// Converts `RateMatrix` to `rate_matrix`.
 pub(super) fn snake(name: &str) -> String {
     let mut snake = String::new();
     let mut previous_lower = false;
@@ -18,14 +18,14 @@ pub(super) fn snake(name: &str) -> String {
     snake
 }
 
-/// The name of a value of a type where its author has none: an instance is named as its generic type.
+/// Returns a name for a value of a type: the type's name in snake case. An instance is named after its generic type.
 pub(super) fn role(name: &str) -> String {
     let snake = snake(name);
     let bare = snake.strip_suffix("_f64").or_else(|| snake.strip_suffix("_f32"));
     bare.unwrap_or(&snake).to_owned()
 }
 
-/// The author's name for the result if the body ends in one, else the name of its type.
+/// Returns the name of the result: the author's if the body ends in a local, else the name of its type.
 pub(super) fn result(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
     if let Some(name) = &tree.attributes.result.name {
         return name.clone();
@@ -64,7 +64,7 @@ pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String
     }
 }
 
-/// Module and name of a path.
+/// Splits a path into module and name.
 pub(super) fn split(path: &str) -> (&str, &str) {
     path.rsplit_once("::").unwrap_or(("", path))
 }

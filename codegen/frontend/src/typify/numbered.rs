@@ -1,10 +1,11 @@
-//! Numbers that a loop goes through beside others: `(0..).zip(&values)`, `values.iter().zip(1..)`.
+//! Ranges that a loop iterates over beside other sequences: `(0..).zip(&values)`, `values.iter().zip(1..)`.
 //!
-//! core asks the parts of a `zip` one after the other, and a range without an end that is asked for its last number steps beyond
-//! it, which is a fault. Where no pass comes so far, a number is the counter and the first number; else each pass asks in core's
-//! order, and one more begins where a range stands before what ends the loop.
+//! core queries the parts of a `zip` one after the other. An open range that is queried after the last number of its
+//! type overflows, which is a fault. If no pass can reach that number, the item is the counter plus the first number.
+//! Else each pass queries the parts in core's order, and an additional pass begins if a range precedes the part that
+//! ends the loop.
 //!
-//! Must not know: what the elements are.
+//! Must not know: the type of the elements.
 
 use bessemer_ir::tree::{self, EACH, ExprKind as Tree, Pattern, Site};
 use bessemer_ir::{
@@ -19,17 +20,17 @@ use super::stepped::Numbers;
 use super::value::Value;
 use super::{Needed, Result, refusals, refused, words};
 
-/// How a loop asks what it goes through side by side.
+/// Order in which a pass queries its parallel sequences.
 pub(super) struct Turns {
-    /// How many passes the others make, before the first numbers that may come to the last of their type, between two of
-    /// these, and behind the last.
+    /// Number of passes of the other sequences: before the first range that may overflow, between two such ranges,
+    /// and after the last.
     counts: Vec<Vec<Expr>>,
-    /// Whether another pass begins than they make, for a range to be asked once more.
+    /// True if an additional pass begins, in which a range is queried once more.
     pub over: bool,
 }
 
 impl Lowering<'_, '_> {
-    /// A range as a sequence, in steps if it has some.
+    /// Lowers a range to a sequence, with a step if it has one.
     pub(super) fn numbers(
         &mut self,
         (range, down): (&tree::Range, bool),
@@ -52,7 +53,7 @@ impl Lowering<'_, '_> {
         Ok(Seq::new(kind, None, span))
     }
 
-    /// How a loop goes that is given these items.
+    /// Returns the order of queries for a loop over these items.
     pub(super) fn turns(&self, seq: &Seq, items: &[Item], body: &tree::Block) -> Result<Turns> {
         let (mut sides, mut counts, mut loud) = (Vec::new(), vec![Vec::new()], Vec::new());
         seq.sides(&mut sides);
@@ -83,7 +84,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Gives a pass its numbers, asked in the order in which they stand.
+    /// Emits the numbers of a pass, in the order of the sequences.
     pub(super) fn number_pass(
         &mut self,
         (turns, items): (Turns, &[Item]),
@@ -101,7 +102,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Leaves the pass that is over where what it goes through has come to its end.
+    /// Leaves the additional pass when a sequence of known length has ended.
     fn end_pass(&mut self, counter: &Expr, counts: impl Iterator<Item = Expr>) {
         let Some(count) = counts.reduce(|one, other| lesser(other, one)) else { return };
         let span = counter.span;
@@ -109,7 +110,7 @@ impl Lowering<'_, '_> {
         self.emit_if(there.negated(), Block::of(StmtKind::Break, span), span);
     }
 
-    /// The number of a pass, if that is what an item is.
+    /// Emits the number of a pass, if the item is one.
     fn one_number(&mut self, item: &Item, counter: &Expr, site: Site) -> Result<()> {
         let Item { pattern, of, index } = item;
         let (value, loud) = match of {
@@ -150,7 +151,7 @@ impl Lowering<'_, '_> {
         self.bind_pattern(pattern, &Value::Place(place), site)
     }
 
-    /// The number of a pass that its author changes: a copy of the counter.
+    /// Copies the number of a pass that its author assigns.
     pub(super) fn own_number(&mut self, pattern: &Pattern, site: Site) -> Result<()> {
         let Pattern::Name { name, slot, mutable: true, .. } = pattern else { return Ok(()) };
         let value = Some(tree::Expr::local(name, site));
@@ -158,7 +159,7 @@ impl Lowering<'_, '_> {
         self.stmts(&tree::Block { stmts: vec![own], tail: None })
     }
 
-    /// The number of a pass, in a local of its author's name.
+    /// Declares a local with the author's name for the number of a pass.
     fn local_number(&mut self, pattern: &Pattern, value: Expr) -> Place {
         let name = match pattern {
             Pattern::Name { name, .. } => name,
@@ -169,7 +170,8 @@ impl Lowering<'_, '_> {
         place
     }
 
-    /// The ends of the range of a `for`; of one that has none, the last number of its type, which it is only asked for.
+    /// Returns the bounds of a `for` over a range. The upper bound of an open range is the last number of its type;
+    /// it is queried, but never passed to the body.
     pub(super) fn ends(&mut self, range: &tree::Range, ty: &Type, site: Site) -> Result<[Expr; 2]> {
         let expected = Some(ty.clone());
         if let Some(to) = &range.to {
@@ -184,7 +186,7 @@ impl Lowering<'_, '_> {
         Ok([self.value(&range.from, Some(ty))?, last])
     }
 
-    /// Begins a pass through a range without an end: from its last number there is no step.
+    /// Emits the check with which a pass over an open range begins: its last number has no successor.
     pub(super) fn ask_open(&mut self, variable: LocalId, last: &Expr, span: Span) {
         let next = Expr::local(variable, &last.ty, span);
         let condition = Expr::compare(CompareOp::Ne, next, last.clone());
@@ -192,12 +194,12 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The integers that a loop counts in.
+/// Returns the integer type of a loop counter.
 fn counting(ty: &Type, site: Site) -> Result<Int> {
     ty.as_int().or_refused(site, refusals::COUNTER)
 }
 
-/// Whether a pass hands on what it goes through: then who asks for it is another.
+/// Returns true if a body yields its item, so that another loop's body consumes it.
 pub(super) fn hands_on(body: &tree::Block) -> bool {
     let last = body.stmts.last();
     matches!(last, Some(tree::Stmt::Expr(tree::Expr { kind: Tree::Apply(name, _), .. })) if name == EACH)

@@ -1,9 +1,9 @@
-//! Methods of numbers that are put together from operations of the IR.
+//! Methods of numbers that are composed of IR operations.
 //!
-//! One that the IR has is in [`builtin`](super::builtin); what stands here is spelt out, as a reader of
-//! the C would write it, each operand computed once.
+//! A method that is one IR operation is in [`builtin`](super::builtin). The others are written out here as a reader
+//! of the C would write them, with each operand evaluated once.
 //!
-//! Invariant: each method is one arm of [`spelt_out`], which the compiler holds to be complete.
+//! Invariant: each method is one arm of [`spelt_out`], an exhaustive `match`.
 
 use bessemer_ir::tree::{self, ByteOrder, NumberMethod};
 use bessemer_ir::{
@@ -18,7 +18,7 @@ use super::order::is_light;
 use super::words;
 use super::{Needed, OUR_FAULT, Result, problem, struct_of};
 
-/// The value of a method for `x` and what it is called with, of type `ty`; none if they are of types that it does not take.
+/// Returns the value of a method for `x`, the argument `by` and the type `ty`; none for types without this method.
 fn spelt_out(
     method: NumberMethod,
     x: Expr,
@@ -107,7 +107,7 @@ pub(super) fn float(double: f64, single: f32, ty: &Type, span: Span) -> Expr {
     Expr::literal(word, ty.clone(), span)
 }
 
-/// The literal 0 or 1 of a scalar type.
+/// Returns the literal 0 or 1 of a scalar type.
 pub(super) fn number(value: u8, ty: &Type, span: Span) -> Expr {
     match ty.as_float() {
         Some(_) => float(value.into(), value.into(), ty, span),
@@ -115,7 +115,7 @@ pub(super) fn number(value: u8, ty: &Type, span: Span) -> Expr {
     }
 }
 
-/// The bits of an integer, unsigned.
+/// Casts an integer to the unsigned type of its width.
 fn unsigned(x: Expr) -> Expr {
     match x.ty.as_int() {
         Some(int) => x.cast(&of(int.unsigned())),
@@ -123,7 +123,7 @@ fn unsigned(x: Expr) -> Expr {
     }
 }
 
-/// `n` modulo the width of `int`.
+/// Returns `n` modulo the width of `int`.
 fn masked(n: Expr, int: Int) -> Expr {
     let mask = u64::from(int.bits() - 1);
     match n.kind {
@@ -135,7 +135,7 @@ fn masked(n: Expr, int: Int) -> Expr {
     }
 }
 
-/// `-n`, as it wraps.
+/// Returns `-n`, with wrapping.
 fn negative(n: Expr, span: Span) -> Expr {
     match n.kind {
         ExprKind::Literal(word) => Expr::literal_like(word.wrapping_neg(), &n),
@@ -150,7 +150,7 @@ fn of(int: Int) -> Type {
 const U32: Type = Type::Scalar(Scalar::Int(Int::U32));
 
 impl Lowering<'_, '_> {
-    /// The value of a method of numbers.
+    /// Lowers a method of numbers.
     pub(super) fn number_method(&mut self, method: NumberMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         use NumberMethod as M;
@@ -182,13 +182,13 @@ impl Lowering<'_, '_> {
         Ok(value.at(span))
     }
 
-    /// Values that may be written more than once: where one has to be computed before, all are.
+    /// Returns operands that may be read more than once: if one needs a temporary, all have one.
     fn reusable(&mut self, values: Vec<Expr>) -> Vec<Expr> {
         let kept = values.into_iter().zip(words::OF_NUMBERS);
         kept.map(|(value, role)| self.atom(role, value)).collect()
     }
 
-    /// The square or the cube of an integer, which need no loop; none if it is another call.
+    /// Returns the square or the cube of an integer, which need no loop; none for another call.
     pub(super) fn small_power(&mut self, path: &str, call: Call<'_>) -> Result<Option<Expr>> {
         let Call { arguments, expr } = call;
         let Some(name) = path.strip_prefix("bessemer::math::integer::") else { return Ok(None) };
@@ -212,7 +212,7 @@ impl Lowering<'_, '_> {
         Ok(Some(if exponent == "2" { square } else { product(square, x) }))
     }
 
-    /// The bytes of a number as an array, or the number that they make.
+    /// Lowers the conversion of a number to its bytes, or of bytes to a number.
     pub(super) fn bytes(&mut self, order: ByteOrder, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
@@ -258,7 +258,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// `u8::try_from(x)` of an integer: the number if it fits, asked before it is converted.
+    /// Lowers `u8::try_from(x)` of an integer: tests the range before the conversion.
     pub(super) fn if_it_fits(&mut self, argument: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
         let (result, span) = (self.slot_of(expr)?, self.span(expr.site));
         let value = self.value(argument, None)?;

@@ -1,4 +1,4 @@
-//! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
+//! Methods of `Option` and `Result`: a test, a copy, or a check that the payload exists.
 
 use bessemer_ir::tree::{self, OptionMethod, Site};
 use bessemer_ir::{Block, Expr, Fault, Place, Span, StmtKind, StructId, Type};
@@ -10,7 +10,7 @@ use super::{Needed, OUR_FAULT, Result, problem, refusals, refused, struct_of};
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
-    /// The value of a method of `Option` or `Result`.
+    /// Lowers a method of `Option` or `Result`.
     pub(super) fn option_method(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         use OptionMethod as M;
@@ -38,7 +38,7 @@ impl Lowering<'_, '_> {
         Some((self.tag_is(place, id, word), held))
     }
 
-    /// `unwrap`: checks, and gives the value unless it is zero-sized.
+    /// Lowers `unwrap`: a check, then the payload; none if it is zero-sized.
     pub(super) fn unwrap(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Option<Expr>> {
         let Call { arguments, expr } = call;
         if method == OptionMethod::Unwrap
@@ -51,7 +51,8 @@ impl Lowering<'_, '_> {
         Ok(held.map(|held| held.load()))
     }
 
-    /// Checks that the variant is the one asked for, and gives the payload's place unless it is zero-sized.
+    /// Emits the check that the variant is `Some`, `Ok` or (with `error`) `Err`, and returns the payload's place
+    /// unless it is zero-sized.
     pub(super) fn unwrapped(
         &mut self,
         place: &Place,
@@ -64,7 +65,7 @@ impl Lowering<'_, '_> {
         Ok(held)
     }
 
-    /// `take` and `replace`: what was there, with `None` or another in its place.
+    /// Lowers `take` and `replace`: returns the old value, and stores `None` or the new one.
     fn exchanged(&mut self, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         let span = self.span(expr.site);
         let mut place = self.place(&arguments[0])?.or_refused(expr.site, refusals::PLACE)?;
@@ -93,7 +94,7 @@ impl Lowering<'_, '_> {
         Some(self.cx.field_type(id, field))
     }
 
-    /// Methods whose result is one of two values: the second, unless the first is there.
+    /// Lowers methods such as `unwrap_or`, whose result is the payload or an alternative.
     fn chosen(&mut self, method: OptionMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         use OptionMethod as M;
@@ -147,7 +148,7 @@ impl Lowering<'_, '_> {
         Ok(self.either("choice", otherwise, (there, then), span))
     }
 
-    /// A value, or another where the condition of that holds.
+    /// Returns a value, or `other` if the condition holds.
     pub(super) fn either(
         &mut self,
         role: &str,

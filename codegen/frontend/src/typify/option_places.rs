@@ -1,5 +1,5 @@
-//! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference is
-//! another name for the content.
+//! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference
+//! is an alias of the payload.
 
 use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Pattern, Ty};
 use bessemer_ir::{Block, Place, StmtKind};
@@ -9,11 +9,11 @@ use super::lowering::Lowering;
 use super::rewrite::is_plain;
 use super::{Needed, Result, order, refusals, refused, struct_of};
 
-/// The hidden name of the place that `lent?` leads to.
+/// Hidden name of the place to which `option?` refers.
 const TRIED: &str = "__tried";
 
 impl Lowering<'_, '_> {
-    /// The place in an `Option` that a call lends; none if the call is something else.
+    /// Returns the place in an `Option` to which a call's result refers; none for another call.
     pub(super) fn in_option(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         let Some((Builtin::Option(method), arguments)) = self.builtin_call(expr) else {
             return Ok(None);
@@ -39,12 +39,12 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Returns true if an expression gives an `Option<&mut T>`.
+    /// Returns true if the type of an expression is `Option<&mut T>`.
     fn may_lend_element(&self, expr: &tree::Expr) -> bool {
         matches!(self.seen_as(expr), Some(Ty::Option(value)) if is_element(value))
     }
 
-    /// The `Option` that `as_mut` is called of; none if `expr` is something else.
+    /// Returns the `Option` whose `as_mut` an expression calls; none for another expression.
     pub(super) fn option_lent(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.builtin_call(expr) {
             Some((Builtin::Option(OptionMethod::AsMut), [option])) => {
@@ -54,8 +54,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `lent?` of an `Option` that refers to something, also behind `.ok_or(error)`: the `Option`, and how the function is
-    /// left without. What is lent is taken apart where it is called.
+    /// Returns the option and the early exit of `option?`, also behind `.ok_or(error)`, if the payload is a
+    /// reference. Such an option is matched where it is called.
     fn tried_lent(&self, tried: &tree::Expr) -> Option<(tree::Expr, tree::Block)> {
         let Tree::Try(label, operand) = &tried.kind else { return None };
         if !self.seen_as(tried).is_some_and(refers) {
@@ -89,7 +89,7 @@ impl Lowering<'_, '_> {
         Some((lent.clone(), tree::Block { stmts, tail: None }))
     }
 
-    /// `let pattern = lent?;`; false if `tried` is something else.
+    /// Lowers `let pattern = option?;` with a reference as payload; returns false for another expression.
     pub(super) fn take_tried(&mut self, pattern: &Pattern, tried: &tree::Expr) -> Result<bool> {
         let Some((lent, otherwise)) = self.tried_lent(tried) else { return Ok(false) };
         let there = Pattern::Constructor("Some".into(), vec![pattern.clone()]);
@@ -97,7 +97,7 @@ impl Lowering<'_, '_> {
         Ok(true)
     }
 
-    /// The place that `lent?` leads to; none if `tried` is something else.
+    /// Returns the place to which `option?` refers; none for another expression.
     pub(super) fn tried_place(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
         if !self.take_tried(&Pattern::name(TRIED), tried)? {
             return self.tried_element(tried);
@@ -110,7 +110,7 @@ impl Lowering<'_, '_> {
         Ok(place)
     }
 
-    /// The element that `result?` refers to, of a `Result<&mut T, E>`; none if `tried` is something else.
+    /// Returns the element to which `result?` refers, for a `Result<&mut T, E>`; none for another expression.
     fn tried_element(&mut self, tried: &tree::Expr) -> Result<Option<Place>> {
         let Tree::Try(label, operand) = &tried.kind else { return Ok(None) };
         if !matches!(self.seen_as(operand), Some(Ty::Result(value, _)) if is_element(value)) {
@@ -123,7 +123,7 @@ impl Lowering<'_, '_> {
         self.element_lent(&held, tried.site)
     }
 
-    /// A place that stays the same whatever comes; its indices have been looked at.
+    /// Returns a place whose indices are evaluated and checked now, so that later writes do not change it.
     fn settled(&mut self, expr: &tree::Expr) -> Result<Place> {
         match self.place(expr)? {
             Some(mut place) => {
@@ -134,7 +134,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Puts a value into an `Option`, or what a closure computes; only `insert` does where there is one.
+    /// Stores a value, or a closure's result, into an `Option`. Only `insert` replaces an existing payload.
     fn filled(
         &mut self,
         method: OptionMethod,
@@ -177,7 +177,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Returns true if a value refers to something.
+/// Returns true if a type is a reference or contains one in a tuple.
 fn refers(ty: &Ty) -> bool {
     match ty {
         Ty::Ref(..) => true,
@@ -186,7 +186,7 @@ fn refers(ty: &Ty) -> bool {
     }
 }
 
-/// Returns true if a value may be computed or not: a name, a number, or what is made of them.
+/// Returns true if evaluating a value has no effect: a name, a literal, or an aggregate of these.
 fn is_of_names(expr: &tree::Expr) -> bool {
     match &expr.kind {
         Tree::Tuple(parts) | Tree::Array(parts) | Tree::Constructor(_, parts) => {

@@ -1,7 +1,7 @@
-//! Order of evaluation: what has to be computed before what comes after it.
+//! Order of evaluation.
 //!
-//! An expression of the IR is evaluated where it stands, and the statements that a later operand needs
-//! stand before the whole: what came earlier and could change by them goes into a local first.
+//! The IR evaluates an expression at its place in a statement, and statements that a later operand needs come before
+//! that statement. So earlier operands that these statements could change are first held in locals.
 
 use bessemer_ir::visit::{Access, Walk};
 use bessemer_ir::{
@@ -15,12 +15,12 @@ use super::{Result, words};
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
-    /// The statements since `mark`, taken out; what comes before them can still be emitted.
+    /// Removes and returns the statements since `mark`, so that others can be emitted before them.
     pub(super) fn later(&mut self, mark: usize) -> Vec<Stmt> {
         self.out.split_off(mark)
     }
 
-    /// What `lower` gives, and the statements that it emits, which are not emitted here.
+    /// Returns the result of `lower` and the statements that it emits, without emitting them.
     pub(super) fn apart<T>(
         &mut self,
         lower: impl FnOnce(&mut Self) -> Result<T>,
@@ -31,7 +31,8 @@ impl Lowering<'_, '_> {
         Ok((done?, inner))
     }
 
-    /// Lowers what comes behind something; `settle` computes before it what its statements could change.
+    /// Lowers an operand with `lower`. Before its statements, `settle` holds the earlier values that they could
+    /// change.
     pub(super) fn settling<T>(
         &mut self,
         lower: impl FnOnce(&mut Self) -> Result<T>,
@@ -45,12 +46,12 @@ impl Lowering<'_, '_> {
         Ok(done)
     }
 
-    /// Computes the indices of `place` now that the statements to come could change.
+    /// Holds the indices of `place` that later statements could change.
     pub(super) fn settle_place(&mut self, place: &mut Place, later: &[Stmt]) {
         self.settle_all(indices_mut(place).map(|index| (index, words::INDEX)), later);
     }
 
-    /// Computes now what of the arguments so far the statements to come could change.
+    /// Holds the arguments so far that later statements could change.
     pub(super) fn settle_arguments(&mut self, passed: &mut [Argument], later: &[Stmt]) {
         let mut values = Vec::new();
         for argument in passed {
@@ -65,7 +66,7 @@ impl Lowering<'_, '_> {
         self.settle_all(values, later);
     }
 
-    /// Computes the values so far, in their order, before the statements to come.
+    /// Holds the values so far, in order, before later statements.
     pub(super) fn settle_all<'e>(
         &mut self,
         values: impl IntoIterator<Item = (&'e mut Expr, &'e str)>,
@@ -76,8 +77,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Returns an atom: a literal, a constant, or a local that is assigned once, into which the value goes. Where nothing would
-    /// have changed the value, [`fuse`](crate::fuse) puts it back.
+    /// Returns an atom for a value: a literal, a constant, or a local that is assigned once. If nothing would have
+    /// changed the value, [`fuse`](crate::fuse) substitutes it again.
     pub(super) fn atom(&mut self, role: &str, value: Expr) -> Expr {
         let known = match &value.kind {
             ExprKind::Literal(_) | ExprKind::Const(_) => true,
@@ -91,7 +92,7 @@ impl Lowering<'_, '_> {
         self.atom_place(role, value).load()
     }
 
-    /// Returns the place of a value that goes into a local which is assigned once.
+    /// Returns the place of a new local that holds a value and is assigned once.
     pub(super) fn atom_place(&mut self, role: &str, value: Expr) -> Place {
         let place = self.temporary_place(role, value);
         self.atoms.insert(place.root);
@@ -102,13 +103,14 @@ impl Lowering<'_, '_> {
         *value = self.atom(role, value.clone());
     }
 
-    /// Makes a local the author's, who may name it and write it.
+    /// Makes a temporary the author's: it may be renamed and written. Returns true if it was a temporary.
     pub(super) fn release(&mut self, local: LocalId) -> bool {
         self.atoms.remove(&local);
         self.held.remove(&local)
     }
 
-    /// Computes now the indices that lead to what is lent to a call whose result refers to that, and what comes before them.
+    /// Holds the indices of the places that a call borrows, if its result refers to one of them, and all earlier
+    /// arguments.
     pub(super) fn settle_lent(&mut self, passed: &mut [Argument]) {
         let places =
             |argument: &Argument| lent(argument).is_some_and(|(it, _)| !it.steps.is_empty());
@@ -124,12 +126,12 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Computes values that will stand in another order now, one after the other.
+    /// Holds values that later appear in another order, in their present order.
     pub(super) fn keep_order(&mut self, values: &mut [Expr]) {
         values.iter_mut().for_each(|value| self.atomize(words::OPERAND, value));
     }
 
-    /// Makes a place one that stays the same: its indices are computed and checked now.
+    /// Makes a place independent of later writes: its indices are evaluated and checked now.
     pub(super) fn fix(&mut self, place: &mut Place) {
         self.keep_moving(place);
         // What is referred to was looked at where that was chosen.
@@ -154,17 +156,17 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Computes now the indices of `place`.
+    /// Holds the indices of `place`.
     pub(super) fn keep_moving(&mut self, place: &mut Place) {
         indices_mut(place).for_each(|index| self.atomize(words::INDEX, index));
     }
 
-    /// Computes now the indices of `place` that are to be kept.
+    /// Holds those indices of `place` for which `keep` is true.
     pub(super) fn keep_indices(&mut self, place: &mut Place, keep: impl Fn(&Expr) -> bool) {
         place.steps.iter_mut().for_each(|step| self.keep_indices_of(step, &keep));
     }
 
-    /// The same of one step.
+    /// Holds those indices of one step for which `keep` is true.
     pub(super) fn keep_indices_of(&mut self, step: &mut Step, keep: impl Fn(&Expr) -> bool) {
         for index in step.indices_mut() {
             if keep(index) {
@@ -174,7 +176,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether `value` is the same before and after `later`, and its faults come as they would.
+/// Returns true if `later` neither changes `value` nor moves its faults.
 pub(super) fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
     if effects::calls(value) {
         return false;
@@ -188,7 +190,7 @@ pub(super) fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
         && !later.iter().any(|stmt| writes_what_is_read(stmt, value))
 }
 
-/// Whether a statement does nothing but compute what can be had without effect or fault.
+/// Returns true if a statement only computes a value without effect or fault.
 fn is_quiet(stmt: &Stmt) -> bool {
     match &stmt.kind {
         StmtKind::Let { value, .. } => value.as_ref().is_none_or(is_free),
@@ -197,23 +199,23 @@ fn is_quiet(stmt: &Stmt) -> bool {
     }
 }
 
-/// Whether a statement writes a part of a local that an expression reads.
+/// Returns true if a statement writes a local that an expression reads.
 fn writes_what_is_read(stmt: &Stmt, expr: &Expr) -> bool {
     stmt.any_place(|place, access| access != Access::Read && effects::mentions(expr, place.root))
 }
 
-/// Whether an expression writes anything.
+/// Returns true if an expression writes anything.
 pub(super) fn has_effect(expr: &Expr) -> bool {
     !effects::lent(expr).is_empty()
 }
 
-/// Whether a value may be computed before or after others: it writes nothing, and cannot fault. A
-/// call may, whatever it is.
+/// Returns true if a value may be evaluated earlier or later: it writes nothing, and cannot fault. A call may do
+/// either.
 pub(super) fn is_free(expr: &Expr) -> bool {
     is_quiet_but_for(expr, |place| place.steps.iter().all(is_fixed))
 }
 
-/// Whether nothing in an expression writes, calls or faults, save for loads that `allowed` judges.
+/// Returns true if an expression does not write, call or fault, except by loads that `allowed` judges.
 fn is_quiet_but_for(expr: &Expr, allowed: impl Fn(&Place) -> bool) -> bool {
     !expr.any_expr(|expr| {
         let float = matches!(expr.ty, Type::Scalar(Scalar::Float(_) | Scalar::Bool));
@@ -228,7 +230,7 @@ fn is_quiet_but_for(expr: &Expr, allowed: impl Fn(&Place) -> bool) -> bool {
     })
 }
 
-/// The indices that lead to a place.
+/// Returns the indices that lead to a place.
 pub(super) fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
     place.steps.iter().flat_map(Step::indices)
 }
@@ -237,7 +239,7 @@ fn indices_mut(place: &mut Place) -> impl Iterator<Item = &mut Expr> {
     place.steps.iter_mut().flat_map(Step::indices_mut)
 }
 
-/// The value of an argument that is not lent.
+/// Returns the value of an argument, or the place of a mutable borrow.
 pub(super) fn value_of(argument: &mut Argument) -> Result<&mut Expr, &mut Place> {
     match argument {
         Argument::Value(value) | Argument::Ref(value) => Ok(value),
@@ -245,13 +247,13 @@ pub(super) fn value_of(argument: &mut Argument) -> Result<&mut Expr, &mut Place>
     }
 }
 
-/// Whether a value may be written more than once: it is a literal, or lies where only fields lead.
+/// Returns true if a value may be read more than once: it is a literal, or a place with fields only.
 pub(super) fn is_light(value: &Expr) -> bool {
     let fields = |place: &Place| place.steps.iter().all(|step| matches!(step, Step::Field(_)));
     value.is_literal() || matches!(&value.kind, ExprKind::Load(place) if fields(place))
 }
 
-/// Whether a step never depends on a value that is computed.
+/// Returns true if a step has only literal indices.
 pub(super) fn is_fixed(step: &Step) -> bool {
     step.indices().all(Expr::is_literal)
 }

@@ -1,9 +1,9 @@
-//! Patterns: what has to hold for a value to be taken, and what its names stand for.
+//! Patterns: the condition under which a value matches, and the meaning of the names.
 //!
-//! A name of a reference is another name for the place. A name of a value is a copy, made where the arm
-//! (or the `let`) begins; before that, in a guard, it is another name too.
+//! A name with a reference type is an alias of the place. A name with a value type is a copy, made at the beginning
+//! of the arm or after the `let`; in a guard it is still an alias.
 //!
-//! A payload is looked at only behind the test that it is there.
+//! Invariant: a payload is read only after the test of its variant.
 
 use bessemer_ir::tree::{self, ExprKind as Tree, NO_SLOT, Pattern, Site};
 use bessemer_ir::{
@@ -26,12 +26,12 @@ pub(super) struct Test {
 }
 
 impl Test {
-    /// A test that gives no names.
+    /// Returns a test without names.
     pub(super) fn of(condition: Option<Expr>) -> Test {
         Test { condition, names: Vec::new() }
     }
 
-    /// A name, which takes every value.
+    /// Returns a test that always matches and binds a name.
     pub(super) fn named(name: &str, slot: u32, stands: Value, site: Site) -> Test {
         let name = Named { name: name.to_owned(), slot, mutable: false, stands, site };
         Test { condition: None, names: vec![name] }
@@ -44,7 +44,7 @@ impl Test {
         self
     }
 
-    /// Both of two. Neither condition has an effect, so one that is false is the whole.
+    /// Returns the conjunction of two tests. Conditions have no effects, so a constant false replaces the whole.
     #[must_use]
     pub(super) fn and(mut self, other: Test) -> Test {
         self.names.extend(other.names);
@@ -111,7 +111,7 @@ impl Lowering<'_, '_> {
         Ok(Test { condition: any, names: known.unwrap_or_default() })
     }
 
-    /// The test of all patterns, each of its part.
+    /// Returns the conjunction of the tests of all parts.
     fn test_all<'p>(
         &mut self,
         parts: impl IntoIterator<Item = (&'p Pattern, Value)>,
@@ -124,7 +124,7 @@ impl Lowering<'_, '_> {
         Ok(all)
     }
 
-    /// A number or a range of floats, which is compared as by `==` and `<=`.
+    /// Tests a literal or a range of floats, by `==` and `<=`.
     fn test_float(&mut self, pattern: &Pattern, place: &Place) -> Result<Test> {
         let bounds = match pattern {
             Pattern::Range { from, to, inclusive } => {
@@ -200,7 +200,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The patterns inside of one, each with the part of `whole` that it takes; `single`: that is the only part itself.
+    /// Returns the patterns inside a pattern, each with its part of `whole`. With `single`, the payload is one value
+    /// and not a struct.
     fn inner_patterns<'p>(
         &self,
         pattern: &'p Pattern,
@@ -238,8 +239,8 @@ impl Lowering<'_, '_> {
         Ok(parts)
     }
 
-    /// The variant that an author wrote by name, which must be its own: another's, given by a `use`, would be taken for
-    /// that one.
+    /// Returns the variant that the author wrote by name. A `use` that renames another variant to this name is
+    /// refused.
     pub(super) fn named_case(&self, id: StructId, name: &str, site: Site) -> Result<(u64, Case)> {
         match self.case(id, name) {
             Some(case) if !self.cx.sources.renames(&self.source.file, name) => Ok(case),
@@ -251,19 +252,19 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The variant of an `Option` or a `Result` that `?` goes on with.
+    /// Returns the name of the variant with which `?` continues, `Some` or `Ok`.
     pub(super) fn going_on(&self, id: StructId) -> Option<&'static str> {
         ["Some", "Ok"].into_iter().find(|name| self.case(id, name).is_some())
     }
 
-    /// The variant of a struct that stands for an enum: its word, and what it holds.
+    /// Returns a variant of a struct that represents an enum: its word and its payload.
     pub(super) fn case(&self, id: StructId, name: &str) -> Option<(u64, Case)> {
         let cases = &self.cx.known_of(id).cases;
         let index = cases.iter().position(|case| case.name == name)?;
         Some((index as u64, cases[index].clone()))
     }
 
-    /// The word of the variant without payload that a path has for a value: its name may be another.
+    /// Returns the word of a variant without payload that a path denotes; the path may be an alias.
     pub(super) fn unit_word(&self, value: &tree::Expr, id: StructId) -> Option<u64> {
         let Tree::Path(index, _) = &value.kind else { return None };
         let word = *self.source.constants.get(*index as usize)?.words.first()?;
@@ -271,7 +272,8 @@ impl Lowering<'_, '_> {
         case.field.is_none().then_some(word)
     }
 
-    /// The content that `Name(…)` takes apart, whether that is the one part itself, and the condition for it.
+    /// Returns the payload that `Name(…)` destructures, true if it is one value, and the condition that the variant
+    /// matches.
     fn taken(
         &mut self,
         place: &Place,
@@ -291,27 +293,27 @@ impl Lowering<'_, '_> {
         Ok((payload, case.single, Some(self.tag_is(place, id, word))))
     }
 
-    /// `place.tag == word`.
+    /// Returns the condition `place.tag == word`.
     pub(super) fn tag_is(&mut self, place: &Place, id: StructId, word: u64) -> Expr {
         let tag = self.part(place, id, 0);
         let word = i128::from(word);
         within(&tag.load(), (word, word), place.span)
     }
 
-    /// The place of a field.
+    /// Returns the place of a field.
     pub(super) fn part(&self, place: &Place, id: StructId, index: usize) -> Place {
         let ty = self.cx.field_type(id, index as u32);
         place.inside(Step::Field(index as u32), ty)
     }
 
-    /// Makes names stand for their places, those of values too: only while nothing is written.
+    /// Binds names as aliases of their places, also names of values. Valid only while nothing is written.
     pub(super) fn alias_names(&mut self, names: &[Named]) {
         for named in names {
             self.bind(&named.name, named.stands.clone());
         }
     }
 
-    /// Gives those names of a condition a copy at once that what follows in it may change, or may write what they stand for.
+    /// Copies the names of a condition that the rest of the condition may change, or whose places it may write.
     pub(super) fn copy_names(
         &mut self,
         names: &mut Vec<Named>,
@@ -328,7 +330,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Binds the names of a pattern that takes any such value.
+    /// Binds the names of an irrefutable pattern.
     pub(super) fn bind_pattern(
         &mut self,
         pattern: &Pattern,
@@ -356,7 +358,7 @@ impl Lowering<'_, '_> {
         self.bind_names(&names)
     }
 
-    /// Gives names their meaning: another name for a place, or a copy.
+    /// Binds names: as an alias of a place, or as a copy.
     pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
         for named in names {
             let place = match &named.stands {
@@ -418,7 +420,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Returns true if two names are one, and stand for one place.
+/// Returns true if two alternatives bind the same name to the same place.
 fn same_names((one, other): (&Named, &Named)) -> bool {
     let same = match (&one.stands, &other.stands) {
         (Value::Place(one), Value::Place(other)) => effects::same_place(one, other),
@@ -428,7 +430,7 @@ fn same_names((one, other): (&Named, &Named)) -> bool {
     same && one.name == other.name && one.mutable == other.mutable
 }
 
-/// Patterns and the index of the part that each takes; `..` stands for as many as are left.
+/// Returns patterns with the index of the part that each matches; `..` skips the remaining parts.
 pub(super) fn aligned(patterns: &[Pattern], count: usize) -> Vec<(&Pattern, usize)> {
     let rest = patterns.iter().position(|it| matches!(it, Pattern::Rest));
     let (before, after) = match rest {

@@ -1,4 +1,4 @@
-//! Places: where values are held; and the names of references, which are other names for their places.
+//! Places, and names of references, which are aliases of places.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Place, Span, Step, Type};
@@ -11,12 +11,12 @@ use super::words;
 use super::{Needed, Result, problem, refusals, refused};
 use bessemer_ir::effects;
 
-/// Whether a field is all there is: of a point its `coords`, of a translation its `vector`.
+/// Returns true if a field is the whole value: `coords` of a point, `vector` of a translation.
 fn is_whole(base: &Type, name: &str) -> bool {
     matches!(base, Type::Matrix { .. }) && (name == "coords" || name == "vector")
 }
 
-/// The row and the column of nalgebra's `m12`, from 0.
+/// Returns the row and the column, from 0, of nalgebra's `m12`.
 fn by_name(name: &str) -> Option<(u64, u64)> {
     let digit = |at: usize| match name.as_bytes().get(at)? {
         digit @ b'1'..=b'6' => Some(u64::from(digit - b'1')),
@@ -26,7 +26,7 @@ fn by_name(name: &str) -> Option<(u64, u64)> {
 }
 
 impl Lowering<'_, '_> {
-    /// The place that `expr` names; none if it is a value.
+    /// Returns the place that `expr` denotes; none if it is a value.
     pub(super) fn place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         let expr = bare(expr);
         let span = self.span(expr.site);
@@ -85,7 +85,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The subject that is taken apart: a place, or a value held in a temporary.
+    /// Returns the place of a destructured expression; a value is held in a temporary.
     pub(super) fn base(&mut self, expr: &tree::Expr) -> Result<Place> {
         match self.place(expr)? {
             Some(place) => Ok(place),
@@ -93,13 +93,13 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The place of the value of an expression.
+    /// Returns the place of the value of an expression.
     pub(super) fn held(&mut self, expr: &tree::Expr) -> Result<Place> {
         let value = self.value(expr, None)?;
         Ok(self.hold(value))
     }
 
-    /// The place of a value: its own, or a temporary. An index that calls is computed here, once.
+    /// Returns the place of a value: its own, or a temporary's. An index with a call is evaluated here, once.
     pub(super) fn hold(&mut self, value: Expr) -> Place {
         if let ExprKind::Load(mut place) = value.kind {
             self.keep_indices(&mut place, effects::calls);
@@ -208,14 +208,14 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// The indices of a row and a column.
+    /// Returns the indices of a row and a column.
     pub(super) fn row_and_column(&mut self, [row, col]: [&tree::Expr; 2]) -> Result<[Expr; 2]> {
         let operand = |expr, role| Operand { expr, expected: Some(Type::USIZE), role };
         let indices = self.operands(&[operand(row, words::ROW), operand(col, words::COLUMN)])?;
         two(indices, row.site)
     }
 
-    /// The type at a place that is to be assigned, without computing its indices.
+    /// Returns the type of a place that is to be assigned, without evaluating its indices.
     pub(super) fn place_type(&mut self, expr: &tree::Expr) -> Result<Type> {
         if self.is_submatrix(expr) {
             return self.type_alone(expr);
@@ -259,7 +259,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The meaning of a name, also behind `&` and `*`; none of another expression.
+    /// Returns the meaning of a name, also behind `&` and `*`; none for another expression.
     pub(super) fn meaning(&self, expr: &tree::Expr) -> Option<Value> {
         match &bare(expr).kind {
             tree::ExprKind::Local(name) => self.lookup(name, expr.site).ok(),
@@ -267,7 +267,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The same, behind `&` alone.
+    /// Returns the meaning of a name, also behind `&`, but not behind `*`.
     pub(super) fn meaning_lent(&self, expr: &tree::Expr) -> Option<Value> {
         match &expr.kind {
             tree::ExprKind::Ref(_, inner) => self.meaning_lent(inner),
@@ -276,7 +276,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The place that a name means; none if it means a value, or none yet.
+    /// Returns the place that a name denotes; none if it denotes another kind of value.
     pub(super) fn place_of(&self, meaning: &Value, span: Span) -> Option<Place> {
         match meaning {
             Value::Place(place) => Some(place.clone()),
@@ -288,12 +288,12 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A copy of what is at a place, under a name that nothing writes to.
+    /// Copies the value at a place into a temporary.
     pub(super) fn hold_copy(&mut self, name: &str, place: Place) -> Place {
         self.naming_as("", |inner| inner.temporary_place(name, place.load()))
     }
 
-    /// `let name = &place`: another name for the place.
+    /// Lowers `let name = &place`, which makes the name an alias.
     pub(super) fn alias(
         &mut self,
         (name, slot): (&str, u32),
@@ -325,7 +325,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether what `expr` refers to comes from a call, or is gathered: what a fold of references gives is held by itself.
+/// Returns true if the referent of `expr` comes from a call or a fold, which hold their own results.
 fn lends(expr: &tree::Expr) -> bool {
     match &expr.kind {
         tree::ExprKind::Ref(false, inner) | tree::ExprKind::Try(_, inner) => lends(inner),
@@ -334,7 +334,7 @@ fn lends(expr: &tree::Expr) -> bool {
     }
 }
 
-/// Whether an expression that is a reference is a part of a value: that holds it.
+/// Returns true if a reference is stored in a field or an element of a value.
 fn is_held(expr: &tree::Expr) -> bool {
     matches!(expr.kind, tree::ExprKind::Field(..) | tree::ExprKind::Index(..))
 }

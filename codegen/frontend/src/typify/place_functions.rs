@@ -1,8 +1,10 @@
-//! Functions that return references, `fn axis_mut(&mut self, i: usize) -> &mut Axis`, and an author's own `[…]`.
+//! Functions that return references, `fn axis_mut(&mut self, i: usize) -> &mut Axis`, and authors' implementations of
+//! `Index`.
 //!
-//! They are inlined: a reference lowers to a place, never to a pointer, so nothing is copied and the place can be written.
-//! A function that chooses between places to be read is a function of the C that gives a copy: while a reference lives,
-//! nothing writes to what it refers to. One that chooses among those to be written gives the index of the element.
+//! They are inlined: a reference lowers to a place, never to a pointer, so nothing is copied and the place can be
+//! written. A function that selects one of several places and returns a shared reference is a C function that returns
+//! a copy, since nothing writes the referent during the borrow. One that returns a mutable reference returns the
+//! index of the element.
 
 use bessemer_ir::tree::visit::{self, VisitMut, Walk};
 use bessemer_ir::tree::{self, ExprKind as Tree, Site, Ty};
@@ -16,7 +18,8 @@ use super::rewrite::Placed;
 use super::value::Value;
 use super::{Context, Needed, Problem, Result, refusals, refused};
 
-/// Whether a function lends a place, and whether to be written.
+/// Returns true if a function returns a mutable reference to a place, false for a shared one; none if it returns a
+/// value or a slice.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
     match result_of(function) {
         Some(Ty::Ref(inner, mutable)) if !matches!(**inner, Ty::Slice(_)) => Some(*mutable),
@@ -24,8 +27,8 @@ pub(super) fn lends(function: &tree::Function) -> Option<bool> {
     }
 }
 
-/// Whether a statement names what the place is made of: the place is the same whatever the values are, and nothing is done
-/// before that needs a function.
+/// Returns true if a statement only names parts of the returned place. It does not select the place, and does nothing
+/// else that needs a C function.
 fn is_named_first(stmt: &tree::Stmt) -> bool {
     match stmt {
         tree::Stmt::Let { .. } => true,
@@ -34,7 +37,7 @@ fn is_named_first(stmt: &tree::Stmt) -> bool {
     }
 }
 
-/// Lends to be read what is lent to be written.
+/// Visitor that makes mutable borrows shared.
 struct Read;
 
 impl VisitMut for Read {
@@ -46,7 +49,7 @@ impl VisitMut for Read {
     }
 }
 
-/// Whether two functions do the same to the same.
+/// Returns true if two functions differ only in the mutability of their references.
 fn same_meaning(one: &tree::Function, other: &tree::Function) -> bool {
     let names = |it: &tree::Function| it.tree.params.iter().map(|it| it.name.clone()).collect();
     let called = |it: &tree::Function| (it.callees.clone(), it.constants.clone());
@@ -61,7 +64,7 @@ fn same_meaning(one: &tree::Function, other: &tree::Function) -> bool {
 }
 
 impl<'a> Context<'a> {
-    /// Notes the authors' own `[…]`.
+    /// Records an author's implementation of `Index`.
     pub(super) fn note_indexing(&mut self, it: &'a tree::Implied) {
         if let Ty::Named(path) = &it.owner
             && let Some(owner) = self.types.get(path)
@@ -70,7 +73,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Notes the functions of which the place stands where they are called.
+    /// Records the functions that return references and are inlined at each call.
     pub(super) fn note_lending(&mut self, functions: &[&'a tree::Function]) {
         for function in functions {
             let body = &function.tree.body;
@@ -97,7 +100,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Whether a function is none in the C.
+    /// Returns true if a function is inlined because it returns a reference.
     pub(super) fn lends_place(&self, function: &tree::Function) -> bool {
         self.lending.contains(function.path.as_str())
     }
@@ -121,7 +124,7 @@ impl<'a> Context<'a> {
 }
 
 impl<'a> Lowering<'a, '_> {
-    /// The place that a call lends; none if it gives a value.
+    /// Returns the place to which a call's result refers; none if it is a value.
     pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.called(expr) {
             Some(called) => self.lent_by(called, expr),
@@ -129,13 +132,13 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// Whether a call gives a `&mut T`, of a function that chooses it.
+    /// Returns true if a call's result is a `&mut T` that a C function selects.
     pub(super) fn gives_element(&self, expr: &tree::Expr) -> bool {
         let called = self.called(expr).filter(|(it, _)| it.tree.role != tree::Role::Expanded);
         called.is_some_and(|(it, _)| lends(it) == Some(true) && !self.cx.lends_place(it))
     }
 
-    /// The same, of a function that is called.
+    /// Returns the place to which the result of a called function refers; none if it is a value.
     pub(super) fn lent_by(
         &mut self,
         called: Called<'a, '_>,
@@ -152,7 +155,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(Some(place))
     }
 
-    /// The place at an author's own `[…]`; none if there is none for the type.
+    /// Returns the place at an author's `Index`; none if the type has none.
     pub(super) fn own_element(
         &mut self,
         owner: &Type,
@@ -170,7 +173,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(Some(self.hold(value)))
     }
 
-    /// The type at an author's own `[…]`.
+    /// Returns the element type of an author's `Index`.
     pub(super) fn own_element_type(
         &mut self,
         owner: &Type,
@@ -181,7 +184,7 @@ impl<'a> Lowering<'a, '_> {
         result_of(function).map(|ty| self.cx.pointee(ty, site)).transpose()
     }
 
-    /// The function behind an author's own `[…]`.
+    /// Returns the function of an author's `Index` for this type of index.
     fn indexed_by(
         &mut self,
         owner: &Type,
@@ -207,7 +210,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// Whether an index is of a type, of which rustc was not asked where it is written out.
+    /// Returns true if an index has this type. A tuple or a literal has no slot from rustc.
     fn is_of(&mut self, index: &tree::Expr, ty: &Ty) -> Result<bool> {
         match (&index.kind, ty) {
             (Tree::Tuple(parts), ty) if index.slot.is_none() => {
@@ -218,7 +221,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// The statements of a function before the place that it returns, and the place.
+    /// Inlines a function, and returns the place to which its result refers.
     fn placed(&mut self, called: Called<'a, '_>, site: Site) -> Result<Place> {
         self.expanded(called, site, |inner, tail| {
             let tail = tail.or_refused(called.0.tree.site, refusals::LENDS_NOTHING)?;
@@ -228,7 +231,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// The meaning of a parameter: the place that is lent to it, or a value that stays as it is.
+    /// Returns the meaning of a parameter: an alias of the borrowed place, or a value that does not change.
     pub(super) fn given(
         &mut self,
         (name, mutable): (&str, bool),
@@ -279,7 +282,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// A local with this value, which is written if it is `changing`: its type as rustc sees it.
+    /// Declares a local with this value. With `changing`, rustc's type, it may be written.
     pub(super) fn own(&mut self, name: &str, value: Expr, changing: Option<&Ty>) -> Value {
         Value::Place(self.naming_as("", |inner| match changing {
             Some(ty) => {
@@ -292,7 +295,7 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// Whether a value is made of literals and constants.
+/// Returns true if a value consists of literals and constants.
 fn is_constant(value: &Expr) -> bool {
     match &value.kind {
         ExprKind::Literal(_) | ExprKind::Const(_) => true,

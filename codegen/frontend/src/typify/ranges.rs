@@ -1,12 +1,12 @@
-//! What authors say of the range of a number, held against its type and its default.
+//! Checks each `#[range]` against the type and the default of its number.
 //!
-//! Invariant: nothing that is computed depends on it. A default is that of which the module has the words.
+//! Invariant: no computation depends on a range. A default can be checked if the module contains its words.
 
 use bessemer_ir::{Float, Form, Given, Module, Range, Scalar, Span, StructId, Type};
 
 use crate::diagnostic::Diagnostic;
 
-/// The ranges of what is no number, and the defaults outside of their ranges.
+/// Returns errors about ranges of types that are not numeric, and about defaults outside their ranges.
 pub(super) fn wrong(module: &Module) -> Vec<Diagnostic> {
     let mut walk = Walk { module, told: Vec::new() };
     for item in &module.structs {
@@ -35,8 +35,7 @@ struct Walk<'m> {
 }
 
 impl Walk<'_> {
-    /// Tells of a mistake where the range stands. Instances of something generic have it in common, and so has a default
-    /// that is part of others.
+    /// Reports an error at the range, once: instances of a generic item share it, as do defaults that contain it.
     fn tell(&mut self, given: &Given, home: Span, message: String, help: &str) {
         let file = self.module.files.get(home.file as usize).cloned().unwrap_or_default();
         let (line, column) = (given.site.0, given.site.1);
@@ -48,7 +47,7 @@ impl Walk<'_> {
         }
     }
 
-    /// A range is that of a number, or of the numbers in an array or a matrix.
+    /// Checks that the type of a field with a range is numeric.
     fn number(&mut self, name: &str, ty: &Type, given: &Given, home: Span) {
         if given.range.is_some() && !self.has_range(ty) {
             let message = format!("`{name}` is not a number, so it cannot have a `#[range]`");
@@ -57,8 +56,8 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether the numbers of a type may have a range. Of a struct that stands for a type of Rust's or of the library,
-    /// they have no field of the author's that it could be written on.
+    /// Returns true if a type has numbers that can have a range. The fields of a struct that represents a standard or
+    /// library type cannot, since no attribute can be written on them.
     fn has_range(&self, ty: &Type) -> bool {
         match ty {
             Type::Scalar(scalar) | Type::Matrix { element: scalar, .. } => *scalar != Scalar::Bool,
@@ -71,7 +70,7 @@ impl Walk<'_> {
         }
     }
 
-    /// The fields of a default at the path, by its words.
+    /// Checks the fields of a default, whose words are `words`, against their ranges.
     fn fields(&mut self, id: StructId, words: &[u64], path: &str) {
         let module = self.module;
         let item = &module.structs[id.index()];
@@ -106,7 +105,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Holds the numbers of a field to its range.
+    /// Checks the numbers of a field's default against its range.
     fn within(&mut self, range: Range, ty: &Type, words: &[u64], at: (&str, &Given, Span)) {
         let (mut element, mut many) = (ty, false);
         while let Type::Array { element: inner, .. } = element {
@@ -136,7 +135,7 @@ impl Walk<'_> {
     }
 }
 
-/// A number of a default, and how it is shown.
+/// Returns a number of a default as a value and as text.
 fn number(scalar: Scalar, word: u64) -> (f64, String) {
     match scalar {
         Scalar::Float(Float::F32) => {

@@ -1,12 +1,12 @@
-//! Calls of `#[function(rewrite)]`: each stands for the function's body, as if its caller had written that.
+//! Calls of `#[function(rewrite)]`: each is replaced by the function's body, as if its caller had written it.
 //!
-//! An argument stands where its parameter does, and the body of a closure where the closure is called, so that a place
-//! stays a place, and what is not wanted is not computed. Where that would change the order of what is computed, the
-//! argument has a name before.
+//! An argument replaces its parameter, and the body of a closure replaces its call, so a place remains a place, and
+//! unused arguments are not evaluated. If this would change the order of evaluation, the argument is bound to a name
+//! first.
 //!
-//! Invariants: a body is made of `match`, `if`, assignments, constructors and names, none of which means two things; it
-//! names a parameter that is no reference once, and calls it with names that the arm binds. Its own types are never asked
-//! for: its value is of the type of the call.
+//! Invariants: a body consists of `match`, `if`, assignments, constructors and unambiguous names. It uses each value
+//! parameter once, and calls a parameter with names that the arm binds. Types inside it have no slots; its value has
+//! the type of the call.
 //!
 //! Must not know: what any such function computes.
 
@@ -24,14 +24,14 @@ use super::lowering::Lowering;
 mod tests;
 
 impl<'a> Lowering<'a, '_> {
-    /// The function of which `expr` is such a call, and its arguments; none if `expr` is something else.
+    /// Returns the rewriting function that `expr` calls, and its arguments; none for another expression.
     pub(super) fn rule<'e>(&self, expr: &'e Expr) -> Option<(&'a FunctionTree, &'e [Expr])> {
         let (function, arguments) = self.called(expr)?;
         (function.tree.role == Role::Rewritten).then_some((&function.tree, arguments))
     }
 }
 
-/// What `call` of a rule stands for.
+/// Returns the expression that replaces `call` of a rule.
 pub(super) fn rewritten(rule: &FunctionTree, arguments: &[Expr], call: &Expr) -> Expr {
     let (site, slot) = (call.site, call.slot);
     let mut body = match (rule.body.stmts.as_slice(), &rule.body.tail) {
@@ -51,15 +51,15 @@ pub(super) fn rewritten(rule: &FunctionTree, arguments: &[Expr], call: &Expr) ->
     Expr { kind: ExprKind::Block(block), site, slot }
 }
 
-/// `()`.
+/// The unit value `()`.
 const NOTHING: ExprKind = ExprKind::Tuple(Vec::new());
 
-/// A name that no author can write.
+/// Returns a name that no author can write.
 fn hidden(name: &str) -> String {
     format!("%{name}")
 }
 
-/// Says of a tree that it stands at a site. What rustc inferred of it where it did is not known there.
+/// Visitor that moves a tree to another site, and removes its slots, since rustc's types in them do not apply there.
 pub(super) struct Placed(pub Site);
 
 impl VisitMut for Placed {
@@ -97,7 +97,7 @@ impl VisitMut for Placed {
     }
 }
 
-/// Gives what a rule ends in the type of the call. Of a statement, only what it does is left.
+/// Gives the result of a rule the slot of the call. Without a slot, only effects remain.
 fn give(expr: &mut Expr, slot: Option<u32>) {
     expr.slot = slot;
     match &mut expr.kind {
@@ -121,16 +121,17 @@ fn give(expr: &mut Expr, slot: Option<u32>) {
     }
 }
 
-/// A rule with its parameters' meaning.
+/// A rule with the arguments of a call.
 struct Rewriting<'e> {
-    /// The arguments that stand where their parameters do.
+    /// Arguments that replace their parameters.
     given: HashMap<&'e str, &'e Expr>,
-    /// The names that the arm at hand binds and a closure is called with: the closure's own patterns for them.
+    /// Names that the present arm binds and passes to a closure, with the closure's own patterns for them.
     asked: HashMap<String, Pattern>,
 }
 
 impl<'e> Rewriting<'e> {
-    /// Names arguments, if the body would compute them in another order, or may write to them while it looks at them.
+    /// Binds arguments to names, if the body would evaluate them in another order, or may write one while it is
+    /// matched.
     fn held_before(
         &mut self,
         rule: &'e FunctionTree,
@@ -173,7 +174,7 @@ impl<'e> Rewriting<'e> {
         values.into_iter().map(held).collect()
     }
 
-    /// Whether a guard calls a closure that may write to what is matched.
+    /// Returns true if a guard calls a closure that may write the matched value.
     fn writes_when_asked(&self, body: &Expr) -> bool {
         let ExprKind::Match(_, arms) = &body.kind else { return false };
         let writes = |guard: &Expr| match &guard.kind {
@@ -183,7 +184,7 @@ impl<'e> Rewriting<'e> {
         arms.iter().filter_map(|arm| arm.guard.as_ref()).any(writes)
     }
 
-    /// The closure that is written for a parameter; none for one that the caller was given itself.
+    /// Returns the closure that the caller wrote for a parameter; none if the caller received it itself.
     fn closure(&self, name: &str) -> Option<&'e tree::Closure> {
         match &self.given.get(name)?.kind {
             ExprKind::Closure(closure) => Some(closure),
@@ -253,11 +254,11 @@ impl VisitMut for Rewriting<'_> {
     }
 }
 
-/// Looks for what becomes of the names that an arm binds.
+/// Visitor that finds the uses of names that an arm binds.
 struct Uses<'r, 'e> {
     rewriting: &'r Rewriting<'e>,
     asked: HashMap<String, Pattern>,
-    /// Those that are read.
+    /// Names that are read.
     read: Vec<String>,
 }
 
@@ -283,7 +284,7 @@ impl Visit for Uses<'_, '_> {
     }
 }
 
-/// The parameters that a body computes before anything else.
+/// Returns the parameters that a body evaluates first.
 fn computed_first(body: &Expr) -> Vec<&str> {
     match &body.kind {
         ExprKind::Match(first, _) | ExprKind::If(first, ..) | ExprKind::Unary(_, first) => {
@@ -295,7 +296,7 @@ fn computed_first(body: &Expr) -> Vec<&str> {
     }
 }
 
-/// Whether an expression may be left out: a literal, a name, a part of one.
+/// Returns true if an expression may be left unevaluated: a literal, a name, or a part of one.
 pub(super) fn is_plain(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Bool(_) | ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bytes(_) => true,
@@ -311,13 +312,13 @@ pub(super) fn is_plain(expr: &Expr) -> bool {
     }
 }
 
-/// Whether computing an expression may change what another reads that was to be computed before: it does more than read, and
-/// speaks of the same variable.
+/// Returns true if evaluating `later` first may change what `read` reads: it has an effect, and mentions the same
+/// variable.
 fn may_move(later: &Expr, read: &Expr) -> bool {
     !is_pure(later) && !later.locals().is_disjoint(&read.locals())
 }
 
-/// Whether an expression changes nothing, as far as its syntax shows; it may fault.
+/// Returns true if an expression writes nothing, judged by its syntax; it may fault.
 pub(super) fn is_pure(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Unary(_, inner) | ExprKind::Cast(inner) => is_pure(inner),
@@ -328,8 +329,8 @@ pub(super) fn is_pure(expr: &Expr) -> bool {
     }
 }
 
-/// Whether an expression changes nothing and cannot fault, as far as its syntax shows: it may be computed
-/// or not.
+/// Returns true if an expression writes nothing and cannot fault, judged by its syntax, so that it may be left
+/// unevaluated.
 fn is_quiet(expr: &Expr) -> bool {
     use BinaryOp::{Eq, Ge, Gt, Le, LogicAnd, LogicOr, Lt, Ne};
     match &expr.kind {

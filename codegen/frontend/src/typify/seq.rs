@@ -1,9 +1,9 @@
-//! Sequences, which loops iterate over: a sequence has a length, and an item at each index, whatever it is made of.
+//! Sequences, over which loops iterate: each has a length, and an item at each index.
 //!
-//! Invariants: what is copied when a sequence is made (an end, a size, how many are left out) is computed there, in Rust's
-//! order; what is left is arithmetic of an index.
+//! Invariant: whatever Rust copies when it creates the iterator (an end, a size, a number of skipped items) is
+//! evaluated there, in Rust's order. Everything else is arithmetic on an index.
 //!
-//! Must not know: how a loop is made of it ([`each`](super::each)).
+//! Must not know: how a loop over a sequence is built ([`each`](super::each)).
 
 use std::rc::Rc;
 
@@ -21,49 +21,49 @@ use super::{Needed, Result, refusals, refused, words};
 /// A sequence: items at the indices from `from` to `to`, in this order or reversed.
 pub(super) struct Seq {
     pub kind: Kind,
-    /// How many items there are in all; none if nothing ends it.
+    /// Total number of items; none if endless.
     count: Option<Expr>,
-    /// The first index, and the one behind the last; none if nothing ends it.
+    /// First index, and the index after the last; none if endless.
     pub from: Expr,
     pub to: Option<Expr>,
     pub down: bool,
-    /// Whether no items were left out by `skip` or `take`.
+    /// True if neither `skip` nor `take` removed items.
     pub all: bool,
-    /// The author's line, for the expressions that are made of it.
+    /// Line of the author, for the expressions that are built.
     pub span: Span,
 }
 
 pub(super) enum Kind {
     Elements(Elements),
-    /// Numbers that nothing ends.
+    /// Numbers of a range without an end.
     Numbers(Numbers),
-    /// The numbers of a range that ends.
+    /// Numbers of a range with an end, perhaps with a step.
     Steps(Steps),
-    /// Slices of so many elements: chunks or windows.
+    /// Slices of a constant size: chunks or windows.
     Groups(Slice, Grouping, Expr),
     Zip(Box<Seq>, Box<Seq>),
-    /// One after the other.
+    /// Sequences one after the other.
     Chain(Vec<Seq>),
     Enumerate(Box<Seq>),
-    /// Repeats without end.
+    /// A sequence that repeats without end.
     Cycle(Box<Seq>),
-    /// Every `n`th item.
+    /// Every `n`th item of a sequence.
     StepBy(Box<Seq>, Expr),
 }
 
 /// Elements of an array.
 pub(super) struct Elements {
     pub slice: Slice,
-    /// Whether the loop goes through a copy.
+    /// True if the loop iterates over a copy.
     pub owned: bool,
 }
 
-/// One of the items of a pass: a loop over sequences side by side has one of each.
+/// One of the items of a pass; a loop over zipped sequences has one for each.
 pub(super) struct Item<'s> {
     pub pattern: &'s Pattern,
     /// The sequence that the item comes from; none if the item is the index, as `enumerate` gives it.
     pub of: Option<&'s Kind>,
-    /// The item's index in `of`; of an element, its index in the array.
+    /// Index of the item in `of`; for an element, its index in the array.
     pub index: Expr,
 }
 
@@ -212,7 +212,7 @@ impl Lowering<'_, '_> {
         Ok(Seq { from, to: Some(to), all: false, ..of })
     }
 
-    /// All elements of an array, or of what an iterator with a name goes through.
+    /// Returns all elements of an array, or the sequence of a named iterator.
     fn elements(&mut self, array: &tree::Expr, owned: bool, site: Site) -> Result<Seq> {
         if let Some(named) = self.iterator_named(array) {
             let named = Rc::clone(&self.closures[named]);
@@ -223,7 +223,7 @@ impl Lowering<'_, '_> {
         Ok(Seq::elements(self.slice_through(array)?, owned))
     }
 
-    /// All elements of what a loop goes through.
+    /// Returns all elements of the array over which a loop iterates.
     fn slice_through(&mut self, array: &tree::Expr) -> Result<Slice> {
         let slice = match self.submatrix(array)? {
             Some(part) => part.elements(),
@@ -236,7 +236,7 @@ impl Lowering<'_, '_> {
         Ok(self.kept_elements(slice))
     }
 
-    /// How many elements an item has: a literal, or a local that is not zero.
+    /// Returns the size of a group: a literal, or a local that was checked not to be zero.
     fn group_size(&mut self, size: &tree::Expr) -> Result<Expr> {
         let (size, site) = (self.value(size, Some(&Type::USIZE))?, size.site);
         match self.known(&size) {
@@ -254,7 +254,7 @@ impl Lowering<'_, '_> {
 }
 
 impl Seq {
-    /// All items of a kind.
+    /// Returns all items of a kind.
     pub(super) fn new(kind: Kind, count: Option<Expr>, span: Span) -> Seq {
         let (from, to) = (Expr::usize(0, span), count.clone());
         Seq { kind, count, from, to, down: false, all: true, span }
@@ -265,12 +265,12 @@ impl Seq {
         Seq::new(Kind::Elements(Elements { slice, owned }), count, span)
     }
 
-    /// Whether these are all items of its kind, the first one first.
+    /// Returns true if the sequence has all items of its kind, first to last.
     pub(super) fn whole(&self) -> bool {
         self.all && !self.down
     }
 
-    /// How many items there are; none if nothing ends it.
+    /// Returns the number of items; none if endless.
     pub(super) fn length(&self) -> Option<Expr> {
         Some(minus(self.to.clone()?, self.from.clone()))
     }
@@ -280,7 +280,7 @@ impl Seq {
         self.length().or_refused(site, refusals::ENDLESS)
     }
 
-    /// Whether it is known that there are items.
+    /// Returns true if the sequence certainly has items.
     fn has_some(&self) -> bool {
         self.length().as_ref().and_then(number).is_some_and(|count| count > 0)
     }
@@ -293,7 +293,7 @@ impl Seq {
         }
     }
 
-    /// The sequences of its kind that are gone through side by side, each from its first item on.
+    /// Collects the zipped sequences that a sequence consists of, each from its first item on.
     pub(super) fn sides<'s>(&'s self, all: &mut Vec<&'s Seq>) {
         match &self.kind {
             Kind::Zip(one, other) => {
@@ -313,7 +313,7 @@ impl Seq {
         }
     }
 
-    /// Whether there are no more items than elements.
+    /// Returns true if the sequence has at most as many items as an array in memory.
     fn is_in_memory(&self) -> bool {
         match &self.kind {
             _ if !self.whole() => false,
@@ -324,7 +324,7 @@ impl Seq {
         }
     }
 
-    /// How many items there are at most, if the type of the elements' home says so.
+    /// Returns an upper bound of the number of items, if the array's type has one.
     fn most(&self) -> Option<u64> {
         let length = self.length();
         let known = length.as_ref().and_then(number).or(self.count.as_ref().and_then(number));
@@ -342,7 +342,7 @@ impl Seq {
         }
     }
 
-    /// Notes that no more than so many are asked for.
+    /// Records that at most `most` items are requested, so that an open range may not overflow.
     fn calm(&mut self, most: Option<u64>) {
         let whole = self.whole();
         match &mut self.kind {
@@ -354,7 +354,7 @@ impl Seq {
         }
     }
 
-    /// Where the elements are that are gone through one by one, so that the counter is the index of the array itself.
+    /// Returns the elements over which the loop iterates one by one, if the counter is the array's own index.
     pub(super) fn bare(&self) -> Option<&Elements> {
         match &self.kind {
             Kind::Elements(elements) if self.all => Some(elements),
@@ -417,7 +417,7 @@ impl Seq {
     }
 }
 
-/// The patterns of the two of a pair.
+/// Returns the two patterns of a pair.
 pub(super) fn pair(pattern: &Pattern, site: Site) -> Result<[&Pattern; 2]> {
     if let Pattern::Any = pattern {
         return Ok([pattern; 2]);
@@ -432,7 +432,7 @@ pub(super) fn pair(pattern: &Pattern, site: Site) -> Result<[&Pattern; 2]> {
     refused(site, refusals::PAIRS)
 }
 
-/// Where a group begins.
+/// Returns the index at which a group begins.
 pub(super) fn begin(index: Expr, size: &Expr) -> Expr {
     match size.is_literal() {
         true => times(index, size.clone()),
@@ -441,7 +441,7 @@ pub(super) fn begin(index: Expr, size: &Expr) -> Expr {
     }
 }
 
-/// How many groups so many elements make.
+/// Returns the number of groups in a slice of this length.
 fn groups(way: Grouping, length: &Expr, size: &Expr, span: Span) -> Expr {
     let (one, size) = (Expr::usize(1, span), size.clone());
     let known = number(length);
@@ -473,7 +473,7 @@ fn rounded_up(length: Expr, size: Expr, span: Span) -> [Expr; 2] {
     [divided(length, size), lesser(rest, Expr::usize(1, span))]
 }
 
-/// A range that ends, and whether it is gone through from its last number on.
+/// Returns a range with an end, and true if the loop iterates over it in reverse.
 pub(super) fn ended_range(source: &Source) -> Option<(&tree::Range, bool)> {
     match source {
         Source::Numbers(range) => range.to.is_some().then_some((range, false)),
@@ -485,14 +485,14 @@ pub(super) fn ended_range(source: &Source) -> Option<(&tree::Range, bool)> {
     }
 }
 
-/// How many items there are of all side by side.
+/// Returns the length of the shortest of zipped sequences.
 fn shortest(counts: impl Iterator<Item = Expr>) -> Option<Expr> {
     let (known, others): (Vec<_>, Vec<_>) = counts.partition(|count| number(count).is_some());
     let least = known.into_iter().reduce(least);
     least.into_iter().chain(others).reduce(|end, count| lesser(count, end))
 }
 
-/// How many items those give at most that begin anew, where they may have none while what they stand beside has some.
+/// Returns bounds for repeating sequences that may be empty: 0 if one is empty, else a number that limits nothing.
 fn beside(sides: &[&Seq]) -> impl Iterator<Item = Expr> {
     let again = sides.iter().filter_map(|it| it.again()).filter(|of| !of.has_some());
     let lengths = again.filter_map(|of| of.length());
@@ -504,7 +504,7 @@ fn beside(sides: &[&Seq]) -> impl Iterator<Item = Expr> {
     })
 }
 
-/// The source of an iterator with a name, if its items are elements or numbers as they are.
+/// Returns the source of a named iterator, if its items are unchanged elements or numbers.
 pub(super) fn elements_through<'c>(iterator: &'c Closure<'_>) -> Option<&'c Source> {
     let Tree::Each { pattern, source, .. } = &iterator.text.body.kind else { return None };
     let is_made = |leaf: &&Source| matches!(leaf, Source::Elements(of, _) if matches!(of.kind, Tree::Call(..) | Tree::Apply(..)));

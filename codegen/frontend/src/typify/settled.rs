@@ -1,9 +1,9 @@
-//! What Rust does where an iterator is made, though its items are wanted later: it copies numbers, ranges and arrays by value, refuses
-//! sizes of zero, and runs a function that gives an iterator up to its loop.
+//! Evaluation of iterators where Rust creates them, though their items are consumed later. Numbers, ranges and arrays
+//! by value are copied, sizes of zero are refused, and a generator function runs up to its loop.
 //!
-//! Invariant: whatever stands between an iterator and its loop changes none of its items, unless it is borrowed there.
+//! Invariant: no statement between an iterator and its loop changes its items, unless the iterator borrows them.
 //!
-//! Must not know: how an iterator is gone through ([`generator`](super::generator)).
+//! Must not know: how an iterator is consumed ([`generator`](super::generator)).
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Site, Source, Stmt, Ty};
 use bessemer_ir::{CompareOp, Expr, Fault, Int, Mode, Scalar, Type};
@@ -13,11 +13,11 @@ use super::lowering::{Closure, Lowering};
 use super::syntax::{bare, generates, is_named, is_of_library};
 use super::value::Value;
 
-/// The type of a count.
+/// Type of a number of items.
 const SIZE: Ty = Ty::Scalar(Scalar::Int(Int::Usize));
 
 impl<'a> Lowering<'a, '_> {
-    /// Computes what a loop copies that begins later.
+    /// Evaluates whatever a later loop would copy when Rust creates the iterator.
     pub(super) fn settle_items(&mut self, through: &mut tree::Expr) -> Result<()> {
         match &mut through.kind {
             Tree::Block(block) | Tree::Labelled(_, block) => {
@@ -73,7 +73,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// A size or a step, which std refuses to be zero where the iterator is made.
+    /// Evaluates a size or a step, and checks that it is not zero, as std does when it creates the iterator.
     fn settle_size(&mut self, size: &mut tree::Expr, name: &str) -> Result<()> {
         self.settle_number(size, name, &SIZE)?;
         let value = self.value(size, Some(&Type::USIZE))?;
@@ -173,8 +173,8 @@ impl<'a> Lowering<'a, '_> {
         Ok(())
     }
 
-    /// Starts a generator function: lowers the statements before its loop here, as Rust runs them when the iterator is made, and
-    /// computes what the loop goes through. Gives the loop; none if the function ends in something else.
+    /// Starts a generator function: lowers the statements before its loop here, as Rust runs them when it creates the
+    /// iterator, and evaluates the loop's source. Returns the loop; none if the function does not end in one.
     pub(super) fn start(
         &mut self,
         function: &'a tree::Function,
@@ -194,8 +194,8 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// Asserts what one of the DSL's own asserts before its loop, as std does where the iterator is made. Its locals change with
-    /// each item, so each loop begins with them.
+    /// Emits the assertions before the loop of a function of the DSL, since std makes them when it creates the
+    /// iterator. Its locals change with each item, so each loop begins with them.
     fn assert_first(
         &mut self,
         function: &'a tree::Function,
@@ -214,7 +214,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// Whether an expression names a slice that a variable holds, which may come to hold another.
+    /// Returns true if an expression names a variable that holds a slice, since another slice may be assigned to it.
     fn is_held_slice(&mut self, expr: &tree::Expr) -> bool {
         let named = bare(expr);
         !self.cx.borrowed.is_empty()
@@ -222,7 +222,7 @@ impl<'a> Lowering<'a, '_> {
             && self.place_type(named).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some())
     }
 
-    /// Whether elements are those of a variable that is borrowed, and stays what it is.
+    /// Returns true if elements belong to a borrowed variable, which does not change.
     fn is_borrowed_variable(&mut self, elements: &tree::Expr) -> Result<bool> {
         if !is_named(elements, false) {
             return Ok(false);
@@ -230,13 +230,13 @@ impl<'a> Lowering<'a, '_> {
         Ok(!self.place(elements)?.is_some_and(|place| self.is_loan(&place)))
     }
 
-    /// Whether a name is that of a value which may be written to.
+    /// Returns true if a name denotes a value that may be written.
     fn is_changeable(&self, name: &str) -> bool {
         let Ok(Value::Local(root)) = self.lookup(name, Site::default()) else { return false };
         self.locals[root.index()].mode == Mode::Value && self.changing.contains_key(&root)
     }
 
-    /// Puts a name in the place of an expression: one that nothing else has here, since a loop goes through several parts.
+    /// Replaces an expression by a new unique name for `given`.
     fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Value) {
         let known: usize = self.scopes.iter().map(|scope| scope.len()).sum();
         let name = format!("{name}{known}");

@@ -1,15 +1,16 @@
-//! Loops that go round once: their statements without the loop.
+//! Replaces loops with exactly one pass by their statements.
 //!
-//! Invariant: what follows a `break` in the loop runs in the same cases without it.
+//! Invariant: the statements after a `break` in the loop run in the same cases without it.
 //!
-//! Must not know: what a loop goes through, but for the next item of an iterator that is gone through by hand.
+//! Must not know: the loop's source, except the next item of a counted iterator.
 
 use bessemer_ir::{Block, CompareOp, Expr, Span, Stmt, StmtKind};
 
 use super::lowering::Lowering;
 
 impl Lowering<'_, '_> {
-    /// A loop that takes the next item of an iterator, without the loop: there is one pass, or none.
+    /// Returns the statements of a loop that takes only the next item of an iterator, without the loop: it has one
+    /// pass, or none.
     pub(super) fn at_most_once(&self, kind: &StmtKind, span: Span) -> Option<Block> {
         let StmtKind::For { variable, from, to, inclusive, reversed: false, ended, body, .. } =
             kind
@@ -37,7 +38,7 @@ pub(super) fn single_pass(pass: &[Stmt]) -> Option<Block> {
     matches!(last.kind, StmtKind::Break).then(|| without_breaks(rest)).flatten()
 }
 
-/// Statements behind an `if … { …; break; }` stand in its `else`.
+/// Moves statements after an `if … { …; break; }` into its `else`.
 fn without_breaks(stmts: &[Stmt]) -> Option<Block> {
     let leaves = |kind: &StmtKind| matches!(kind, StmtKind::Break | StmtKind::Continue);
     let remains = |stmts: &[Stmt]| !stmts.iter().any(|stmt| stmt.any_branch(&leaves));

@@ -1,8 +1,8 @@
-//! Slices: a part of an array that is lent, and `==` of two: as long, and the same elements in the same order.
+//! Slices: borrowed parts of arrays, and `==` of two slices: equal lengths, and equal elements in order.
 //!
-//! Within a function a slice is the array itself and which of its elements are meant; only what is passed
-//! to another function becomes an address and a length. So a slice copies nothing, and an index is
-//! checked against the slice once, and against the array unless it follows.
+//! Within a function a slice is its array with two indices; only an argument of a call becomes an address and a
+//! length. So a slice copies nothing. An index is checked against the slice once, and against the array unless that
+//! follows.
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Builtin, Site, SliceMethod, Ty};
 use bessemer_ir::{
@@ -21,7 +21,7 @@ use super::words;
 use super::{Needed, Result, refusals, refused};
 
 impl Lowering<'_, '_> {
-    /// A parameter that is a slice.
+    /// Declares a slice parameter.
     pub(super) fn slice_parameter(
         &mut self,
         param: &tree::Param,
@@ -40,7 +40,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// A parameter that is a slice, and the one of its length.
+    /// Declares a slice parameter and the parameter of its length.
     pub(super) fn slice_local(
         &mut self,
         name: &str,
@@ -54,8 +54,8 @@ impl Lowering<'_, '_> {
         local
     }
 
-    /// `let part = &values[1..];`: another name for the elements. Where they begin is in a local if that is written again,
-    /// or decided by control flow.
+    /// Lowers `let part = &values[1..];`: the name is an alias of the elements. If it is assigned again, or control
+    /// flow selects the slice, a local holds its first index.
     pub(super) fn let_slice(
         &mut self,
         (name, slot): (&str, u32),
@@ -80,7 +80,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// What a name of elements means.
+    /// Returns the meaning of a name for a slice.
     pub(super) fn slice_for(&mut self, name: &str, value: &tree::Expr) -> Result<Value> {
         let slice = self.naming_as(name, |inner| inner.sliced(value))?;
         Ok(Value::Slice(Box::new(self.kept_elements(slice))))
@@ -91,7 +91,7 @@ impl Lowering<'_, '_> {
         self.all_elements(expr, |_, _| refusals::IN_A_ROW)
     }
 
-    /// All elements of an expression; `why` gives the refusal for a type without elements.
+    /// Returns all elements of an expression; `why` returns the refusal for a type without elements.
     pub(super) fn all_elements(
         &mut self,
         expr: &tree::Expr,
@@ -107,7 +107,7 @@ impl Lowering<'_, '_> {
         self.all_of(place).or_refused(expr.site, reason)
     }
 
-    /// All elements of an array, a vector or a list, or of a parameter that is a slice.
+    /// Returns all elements of an array, a vector, a list, or a slice parameter.
     pub(super) fn all_of(&mut self, place: Place) -> Option<Slice> {
         if let (Type::Slice(element), []) = (&place.ty, place.steps.as_slice()) {
             let all = Slice::parameter(place.root, (**element).clone(), place.span);
@@ -127,7 +127,7 @@ impl Lowering<'_, '_> {
         Some(Slice::whole(place, element, length))
     }
 
-    /// The slice that an expression is; none if its value is something else.
+    /// Returns the slice that an expression is; none for another value.
     pub(super) fn slice(&mut self, expr: &tree::Expr) -> Result<Option<Slice>> {
         let expr = bare(expr);
         let span = self.span(expr.site);
@@ -165,7 +165,7 @@ impl Lowering<'_, '_> {
         place.map_or(Ok(None), |place| self.slice_at(place, expr.site))
     }
 
-    /// Whether the value of a call, or of control flow, is a slice.
+    /// Returns true if the value of a call, or of control flow, is a slice.
     fn gives_slice(&self, expr: &tree::Expr) -> bool {
         let of_slot = self.seen_as(expr).and_then(slice_of).is_some();
         match &expr.kind {
@@ -178,7 +178,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `slice[from..to]`, checked as Rust does.
+    /// Lowers `slice[from..to]` with Rust's checks.
     fn narrowed(
         &mut self,
         slice: Slice,
@@ -223,7 +223,7 @@ impl Lowering<'_, '_> {
         Ok(Slice { whole, ..slice.between(from, to) })
     }
 
-    /// Whether nothing writes to what a value is read from.
+    /// Returns true if nothing writes the place that a value is read from.
     pub(super) fn is_steady(&self, value: &Expr) -> bool {
         match &value.kind {
             ExprKind::Load(place) => {
@@ -234,12 +234,12 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Checks an index or a number of elements: how it has to compare with how many there are.
+    /// Emits the check of an index or a length: its comparison `op` with `most` must hold.
     pub(super) fn check_index(&mut self, index: &Expr, op: CompareOp, most: &Expr, span: Span) {
         self.check(compared(op, index, most, span), Fault::Index, span);
     }
 
-    /// `slice[index]`, its index checked.
+    /// Lowers `slice[index]` with its check.
     pub(super) fn slice_element(
         &mut self,
         slice: &Slice,
@@ -255,7 +255,7 @@ impl Lowering<'_, '_> {
         Ok(Place { span, ..slice.nth(index) })
     }
 
-    /// The value of a method of slices that has one; none if `name` is no such method.
+    /// Lowers a method of slices that returns a value.
     pub(super) fn slice_method(&mut self, method: SliceMethod, call: Call<'_>) -> Result<Expr> {
         use SliceMethod as M;
         let Call { arguments, expr } = call;
@@ -279,7 +279,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A method of slices for its effect; false if it is none.
+    /// Lowers a method of slices that is called for its effect; returns false for another expression.
     pub(super) fn slice_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
         let Some((Builtin::Slice(method), arguments)) = self.builtin_call(expr) else {
             return Ok(false);
@@ -320,7 +320,7 @@ impl Lowering<'_, '_> {
         Ok(true)
     }
 
-    /// `left == right` or `left != right`, if one of the two is a slice.
+    /// Lowers `left == right` or `left != right`, if one of the two is a slice.
     pub(super) fn slices_compared(
         &mut self,
         op: Op,
@@ -354,7 +354,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether `to` is a number more than `from`, so that it is never before it.
+/// Returns true if `to` is `from` plus a constant, so that it cannot be less.
 fn is_further(from: &Expr, to: &Expr) -> bool {
     match (&from.kind, &to.kind) {
         (ExprKind::Literal(from), ExprKind::Literal(to)) => from <= to,

@@ -1,5 +1,5 @@
-//! nalgebra's rotations and poses, as far as they need no function: structs of quaternions, one as the
-//! other, and their parts as a vector.
+//! nalgebra's rotations and poses, where they need no function: structs of quaternions, conversions between them, and
+//! their parts as a vector.
 
 use bessemer_ir::tree::{self, Parts, Site, SpatialMethod};
 use bessemer_ir::{CompareOp, Expr, ExprKind, LogicOp, Routine, StructId, Type, UnaryOp};
@@ -21,13 +21,13 @@ pub(super) fn quaternion(path: &str) -> Option<bool> {
 }
 
 impl Lowering<'_, '_> {
-    /// The callee of an operator, if it is a function; `slot` is that of its value, or of its place.
+    /// Returns the function that implements an operator; `slot` is the slot of its value, or of its place.
     pub(super) fn operator(&self, slot: Option<u32>) -> Option<&tree::Callee> {
         let mut operators = self.source.operators.iter();
         operators.find(|(at, _)| Some(*at) == slot).map(|(_, callee)| callee)
     }
 
-    /// An operation on rotations or poses.
+    /// Lowers an operation on rotations or poses.
     pub(super) fn spatial(&mut self, method: SpatialMethod, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         use SpatialMethod as M;
@@ -57,7 +57,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A struct from its parts, named in the order of the arguments.
+    /// Builds a struct from its parts, which have the order of the arguments.
     pub(super) fn of_parts(&mut self, parts: Parts, call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let id = struct_of(&self.slot_of(expr)?, expr.site, "a struct")?;
@@ -66,7 +66,7 @@ impl Lowering<'_, '_> {
         self.parts(id, &parts, None, expr)
     }
 
-    /// A quaternion as what is asked for, unit or not; any other value as it is.
+    /// Converts a quaternion to the type `asked`, unit or not; any other value is unchanged.
     pub(super) fn as_asked(&mut self, value: Expr, asked: &Type, site: Site) -> Result<Expr> {
         let quaternion = |ty: &Type| self.cx.known(ty).unit.is_some();
         if value.ty != *asked && quaternion(&value.ty) && quaternion(asked) {
@@ -75,7 +75,7 @@ impl Lowering<'_, '_> {
         Ok(value)
     }
 
-    /// A struct with the parts of another.
+    /// Returns a struct with the parts of another.
     fn same_parts(&mut self, value: Expr, ty: &Type, site: Site) -> Result<Expr> {
         let span = value.span;
         let parts = match value.kind {
@@ -85,14 +85,14 @@ impl Lowering<'_, '_> {
         Ok(Expr { kind: ExprKind::Struct(parts), ty: ty.clone(), span })
     }
 
-    /// The parts of a quaternion: i, j, k and w.
+    /// Returns the parts i, j, k and w of a quaternion.
     fn parts_of(&mut self, value: Expr, site: Site) -> Result<Vec<Expr>> {
         let id = struct_of(&value.ty, site, "a quaternion")?;
         let place = self.hold(value);
         Ok((0..4).map(|part| self.part(&place, id, part).load()).collect())
     }
 
-    /// `q.coords`: i, j, k and w as a vector.
+    /// Lowers `q.coords`: i, j, k and w as a vector.
     pub(super) fn coords(&mut self, q: &tree::Expr, site: Site) -> Result<Expr> {
         let value = self.value(q, None)?;
         let parts = self.parts_of(value, site)?;
@@ -104,7 +104,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Refuses to write to what is a value in the C.
+    /// Refuses a write to `q.coords`, which is a value in the C.
     pub(super) fn not_coords(&mut self, expr: &tree::Expr) -> Result<()> {
         if self.in_coords(expr)? {
             return refused(expr.site, refusals::QUATERNION_PARTS);
@@ -112,7 +112,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Returns true if `expr` is `q.coords` of a quaternion, or an element of it: a value, and no place.
+    /// Returns true if `expr` is `q.coords` of a quaternion, or an element of it, which is no place.
     pub(super) fn in_coords(&mut self, expr: &tree::Expr) -> Result<bool> {
         match &expr.kind {
             tree::ExprKind::Field(base, name) if name == "coords" => {
@@ -127,7 +127,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// `==` of unit quaternions: the opposite one is the same rotation.
+    /// Lowers `==` of unit quaternions: opposite quaternions are equal rotations.
     pub(super) fn same_rotation(&self, id: StructId, pair: &Pair) -> Expr {
         let span = pair.span;
         let all = |opposite: bool| {

@@ -1,4 +1,4 @@
-//! A range that ends as a sequence, `(a..b).step_by(n)`: its passes, and the number of each.
+//! Ranges as sequences, such as `(a..b).step_by(n)`: the number of passes, and the number of each pass.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Scalar, Type};
@@ -7,29 +7,29 @@ use super::Result;
 use super::lengths;
 use super::lowering::Lowering;
 
-/// Where a stepped range begins, and what it takes to get on.
+/// A range with an end: its first number, its step and its passes.
 pub(super) struct Steps {
     from: Expr,
     step: Expr,
     passes: Expr,
-    /// Whether no number can leave its type.
+    /// True if no number can overflow its type.
     constant: bool,
-    /// Whether each number is less than the one before.
+    /// True if the numbers decrease.
     down: bool,
     ty: Type,
 }
 
-/// The numbers from one on, which nothing ends.
+/// A range without an end.
 pub(super) struct Numbers {
     pub site: Site,
     pub first: Expr,
     pub int: Int,
-    /// Whether no pass comes to the last number of their type.
+    /// True if no pass can reach the last number of the type.
     pub calm: bool,
 }
 
 impl Numbers {
-    /// Notes that no more than so many are asked for.
+    /// Records that at most `most` numbers are requested.
     pub(super) fn calm(&mut self, most: Option<u64>) {
         let ExprKind::Literal(word) = self.first.kind else { return };
         // No slice is longer than half of all that has an address.
@@ -39,7 +39,8 @@ impl Numbers {
 }
 
 impl Lowering<'_, '_> {
-    /// The steps of a range that ends, each of so many, without a number of one; from its last number on if `down`.
+    /// Returns the steps of a range with an end; each has length `step`, or 1. With `down` it begins at the last
+    /// number.
     pub(super) fn steps(
         &mut self,
         (range, down): (&tree::Range, bool),
@@ -100,7 +101,7 @@ impl Lowering<'_, '_> {
         Ok(Steps { from, step, passes, constant: false, down: false, ty: ty.clone() })
     }
 
-    /// The word of a number that generation knows.
+    /// Returns the word of a number that is constant in this generation.
     pub(super) fn known(&self, expr: &Expr) -> Option<u64> {
         match &expr.kind {
             ExprKind::Literal(word) => Some(*word),
@@ -109,12 +110,13 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// An end that is computed once.
+    /// Evaluates an end once.
     fn once(&mut self, role: &str, end: Expr) -> Expr {
         self.atom(role, end)
     }
 
-    /// Steps of a constant through unsigned numbers, which count the passes, too.
+    /// Returns first number, step and passes for a constant step through unsigned numbers. The counter has their
+    /// type.
     fn unsigned_steps(
         &mut self,
         inclusive: bool,
@@ -139,7 +141,7 @@ impl Lowering<'_, '_> {
         (held, step, passes)
     }
 
-    /// Any steps through any numbers: `usize` counts the passes.
+    /// Returns first number, step and passes for any step through any numbers. The counter is a `usize`.
     fn any_steps(
         &mut self,
         int: Int,
@@ -183,7 +185,8 @@ impl Lowering<'_, '_> {
         (from.cast(&Type::USIZE), step, passes)
     }
 
-    /// The steps that a length has room for, and one `more`; without that, one where the length leaves a rest.
+    /// Returns the number of steps in a length, plus `more`; without `more`, plus one if the length leaves a
+    /// remainder.
     fn passes_of(&mut self, length: Expr, step: &Expr, more: Option<Expr>, add: Intrinsic) -> Expr {
         let [whole, rest] =
             [BinaryOp::Div, BinaryOp::Rem].map(|op| Expr::binary(op, length.clone(), step.clone()));
@@ -197,7 +200,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// How far it is from one number to another, which may lie before it.
+/// Returns the distance between two numbers, 0 if the second is less.
 fn distance(from: &Expr, to: Expr) -> Expr {
     match from.kind {
         ExprKind::Literal(0) => to,
@@ -206,12 +209,12 @@ fn distance(from: &Expr, to: Expr) -> Expr {
 }
 
 impl Steps {
-    /// The passes.
+    /// Returns the bounds of the loop's counter.
     pub(super) fn ends(&self) -> [Expr; 2] {
         [Expr::literal_like(0, &self.passes), self.passes.clone()]
     }
 
-    /// How many numbers there are.
+    /// Returns the number of items.
     pub(super) fn count(&self) -> Expr {
         match lengths::number(&self.passes) {
             Some(passes) => Expr::usize(passes, self.passes.span),
@@ -219,7 +222,7 @@ impl Steps {
         }
     }
 
-    /// The number of a pass.
+    /// Returns the number of a pass.
     pub(super) fn number(&self, pass: Expr) -> Expr {
         let (from, step, ty) = (self.from.clone(), self.step.clone(), &self.ty);
         let pass = pass.cast(&self.passes.ty);

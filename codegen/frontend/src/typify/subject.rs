@@ -1,9 +1,9 @@
-//! What is matched, or given to a closure: a value that is held, a place, or the parts of a tuple that is never made.
+//! The subject of a `match`, or an argument of a closure: a held value, a place, or the parts of an unbuilt tuple.
 //!
-//! Invariant: a part that is a value stays what it was where it stood, whatever later parts, or guards, write; one that is a
-//! reference stays one.
+//! Invariant: a part that is a value keeps the value that it had when it was evaluated, whatever later parts or
+//! guards write. A part that is a reference remains an alias.
 //!
-//! Must not know: what patterns ask of it ([`pattern`](super::pattern)).
+//! Must not know: how patterns test it ([`pattern`](super::pattern)).
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern};
 use bessemer_ir::{Expr, LocalId, Place, Stmt, StmtKind, Type};
@@ -16,7 +16,7 @@ use super::{Result, words};
 use bessemer_ir::effects;
 
 impl Lowering<'_, '_> {
-    /// The subject of a `match` or a `let`, computed once.
+    /// Lowers the subject of a `match` or a `let`, evaluated once.
     pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Value> {
         // One that rustc saw as a whole is matched by a name.
         if let (Tree::Tuple(parts), None) = (&expr.kind, expr.slot)
@@ -60,7 +60,7 @@ impl Lowering<'_, '_> {
         Ok(self.value_subject(value))
     }
 
-    /// The same of a pattern; a value that has to be held has the name of what the pattern takes from it.
+    /// Lowers the subject of a pattern. A temporary for it is named after the pattern.
     pub(super) fn subject_of(&mut self, pattern: &Pattern, expr: &tree::Expr) -> Result<Value> {
         let before = self.locals.len();
         let subject = self.subject(expr)?;
@@ -68,7 +68,7 @@ impl Lowering<'_, '_> {
         Ok(subject)
     }
 
-    /// Names the temporary that a subject is held in, if it is none of the locals `before`.
+    /// Renames the temporary that holds a subject, if its handle is at least `before`.
     pub(super) fn name_held(&mut self, subject: &Value, before: usize, name: &str) {
         if let Value::Place(place) = subject
             && let Some(local) = local_since(place, before).filter(|it| self.held.contains(it))
@@ -78,7 +78,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The same, its value known.
+    /// Returns a value as a subject: the place that holds it.
     pub(super) fn value_subject(&mut self, value: Expr) -> Value {
         if value.ty == Type::Unit {
             self.discard(value);
@@ -90,14 +90,14 @@ impl Lowering<'_, '_> {
         Value::Place(place)
     }
 
-    /// Copies what the statements to come could change; of what is lent, where it is.
+    /// Copies the parts that later statements could change; a borrowed part remains an alias with fixed indices.
     fn settle_subject(&mut self, subject: &mut Value, expr: &tree::Expr, later: &[Stmt]) {
         self.settle_parts((subject, expr), later, &|place| {
             !later.is_empty() && !is_settled(&place.load(), later)
         });
     }
 
-    /// The same of an argument of a closure: only what the statements write is copied.
+    /// Copies the parts of a closure's argument that later statements write; all others remain aliases.
     pub(super) fn settle_argument(
         &mut self,
         subject: &mut Value,
@@ -108,8 +108,8 @@ impl Lowering<'_, '_> {
         self.settle_parts((subject, expr), later, &|place| is_among(place, &written));
     }
 
-    /// Settles each place of a subject that is lent, and copies each other that `changes`; all else is another name for what is
-    /// there, whatever becomes of it.
+    /// Fixes the indices of borrowed parts, and copies each other part for which `changes` is true. The remaining
+    /// parts are aliases.
     fn settle_parts(
         &mut self,
         both: (&mut Value, &tree::Expr),
@@ -123,7 +123,7 @@ impl Lowering<'_, '_> {
         });
     }
 
-    /// Settles each place of a subject that is lent, and changes each other by `change`.
+    /// Fixes the indices of borrowed parts, and calls `change` for each other part.
     pub(super) fn value_parts(
         &mut self,
         (subject, expr): (&mut Value, &tree::Expr),
@@ -148,7 +148,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Whether an expression lends a place, and is no value.
+    /// Returns true if an expression is a reference to a place, not a value.
     fn is_lent(&self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             Tree::Ref(..) => true,
@@ -161,10 +161,10 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Local that stands for a place until it is known whether the place is read or a copy of it.
+/// Local that represents a place until it is known if the place is read or copied.
 ///
-/// What comes next, a guard or a further condition, may write the place. No placeholder is left in what is lowered, so that
-/// nothing is lowered twice.
+/// A guard or a further condition may write the place later. All placeholders are replaced, so nothing is lowered
+/// twice.
 pub(super) struct Placeholder {
     local: LocalId,
     pub place: Place,
@@ -178,7 +178,7 @@ impl Placeholder {
         Placeholder { local, place }
     }
 
-    /// Puts one in the place of each part of a subject that is a value.
+    /// Replaces each part of a subject that is a value by a placeholder.
     pub(super) fn of_parts(
         lowering: &mut Lowering,
         subject: &mut Value,
@@ -193,12 +193,12 @@ impl Placeholder {
         all
     }
 
-    /// The local, as a place.
+    /// Returns the place that is the placeholder itself.
     pub(super) fn stands(&self) -> Place {
         Place::local(self.local, self.place.ty.clone(), self.place.span)
     }
 
-    /// Gives way to a copy that is made here if something writes the place, else to the place itself.
+    /// Replaces the placeholder by a copy made here if something writes the place, else by the place.
     pub(super) fn decided(self, lowering: &mut Lowering, written: &[Place]) -> Put {
         let place = match is_among(&self.place, written) {
             true => lowering.temporary_place(words::SELECTOR, self.place.load()),
@@ -207,7 +207,7 @@ impl Placeholder {
         self.replaced(lowering, place)
     }
 
-    /// Gives way to a place.
+    /// Replaces the placeholder by a place.
     pub(super) fn replaced(self, lowering: &mut Lowering, place: Place) -> Put {
         lowering.held.remove(&self.local);
         lowering.locals[self.local.index()].ty = Type::BOOL;
@@ -215,12 +215,12 @@ impl Placeholder {
     }
 }
 
-/// Whether a place is one of those that something writes, or a part of one.
+/// Returns true if a place overlaps one of the written places.
 pub(super) fn is_among(place: &Place, written: &[Place]) -> bool {
     written.iter().any(|written| effects::overlap(place, written))
 }
 
-/// The only name in `Some(name)`, or that of the whole, of what does not change.
+/// Returns the only name of `Some(name)`, or the name of the whole, if it is immutable.
 pub(super) fn taken_name(pattern: &Pattern) -> Option<&str> {
     match pattern {
         Pattern::Constructor(_, parts) => match parts.as_slice() {

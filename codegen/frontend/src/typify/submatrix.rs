@@ -1,11 +1,11 @@
-//! Parts of matrices in their place: `m.column_mut(j)`, `m.fixed_view_mut::<2, 2>(i, j)`; small views that are read, which are
-//! written out where they stand.
+//! Parts of matrices in place: `m.column_mut(j)`, `m.fixed_view_mut::<2, 2>(i, j)`; and small views that are read
+//! element by element.
 //!
-//! What C has no type for has none here: a part is its matrix, and where it begins. An element of it is an element of the
-//! matrix. What takes all of it, such as a function, is lent a copy, which is written back behind the call.
+//! C has no type for a view: a part is its matrix, with a first row and column, and an element of it is an element of
+//! the matrix. A function that takes the whole part receives a copy, which is written back after the call.
 //!
-//! Invariants: where a part begins is computed and checked once, where Rust makes the view. Nobody can tell when a copy is
-//! written back: while the view lives, Rust lets nothing else touch the matrix.
+//! Invariants: the first row and column are evaluated and checked once, where Rust creates the view. Nobody can
+//! observe when a copy is written back, since nothing else may access the matrix while the view is alive.
 //!
 //! Must not know: what the methods of matrices compute.
 
@@ -21,18 +21,18 @@ use super::value::{SMALL, Submatrix, Value};
 use super::words;
 use super::{OUR_FAULT, Result, problem};
 
-/// Where a part begins: at a row and a column, the first where none is said.
+/// First row and first column of a part; 0 if absent.
 type From<'e> = (Option<&'e tree::Expr>, Option<&'e tree::Expr>);
 
 impl<'a> Lowering<'a, '_> {
-    /// Whether an expression is a part of a matrix that is written where it is.
+    /// Returns true if an expression is a part of a matrix in place.
     pub(super) fn is_submatrix(&self, expr: &tree::Expr) -> bool {
         let called = || self.builtin_call(bare(expr)).map(|(builtin, _)| builtin);
         matches!(self.meaning(expr), Some(Value::Submatrix(_)))
             || matches!(called(), Some(Builtin::Matrix(MatrixMethod::Part(_))))
     }
 
-    /// The part of a matrix that an expression is; none if it is something else.
+    /// Returns the part of a matrix that an expression is; none for another expression.
     pub(super) fn submatrix(&mut self, expr: &tree::Expr) -> Result<Option<Submatrix>> {
         if let Some(Value::Submatrix(part)) = self.meaning(expr) {
             return Ok(Some(*part));
@@ -52,7 +52,7 @@ impl<'a> Lowering<'a, '_> {
         self.part_from(&arguments[0], from, &ty, expr.site)
     }
 
-    /// The part of a matrix that begins at a row and a column, which are checked to be there.
+    /// Returns the part that begins at a row and a column, with the check that it fits.
     pub(super) fn part_from(
         &mut self,
         matrix: &tree::Expr,
@@ -86,7 +86,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(Some(Submatrix { matrix: outer.matrix, row, column, element, rows, cols }))
     }
 
-    /// An element of a part, its index checked.
+    /// Returns the place of an element of a part, with the check of its index.
     pub(super) fn part_element(
         &mut self,
         part: &Submatrix,
@@ -112,7 +112,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(Place { span, ..place })
     }
 
-    /// The value of a part: its elements, or a copy.
+    /// Returns the value of a part: its elements, or a copy.
     pub(super) fn submatrix_value(&mut self, part: &Submatrix, site: Site) -> Result<Expr> {
         if part.is_large() {
             let copy = self.part_copied("part", part, site)?;
@@ -129,7 +129,7 @@ impl<'a> Lowering<'a, '_> {
         self.node(ExprKind::Matrix(elements), part.ty(), site)
     }
 
-    /// A copy of a part that may be changed, in a local.
+    /// Copies a part into a mutable local.
     fn part_copied(&mut self, name: &str, part: &Submatrix, site: Site) -> Result<Place> {
         if !part.is_large() {
             let value = self.submatrix_value(part, site)?;
@@ -142,7 +142,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(copy)
     }
 
-    /// The same, of that name.
+    /// Copies a part into a mutable local with this name.
     pub(super) fn copy_of_part(
         &mut self,
         name: &str,
@@ -152,7 +152,7 @@ impl<'a> Lowering<'a, '_> {
         self.naming_as("", |inner| inner.part_copied(name, part, site))
     }
 
-    /// A call that has changed copies of parts, and these parts written back.
+    /// Emits a call that changes copies of parts, and writes the copies back.
     pub(super) fn written_back(
         &mut self,
         call: Expr,
@@ -168,7 +168,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(given)
     }
 
-    /// What a call gives, which is done before anything that follows.
+    /// Emits a call now, and returns its result.
     pub(super) fn called_here(&mut self, role: &str, call: Expr) -> Expr {
         if call.ty != Type::Unit {
             return self.temporary(role, call);
@@ -178,7 +178,7 @@ impl<'a> Lowering<'a, '_> {
         Expr::literal(0, Type::Unit, span)
     }
 
-    /// Writes a part.
+    /// Writes a value to a part.
     pub(super) fn write_part(&mut self, part: &Submatrix, value: Expr) -> Result<()> {
         let span = value.span;
         if let ExprKind::Splat(value) = value.kind {
@@ -198,8 +198,8 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// Assigns what `assigned` says of each element of a part, by columns: of its place, and of the step to it in a matrix
-    /// of its own.
+    /// Emits an assignment for each element of a part, column by column. `assigned` receives the element's place and
+    /// the step to it in a matrix of the part's size.
     fn each_of_part(
         &mut self,
         part: &Submatrix,
@@ -214,7 +214,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// `part += value`, and `*part = value` in what is put where it is called.
+    /// Lowers `part += value`, and `*part = value` of an inlined function.
     pub(super) fn assign_part(
         &mut self,
         op: Option<tree::BinaryOp>,
@@ -252,7 +252,7 @@ impl<'a> Lowering<'a, '_> {
         self.write_part(&part, copy.load())
     }
 
-    /// A call that does nothing but assign all of a part, which stands where it is called.
+    /// Returns the inlined call that `expr` is, if the function only assigns a whole part.
     pub(super) fn assigns_part<'e>(&self, expr: &'e tree::Expr) -> Option<Called<'a, 'e>> {
         let (function, arguments) = self.called(expr)?;
         let tree::Block { stmts, tail: None } = &function.tree.body else { return None };
@@ -265,7 +265,7 @@ impl<'a> Lowering<'a, '_> {
         (whole && self.is_submatrix(arguments.first()?)).then_some((function, arguments))
     }
 
-    /// The value of an operand, which may be a part.
+    /// Returns the value of an operand, which may be a part.
     pub(super) fn read(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
         match self.submatrix(expr)? {
             Some(part) => self.submatrix_value(&part, expr.site),
@@ -282,7 +282,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// `v.zyx()`: the components of a vector, by their names.
+    /// Lowers `v.zyx()`: components of a vector by their names.
     pub(super) fn swizzle(&mut self, axes: &[u8], call: Call<'_>) -> Result<Expr> {
         let Call { arguments, expr } = call;
         let ty = self.slot_of(expr)?;
@@ -317,5 +317,5 @@ impl<'a> Lowering<'a, '_> {
     }
 }
 
-/// A name that no author writes.
+/// Name of a copy, which no author can write.
 const COPY: &str = "part%";

@@ -1,9 +1,9 @@
-//! Properties that the author's syntax shows by itself.
+//! Properties of the author's expressions that their syntax shows.
 
 use bessemer_ir::tree;
 use bessemer_ir::tree::visit::{VisitMut, Walk, walk_pattern_mut};
 
-/// An expression without `&` and `*`: a reference is another name for what it refers to.
+/// Returns an expression without its outer `&` and `*`, since a reference is an alias of its referent.
 pub(super) fn bare(expr: &tree::Expr) -> &tree::Expr {
     match &expr.kind {
         tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => bare(inner),
@@ -21,7 +21,7 @@ pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
     }
 }
 
-/// Returns true if a loop gives the value of `expr`, or of a branch of it.
+/// Returns true if a loop computes the value of `expr`, or of a branch of it.
 pub(super) fn ends_in_loop(expr: &tree::Expr) -> bool {
     let block = |block: &tree::Block| block.tail.as_deref().is_some_and(ends_in_loop);
     match &expr.kind {
@@ -56,7 +56,7 @@ pub(super) fn names_by_case(pattern: &tree::Pattern) -> bool {
     with_case(pattern, 0).1 > 0
 }
 
-/// The patterns that such a pattern stands for, in the order in which Rust tries them.
+/// Returns the alternatives of a pattern with names inside `|`, in the order in which Rust tests them.
 pub(super) fn alternatives(pattern: &tree::Pattern) -> Vec<tree::Pattern> {
     match with_case(pattern, 0) {
         (whole, 0) => vec![whole],
@@ -66,14 +66,15 @@ pub(super) fn alternatives(pattern: &tree::Pattern) -> Vec<tree::Pattern> {
     }
 }
 
-/// The pattern with one case in the place of the first `|` with names in it, and how many cases that has.
+/// Replaces the first `|` with names in it by its alternative `case`, and returns the pattern and the number of
+/// alternatives.
 fn with_case(pattern: &tree::Pattern, case: usize) -> (tree::Pattern, usize) {
     let (mut whole, mut cases) = (pattern.clone(), Cases { case, count: 0 });
     cases.pattern(&mut whole);
     (whole, cases.count)
 }
 
-/// Puts a case in the place of the first `|` with names in it, and says how many it has.
+/// Visitor that replaces the first `|` with names in it by one alternative, and counts the alternatives.
 struct Cases {
     case: usize,
     count: usize,
@@ -103,7 +104,7 @@ pub(super) fn is_named(expr: &tree::Expr, lent: bool) -> bool {
     }
 }
 
-/// `if let pattern` as the arms of a `match`.
+/// Returns `if let pattern` as the arms of a `match`.
 pub(super) fn either(
     pattern: &tree::Pattern,
     then: &tree::Block,
@@ -116,7 +117,7 @@ pub(super) fn either(
     [arm(pattern.clone(), plain(then.clone())), arm(tree::Pattern::Any, rest)]
 }
 
-/// The patterns and the value of `let Some(…) = value`.
+/// Returns the patterns and the value of `let Some(…) = value`.
 pub(super) fn some_of(condition: &tree::Expr) -> Option<(&[tree::Pattern], &tree::Expr)> {
     let tree::ExprKind::Let(pattern, value) = &condition.kind else { return None };
     match &**pattern {
@@ -125,7 +126,7 @@ pub(super) fn some_of(condition: &tree::Expr) -> Option<(&[tree::Pattern], &tree
     }
 }
 
-/// `..`, or `name @ ..`.
+/// Returns true for `..` and `name @ ..`.
 pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
     match pattern {
         tree::Pattern::Rest => true,
@@ -134,7 +135,7 @@ pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
     }
 }
 
-/// Returns true if a function gives an iterator.
+/// Returns true if a function returns an iterator.
 pub(super) fn generates(function: &tree::Function) -> bool {
     function.tree.params.last().is_some_and(|param| param.name == tree::EACH)
 }
@@ -144,7 +145,7 @@ pub(super) fn is_of_library(function: &tree::Function) -> bool {
     function.module.starts_with("bessemer::")
 }
 
-/// Parts with the names that the fields of a tuple have.
+/// Returns parts with the field names of a tuple.
 pub(super) fn numbered(parts: &[tree::Expr]) -> Vec<(String, tree::Expr)> {
     let named = |(index, part): (usize, &tree::Expr)| (index.to_string(), part.clone());
     parts.iter().enumerate().map(named).collect()

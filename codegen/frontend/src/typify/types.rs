@@ -1,8 +1,8 @@
-//! Definitions and types: from paths to handles; and the constants by which an author writes the lengths of fields,
+//! Definitions and types, from paths to handles; and the constants with which an author writes lengths of fields,
 //! parameters and results.
 //!
-//! The name of a size stands for a constant where a marked one has this name and this number as its value, and other modules
-//! may read it; else it says nothing, and the C has the number.
+//! A length is written as a constant in the C only if a marked constant has this name and this value, and other
+//! modules can see it. Else the C has the number.
 
 use bessemer_ir::tree::{self, Argument, Definition, DefinitionKind, Field, Site, Table, Ty};
 use bessemer_ir::{
@@ -14,17 +14,17 @@ use super::names::{snake, split};
 use super::{Context, Result, problem, refusals, refused};
 
 impl<'a> Context<'a> {
-    /// The fields of a struct.
+    /// Returns the fields of a struct.
     pub(super) fn fields(&self, id: StructId) -> &[bessemer_ir::Field] {
         &self.module.structs[id.index()].fields
     }
 
-    /// The type of one of them.
+    /// Returns the type of a field.
     pub(super) fn field_type(&self, id: StructId, at: u32) -> Type {
         self.fields(id)[at as usize].ty.clone()
     }
 
-    /// The name of a struct or an enum.
+    /// Returns the name of a struct or an enum.
     pub(super) fn name_of(&self, ty: &Type) -> Option<&str> {
         match ty {
             Type::Struct(id) => Some(&self.module.structs[id.index()].name),
@@ -33,13 +33,13 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// A struct more.
+    /// Adds a struct to the module.
     pub(super) fn add_struct(&mut self, item: Struct) -> StructId {
         self.module.structs.push(item);
         StructId(self.module.structs.len() as u32 - 1)
     }
 
-    /// A type in the words of its author.
+    /// Returns a type as its author writes it.
     pub(super) fn show(&self, ty: &Type) -> String {
         match ty {
             Type::Unit => "()".into(),
@@ -54,7 +54,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Says of each field how the type's `impl Default` computes it, where that is more than a number.
+    /// Adds to each field the expression with which `impl Default` computes it, unless that is a plain number.
     fn tell_defaults(&self, definition: &Definition, fields: &mut [bessemer_ir::Field]) {
         for (name, expression) in self.sources.computed_defaults(&definition.file, &definition.name)
         {
@@ -124,8 +124,8 @@ impl<'a> Context<'a> {
         Ok(())
     }
 
-    /// The name of an instance: of what its author called `name`, in the module or type `home`. A name that
-    /// the author gave to something else there stays that one's.
+    /// Returns the name of an instance of the item `name` in the module or type `home`. Another item of the author's
+    /// with the resulting name keeps it.
     pub(super) fn instance_name(&self, home: &str, name: &str, suffix: &str) -> String {
         let own = format!("{name}{suffix}");
         let taken =
@@ -133,12 +133,12 @@ impl<'a> Context<'a> {
         if taken { format!("{name}_of{suffix}") } else { own }
     }
 
-    /// A readable suffix that tells an instance from others: `_f32_4`. Empty without arguments.
+    /// Returns a readable suffix for an instance, such as `_f32_4`; empty without arguments.
     pub(super) fn suffix(&self, arguments: &[Argument]) -> String {
         arguments.iter().map(|argument| format!("_{}", self.argument_name(argument))).collect()
     }
 
-    /// An argument as part of a name.
+    /// Returns a generic argument as part of a name.
     pub(super) fn argument_name(&self, argument: &Argument) -> String {
         match argument {
             Argument::Type(ty) => self.type_name(ty),
@@ -178,14 +178,14 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The name of the type at a path.
+    /// Returns the name of the type at a path.
     pub(super) fn item_name<'p>(&'p self, path: &'p str) -> &'p str {
         let named = self.types.get(path).and_then(|ty| self.name_of(ty));
         let nothing = || self.nothings.get(path).map(|it| it.name.as_str());
         named.or_else(nothing).unwrap_or(split(path).1)
     }
 
-    /// The type of a value; references are refused.
+    /// Returns the IR type of a value; references are refused.
     pub(super) fn value_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
             Ty::Ref(inner, _) if !matches!(**inner, Ty::Slice(_)) => {
@@ -206,7 +206,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The type of a value, or of what a reference refers to.
+    /// Returns the IR type of a value, or of a reference's referent.
     pub(super) fn pointee(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         Ok(match ty {
             Ty::Unit => Type::Unit,
@@ -242,7 +242,7 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// A named constant of `module`; one entry for each name and value.
+    /// Returns the constant of this name and value in `module`; each is defined once.
     pub(super) fn constant(
         &mut self,
         module: &str,
@@ -278,7 +278,7 @@ impl<'a> Context<'a> {
         ConstId(index as u32)
     }
 
-    /// The author's attributes of the constant with this name and value: first, of the one in this module.
+    /// Returns the author's attributes of the constant with this name and value; one in this module has priority.
     pub(super) fn table(
         &mut self,
         module: &str,
@@ -294,7 +294,7 @@ impl<'a> Context<'a> {
             .find(|it| self.value_type(&it.value.ty, it.site).is_ok_and(|its| its == *ty))
     }
 
-    /// The constants that names in the type of something mean, with their modules; nothing if none means any.
+    /// Returns the constants, with their modules, that name the lengths in a type; empty if there are none.
     pub(super) fn sizes(&mut self, module: &str, ty: &Type, names: &[String]) -> Vec<String> {
         let mut numbers = Vec::new();
         dimensions(ty, &mut numbers);
@@ -337,7 +337,7 @@ impl<'a> Context<'a> {
     }
 }
 
-/// The numbers of elements of a type, from the outside in, rows before columns.
+/// Collects the lengths in a type, from the outside in, rows before columns.
 fn dimensions(ty: &Type, numbers: &mut Vec<u32>) {
     match ty {
         Type::Array { element, len } => {

@@ -1,5 +1,5 @@
-//! Denotation of an expression during lowering, and of names and matched values. It includes consecutive elements: a
-//! slice, known by its base and ends; and a part of a matrix, known by its beginning.
+//! Meaning of an expression, a name or a matched value during lowering. A slice is known by its array and its ends,
+//! and a part of a matrix by the matrix and its first row and column.
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
@@ -8,30 +8,30 @@ use bessemer_ir::{
 
 use super::lengths::{compared, is_number, minus, plus, size};
 
-/// The meaning of an expression or a name.
+/// Meaning of an expression or a name.
 #[derive(Clone, PartialEq)]
 pub(super) enum Value {
-    /// A local of its own.
+    /// A local that the author named.
     Local(LocalId),
-    /// A place: that of a value, or the one that a reference refers to.
+    /// The place of a value, or the referent of a reference.
     Place(Place),
     /// A literal or a constant.
     Word(Box<Expr>),
-    /// Elements in a row.
+    /// A slice.
     Slice(Box<Slice>),
-    /// A part of a matrix that is written where it is.
+    /// A part of a matrix, as an alias.
     Submatrix(Box<Submatrix>),
-    /// A tuple that is never made: its parts, side by side, and its type, if a value of it can be.
+    /// The parts of a tuple that is not built, and its type if it can be built.
     Tuple(Vec<Value>, Option<Type>),
-    /// Value that is borrowed if the condition is true.
+    /// A reference that exists only if the condition is true.
     Maybe(Expr, Box<Value>),
-    /// A closure, by its place among those of the function that is being lowered.
+    /// A closure, by its index in `Lowering::closures`.
     Closure(usize),
     /// A zero-sized value.
     Nothing,
 }
 
-/// A name of a pattern, and what it stands for.
+/// A name of a pattern, and its meaning.
 #[derive(Clone)]
 pub(super) struct Named {
     pub name: String,
@@ -42,7 +42,7 @@ pub(super) struct Named {
 }
 
 impl Named {
-    /// The place that a name of a value is copied from; none if it stands for something else.
+    /// Returns the place that a name with a value type is copied from; none if its meaning is no place.
     pub(super) fn copied_from(&self) -> Option<&Place> {
         match &self.stands {
             Value::Place(place) => Some(place),
@@ -52,7 +52,8 @@ impl Named {
     }
 }
 
-/// The step to an element of an array, or of a matrix of one row or column, by its number; of another matrix by columns.
+/// Returns the step to an element of an array by its index. A matrix with several rows and columns is indexed by its
+/// columns.
 pub(super) fn step_to(whole: &Type, index: Expr, span: Span) -> Step {
     match whole {
         Type::Matrix { cols: 1, .. } => Step::Element(index, Expr::usize(0, span)),
@@ -61,24 +62,24 @@ pub(super) fn step_to(whole: &Type, index: Expr, span: Span) -> Step {
     }
 }
 
-/// Parts of up to so many elements are written out where they are read.
+/// Largest number of elements that are read one by one where a part of a matrix is used.
 pub(super) const SMALL: u32 = 16;
 
-/// Elements of an array, in their place.
+/// Elements of an array, in place.
 #[derive(Clone, PartialEq)]
 pub(super) struct Slice {
-    /// The array, or the parameter that is a slice.
+    /// The array, or the slice parameter.
     pub base: Place,
     /// Type of one element.
     pub element: Type,
-    /// The first element, and the one behind the last: numbers, or locals that nothing writes.
+    /// Index of the first element, and the index after the last: literals, or locals that are not written again.
     pub from: Expr,
     pub to: Expr,
     /// Number of elements.
     pub length: Expr,
-    /// True if these are all elements of the base.
+    /// True if the slice has all elements of the base.
     pub whole: bool,
-    /// The part of the base, a matrix, whose elements these are, by its columns.
+    /// The part of the base, a matrix, that contains the elements column by column.
     pub within: Option<Box<Submatrix>>,
 }
 
@@ -88,13 +89,13 @@ impl Slice {
         Slice { base, element, from, to: length.clone(), length, whole: true, within: None }
     }
 
-    /// All elements of a parameter that is a slice; the next parameter is its length.
+    /// Returns all elements of a slice parameter; the next parameter is its length.
     pub fn parameter(root: LocalId, element: Type, span: Span) -> Slice {
         let base = Place::local(root, Type::Slice(Box::new(element.clone())), span);
         Slice::whole(base, element, Expr::local(LocalId(root.0 + 1), &Type::USIZE, span))
     }
 
-    /// The type of what is lent.
+    /// Returns the slice type.
     pub fn ty(&self) -> Type {
         Type::Slice(Box::new(self.element.clone()))
     }
@@ -107,7 +108,7 @@ impl Slice {
         }
     }
 
-    /// An element of the base, by its index there.
+    /// Returns the place of an element, by its index in the base.
     pub fn at(&self, index: Expr) -> Place {
         if let Some(part) = &self.within {
             return part.nth(index);
@@ -115,32 +116,33 @@ impl Slice {
         self.base.inside(step_to(&self.base.ty, index, self.base.span), self.element.clone())
     }
 
-    /// An element, by its index in the slice.
+    /// Returns the place of an element, by its index in the slice.
     pub fn nth(&self, index: Expr) -> Place {
         self.at(plus(self.from.clone(), index))
     }
 
-    /// `length` elements from `begin` on, which are known to be there.
+    /// Returns `length` elements from `begin` on, without a check.
     pub fn part(&self, begin: Expr, length: Expr) -> Slice {
         let from = plus(self.from.clone(), begin);
         let to = plus(from.clone(), length.clone());
         Slice { from, to, length, whole: false, ..self.clone() }
     }
 
-    /// The elements from `from` to `to`, which is no less and no more than there are.
+    /// Returns the elements from `from` to `to`, without a check.
     pub fn between(&self, from: Expr, to: Expr) -> Slice {
         let length = minus(to.clone(), from.clone());
         let (from, to) = (plus(self.from.clone(), from), plus(self.from.clone(), to));
         Slice { from, to, length, whole: false, ..self.clone() }
     }
 
-    /// The elements from `begin` on, which is no more than there are.
+    /// Returns the elements from `begin` on, without a check.
     pub fn behind(&self, begin: Expr) -> Slice {
         let length = minus(self.length.clone(), begin.clone());
         Slice { from: plus(self.from.clone(), begin), length, whole: false, ..self.clone() }
     }
 
-    /// True if there are `count` elements, or no fewer where not `exact`; known of an array.
+    /// Returns the condition that there are exactly `count` elements, or at least as many unless `exact`. It is a
+    /// literal for an array.
     pub fn has(&self, count: u64, exact: bool, span: Span) -> Expr {
         let op = if exact { CompareOp::Eq } else { CompareOp::Ge };
         match self.length.kind {
@@ -150,14 +152,14 @@ impl Slice {
         }
     }
 
-    /// A copy of the elements, of which there are as many as the array type has.
+    /// Returns the elements as an array value; the lengths must agree.
     pub fn as_array(&self, ty: Type, span: Span) -> Expr {
         let len = if let Type::Array { len, .. } = ty { len } else { 0 };
         let elements = (0..len).map(|at| self.nth(size(at, span)).load()).collect();
         Expr { kind: ExprKind::Array(elements), ty, span }
     }
 
-    /// The argument that a call passes for it.
+    /// Returns the two arguments with which a call passes the slice.
     pub fn passed(self, mode: Mode) -> [Argument; 2] {
         let place = self.place();
         let first = match mode {
@@ -168,11 +170,11 @@ impl Slice {
     }
 }
 
-/// A part of a matrix.
+/// A part of a matrix, in place.
 #[derive(Clone, PartialEq)]
 pub(super) struct Submatrix {
     pub matrix: Place,
-    /// First row: a number, a local that nothing writes, or a sum of them.
+    /// First row: a literal, a local that is not written again, or a sum of these.
     pub row: Expr,
     pub column: Expr,
     pub element: Scalar,
@@ -189,7 +191,7 @@ impl Submatrix {
         self.rows.saturating_mul(self.cols) > SMALL
     }
 
-    /// An element, which is known to be there.
+    /// Returns the place of an element, without a check.
     pub fn at(&self, row: Expr, column: Expr) -> Place {
         let step = Step::Element(plus(self.row.clone(), row), plus(self.column.clone(), column));
         self.matrix.inside(step, Type::Scalar(self.element))
@@ -209,7 +211,7 @@ impl Submatrix {
         }
     }
 
-    /// All its elements.
+    /// Returns all elements of the part, column by column.
     pub fn elements(&self) -> Slice {
         let length = size(self.rows * self.cols, self.matrix.span);
         let all = Slice::whole(self.matrix.clone(), Type::Scalar(self.element), length);

@@ -1,8 +1,8 @@
-//! Words that the C reads and nothing decides by: the names of fields that no author named, and of temporaries.
+//! Words that appear in the C: names of fields and of temporaries that no author named.
 //!
-//! Invariants: none of them is compared with anything, which `xtask/tests/structure.rs` holds.
+//! Invariant: no decision depends on them; `xtask/tests/structure.rs` checks that none is compared.
 
-/// Tuples of one, two and three parts, and their parts.
+/// Names of tuples with one, two and three parts, and of their parts.
 pub(super) const TUPLES: [&str; 3] = ["single", "pair", "triple"];
 pub(super) const PARTS: [&str; 8] =
     ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
@@ -52,7 +52,7 @@ pub(super) const OPERANDS: [&str; 3] = ["left", "middle", "right"];
 pub(super) const SIDES: [&str; 2] = ["left", "right"];
 pub(super) const OF_NUMBERS: [&str; 2] = ["value", "by"];
 pub(super) const BOUNDS: [&str; 2] = ["first", "end"];
-/// The indices of an element of a matrix.
+/// Names of the indices of a matrix element.
 pub(super) const ROW: &str = "row";
 pub(super) const COLUMN: &str = "column";
 

@@ -1,5 +1,5 @@
-//! Zero-sized types: structs without fields, `PhantomData`, `()`. C has no such types, so their values vanish
-//! from structs, variants, parameters and results; an expression that computes one runs for its effect.
+//! Zero-sized types: structs without fields, `PhantomData`, `()`. C has no such types, so they are omitted from
+//! structs, variants, parameters and results. An expression of such a type is lowered for its effects.
 
 use bessemer_ir::tree::visit::Walk;
 use bessemer_ir::tree::{self, Definition, ExprKind as Tree, NO_SLOT, Pattern, Site, Ty};
@@ -15,12 +15,12 @@ use super::{Context, Result, refusals, refused};
 pub(super) struct Nothing {
     pub name: String,
     pub module: String,
-    /// The DSL does not see that all its values are equal.
+    /// True if the type does not derive `PartialEq`, so its values may be unequal.
     unequal: bool,
 }
 
 impl Context<'_> {
-    /// A struct of which nothing is left.
+    /// Defines a struct without fields in the C.
     pub(super) fn define_nothing(&mut self, definition: &Definition, name: String) -> Result<()> {
         let (site, kind) = (definition.site, &definition.kind);
         if let tree::DefinitionKind::Struct { initial: Some(_), .. } = kind {
@@ -36,7 +36,7 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// The author's type that a type is, if it holds nothing.
+    /// Returns the author's zero-sized type that a type is.
     pub(super) fn nothing_of(&self, ty: &Ty) -> Option<&Nothing> {
         match ty {
             Ty::Named(path) => self.nothings.get(path),
@@ -44,12 +44,12 @@ impl Context<'_> {
         }
     }
 
-    /// Returns true if a type is one that holds nothing, and of which values may be unequal for all that the DSL sees.
+    /// Returns true if a type is zero-sized and its values may be unequal.
     pub(super) fn may_differ(&self, ty: &Ty) -> bool {
         self.nothing_of(ty).is_some_and(|it| it.unequal)
     }
 
-    /// Notes which of the author's fields are in the C, where not all are.
+    /// Records the indices of the author's fields in the C, if some are zero-sized.
     pub(super) fn note_fields(&mut self, id: StructId, fields: &[tree::Field], kept: &[bool]) {
         let held = fields.iter().zip(kept).filter(|(_, kept)| **kept);
         let known = self.note(&Type::Struct(id));
@@ -82,13 +82,13 @@ impl Context<'_> {
         }
     }
 
-    /// Returns true if an argument holds nothing, by its place among those of the author.
+    /// Returns true if an argument, by its index among the author's, is zero-sized.
     pub(super) fn is_absent(&self, id: FunctionId, index: usize) -> bool {
         let absent = self.absent.get(&id).and_then(|absent| absent.get(index));
         absent.copied().unwrap_or_default()
     }
 
-    /// Returns true if a type, or what a reference refers to, holds nothing.
+    /// Returns true if a type, or the referent of a reference, is zero-sized.
     pub(super) fn is_nothing(&self, ty: &Ty) -> bool {
         match ty {
             Ty::Unit => true,
@@ -100,13 +100,13 @@ impl Context<'_> {
 }
 
 impl Lowering<'_, '_> {
-    /// Returns true if rustc put a type that holds nothing, or a reference to one, into a slot.
+    /// Returns true if rustc's type in a slot is zero-sized, or a reference to such a type.
     pub(super) fn slot_is_nothing(&self, slot: u32) -> bool {
         slot != NO_SLOT
             && self.source.slots.get(slot as usize).is_some_and(|ty| self.cx.is_nothing(ty))
     }
 
-    /// Returns true if the value of an expression holds nothing.
+    /// Returns true if the value of an expression is zero-sized.
     pub(super) fn holds_nothing(&mut self, expr: &tree::Expr) -> bool {
         match &expr.kind {
             Tree::Local(name) => {
@@ -128,12 +128,12 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The value of all that holds nothing.
+    /// Returns the value of every zero-sized type.
     pub(super) fn nothing(&mut self, site: Site) -> Expr {
         Expr::literal(0, Type::Unit, self.span(site))
     }
 
-    /// Does what an expression does, of which the value holds nothing; gives what is left to be done.
+    /// Lowers the effects of an expression with a zero-sized value, and returns what remains to be emitted.
     pub(super) fn done(&mut self, expr: &tree::Expr) -> Result<Expr> {
         match &expr.kind {
             Tree::Local(_) | Tree::Path(..) => {}
@@ -158,13 +158,13 @@ impl Lowering<'_, '_> {
         Ok(self.nothing(expr.site))
     }
 
-    /// Gives the names of a pattern to what holds nothing, which every pattern takes.
+    /// Binds the names of a pattern to a zero-sized value, which every pattern matches.
     pub(super) fn take_nothing(pattern: &Pattern, site: Site) -> Test {
         let named = |name: &String| Test::named(name, NO_SLOT, Value::Nothing, site);
         pattern.bound().iter().map(named).fold(Test::default(), Test::and)
     }
 
-    /// Refuses to keep what holds nothing, wherever it was not left out.
+    /// Refuses a local of a zero-sized type that was not removed.
     pub(super) fn check_locals(&self) -> Result<()> {
         match self.locals.iter().find(|local| local.ty == Type::Unit) {
             Some(local) => {
@@ -174,7 +174,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Emits what is left of a value that holds nothing.
+    /// Emits the remaining effects of a zero-sized value.
     pub(super) fn discard(&mut self, value: Expr) {
         let idle = match &value.kind {
             ExprKind::Literal(_) => true,

@@ -38,7 +38,7 @@ fn replace() -> FunctionTree {
     }
 }
 
-/// What refers to a place is another name for it, however it is written, and no copy of what is there.
+/// An argument that borrows a place, in any syntax, is an alias of it and no copy.
 #[test]
 fn what_a_call_refers_to_is_named() {
     let site = Site::default();
