@@ -25,6 +25,7 @@ mod flatten;
 mod lend;
 mod lowering;
 mod names;
+mod persistent;
 mod places;
 mod positions;
 mod proof;

@@ -1,9 +1,11 @@
 //! Facts about symbols at a point, what follows from them, and formulas.
 
 use std::cell::Cell;
-use std::collections::{BTreeMap, HashSet};
+use std::rc::Rc;
 
+use super::facts::{About, Facts};
 use super::linear::{Linear, Symbol};
+use crate::passes::persistent::Map;
 use bessemer_ir::used::Rule;
 
 /// The least and the greatest value.
@@ -45,11 +47,11 @@ const ATTEMPTS: u32 = 3000;
 /// The facts at a point.
 #[derive(Clone, Default)]
 pub(super) struct Knowledge {
-    pub(super) bounds: BTreeMap<Symbol, Bounds>,
+    bounds: Map<Bounds>,
     /// Forms that are 0 or more.
-    pub(super) forms: Vec<Linear>,
+    forms: Facts<Linear>,
     /// Clauses: of each, at least one alternative is true.
-    pub(super) clauses: Vec<Vec<Formula>>,
+    clauses: Facts<Vec<Formula>>,
     /// Nothing is here: what is known contradicts itself.
     pub(super) dead: bool,
 }
@@ -57,7 +59,7 @@ pub(super) struct Knowledge {
 impl Knowledge {
     /// The bounds of a symbol, which has these by its type.
     pub(super) fn of(&self, symbol: Symbol, all: &[Bounds]) -> Bounds {
-        self.bounds.get(&symbol).copied().unwrap_or(all[symbol.0 as usize])
+        self.bounds.get(symbol.0).copied().unwrap_or(all[symbol.0 as usize])
     }
 
     /// The least value of a form by the bounds of its symbols.
@@ -78,7 +80,7 @@ impl Knowledge {
         let narrowed = (from.max(low), to.min(high));
         self.dead |= narrowed.0 > narrowed.1;
         if narrowed != (from, to) && !self.dead {
-            self.bounds.insert(symbol, narrowed);
+            self.bounds.insert(symbol.0, narrowed);
         }
     }
 
@@ -155,12 +157,10 @@ impl Knowledge {
             Formula::Any(parts) => match parts.split_first() {
                 None => false,
                 Some((first, rest)) => {
-                    self.clauses.iter().any(|clause| clause == parts)
-                        || self.follows(first, all, cases)
-                        || {
-                            let rest = Formula::Any(rest.to_vec());
-                            self.assuming(&first.not(), all).follows(&rest, all, cases)
-                        }
+                    self.clauses.contains(parts) || self.follows(first, all, cases) || {
+                        let rest = Formula::Any(rest.to_vec());
+                        self.assuming(&first.not(), all).follows(&rest, all, cases)
+                    }
                 }
             },
         }
@@ -185,7 +185,7 @@ impl Knowledge {
         if steps == 0 || goal.parts.is_empty() {
             return best;
         }
-        for form in self.forms.iter().rev() {
+        for (_, form) in self.forms.about(goal) {
             for (symbol, factor) in &form.parts {
                 if enough.is_some_and(|enough| best >= enough) {
                     return best;
@@ -212,18 +212,13 @@ impl Knowledge {
 
     /// Returns true if a formula follows from each alternative of a clause.
     fn by_cases(&self, goal: &Formula, all: &[Bounds], cases: u32) -> bool {
-        let about = symbols(goal);
         let Some(cases) = cases.checked_sub(1) else { return false };
-        (0..self.clauses.len()).rev().any(|at| {
-            let clause = &self.clauses[at];
-            let touches =
-                clause.iter().any(|part| symbols(part).iter().any(|it| about.contains(it)));
-            touches
-                && Rule::Cases.told({
-                    let mut without = self.clone();
-                    without.clauses.remove(at);
-                    clause.iter().all(|part| without.assuming(part, all).follows(goal, all, cases))
-                })
+        self.clauses.about(goal).any(|(number, clause)| {
+            Rule::Cases.told({
+                let mut without = self.clone();
+                without.clauses.remove(number);
+                clause.iter().all(|part| without.assuming(part, all).follows(goal, all, cases))
+            })
         })
     }
 
@@ -237,26 +232,32 @@ impl Knowledge {
             return;
         }
         let mine = self.clone();
-        let (known, others): (HashSet<&Linear>, HashSet<&Linear>) =
-            (mine.forms.iter().collect(), other.forms.iter().collect());
-        let follows =
-            |form: &Linear, from: &Knowledge| from.reaches(form, 1, all, &Cell::new(ATTEMPTS));
-        self.forms.retain(|form| others.contains(form) || follows(form, other));
-        let theirs = other.forms.iter().filter(|form| !known.contains(form));
-        self.forms.extend(theirs.filter(|form| follows(form, &mine)).cloned());
-        self.clauses.retain(|clause| other.clauses.contains(clause));
-        self.bounds.retain(|symbol, (low, high)| {
-            let (from, to) = other.of(*symbol, all);
-            (*low, *high) = ((*low).min(from), (*high).max(to));
-            (*low, *high) != all[symbol.0 as usize]
-        });
+        let follows = |form: &Linear, there: bool| {
+            let knowledge = if there { other } else { &mine };
+            knowledge.reaches(form, 1, all, &Cell::new(ATTEMPTS))
+        };
+        self.forms.join(&other.forms, follows);
+        self.clauses.join(&other.clauses, |_, _| false);
+        for (symbol, one, two) in self.bounds.differences(&other.bounds) {
+            let hull = one.zip(two).map(|(one, two)| (one.0.min(two.0), one.1.max(two.1)));
+            let narrow = hull.filter(|hull| *hull != all[symbol as usize]);
+            self.bounds.set(symbol, narrow.map(Rc::new));
+        }
     }
 }
 
-fn symbols(formula: &Formula) -> Vec<Symbol> {
-    match formula {
-        Formula::Natural(form) => form.parts.iter().map(|(symbol, _)| *symbol).collect(),
-        Formula::Is(symbol, _) => vec![*symbol],
-        Formula::All(parts) | Formula::Any(parts) => parts.iter().flat_map(symbols).collect(),
+impl About for Formula {
+    fn symbols(&self, each: &mut dyn FnMut(Symbol)) {
+        match self {
+            Formula::Natural(form) => form.symbols(each),
+            Formula::Is(symbol, _) => each(*symbol),
+            Formula::All(parts) | Formula::Any(parts) => parts.symbols(each),
+        }
+    }
+}
+
+impl About for Vec<Formula> {
+    fn symbols(&self, each: &mut dyn FnMut(Symbol)) {
+        self.iter().for_each(|part| part.symbols(each));
     }
 }

@@ -17,6 +17,7 @@
 //!
 //! Must not know: which checks could have been left out, `analysis`, `faults`.
 
+mod facts;
 mod knowledge;
 mod linear;
 mod operations;

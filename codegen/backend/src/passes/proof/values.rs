@@ -3,7 +3,7 @@
 //! The meaning: in an execution at the point, in which nothing has faulted yet, the expression has this value. What an
 //! operation needs is reported before its value is made; behind it, it has not faulted, so its result is the exact one.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 use bessemer_ir::visit::{Access, VisitMut, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{
@@ -14,6 +14,7 @@ use bessemer_ir::{
 use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::{FURTHEST, Linear, Symbol};
 use super::returns::{Numbers, Returns};
+use crate::passes::persistent::Map;
 use crate::passes::sites::Site;
 use bessemer_ir::used::Rule;
 
@@ -85,8 +86,7 @@ pub(super) fn fields_of(place: &Place) -> Option<Vec<At>> {
 #[derive(Clone, Default)]
 pub(super) struct Point {
     pub(super) knowledge: Knowledge,
-    /// In an order: how far what is known reaches depends on the order in which it came.
-    pub(super) places: BTreeMap<LocalId, Vec<(Vec<At>, Value)>>,
+    pub(super) places: Map<Parts>,
     /// Changes with every write.
     pub(super) version: u32,
 }
@@ -451,6 +451,26 @@ impl<'m> Values<'m> {
         all
     }
 
+    /// The bounds that the word at some fields of a local has by its type.
+    pub(super) fn type_bounds(&mut self, root: LocalId, at: &[At]) -> Bounds {
+        let mut ty = Some(self.function.local(root).ty.clone());
+        for step in at {
+            ty = match (step, ty) {
+                (At::Field(field), Some(ty)) => step_type(self.module, &ty, &Step::Field(*field)),
+                (At::Index(_), Some(Type::Array { element, .. } | Type::Slice(element))) => {
+                    Some(*element)
+                }
+                (At::Index(_), Some(Type::Matrix { element, .. })) => Some(Type::Scalar(element)),
+                _ => None,
+            };
+        }
+        let unknown = ty.and_then(|ty| self.unknown(&ty));
+        match unknown {
+            Some(Value::Number(form)) => Point::default().knowledge.range(&form, &self.all),
+            _ => (-FURTHEST, FURTHEST),
+        }
+    }
+
     /// The value that a place holds.
     pub(super) fn load(
         &mut self,
@@ -459,12 +479,12 @@ impl<'m> Values<'m> {
         at: Vec<At>,
         ty: &Type,
     ) -> Option<Value> {
-        let held = point.places.get(&root).and_then(|all| all.iter().find(|(it, _)| *it == at));
+        let held = point.places.get(root.0).and_then(|all| all.iter().find(|(it, _)| *it == at));
         if let Some((_, value)) = held {
             return Some(value.clone());
         }
         let value = self.unknown(ty)?;
-        point.places.entry(root).or_default().push((at, value.clone()));
+        point.places.change(root.0).push((at, value.clone()));
         Some(value)
     }
 }

@@ -11,17 +11,17 @@
 //!   is not kept is given up, until a pass that begins within all of them ends within all of them. Behind a counted loop it
 //!   lies within what it was before, or at the end of a pass, or where the loop is left.
 
+use std::rc::Rc;
+
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Step, Stmt,
-    StmtKind, Type, UnaryOp,
+    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Stmt, StmtKind,
+    Type, UnaryOp,
 };
 
-use super::knowledge::{Bounds, Formula};
+use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::Linear;
 use super::returns::{self, Numbers, Returns};
-use super::values::{
-    At, Parts, Point, Value, Values, fields_of, ordered, step_type, the_whole, within,
-};
+use super::values::{At, Parts, Point, Value, Values, fields_of, ordered, the_whole, within};
 use super::written::{Target, apart, by_expr, by_stmts};
 use crate::passes::sites::Site;
 use bessemer_ir::used::Rule;
@@ -209,7 +209,7 @@ impl<'m> Walk<'m> {
         } else if let ExprKind::Load(from) = &expr.kind
             && let Some(steps) = fields_of(from)
         {
-            let held = point.places.get(&from.root).into_iter().flatten();
+            let held = point.places.get(from.root.0).into_iter().flatten();
             let inside = held.filter_map(|(other, value)| {
                 let rest = other.strip_prefix(steps.as_slice())?;
                 Some(([at, rest].concat(), value.clone()))
@@ -264,7 +264,7 @@ impl<'m> Walk<'m> {
     /// A target is written.
     fn write(&mut self, point: &mut Point, target: &Target, value: Parts) {
         point.version = self.values.next_version();
-        let held = point.places.entry(target.local).or_default();
+        let held = point.places.change(target.local.0);
         held.retain(|(other, _)| other.iter().zip(&target.at).any(|(a, b)| apart(a, b)));
         held.extend(value.into_iter().map(|(at, part)| ([&target.at[..], &at].concat(), part)));
     }
@@ -282,35 +282,47 @@ impl<'m> Walk<'m> {
         if a.knowledge.dead || b.knowledge.dead {
             return if a.knowledge.dead { b } else { a };
         }
-        let mut places = std::collections::BTreeMap::new();
-        for (root, held) in std::mem::take(&mut a.places) {
-            let Some(others) = b.places.get(&root) else { continue };
-            let mut kept = Vec::new();
-            for (at, value) in held {
-                let Some((_, other)) = others.iter().find(|(it, _)| *it == at) else { continue };
-                if value == *other {
-                    kept.push((at, value));
-                } else if let (Value::Number(x), Value::Number(y)) = (&value, other) {
-                    let all = &self.values.all;
-                    let (p, q) = (a.knowledge.range(x, all), b.knowledge.range(y, all));
-                    // Whatever bounds a form has, its value is one of the type.
-                    let (low, high) = self.type_bounds(root, &at);
-                    let bounds = (p.0.min(q.0).max(low), p.1.max(q.1).min(high));
-                    let symbol = self.values.fresh(bounds);
-                    let form = Linear::symbol(symbol);
-                    for (knowledge, held) in [(&mut a.knowledge, x), (&mut b.knowledge, y)] {
-                        if let Some(equal) = ordered(CompareOp::Eq, &form, held) {
-                            knowledge.assume(&equal, &self.values.all);
-                        }
-                    }
-                    kept.push((at, Value::Number(form)));
-                }
-            }
-            places.insert(root, kept);
+        for (root, one, other) in a.places.differences(&b.places) {
+            let both = one.zip(other);
+            let kept = both.map(|(one, other)| {
+                let root = LocalId(root);
+                let parts = one.iter().filter_map(|(at, value)| {
+                    let (_, other) = other.iter().find(|(it, _)| it == at)?;
+                    let paths = [(&mut a.knowledge, value), (&mut b.knowledge, other)];
+                    Some((at.clone(), self.met(root, at, paths)?))
+                });
+                Rc::new(parts.collect())
+            });
+            a.places.set(root, kept);
         }
         a.knowledge.join(&b.knowledge, &self.values.all);
         let version = if a.version == b.version { a.version } else { self.values.next_version() };
-        Point { knowledge: a.knowledge, places, version }
+        Point { knowledge: a.knowledge, places: a.places, version }
+    }
+
+    /// The value of a place where two paths meet, from its value on each path; nothing if neither number nor equality shows.
+    fn met(
+        &mut self,
+        root: LocalId,
+        at: &[At],
+        paths: [(&mut Knowledge, &Value); 2],
+    ) -> Option<Value> {
+        let [(a, one), (b, other)] = paths;
+        if one == other {
+            return Some(one.clone());
+        }
+        let (Value::Number(x), Value::Number(y)) = (one, other) else { return None };
+        let (p, q) = (a.range(x, &self.values.all), b.range(y, &self.values.all));
+        // Whatever bounds a form has, its value is one of the type.
+        let (low, high) = self.values.type_bounds(root, at);
+        let symbol = self.values.fresh((p.0.min(q.0).max(low), p.1.max(q.1).min(high)));
+        let form = Linear::symbol(symbol);
+        for (knowledge, held) in [(a, x), (b, y)] {
+            if let Some(equal) = ordered(CompareOp::Eq, &form, held) {
+                knowledge.assume(&equal, &self.values.all);
+            }
+        }
+        Some(Value::Number(form))
     }
 
     /// Follows the body of a loop: the point where another pass begins, and those where it is left.
@@ -357,7 +369,7 @@ impl<'m> Walk<'m> {
             return empty;
         };
         let mut head = empty.clone();
-        head.places.insert(*variable, vec![(Vec::new(), Value::Number(counter.clone()))]);
+        head.places.insert(variable.0, vec![(Vec::new(), Value::Number(counter.clone()))]);
         for (low, high) in [(&first, &counter), (&counter, &last)] {
             if let Some(order) = ordered(CompareOp::Le, low, high) {
                 head.knowledge.assume(&order, &self.values.all);
@@ -381,7 +393,7 @@ impl<'m> Walk<'m> {
             if let Some((low, high)) = steps {
                 self.between(&mut head, &now, [&low, &high]);
             }
-            head.places.insert(local, vec![(Vec::new(), Value::Number(now))]);
+            head.places.insert(local.0, vec![(Vec::new(), Value::Number(now))]);
             let Some(Value::Number(then)) = self.values.unknown(&self.function.local(local).ty)
             else {
                 continue;
@@ -393,7 +405,7 @@ impl<'m> Walk<'m> {
             if let (Some(low), Some(high)) = ends {
                 self.between(&mut behind, &then, [&low, &high]);
             }
-            behind.places.insert(local, vec![(Vec::new(), Value::Number(then))]);
+            behind.places.insert(local.0, vec![(Vec::new(), Value::Number(then))]);
         }
         let guesses = self.guesses(&before, &written, &moving);
         let kept = if guesses.is_empty() || head.knowledge.dead {
@@ -409,7 +421,7 @@ impl<'m> Walk<'m> {
         };
         for Guess { local, at, now: mut hull, .. } in kept {
             for point in &left {
-                let held = point.places.get(&local).and_then(|it| it.iter().find(|it| it.0 == at));
+                let held = point.places.get(local.0).and_then(|it| it.iter().find(|it| it.0 == at));
                 let end = match held {
                     Some((_, Value::Number(form))) => {
                         point.knowledge.closest(form, &self.values.all)
@@ -418,9 +430,9 @@ impl<'m> Walk<'m> {
                 };
                 hull = (hull.0.min(end.0), hull.1.max(end.1));
             }
-            let widest = self.type_bounds(local, &at);
+            let widest = self.values.type_bounds(local, &at);
             let symbol = self.values.fresh((hull.0.max(widest.0), hull.1.min(widest.1)));
-            let held = behind.places.entry(local).or_default();
+            let held = behind.places.change(local.0);
             held.push((at, Value::Number(Linear::symbol(symbol))));
         }
         behind
@@ -442,7 +454,7 @@ impl<'m> Walk<'m> {
         written: &[Target],
         body: &Block,
     ) -> Vec<(LocalId, Linear, Bounds)> {
-        let held = |local: LocalId| match before.places.get(&local)?.as_slice() {
+        let held = |local: LocalId| match before.places.get(local.0)?.as_slice() {
             [(at, Value::Number(form))] if at.is_empty() => Some(form.clone()),
             _ => None,
         };
@@ -463,7 +475,7 @@ impl<'m> Walk<'m> {
         for (local, _) in &counted {
             let start = self.values.unknown(&self.function.local(*local).ty);
             let Some(Value::Number(start)) = start else { return Vec::new() };
-            trial.places.insert(*local, vec![(Vec::new(), Value::Number(start.clone()))]);
+            trial.places.insert(local.0, vec![(Vec::new(), Value::Number(start.clone()))]);
             starts.push(start);
         }
         let (again, left) = self.trial(body, trial);
@@ -471,7 +483,7 @@ impl<'m> Walk<'m> {
         for ((local, old), start) in counted.into_iter().zip(starts) {
             let mut by = (0, 0);
             for point in again.iter().chain(&left) {
-                let now = point.places.get(&local).and_then(|held| match held.as_slice() {
+                let now = point.places.get(local.0).and_then(|held| match held.as_slice() {
                     [(at, Value::Number(form))] if at.is_empty() => Some(form),
                     _ => None,
                 });
@@ -494,7 +506,7 @@ impl<'m> Walk<'m> {
             return guesses;
         }
         for Target { local, .. } in written.iter().filter(|it| !moving.contains(&it.local)) {
-            for (at, value) in before.places.get(local).into_iter().flatten() {
+            for (at, value) in before.places.get(local.0).into_iter().flatten() {
                 let Value::Number(form) = value else { continue };
                 let fields = at.iter().all(|step| matches!(step, At::Field(_)));
                 let part = Target { local: *local, at: at.clone() };
@@ -502,7 +514,7 @@ impl<'m> Walk<'m> {
                 let same = |it: &Guess| it.local == *local && it.at == *at;
                 if fields && meets && !guesses.iter().any(same) {
                     let start = before.knowledge.range(form, &self.values.all);
-                    let widest = self.type_bounds(*local, at);
+                    let widest = self.values.type_bounds(*local, at);
                     let at = at.clone();
                     guesses.push(Guess {
                         local: *local,
@@ -533,7 +545,7 @@ impl<'m> Walk<'m> {
             let mut ends = Vec::new();
             for Guess { local, at, now, widest, seen, .. } in &mut guesses {
                 let held =
-                    again.places.get(local).and_then(|it| it.iter().find(|(it, _)| *it == *at));
+                    again.places.get(local.0).and_then(|it| it.iter().find(|(it, _)| *it == *at));
                 let end = match held {
                     Some((_, Value::Number(form))) => {
                         again.knowledge.closest(form, &self.values.all)
@@ -566,32 +578,10 @@ impl<'m> Walk<'m> {
         let mut head = empty.clone();
         for Guess { local, at, now, .. } in guesses {
             let symbol = self.values.fresh(*now);
-            let held = head.places.entry(*local).or_default();
+            let held = head.places.change(local.0);
             held.retain(|(it, _)| it != at);
             held.push((at.clone(), Value::Number(Linear::symbol(symbol))));
         }
         head
-    }
-
-    /// The bounds that the word at some fields of a local has by its type.
-    fn type_bounds(&mut self, root: LocalId, at: &[At]) -> Bounds {
-        let mut ty = Some(self.function.local(root).ty.clone());
-        for step in at {
-            ty = match (step, ty) {
-                (At::Field(field), Some(ty)) => {
-                    step_type(self.values.module, &ty, &Step::Field(*field))
-                }
-                (At::Index(_), Some(Type::Array { element, .. } | Type::Slice(element))) => {
-                    Some(*element)
-                }
-                (At::Index(_), Some(Type::Matrix { element, .. })) => Some(Type::Scalar(element)),
-                _ => None,
-            };
-        }
-        let unknown = ty.and_then(|ty| self.values.unknown(&ty));
-        match unknown {
-            Some(Value::Number(form)) => Point::default().knowledge.range(&form, &self.values.all),
-            _ => (-super::linear::FURTHEST, super::linear::FURTHEST),
-        }
     }
 }
