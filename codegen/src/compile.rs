@@ -1,7 +1,6 @@
-//! The whole way: tree, typed IR, checked IR, explicit IR, C.
+//! Compiles a package: tree, typed IR, explicit IR, C.
 //!
-//! Validation is the only gate, and precedes and after the passes: what comes behind it may
-//! assume what it checks.
+//! Validation runs before and after the passes; every later stage may rely on it.
 
 use bessemer_ir::tree::Package;
 use bessemer_ir::{Fault, Module, Type};
@@ -18,37 +17,38 @@ use bessemer_frontend::typify;
 pub use bessemer_backend::c::{Layout, Math, Options, Standard};
 pub use bessemer_frontend::typify::Typed;
 
-/// A package as IR and as C.
+/// A compiled package: IR, C, and reports.
 pub struct Compiled {
-    /// The licence at the head of each file, as an SPDX expression.
+    /// SPDX licence expression for the head of each file.
     pub license: String,
-    /// The IR as the author wrote it: what the interpreter runs.
+    /// Typed IR of the author's program, which the interpreter runs.
     pub module: Module,
-    /// The IR that the C is printed from: faults explicit, one step a statement, large temporaries
-    /// the caller's.
+    /// Explicit IR from which the C is printed: with checks, simple statements, and large temporaries in the caller's
+    /// memory.
     pub explicit: Module,
-    /// Number of computed types, and of those for which rustc was queried.
+    /// Number of computed types, and of those that were compared with rustc's.
     pub typed: Typed,
-    /// The C.
+    /// Emitted files.
     pub files: Vec<CFile>,
-    /// The face of the C: its types and entry points as data.
+    /// Interface of the C: types and entry points as data.
     pub interface: Interface,
-    /// The entry points, with their costs.
+    /// Entry points with their costs.
     pub entries: Vec<EntryReport>,
-    /// The checks that are left in each function, and why.
+    /// Remaining checks of each function, with reasons.
     pub checks: passes::Report,
-    /// The kernels that the user's own functions represent, and whose these are.
+    /// Kernels that the user's functions replace, with the library of each.
     pub replaced: Vec<(String, String)>,
-    /// The kernels that are made in the fast mode, whose bits need not be the Rust's, and the bounds of their errors.
+    /// Kernels in the fast mode, whose bits may differ from Rust's, with their error bounds.
     pub fast: Vec<(String, String)>,
-    /// Functions of the target's `math.h` that the C calls: there the bits need not be the Rust's.
+    /// Functions of the target's `math.h` that the C calls, so that its bits may differ from Rust's.
     pub library: Vec<String>,
 }
 
 /// Compiles a package.
 ///
 /// # Errors
-/// Everything that is wrong with it, at the author's lines.
+///
+/// All errors in it, at the author's lines.
 pub fn compile(
     package: &Package,
     sources: &Sources,
@@ -62,10 +62,11 @@ pub fn compile(
 }
 
 impl Compiled {
-    /// Compiles the same IR with other options; the layout of matrices, which decides types, stays.
+    /// Compiles the same IR with other options; the layout of matrices cannot change, since types depend on it.
     ///
     /// # Errors
-    /// Everything that is wrong with it, at the author's lines.
+    ///
+    /// All errors in it, at the author's lines.
     pub fn anew(&self, options: &Options) -> Result<Compiled, Vec<Diagnostic>> {
         deep(|| of_module((self.module.clone(), self.typed), &self.license, options))
     }
@@ -141,7 +142,8 @@ fn fast(module: &Module, options: &Options) -> Vec<(String, String)> {
     kernels.filter(fast).map(|kernel| (kernel.name(), kernels::fast::bound(kernel))).collect()
 }
 
-/// Validation; what it finds is a fault of the tool, since the author's were found before, but for what nests too deep.
+/// Validates a module. An error is a bug of the compiler, except too deep a nesting: the front end has reported all
+/// others.
 fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
     validate::validate(module).map_err(|errors| {
         let help = |problem: &validate::Problem| match problem {
@@ -156,7 +158,7 @@ fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
     })
 }
 
-/// A claim of the author's that could not be proved; anything else is a fault of the tool.
+/// Returns the diagnostic of an author's declaration that was not proved; any other error is a bug of the compiler.
 fn unproved(module: &Module, error: &passes::Error) -> Diagnostic {
     let passes::Error::Fallible { entry, claim, function, fault, check } = error else {
         return Diagnostic {
@@ -218,7 +220,7 @@ fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {
     sites.into_iter().map(told).collect()
 }
 
-/// Returns a way for the author to rule a fault out.
+/// Returns a remedy that prevents a fault.
 fn ruled_out(fault: Fault, reason: &str) -> String {
     let operations = [(" + ", "add"), (" - ", "sub"), (" * ", "mul")];
     let operation = operations.iter().find(|(sign, _)| reason.contains(sign));

@@ -1,12 +1,12 @@
-//! A stack for what nests as deep as an author's expressions.
+//! Runs recursive stages on a large stack.
 //!
-//! A sum of two thousand terms is a tree of two thousand levels, and each stage calls itself once for a level. Whoever
-//! hands a tree, or a module, to a stage does it here.
+//! A sum of two thousand terms is a tree of two thousand levels, and each stage recurses once per level. Callers of a
+//! stage use this module.
 
 use std::cell::Cell;
 use std::{panic, thread};
 
-/// Bytes, of which only those that are used take memory: some ten kilobytes a level, in builds that are not optimised.
+/// Stack size, bytes. Only used pages take memory: some ten kilobytes per level in builds without optimisation.
 const STACK: usize = 1 << 30;
 
 thread_local! {

@@ -1,7 +1,7 @@
-//! From the tree of a package of models to C99.
+//! Compiles the tree of a package of models to C99.
 //!
-//! [`compile`] is the whole way, stage by stage: bessemer-frontend types the tree, bessemer-backend proves and prints.
-//! [`generate`] is the command line's work around it.
+//! [`compile`] runs all stages: `bessemer-frontend` types the tree; `bessemer-backend` proves and prints.
+//! [`generate`] is the work of the command line around it.
 
 pub mod compile;
 pub mod deep;

@@ -1,6 +1,6 @@
-//! Warns the author of what was written and is not in the C.
+//! Warns about the author's code that is not in the C.
 //!
-//! The C is made all the same. Must not know: how C is made.
+//! Generation continues. Must not know: how C is generated.
 
 use std::collections::HashSet;
 
@@ -11,10 +11,10 @@ use bessemer_ir::{Const, ConstId, ExprKind, Function, Module, Owner, Role, Span,
 use bessemer_backend::passes;
 use bessemer_frontend::diagnostic::{Diagnostic, Level};
 
-/// So many words are no table.
+/// Largest number of words of a constant that is no table.
 const FEW: usize = 8;
 
-/// The remarks on a package that became `module`, in the order of the source.
+/// Returns the remarks on a package that became `module`, in the order of the source.
 pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = templates(package).collect();
     let idle: Vec<&tree::Definition> = idle(package).collect();
@@ -32,7 +32,7 @@ pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
     told
 }
 
-/// Why a package becomes no C at all, though something in it is marked.
+/// Returns the reasons why a package yields no C at all, though something in it is marked.
 pub fn reasons(package: &Package) -> impl Iterator<Item = Diagnostic> {
     templates(package).map(|it| Diagnostic { level: Level::Error, ..it })
 }
@@ -42,7 +42,7 @@ fn warning(file: &str, Site(line, column): Site, message: String, help: &str) ->
     Diagnostic { level: Level::Warning, file, line, column, message, help, ..Diagnostic::default() }
 }
 
-/// Generic components of which nothing is made.
+/// Returns generic components without an instance.
 fn templates(package: &Package) -> impl Iterator<Item = Diagnostic> {
     let is_made = |template: &tree::Template| {
         let same = |it: &tree::Definition| it.name == template.name && it.module == template.module;
@@ -57,7 +57,7 @@ fn templates(package: &Package) -> impl Iterator<Item = Diagnostic> {
     })
 }
 
-/// Components of this package that nobody calls.
+/// Returns components of this package that no type contains and no function uses.
 fn idle(package: &Package) -> impl Iterator<Item = &tree::Definition> {
     let mut held = HashSet::new();
     for definition in &package.types {
@@ -85,7 +85,7 @@ fn idle(package: &Package) -> impl Iterator<Item = &tree::Definition> {
     })
 }
 
-/// The named types that a value of a type holds.
+/// Collects the named types in a type.
 fn hold(ty: &Ty, held: &mut HashSet<String>) {
     match ty {
         Ty::Named(path) => _ = held.insert(path.clone()),
@@ -104,7 +104,7 @@ fn hold(ty: &Ty, held: &mut HashSet<String>) {
     }
 }
 
-/// Methods of components that nothing of the C calls.
+/// Returns methods of components that nothing in the C calls.
 fn uncalled<'a>(
     module: &'a Module,
     idle: &'a [&tree::Definition],
@@ -146,7 +146,7 @@ fn uncalled<'a>(
     })
 }
 
-/// Tables without a mark that several modules read: each has a copy.
+/// Returns unmarked tables that several modules read, so that the C has several copies.
 fn repeated(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
     let is_table = |it: &Const| !it.ty.is_word() && it.words.len() > FEW && !it.given.public;
     let root = module.name.replace('-', "_");

@@ -1,10 +1,10 @@
-//! Finds the parts of a result that are built where the caller wants them.
+//! Finds the locals that are built directly in the caller's storage for the result.
 //!
-//! A local that every `return` gives back is the result from the start. A local that is moved into the struct that a
-//! `return` gives, or that such a local begins as, is that struct's field from the start: nothing else reads the field before,
-//! and nothing the local behind.
+//! A local that every `return` returns is the result from the start. A local that is moved into a field of the
+//! returned struct, or of the first value of such a local, is that field from the start, if nothing else reads the
+//! field earlier and nothing uses the local later.
 //!
-//! Of functions without a fault alone: a caller would see what was written before it.
+//! Only for functions that cannot fault: after a fault, the caller would see a partly written result.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,10 +13,10 @@ use bessemer_ir::{
     Expr as Ir, ExprKind, Function, LocalId, Mode, Module, Place, Stmt, StmtKind, Type,
 };
 
-/// The fields that lead from the result to a part.
+/// Fields that lead from the result to a part.
 pub(crate) type Path = Vec<usize>;
 
-/// The local that every `return` gives back.
+/// Returns the local that every `return` returns.
 pub(crate) fn whole(function: &Function) -> Option<LocalId> {
     if !function.result.is_aggregate() {
         return None;
@@ -40,7 +40,7 @@ pub(crate) fn whole(function: &Function) -> Option<LocalId> {
     (same && declared.contains(&first)).then_some(first)
 }
 
-/// The locals that are parts of the result, and where.
+/// Returns the locals that are parts of the result, with their paths.
 pub(crate) fn parts(function: &Function, module: &Module) -> BTreeMap<LocalId, Path> {
     let whole = whole(function);
     let mut uses = Uses {
@@ -75,23 +75,23 @@ pub(crate) fn parts(function: &Function, module: &Module) -> BTreeMap<LocalId, P
     parts
 }
 
-/// The fate of each local.
+/// Collected uses of each local.
 struct Uses<'m> {
     module: &'m Module,
     /// The local that is the result.
     whole: Option<LocalId>,
-    /// The parts of what is returned that each becomes.
+    /// Paths in the result to which each local is moved.
     moved: BTreeMap<LocalId, Vec<Path>>,
-    /// Those that are used while the result is written, or behind.
+    /// Locals that are used while the result is being written, or later.
     others: BTreeSet<LocalId>,
     /// True if the local that is the result has its first value.
     built: bool,
-    /// True if each `return` gives a struct part by part, or the one local begins so.
+    /// True if each `return` builds a struct field by field, or the returned local begins with one.
     by_parts: bool,
 }
 
 impl Uses<'_> {
-    /// A struct that is returned, at the end of a path into the result.
+    /// Visits a returned struct at the end of a path in the result; false if it is not built field by field.
     fn returned(&mut self, value: &Ir, path: &mut Path) -> bool {
         let (ExprKind::Struct(items), Type::Struct(id)) = (&value.kind, &value.ty) else {
             return false;
@@ -136,7 +136,7 @@ impl Visit for Uses<'_> {
     }
 }
 
-/// An expression that is computed as it is returned, when parts of the result are written already.
+/// Visitor of a returned expression that is evaluated after parts of the result were written.
 struct Within<'u, 'm>(&'u mut Uses<'m>);
 
 impl Visit for Within<'_, '_> {

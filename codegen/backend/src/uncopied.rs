@@ -1,8 +1,8 @@
 //! Copies that the C avoids. A local that begins as a copy of a place, is never written, and is read only while the
-//! place is unchanged, becomes a name for that place. A constant aggregate that is only read becomes a table.
+//! place is unchanged, becomes an alias of the place. A constant aggregate that is only read becomes a table.
 //!
-//! Invariant: from the declaration to the last statement that mentions the local, nothing writes what it copies. Memory that
-//! such a local represents is alive as long as the local is. Must not know: what the name looks like in C.
+//! Invariant: from the declaration to the last statement that mentions the local, nothing writes the copied place,
+//! and the place's memory remains alive. Must not know: the C text of an alias.
 
 use std::collections::BTreeMap;
 
@@ -13,10 +13,10 @@ use bessemer_ir::{
 
 use bessemer_ir::effects::{mentions, overlap, writes, writes_local};
 
-/// A copy of no more words than that is as cheap as reading them elsewhere.
+/// Largest number of words for which a copy is as cheap as an alias.
 const WORDS: usize = 4;
 
-/// The locals that are names, and for what; `flat`: in C, matrices are arrays of numbers.
+/// Returns the locals that become aliases, with their places; `flat`: matrices are arrays of scalars in the C.
 pub(crate) fn uncopied(
     module: &Module,
     function: &Function,
@@ -27,13 +27,13 @@ pub(crate) fn uncopied(
     names.found
 }
 
-/// Words of a table at most: of more, code that builds them is shorter.
+/// Largest number of words in a table; the code that builds a larger one is shorter.
 const TABLE: usize = 64;
 
-/// Statements from which on a table is copied instead.
+/// Number of statements from which on a table is copied instead.
 const STORED: usize = 4;
 
-/// Equal numbers that a list says at most.
+/// Largest number of equal numbers in an initialiser list.
 const LISTED: usize = 16;
 
 /// Returns true if a value is worth a table: an aggregate of numbers.
@@ -105,7 +105,7 @@ impl Visit for Names<'_> {
 }
 
 impl Names<'_> {
-    /// Returns true if a name would spare a copy, and C has one for it.
+    /// Returns true if an alias would save a copy, and C can express it.
     fn is_wanted(&self, id: LocalId) -> bool {
         let local = self.function.local(id);
         let pointed = match &local.ty {
@@ -120,7 +120,7 @@ impl Names<'_> {
             && !writes_local(&self.function.body, id)
     }
 
-    /// The place without names for other places in it; none where its indices might move.
+    /// Returns a place with aliases in it resolved; none if its indices might change.
     fn resolved(&self, place: &Place) -> Option<Place> {
         let still = |step: &Step| match step {
             Step::Field(_) => true,
@@ -136,7 +136,7 @@ impl Names<'_> {
     }
 }
 
-/// Returns true if nothing writes a place as long as a local may be read.
+/// Returns true if nothing writes a place while a local may be read.
 fn holds_still(local: LocalId, place: &Place, rest: &[Stmt]) -> bool {
     let Some(last) = rest.iter().rposition(|stmt| mentions(stmt, local)) else { return false };
     !writes(&rest[..=last]).iter().any(|written| overlap(written, place))

@@ -1,13 +1,13 @@
-//! Kernels, computed by plain loops over whole matrices in nalgebra's order.
+//! Kernels as plain loops over whole matrices, in nalgebra's order of operations.
 //!
-//! Absent: scratch memory of the caller's, which the C may need; any cleverness.
+//! Not modelled: the working memory that the C passes; and no loop is optimised.
 
 use bessemer_ir::kernel::{COFACTORS, Products};
 use bessemer_ir::{Float, Kernel, KernelRoutine, Routine};
 
 use super::routine::{Operand, Real, lanes, routine};
 
-/// Computes a kernel: its operands lie where they say, its result goes to the words from `out` on.
+/// Computes a kernel from its operands in memory, and writes its result from the address `out` on.
 pub(super) fn run(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>], out: usize) {
     match (kernel.routine, kernel.element) {
         (KernelRoutine::Product, _) => routine(memory, Routine::Product, &operands[..2], out),
@@ -29,7 +29,8 @@ pub(super) fn run(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>],
     }
 }
 
-/// A product of this many rows, steps and columns, of factors whose elements lie where the functions say.
+/// Computes a product with these numbers of rows, terms and columns; the functions return the addresses of the
+/// factors' elements.
 fn product(
     memory: &mut [u64],
     element: Float,
@@ -58,7 +59,7 @@ fn sums<R: Real>(
     }
 }
 
-/// A matrix of its own, by columns.
+/// A matrix in a buffer, by columns.
 #[derive(Clone)]
 struct Matrix<R> {
     rows: usize,
@@ -105,7 +106,7 @@ impl<R: Real> Matrix<R> {
     }
 }
 
-/// Routines of a square matrix `a`, and of `b` beside it.
+/// Computes a routine of a square matrix `a`, or of `a` and `b`.
 fn square<R: Real>(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>], out: usize) {
     let size = kernel.dims[0] as usize;
     let at = operands[0].at;
@@ -169,7 +170,7 @@ fn square<R: Real>(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>]
     }
 }
 
-/// Eliminates as nalgebra does: a column without a pivot is passed over. The rows that were exchanged.
+/// Eliminates in nalgebra's order, which skips a column without a pivot. Returns the exchanged rows.
 fn eliminate<R: Real>(a: &mut Matrix<R>) -> Vec<(usize, usize)> {
     let size = a.rows;
     let mut exchanged = Vec::new();
@@ -206,7 +207,7 @@ fn eliminate<R: Real>(a: &mut Matrix<R>) -> Vec<(usize, usize)> {
     exchanged
 }
 
-/// `a` becomes its factors and `b` the solution, unless `a` is singular.
+/// Replaces `a` by its factors and `b` by the solution; returns false if `a` is singular.
 fn solve<R: Real>(a: &mut Matrix<R>, b: &mut Matrix<R>) -> bool {
     let size = a.rows;
     for (one, other) in eliminate(a) {
@@ -288,7 +289,7 @@ fn inverse_of_four<R: Real>(a: &Matrix<R>) -> Option<Matrix<R>> {
     (determinant != R::ZERO).then_some(out)
 }
 
-/// The lower triangle becomes L, or NaN.
+/// Replaces the lower triangle by the factor L, or by NaN if there is none.
 fn cholesky<R: Real>(a: &mut Matrix<R>) -> bool {
     let size = a.rows;
     for col in 0..size {
@@ -315,7 +316,7 @@ fn cholesky<R: Real>(a: &mut Matrix<R>) -> bool {
     true
 }
 
-/// Solves with a triangle of `a`, whose diagonal divides.
+/// Solves with a triangle of `a`, dividing by its diagonal.
 fn triangular<R: Real>(routine: KernelRoutine, a: &Matrix<R>, b: &mut Matrix<R>) {
     let size = a.rows;
     for col in 0..b.cols() {
@@ -334,7 +335,7 @@ fn triangular<R: Real>(routine: KernelRoutine, a: &Matrix<R>, b: &mut Matrix<R>)
     }
 }
 
-/// Divides value `k`, and takes it from the rows that are open.
+/// Divides value `k` of a column, and subtracts it from the rows that are still unknown.
 fn take<R: Real>(
     a: &Matrix<R>,
     b: &mut Matrix<R>,
@@ -349,7 +350,7 @@ fn take<R: Real>(
     }
 }
 
-/// Takes the product with the values that are known from value `k`, and divides.
+/// Subtracts the scalar product with the known values from value `k`, and divides it.
 fn gather<R: Real>(
     a: &Matrix<R>,
     b: &mut Matrix<R>,

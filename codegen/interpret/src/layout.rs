@@ -1,7 +1,7 @@
 //! Memory layout of values in the interpreter: sizes and offsets in words.
 //!
-//! Invariants: a value lies in the order of [`Module::leaves`]; a local of mode `Value` lies in its
-//! frame, a reference is one word, the address of what it refers to.
+//! Invariants: a value has the order of [`Module::leaves`]. A local of mode `Value` is in its frame; a reference is
+//! one word, the address of its referent.
 
 use bessemer_ir::{Function, Mode, Module, Type};
 
@@ -11,11 +11,11 @@ pub(super) struct Layout {
     functions: Vec<Extent>,
 }
 
-/// The parts of a struct or a frame.
+/// Layout of a struct's fields, or of a frame's locals.
 pub(super) struct Extent {
     /// Offset of each part.
     pub offsets: Vec<usize>,
-    /// Words in all.
+    /// Total size in words.
     pub size: usize,
 }
 
@@ -44,7 +44,7 @@ impl Layout {
         layout
     }
 
-    /// The words of a value of type `ty`.
+    /// Returns the words of a value of type `ty`.
     pub fn size(&self, ty: &Type) -> usize {
         match ty {
             Type::Unit | Type::Slice(_) => 0,
@@ -55,12 +55,12 @@ impl Layout {
         }
     }
 
-    /// The fields of a struct.
+    /// Returns the layout of a struct.
     pub fn fields(&self, id: bessemer_ir::StructId) -> &Extent {
         &self.structs[id.index()]
     }
 
-    /// The locals of a function.
+    /// Returns the layout of a function's locals.
     pub fn locals(&self, id: bessemer_ir::FunctionId) -> &Extent {
         &self.functions[id.index()]
     }

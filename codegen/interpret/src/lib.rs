@@ -1,15 +1,16 @@
-//! An interpreter of the IR: the third leg beside native Rust and the emitted C.
+//! Interpreter of the IR: the third leg beside native Rust and the emitted C.
 //!
-//! Arguments and results are words, in the order of [`Module::leaves`]. Operations mean what Rust
-//! means; where Rust leaves bits open (`min` of zeros, a NaN's sign) they mean what the DSL means.
+//! Arguments and results are words, in the order of [`Module::leaves`]. Operations have Rust's meaning; where Rust
+//! leaves bits open (`min` of zeros, a NaN's sign), the DSL's.
 //!
 //! Invariants:
-//! * The module has passed the validation; anything else may panic.
-//! * Evaluation is strictly left to right, operands before the operation.
-//! * A function call allocates nothing once the memory has grown to what the call needs.
 //!
-//! Absent: C, passes, every optimisation that could change an order. It must stay small enough to be
-//! believed by reading it.
+//! * The module was validated; otherwise calls may panic.
+//! * Evaluation is strictly left to right, operands before the operation.
+//! * A function call does not allocate, once the memory is large enough.
+//!
+//! Must not have: C, passes, or an optimisation that could change an order. It must stay small enough to be verified
+//! by reading.
 
 mod kernel;
 mod layout;
@@ -24,17 +25,17 @@ use bessemer_ir::{Fault, FunctionId, Mode, Module, Span};
 use bessemer_ir::words::{WordsError, words_fit};
 use layout::Layout;
 
-/// Why a call gave no result.
+/// Reasons why a call returned no result.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Stop {
-    /// Rust would have panicked.
+    /// A fault, where Rust would panic.
     #[error("{fault:?} in function {} at {}:{}:{}", function.0, span.file, span.line, span.column)]
     Fault {
-        /// The event.
+        /// Kind of the fault.
         fault: Fault,
-        /// The function in which it happened, which a called function may be.
+        /// Function with the fault: the called one, or a callee.
         function: FunctionId,
-        /// The operation.
+        /// Span of the operation.
         span: Span,
     },
     /// The call took more statements than [`Interpreter::limit`] allows.
@@ -43,20 +44,20 @@ pub enum Stop {
     /// The module has no such function.
     #[error("there is no function {}", .0.0)]
     Function(FunctionId),
-    /// Too many arguments or too few.
+    /// The number of arguments is wrong.
     #[error("the function takes {expected} arguments, not {found}")]
     Arguments {
-        /// Its parameters.
+        /// Number of parameters.
         expected: usize,
-        /// The words that were given.
+        /// Number of arguments.
         found: usize,
     },
-    /// An argument is no value of its parameter's type.
+    /// An argument is not a value of its parameter's type.
     #[error("argument {index}: {problem}")]
     Argument {
-        /// Index of the word.
+        /// Index of the argument.
         index: usize,
-        /// The mistake in it.
+        /// Error in its words.
         problem: WordsError,
     },
 }
@@ -70,7 +71,7 @@ pub fn call(
     Interpreter::new(module).call(function, arguments)
 }
 
-/// Runs functions of one validated module, keeping its memory between calls.
+/// Runs functions of a validated module, and reuses its memory between calls.
 pub struct Interpreter<'m> {
     module: &'m Module,
     layout: Layout,
@@ -80,13 +81,13 @@ pub struct Interpreter<'m> {
 }
 
 impl<'m> Interpreter<'m> {
-    /// An interpreter of `module`, which must have been validated.
+    /// Creates an interpreter of `module`, which must have been validated.
     pub fn new(module: &'m Module) -> Interpreter<'m> {
         let layout = Layout::new(module);
         Interpreter { module, layout, memory: Vec::new(), limit: u64::MAX, ran: None }
     }
 
-    /// Keeps from now on where each statement stands that runs.
+    /// Records the span of each executed statement from now on.
     pub fn watch(&mut self) {
         self.ran = Some(BTreeSet::new());
     }
@@ -101,9 +102,9 @@ impl<'m> Interpreter<'m> {
         self.limit = statements;
     }
 
-    /// Calls a function: an argument for each parameter, `self` included, each as words. Those of mode
-    /// `RefMut` are updated in place, also when a fault ends the call: then they hold what had been
-    /// written until the fault. The result is the function's value as words.
+    /// Calls a function with one list of words for each parameter, including `self`. Those of mode `RefMut` are
+    /// updated in place, also if a fault ends the call: then they have the values written before the fault. Returns
+    /// the function's result as words.
     pub fn call(
         &mut self,
         function: FunctionId,

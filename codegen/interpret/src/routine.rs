@@ -1,15 +1,15 @@
 //! Linear algebra in the order of operations of nalgebra 0.35, element by element.
 //!
-//! Invariants: sums run in exactly the order that `bessemer_ir::Routine` states; a product is never
-//! fused with a sum; the result lies apart from the operands.
+//! Invariants: sums have exactly the order that `bessemer_ir::Routine` states; a product is never fused with a sum;
+//! the result does not overlap the operands.
 //!
-//! Absent: tiling, unrolling, any cleverness. This is the reference that kernels are held against.
+//! No tiles, no unrolling: this is the reference for kernels.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use bessemer_ir::{Float, Routine, Scalar, Type};
 
-/// A float type, as the routines need it.
+/// Operations of a float type that the routines need.
 pub(super) trait Real:
     Copy
     + Add<Output = Self>
@@ -57,7 +57,7 @@ impl Real for f32 {
     }
 }
 
-/// The shape of an operand: rows and columns, one by one for a scalar.
+/// Returns rows and columns of an operand; one and one for a scalar.
 fn shape(ty: &Type) -> (usize, usize) {
     match ty {
         Type::Matrix { rows, cols, .. } => (*rows as usize, *cols as usize),
@@ -65,14 +65,14 @@ fn shape(ty: &Type) -> (usize, usize) {
     }
 }
 
-/// An operand: its type, and where it starts in memory.
+/// An operand: its type and its address.
 #[derive(Clone, Copy)]
 pub(super) struct Operand<'m> {
     pub ty: &'m Type,
     pub at: usize,
 }
 
-/// Computes `routine` of `operands` into the words from `out` on.
+/// Computes `routine` of `operands`, and writes the result from the address `out` on.
 pub(super) fn routine(memory: &mut [u64], routine: Routine, operands: &[Operand<'_>], out: usize) {
     let a = operands[0];
     let b = operands.get(1).copied().unwrap_or(a);
@@ -161,7 +161,7 @@ fn scaled<R: Real>(
     }
 }
 
-/// The first product, not 0 plus it; then k ascending `a_k * b_k + y`.
+/// Computes a product: each element begins with its first term, not with 0, and adds `a_k * b_k` for ascending k.
 fn product<R: Real>(memory: &mut [u64], a: Operand<'_>, b: Operand<'_>, out: usize) {
     let (rows, inner) = shape(a.ty);
     let cols = shape(b.ty).1;
@@ -176,8 +176,8 @@ fn product<R: Real>(memory: &mut [u64], a: Operand<'_>, b: Operand<'_>, out: usi
     }
 }
 
-/// `dot` of two operands of this shape: special orders for columns of 2, 3 and 4, else eight lanes
-/// along each column.
+/// Computes `dot` of two operands of this shape. Columns of 2, 3 and 4 elements have special orders; others use eight
+/// lanes along each column.
 fn dot<R: Real>(memory: &[u64], (rows, cols): (usize, usize), a: usize, b: usize) -> R {
     let term = |index: usize| R::of(memory[a + index]) * R::of(memory[b + index]);
     match (rows, cols) {
@@ -189,7 +189,7 @@ fn dot<R: Real>(memory: &[u64], (rows, cols): (usize, usize), a: usize, b: usize
     (0..cols).fold(R::ZERO, |sum, col| add_lanes(sum, rows, |row| term(col * rows + row)))
 }
 
-/// The sum of `count` terms from zero, in eight lanes.
+/// Returns the sum of `count` terms from zero, in eight lanes.
 pub(super) fn lanes<R: Real>(count: usize, term: impl Fn(usize) -> R) -> R {
     add_lanes(R::ZERO, count, term)
 }

@@ -1,10 +1,10 @@
-//! Execution of statements and evaluation of expressions.
+//! Executes statements and evaluates expressions.
 //!
-//! Memory is one stack of words. A frame holds a function's locals; values in passing lie above it and
-//! go when their statement ends. An address is an index into the memory.
+//! Memory is one stack of words. A frame holds a function's locals; temporaries are above it, until their statement
+//! ends. An address is an index into the memory.
 //!
-//! Invariants: a value is written where nothing that is still to be read lies (an assignment of many
-//! words goes through a copy); memory above `top` is free.
+//! Invariants: a value is never written over words that are still to be read (an assignment of several words uses a
+//! copy); memory above `top` is free.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ use super::layout::Layout;
 use super::routine::{Operand, routine};
 use super::{Stop, scalar};
 
-/// One call from outside, with all that it calls.
+/// One call from outside, with all inner calls.
 pub(super) struct Run<'m, 'r> {
     module: &'m Module,
     layout: &'r Layout,
@@ -29,7 +29,7 @@ pub(super) struct Run<'m, 'r> {
     pub ran: Option<&'r mut BTreeSet<Span>>,
 }
 
-/// One function in execution.
+/// A function that is being executed.
 #[derive(Clone, Copy)]
 struct Frame<'m, 'r> {
     id: FunctionId,
@@ -51,7 +51,7 @@ impl Frame<'_, '_> {
     }
 }
 
-/// The consequence of a statement.
+/// Control flow after a statement.
 enum Flow {
     Next,
     Break,
@@ -69,7 +69,7 @@ impl<'m, 'r> Run<'m, 'r> {
         Run { module, layout, memory, top: 0, left, ran: None }
     }
 
-    /// Calls from outside: the outcome, and where each argument lies now.
+    /// Calls a function from outside; returns its outcome and the addresses of the arguments.
     pub fn enter(
         &mut self,
         id: FunctionId,
@@ -112,7 +112,7 @@ impl<'m, 'r> Run<'m, 'r> {
         Frame { id, function, offsets: &locals.offsets, base, result }
     }
 
-    /// Runs a function whose arguments are in place.
+    /// Executes a function whose arguments are in memory.
     fn body(&mut self, frame: Frame<'m, 'r>) -> Result<Flow, Stop> {
         let Some(kernel) = &frame.function.kernel else {
             return self.block(frame, &frame.function.body);
@@ -297,7 +297,7 @@ impl<'m, 'r> Run<'m, 'r> {
         self.within(frame, index, word, len)
     }
 
-    /// The index that `word` is, if it is below `len`.
+    /// Returns the index in `word`, or a fault unless it is below `len`.
     fn within(
         &self,
         frame: Frame<'m, 'r>,
@@ -371,7 +371,7 @@ impl<'m, 'r> Run<'m, 'r> {
         }
     }
 
-    /// Evaluates an expression of any type into the words from `out` on.
+    /// Evaluates an expression of any type, and writes its words from the address `out` on.
     fn value(&mut self, frame: Frame<'m, 'r>, expr: &'m Expr, out: usize) -> Result<(), Stop> {
         match &expr.kind {
             ExprKind::Load(place) => {

@@ -1,20 +1,20 @@
-//! Operations on one-word values, each exactly as Rust (or the DSL, where Rust leaves it open) has it.
+//! Operations on one-word values, exactly as in Rust (or in the DSL, where Rust leaves bits open).
 //!
-//! Invariants: operands are canonical words of their types, and so are results; a float operation
-//! rounds once, in its own type; no operation is fused with another.
+//! Invariants: operands and results are canonical words of their types; a float operation rounds once, in its own
+//! type; no operations are fused.
 //!
-//! Absent: control flow, memory, places in the source. A fault is returned bare.
+//! Must not know: control flow, memory, spans. A fault is returned without its place.
 
 use bessemer_ir::{BinaryOp, CompareOp, Fault, Float, Int, Intrinsic, Scalar, Type, UnaryOp};
 
-/// The word of `value`, reduced to the width of `int`.
+/// Returns the word of `value`, reduced to the width of `int`.
 fn wrap(int: Int, value: i128) -> u64 {
     let unused = 64 - int.bits();
     let high = (value as u64) << unused;
     if int.signed() { ((high as i64) >> unused) as u64 } else { high >> unused }
 }
 
-/// The word of `value`, unless it is out of range.
+/// Returns the word of `value`, or an overflow fault.
 fn checked(int: Int, value: Option<i128>) -> Result<u64, Fault> {
     match value {
         Some(value) if int.min() <= value && value <= int.max() => Ok(value as u64),
@@ -43,7 +43,7 @@ pub(super) fn unary(op: UnaryOp, ty: &Type, word: u64) -> Result<u64, Fault> {
     }
 }
 
-/// `right_type` matters for shifts only, where it may differ from `ty`.
+/// Computes a binary operation on operands of type `ty`; only the right operand of a shift may have another type.
 pub(super) fn binary(
     op: BinaryOp,
     ty: &Type,
@@ -82,7 +82,7 @@ where
     }
 }
 
-/// Canonical words in, a canonical word out: bits beyond the width behave as the sign does.
+/// Computes a bit operation on canonical words; bits beyond the width equal the sign bit, so the result is canonical.
 fn bitwise(op: BinaryOp, left: u64, right: u64) -> u64 {
     match op {
         BinaryOp::And => left & right,
@@ -139,7 +139,7 @@ fn ordered<T: PartialOrd>(op: CompareOp, left: T, right: T) -> bool {
     }
 }
 
-/// Rust's `as`.
+/// Converts as Rust's `as` does.
 pub(super) fn cast(from: &Type, to: &Type, word: u64) -> u64 {
     let Type::Scalar(to) = to else { unreachable!("validated: `as` gives a scalar") };
     match from {
@@ -151,7 +151,7 @@ pub(super) fn cast(from: &Type, to: &Type, word: u64) -> u64 {
     }
 }
 
-/// A whole number as `to`, as `as` brings it there.
+/// Converts an integer to type `to`, as Rust's `as` does.
 pub(super) fn cast_number(value: i128, to: &Type) -> u64 {
     let Type::Scalar(to) = to else { unreachable!("validated: `as` gives a scalar") };
     cast_int(value, *to)
@@ -176,7 +176,7 @@ fn cast_int(value: i128, to: Scalar) -> u64 {
     }
 }
 
-/// `ty` is the type of the first operand.
+/// Computes an intrinsic; `ty` is the type of its first operand.
 pub(super) fn intrinsic(function: Intrinsic, ty: &Type, operands: &[u64]) -> Result<u64, Fault> {
     let at = |index: usize| operands[index];
     match ty {
@@ -281,13 +281,13 @@ fn saturated(int: Int, value: i128) -> u64 {
     value.clamp(int.min(), int.max()) as u64
 }
 
-/// The operand that is not NaN, the smaller, or of two zeros the negative one.
+/// Returns the smaller operand. A NaN is ignored, and −0 is smaller than 0.
 #[allow(clippy::eq_op, reason = "only NaN differs from itself")]
 fn smaller<F: PartialOrd + Copy>(a: F, b: F, negative: impl Fn(F) -> bool) -> F {
     if a != a || b < a || (a == b && negative(b)) { b } else { a }
 }
 
-/// The operand that is not NaN, the larger, or of two zeros the positive one.
+/// Returns the larger operand. A NaN is ignored, and 0 is larger than −0.
 #[allow(clippy::eq_op, reason = "only NaN differs from itself")]
 fn larger<F: PartialOrd + Copy>(a: F, b: F, negative: impl Fn(F) -> bool) -> F {
     if a != a || b > a || (a == b && !negative(b)) { b } else { a }

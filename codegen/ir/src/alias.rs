@@ -1,8 +1,8 @@
-//! Overlap of the borrows that a call passes.
+//! Overlap of the borrows in a call.
 //!
-//! Distinct parameters never refer to the same memory (this check, in every caller, sees to that), so
-//! places overlap only under one root. Of one array, two slices do not of which one begins where the other ends, or behind
-//! that: as many elements are lent as the argument behind a slice says.
+//! Distinct parameters never refer to the same memory, since every caller is checked here. So places can overlap only
+//! if they have the same root. Two slices of one array do not overlap if one begins at or after the end of the other;
+//! the argument after a slice is its length.
 
 use alloc::vec::Vec;
 
@@ -10,7 +10,7 @@ use crate::{Argument, BinaryOp, Expr, ExprKind, Place, Step, Type};
 
 use crate::effects::{self, overlap, same_place};
 
-/// The index of each argument that conflicts with an earlier one.
+/// Returns the index of each argument that conflicts with an earlier one.
 pub fn conflicts(arguments: &[Argument]) -> Vec<usize> {
     let mut held: Vec<(Lent, bool)> = Vec::new();
     let mut conflicts = Vec::new();
@@ -45,14 +45,14 @@ pub fn conflicts(arguments: &[Argument]) -> Vec<usize> {
     conflicts
 }
 
-/// Place that an argument borrows, and the next argument: the length of a slice.
+/// Place that an argument borrows, and the next argument, which is the length if the place is a slice.
 struct Lent<'a> {
     place: &'a Place,
     length: Option<&'a Expr>,
 }
 
 impl<'a> Lent<'a> {
-    /// The array, the first element, none if it is that of the array, and how many there are; none of what is no slice.
+    /// Returns the array of a slice, its first index (none for 0), and its length; none if the place is no slice.
     fn slice(&self) -> Option<(Place, Option<&'a Expr>, &'a Expr)> {
         let Type::Slice(_) = self.place.ty else { return None };
         let (mut base, length) = (self.place.clone(), self.length?);
@@ -78,7 +78,7 @@ fn apart(one: &Lent, other: &Lent) -> bool {
         && (ends_before(from, length, other_from) || ends_before(other_from, other_length, from))
 }
 
-/// Returns true if `from + length` is no more than the beginning of another slice.
+/// Returns true if `from + length` is at most the first index of another slice.
 fn ends_before(from: Option<&Expr>, length: &Expr, begin: Option<&Expr>) -> bool {
     let mut between = Sum::default();
     begin.into_iter().for_each(|it| between.add(it, 1));
@@ -87,8 +87,8 @@ fn ends_before(from: Option<&Expr>, length: &Expr, begin: Option<&Expr>) -> bool
     between.number >= 0 && between.terms.iter().all(|(_, times)| *times >= 0)
 }
 
-/// A number, and what is added to it or taken from it, each so many times. Lengths and indices are no less than zero, and
-/// none of the sums that are computed overflows, which would be a fault before the call.
+/// A constant plus integer multiples of expressions. Lengths and indices are at least zero, and the computed sums do
+/// not overflow, which would be a fault before the call.
 #[derive(Default)]
 struct Sum<'a> {
     number: i128,
@@ -115,7 +115,7 @@ impl<'a> Sum<'a> {
     }
 }
 
-/// Returns true if two expressions are written identically, wherever they are.
+/// Returns true if two expressions are equal except for their spans.
 fn alike(one: &Expr, other: &Expr) -> bool {
     match (&one.kind, &other.kind) {
         (ExprKind::Literal(one), ExprKind::Literal(other)) => one == other,

@@ -1,8 +1,7 @@
-//! Expressions and places made of their parts: types follow from the operands, and an expression stands where its
-//! first operand does.
+//! Constructors of expressions, places and statements. The type of an expression follows from its operands, and its
+//! span is the first operand's.
 //!
-//! Nothing is folded or reordered. Whether the operands are of the types that an operation takes is the validator's to
-//! say.
+//! Nothing is folded or reordered. The validator checks the types of the operands.
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -13,58 +12,58 @@ use crate::ir::{
 };
 
 impl Expr {
-    /// A word of a type.
+    /// Returns a literal word of a type.
     pub fn literal(word: u64, ty: Type, span: Span) -> Expr {
         Expr { kind: ExprKind::Literal(word), ty, span }
     }
 
-    /// A word of the type of another expression, where that one stands.
+    /// Returns a literal with the type and the span of another expression.
     pub fn literal_like(word: u64, like: &Expr) -> Expr {
         Expr::literal(word, like.ty.clone(), like.span)
     }
 
-    /// A `usize`.
+    /// Returns a `usize` literal.
     pub fn usize(value: u64, span: Span) -> Expr {
         Expr::literal(value, Type::USIZE, span)
     }
 
-    /// `true` or `false`.
+    /// Returns `true` or `false`.
     pub fn bool(value: bool, span: Span) -> Expr {
         Expr::literal(value.into(), Type::BOOL, span)
     }
 
-    /// The value of a local.
+    /// Returns the value of a local.
     pub fn local(local: LocalId, ty: &Type, span: Span) -> Expr {
         Place::local(local, ty.clone(), span).load()
     }
 
-    /// `-x`, `!x`.
+    /// Returns `-x` or `!x`.
     pub fn unary(op: UnaryOp, operand: Expr) -> Expr {
         let (ty, span) = (operand.ty.clone(), operand.span);
         Expr { kind: ExprKind::Unary(op, Box::new(operand)), ty, span }
     }
 
-    /// `a + b` and the like: of the left operand's type.
+    /// Returns `a + b` and the like, with the left operand's type.
     pub fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
         let (ty, span) = (left.ty.clone(), left.span);
         Expr { kind: ExprKind::Binary(op, Box::new(left), Box::new(right)), ty, span }
     }
 
-    /// `a < b` and the like.
+    /// Returns `a < b` and the like.
     pub fn compare(op: CompareOp, left: Expr, right: Expr) -> Expr {
         let span = left.span;
         let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
         Expr { kind, ty: Type::BOOL, span }
     }
 
-    /// `a && b`, `a || b`.
+    /// Returns `a && b` or `a || b`.
     pub fn logic(op: LogicOp, left: Expr, right: Expr) -> Expr {
         let span = left.span;
         let kind = ExprKind::Logic(op, Box::new(left), Box::new(right));
         Expr { kind, ty: Type::BOOL, span }
     }
 
-    /// An intrinsic, of the type that it gives for its first operand.
+    /// Returns an intrinsic, with the type that its first operand determines.
     pub fn intrinsic(op: Intrinsic, operands: Vec<Expr>) -> Expr {
         let first = operands.first();
         let span = first.map_or_else(Span::default, |first| first.span);
@@ -76,7 +75,7 @@ impl Expr {
         Expr { kind: ExprKind::Intrinsic(op, operands), ty, span }
     }
 
-    /// `self as ty`; the value itself where it is of that type.
+    /// Returns `self as ty`, or the value itself if it has that type.
     #[must_use]
     pub fn cast(self, ty: &Type) -> Expr {
         if self.ty == *ty {
@@ -86,7 +85,8 @@ impl Expr {
         Expr { kind: ExprKind::Cast(Box::new(self)), ty: ty.clone(), span }
     }
 
-    /// The opposite of a condition; a comparison turned round, unless a NaN could tell.
+    /// Returns the negation of a condition. A comparison is inverted, unless its operands are floats, which may be
+    /// NaN.
     #[must_use]
     pub fn negated(self) -> Expr {
         let Expr { kind, ty, span } = self;
@@ -113,12 +113,12 @@ impl Expr {
 }
 
 impl Place {
-    /// The whole of a local.
+    /// Returns the place of a whole local.
     pub fn local(root: LocalId, ty: Type, span: Span) -> Place {
         Place { root, steps: Vec::new(), ty, span }
     }
 
-    /// The part behind one more step.
+    /// Returns the place after one more step.
     #[must_use]
     pub fn inside(&self, step: Step, ty: Type) -> Place {
         let mut inner = self.clone();
@@ -127,31 +127,31 @@ impl Place {
         inner
     }
 
-    /// The value that is there.
+    /// Returns the value at the place.
     pub fn load(&self) -> Expr {
         Expr { kind: ExprKind::Load(self.clone()), ty: self.ty.clone(), span: self.span }
     }
 }
 
 impl Stmt {
-    /// A statement without comments.
+    /// Returns a statement without comments.
     pub fn new(kind: StmtKind, span: Span) -> Stmt {
         Stmt { kind, span, comments: Vec::new() }
     }
 }
 
 impl StmtKind {
-    /// `if condition { then }`.
+    /// Returns `if condition { then }`.
     pub fn if_then(condition: Expr, then: Block) -> StmtKind {
         StmtKind::If { condition, then, otherwise: Block::default() }
     }
 
-    /// `for variable in from..to`.
+    /// Returns `for variable in from..to`.
     pub fn for_range(variable: LocalId, from: Expr, to: Expr, body: Block) -> StmtKind {
         StmtKind::for_way(variable, [from, to], (false, false), body)
     }
 
-    /// Builds a `for` statement: `inclusive` of the end or not, and from the last on if it is `reversed`.
+    /// Returns a `for` statement. With `inclusive` it includes the end; with `reversed` it counts down.
     pub fn for_way(
         variable: LocalId,
         [from, to]: [Expr; 2],
@@ -162,14 +162,14 @@ impl StmtKind {
         StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body }
     }
 
-    /// `for variable in 0..to`.
+    /// Returns `for variable in 0..to`.
     pub fn for_below(variable: LocalId, to: Expr, body: Block) -> StmtKind {
         StmtKind::for_range(variable, Expr::literal_like(0, &to), to, body)
     }
 }
 
 impl Block {
-    /// One statement.
+    /// Returns a block with one statement.
     pub fn of(kind: StmtKind, span: Span) -> Block {
         Block(alloc::vec![Stmt::new(kind, span)])
     }

@@ -1,10 +1,10 @@
-//! The meaning of a value's words, and which of them have none.
+//! Canonical words of a value: words without a meaning are zero.
 
 use crate::ir::{Form, Module, Struct, Type};
 
 impl Module {
-    /// Sets the words of a value of type `ty` that mean nothing to zero, and returns the words behind the value. They
-    /// are the fields that a [`Choice`](Form::Choice) did not choose, and those behind the end of a
+    /// Sets the meaningless words of a value of type `ty` to zero, and returns the words after the value. Meaningless
+    /// are the fields that a [`Choice`](Form::Choice) does not select, and the elements after the end of a
     /// [`Sequence`](Form::Sequence).
     pub fn canonical<'w>(&self, ty: &Type, words: &'w mut [u64]) -> &'w mut [u64] {
         match ty {

@@ -1,4 +1,4 @@
-//! Types that an author defines: structs, which of their fields hold a value, and enums.
+//! Structs and enums that authors define, and the rule for the fields of a struct that hold a value.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -9,21 +9,21 @@ use crate::ir::{Span, Type};
 /// Plain data, or the state of a component.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Struct {
-    /// The author's name, `Pid`.
+    /// Author's name, such as `Pid`.
     pub name: String,
-    /// The Rust module, `models::attitude`.
+    /// Rust module, such as `models::attitude`.
     pub module: String,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
     /// Fields, in the author's order.
     pub fields: Vec<Field>,
-    /// Fields that hold a value, by condition.
+    /// Rule for the fields that hold a value.
     pub form: Form,
-    /// For a component: its initial state as words, in the order of [`Module::leaves`].
+    /// For a component: words of its initial state, in the order of [`Module::leaves`].
     pub initial: Option<Vec<u64>>,
-    /// For plain data whose author writes its `Default` out: that as words, in the same order.
+    /// For plain data with an author's `Default`: its words, in the same order.
     pub defaults: Option<Vec<u64>>,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     pub given: Given,
     /// Span of the name.
     pub span: Span,
@@ -32,45 +32,45 @@ pub struct Struct {
 /// Rule for the fields of a [`Struct`] that hold a value.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Form {
-    /// Each of them.
+    /// All fields hold a value.
     #[default]
     Record,
-    /// The first field, a `bool` or an enum, says by its word which of the others holds one. Only that one
-    /// is read; a literal of the struct gives the first field as a literal.
+    /// The first field, a `bool` or an enum, selects by its word which of the others holds a value. Only that one is
+    /// read; a literal of the struct has a literal first field.
     Choice(Vec<Option<u32>>),
-    /// The first field, a `usize`, says how many elements of the second, an array, hold one.
+    /// The first field, a `usize`, is the number of elements of the second, an array, that hold a value.
     Sequence,
-    /// Memory that is lent to a call: what its fields hold before it means nothing.
+    /// Memory for a call; before it, the fields have no meaning.
     Lent,
-    /// Fields as above of which at most one is in use at a time; no word says which.
+    /// Fields of memory for calls, of which at most one is in use at a time; no word records which.
     Shared,
 }
 
 /// A field of a [`Struct`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
-    /// The author's name.
+    /// Author's name.
     pub name: String,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
     /// Its type.
     pub ty: Type,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     pub given: Given,
 }
 
 /// An enum without payload.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enum {
-    /// The author's name.
+    /// Author's name.
     pub name: String,
-    /// The Rust module.
+    /// Rust module.
     pub module: String,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
     /// Variants, in the author's order.
     pub variants: Vec<Variant>,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     pub given: Given,
     /// Span of the name.
     pub span: Span,
@@ -79,19 +79,19 @@ pub struct Enum {
 /// A variant of an [`Enum`]; its word is its index.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variant {
-    /// The author's name.
+    /// Author's name.
     pub name: String,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// Its number (`mode as u8`), and its value in the C: its index, unless the author says otherwise.
+    /// Number of the variant (`mode as u8`), also in the C: the author's, or else its index.
     pub value: i32,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     pub given: Given,
 }
 
 impl Struct {
-    /// The fields of which one at most holds a value, if they can share their memory: those of an enum
-    /// with at least two payloads.
+    /// Returns true if fields can share memory, since at most one holds a value: the payloads of an enum with at
+    /// least two.
     pub fn overlaid(&self) -> bool {
         let tagged = matches!(self.fields.first(), Some(Field { ty: Type::Enum(_), .. }));
         matches!(self.form, Form::Choice(_)) && tagged && self.fields.len() > 2

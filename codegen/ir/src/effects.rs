@@ -1,9 +1,9 @@
-//! Finds what expressions read and statements write, and which places may be the same memory.
+//! Computes the places that expressions read and statements write, and which places may overlap.
 //!
-//! Two different locals never share memory: references are exclusive, as in Rust. The validator holds every call to
-//! that, and asks here itself.
+//! Two different locals never share memory: references are exclusive, as in Rust. The validator checks this for every
+//! call, by functions of this module.
 //!
-//! Invariant: each answer errs on the side of an effect. Must not know: who asks, and what follows from the answer.
+//! Invariant: in doubt, there is an effect. Must not know: the callers and their conclusions.
 
 use alloc::vec::Vec;
 
@@ -15,7 +15,7 @@ pub fn overlap(a: &Place, b: &Place) -> bool {
     a.root == b.root && !a.steps.iter().zip(&b.steps).any(|(a, b)| parts(a, b))
 }
 
-/// Returns true if two steps out of one place surely lead to different parts.
+/// Returns true if two steps from one place certainly lead to different parts.
 fn parts(a: &Step, b: &Step) -> bool {
     match (a, b) {
         (Step::Field(a), Step::Field(b)) => a != b,
@@ -38,7 +38,7 @@ fn differ(a: &Expr, b: &Expr) -> bool {
     }
 }
 
-/// Returns true if two places are written identically, wherever they are.
+/// Returns true if two places are equal except for their spans.
 pub fn same_place(one: &Place, other: &Place) -> bool {
     let steps = || one.steps.iter().zip(&other.steps);
     one.root == other.root
@@ -64,7 +64,7 @@ fn same_index(one: &Expr, other: &Expr) -> bool {
     }
 }
 
-/// The whole of a local, as something that is written.
+/// Returns a whole local as a written place.
 pub fn whole(local: LocalId) -> Place {
     Place::local(local, Type::Unit, Span::default())
 }
@@ -99,7 +99,7 @@ pub fn moves(place: &Place, written: &[Place]) -> bool {
     place.any_place(|place, _| written.iter().any(|written| overlap(place, written)))
 }
 
-/// All that `stmts` may write, the locals they declare among it.
+/// Returns the places that `stmts` may write, including the locals that they declare.
 pub fn writes<'a>(stmts: impl IntoIterator<Item = &'a Stmt>) -> Vec<Place> {
     let mut writes = Writes::default();
     stmts.into_iter().for_each(|stmt| writes.stmt(stmt));
@@ -127,7 +127,7 @@ impl Visit for Writes {
     }
 }
 
-/// All that the calls in an expression, or in the indices of a place, may write.
+/// Returns the places that the calls in an expression, or in the indices of a place, may write.
 pub fn lent(node: &impl Walk) -> Vec<Place> {
     let mut lent = Vec::new();
     node.each_place(|place, access| {
@@ -138,7 +138,7 @@ pub fn lent(node: &impl Walk) -> Vec<Place> {
     lent
 }
 
-/// All that the calls in an index may write.
+/// Returns the places that the calls in an index may write.
 pub fn lent_by_step(step: &Step) -> Vec<Place> {
     step.indices().flat_map(lent).collect()
 }

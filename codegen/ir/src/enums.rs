@@ -1,18 +1,18 @@
-//! The numbers of an enum's variants: what `mode as u8` gives, and what the C writes behind `=`.
+//! Numbers of an enum's variants: the value of `mode as u8`, and the number after `=` in the C.
 //!
-//! A variant's word is its index, whatever its number; between the two this module translates.
+//! The word of a variant is its index, whatever its number is; this module converts between them.
 
 use core::ops::RangeInclusive;
 
 use crate::ir::Enum;
 
 impl Enum {
-    /// The number of a variant, by its word.
+    /// Returns the number of a variant, by its word.
     pub fn value(&self, word: u64) -> Option<i32> {
         usize::try_from(word).ok().and_then(|at| self.variants.get(at)).map(|it| it.value)
     }
 
-    /// The least and the greatest number among the variants of some words.
+    /// Returns the least and the greatest number of the variants in a range of words.
     pub fn values(&self, words: RangeInclusive<usize>) -> Option<(i32, i32)> {
         let numbers = self.variants.get(words)?.iter().map(|variant| variant.value);
         Some((numbers.clone().min()?, numbers.max()?))

@@ -1,11 +1,12 @@
-//! The IR: a module of types, constants and functions, all typed.
+//! The IR: a module of typed types, constants and functions.
 //!
-//! * Types and functions are handles into the module's tables; a definition refers to earlier ones alone: no recursion.
-//! * Control flow is statements; a value that depends on control flow is a local that the statements
-//!   assign. Expressions have no effect, save that calls may write through `RefMut` arguments.
-//! * Operations mean what Rust means: integers, indices and shifts are checked, floats round once to nearest.
+//! * Types and functions are handles into the module's tables; a definition refers only to earlier ones, so there is
+//!   no recursion.
+//! * Control flow consists of statements; a value that depends on it is a local that the statements assign.
+//!   Expressions have no effect, except that calls may write through `RefMut` arguments.
+//! * Operations have Rust's meaning: integers, indices and shifts are checked, floats round once to nearest.
 //! * Evaluation is left to right, operands before the operation.
-//! * Every node carries its [`Span`]. Spans never influence the emitted C.
+//! * Every node has its [`Span`]. Spans never influence the emitted C.
 
 use alloc::boxed::Box;
 use alloc::collections::{BTreeMap, BTreeSet};
@@ -26,7 +27,7 @@ macro_rules! handles {
         pub struct $name(pub u32);
 
         impl $name {
-            /// The handle as an index into its table.
+            /// Returns the handle as an index into its table.
             pub const fn index(self) -> usize {
                 self.0 as usize
             }
@@ -47,8 +48,7 @@ handles! {
     LocalId,
 }
 
-/// Position of a node in the author's source. Lines and columns count from 1; line 0 means no position. Lines and
-/// columns count from 1; line 0: nowhere.
+/// Position of a node in the author's source. Lines and columns count from 1; line 0 means no position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
     /// Index into [`Module::files`].
@@ -76,32 +76,32 @@ pub struct Module {
     pub consts: Vec<Const>,
     /// Functions; callees before callers.
     pub functions: Vec<Function>,
-    /// The literals that authors write in base sixteen, or in base two, which C has no form for: where each stands, and its
-    /// word. It is how they look, and no part of what they are.
+    /// Literals that authors write in hexadecimal or binary (which C99 lacks): span and word. They affect only the
+    /// appearance of the C.
     pub hexadecimal: BTreeSet<(Span, u64)>,
 }
 
 /// A constant that rustc evaluated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Const {
-    /// The author's name, `GRAVITY`.
+    /// Author's name, such as `GRAVITY`.
     pub name: String,
-    /// The Rust module that it is in if the DSL sees it, else that of its first use.
+    /// Rust module of its definition if the DSL sees it, else of its first use.
     pub module: String,
     /// Its type.
     pub ty: Type,
-    /// Its value as words, in the order of [`Module::leaves`].
+    /// Words of its value, in the order of [`Module::leaves`].
     pub words: Vec<u64>,
-    /// The author's doc comment, a line each, of one that the DSL sees.
+    /// Author's doc comment, one entry per line, if the DSL sees it.
     pub docs: Vec<String>,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     pub given: Given,
     /// Span of the name, if the DSL sees it.
     pub span: Span,
 }
 
 impl Const {
-    /// Its name with its module before it, as [`Given::sizes`] has it.
+    /// Returns its module and name as a path, in the form of [`Given::sizes`].
     pub fn path(&self) -> String {
         alloc::format!("{}::{}", self.module, self.name)
     }
@@ -114,7 +114,7 @@ pub enum Type {
     Unit,
     /// One word.
     Scalar(Scalar),
-    /// `[element; len]`.
+    /// An array, `[element; len]`.
     Array {
         /// The type of each element.
         element: Box<Type>,
@@ -134,37 +134,37 @@ pub enum Type {
     Struct(StructId),
     /// An enum.
     Enum(EnumId),
-    /// `[element]`: as many as the local behind the parameter says, which is a `usize` by value. Of
-    /// parameters of mode `Ref` and `RefMut` alone, and of what is passed to them.
+    /// A slice, `[element]`. Its length is the next parameter, a `usize` by value. Only parameters of mode `Ref` and
+    /// `RefMut` and their arguments have this type.
     Slice(Box<Type>),
 }
 
 /// A function, a method or an entry point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Function {
-    /// The author's name, `step`.
+    /// Author's name, such as `step`.
     pub name: String,
-    /// The Rust module, `models::attitude`.
+    /// Rust module, such as `models::attitude`.
     pub module: String,
-    /// The type whose method or associated function it is.
+    /// Type of which it is a method or an associated function.
     pub owner: Option<Owner>,
     /// Its role for its callers.
     pub role: Role,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     pub attributes: Attributes,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// Every local; the first [`Function::params`] of them are the parameters.
+    /// All locals; the first [`Function::params`] of them are the parameters.
     pub locals: Vec<Local>,
     /// Number of locals that are parameters.
     pub params: u32,
-    /// The type of the result; never a reference.
+    /// Type of the result; never a reference.
     pub result: Type,
-    /// The name to give to the result where C needs one (an output pointer).
+    /// Name of the result where the C needs one (an output pointer).
     pub result_name: String,
-    /// Its statements. Every path ends in `Return` unless the result is `Unit`.
+    /// Statements. Every path ends in `Return` unless the result is `Unit`.
     pub body: Block,
-    /// For a function without a body of its own: what it computes (see [`Kernel::function`]).
+    /// Kernel that the function computes, if it has no body (see [`Kernel::function`]).
     pub kernel: Option<Kernel>,
     /// Span of the name.
     pub span: Span,
@@ -181,18 +181,18 @@ pub enum Owner {
 /// The role of a function for its callers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// Called by the firmware; the author's claim that no fault is left, if any.
+    /// Called by the firmware.
     Entry {
-        /// Generation has to prove that no fault is left.
+        /// True if the author declares that it cannot fault; generation must prove it.
         infallible: bool,
     },
     /// Called by other modules: a free function, or a method of plain data.
     Public,
-    /// Called only beside its definition: a component's own method, or what is not `pub`.
+    /// Called only in its own file: a component's method, or an item that is not `pub`.
     Private,
-    /// Small enough to stand where it is called.
+    /// Small enough to be inlined.
     Inline {
-        /// Other modules may call it.
+        /// True if other modules may call it.
         public: bool,
     },
 }
@@ -200,7 +200,7 @@ pub enum Role {
 /// A parameter or a variable. Names need not be unique; handles are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Local {
-    /// The author's name (or one made for a value that the author left unnamed).
+    /// Author's name, or a generated one for an unnamed value.
     pub name: String,
     /// The type of the value, of the pointee for a reference.
     pub ty: Type,
@@ -221,7 +221,7 @@ pub enum Mode {
     RefMut,
 }
 
-/// Statements in sequence; locals declared in it end with it.
+/// Statements in sequence; the scope of the locals that it declares.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block(pub Vec<Stmt>);
 
@@ -232,14 +232,15 @@ pub struct Stmt {
     pub kind: StmtKind,
     /// Span of the start.
     pub span: Span,
-    /// The author's `//` comment lines right above it, without the slashes.
+    /// Author's `//` comment lines directly above it, without the slashes.
     pub comments: Vec<String>,
 }
 
 /// The kinds of statements.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StmtKind {
-    /// Declares a local, with its first value unless later ones assign it; of mode `RefMut`: a name for that place.
+    /// Declares a local, with its first value unless a later statement assigns it. With mode `RefMut` the local is an
+    /// alias of the place.
     Let {
         /// The local.
         local: LocalId,
@@ -253,53 +254,54 @@ pub enum StmtKind {
         /// Value that is written.
         value: Expr,
     },
-    /// Calls for effect, or any expression whose value is not wanted.
+    /// An expression whose value is unused, such as a call for its effect.
     Expr(Expr),
     /// `if`.
     If {
-        /// A `bool`.
+        /// Condition, a `bool`.
         condition: Expr,
-        /// When true.
+        /// Statements if it is true.
         then: Block,
-        /// When false.
+        /// Statements if it is false.
         otherwise: Block,
     },
-    /// `match` on an integer or an enum; some arm always matches.
+    /// A `match` on an integer or an enum; some arm always matches.
     Match {
         /// An integer or an enum.
         scrutinee: Expr,
-        /// In order; values of different arms are distinct.
+        /// Arms in order; their values are distinct.
         arms: Vec<Arm>,
-        /// Everything else. Always present for integers; absent for an enum whose arms name all.
+        /// Statements for all other values. Always present for integers; absent for an enum whose arms name all
+        /// variants.
         otherwise: Option<Block>,
     },
-    /// `for variable in from..to`, or `from..=to`; the bounds are evaluated once, before.
+    /// `for variable in from..to`, or `from..=to`; the bounds are evaluated once, before the loop.
     For {
-        /// The local that counts, declared here, an integer, not assigned by the body.
+        /// Counter, an integer that is declared here and that the body does not assign.
         variable: LocalId,
-        /// The first value.
+        /// First value.
         from: Expr,
-        /// The last value, plus one unless `inclusive`.
+        /// Last value, plus one unless `inclusive`.
         to: Expr,
-        /// True if the end itself is included.
+        /// True if the range includes `to`.
         inclusive: bool,
-        /// Counts down from the last to the first (`.rev()`).
+        /// True if it counts from the last value to the first (`.rev()`).
         reversed: bool,
-        /// Number of passes that compilers are asked to unroll; 1 keeps the loop.
+        /// Unroll factor for compilers; 1 means no unrolling.
         unroll: Option<u32>,
-        /// True if the body itself ends the loop within the range, so that no counter is needed. An example is a
-        /// `while` of the author's whose passes are bounded by what it counts. The first pass begins even if the range
-        /// is empty, and evaluates the condition.
+        /// True if the body itself ends the loop within the range, so that no counter is needed. An example is an
+        /// author's `while` with a proved bound. The first pass begins even if the range is empty, and tests the
+        /// condition.
         ended: bool,
         /// The body.
         body: Block,
     },
-    /// Ends the function with `fault` unless `condition` holds. Written by the pass that makes faults
-    /// explicit; after it no operation faults by itself.
+    /// Ends the function with `fault` unless `condition` holds. The passes insert checks; afterwards no operation
+    /// faults by itself.
     Check {
-        /// A `bool` that cannot fault.
+        /// Condition, a `bool` that cannot fault.
         condition: Expr,
-        /// The fault to report.
+        /// Reported fault.
         fault: Fault,
     },
     /// Ends the function.
@@ -310,30 +312,30 @@ pub enum StmtKind {
     Continue,
 }
 
-/// Why a function could not go on: where Rust would panic.
+/// Faults: reasons for which Rust would panic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Fault {
-    /// Integer arithmetic left its type.
+    /// The result of integer arithmetic is out of range.
     Overflow,
-    /// An integer was divided by zero.
+    /// Integer division by zero.
     DivisionByZero,
-    /// A shift by the width or more.
+    /// Shift by at least the width.
     Shift,
-    /// An index beyond the end.
+    /// Index out of range.
     Index,
-    /// `clamp` with bounds that are not `low <= high`.
+    /// `clamp` without `low <= high`.
     Clamp,
-    /// An enum that holds none of its variants (a caller broke the precondition).
+    /// An enum holds no valid variant, since a caller violated the precondition.
     Variant,
-    /// An assertion of the author's.
+    /// A failed assertion of the author's.
     Assertion,
-    /// A loop that would run more often than its bound says.
+    /// A loop would exceed its declared bound.
     Bound,
-    /// `unwrap` of what holds no value.
+    /// `unwrap` of `None` or `Err`.
     Absent,
-    /// A bounded container that is full.
+    /// A bounded container is full.
     Capacity,
-    /// A proved condition does not hold: a mistake of the compiler's, told by a check that is left out otherwise.
+    /// A proved condition does not hold: a bug of the compiler, which only checks that are kept for tests can report.
     LeftOut,
 }
 
@@ -349,7 +351,7 @@ pub struct Arm {
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// Its computation.
+    /// Kind of the expression.
     pub kind: ExprKind,
     /// The type of its value.
     pub ty: Type,
@@ -366,25 +368,26 @@ pub enum ExprKind {
     Const(ConstId),
     /// The value at a place.
     Load(Place),
-    /// One operand, a scalar, result of the same type.
+    /// An operation on one scalar, with a result of the same type.
     Unary(UnaryOp, Box<Expr>),
-    /// Two scalars of one type (a shift's right side may be any integer), result of the left's type.
+    /// An operation on two scalars of one type (the right side of a shift may be any integer), with a result of the
+    /// left's type.
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
-    /// Two scalars or enums of one type, result `bool`.
+    /// A comparison of two scalars or enums of one type, with a `bool` result.
     Compare(CompareOp, Box<Expr>, Box<Expr>),
-    /// Short-circuit; `bool`s.
+    /// A short-circuit operation on `bool`s.
     Logic(LogicOp, Box<Expr>, Box<Expr>),
     /// Rust's `as`: from a scalar or enum to the scalar that is the node's type.
     Cast(Box<Expr>),
-    /// A function of scalars that the DSL defines; operands and result of one scalar type.
+    /// An intrinsic function of scalars, defined by the DSL.
     Intrinsic(Intrinsic, Vec<Expr>),
     /// A call.
     Call(FunctionId, Vec<Argument>),
-    /// A struct, its fields in the order of the definition.
+    /// A struct; fields are in the order of the definition.
     Struct(Vec<Expr>),
     /// An array of these elements.
     Array(Vec<Expr>),
-    /// An array or matrix with this value everywhere.
+    /// An array or matrix in which every element has this value.
     Splat(Box<Expr>),
     /// A matrix of these elements, by columns.
     Matrix(Vec<Expr>),
@@ -397,7 +400,7 @@ pub enum ExprKind {
 pub enum Argument {
     /// To a parameter of mode `Value`.
     Value(Expr),
-    /// To a parameter of mode `Ref`: any value; a place is not copied.
+    /// To a parameter of mode `Ref`: any value; a place is passed without a copy.
     Ref(Expr),
     /// To a parameter of mode `RefMut`.
     RefMut(Place),
@@ -408,9 +411,9 @@ pub enum Argument {
 pub struct Place {
     /// A parameter or variable.
     pub root: LocalId,
-    /// Steps inward.
+    /// Steps into the local.
     pub steps: Vec<Step>,
-    /// The type of what is there.
+    /// Type of the place.
     pub ty: Type,
     /// Span of the place.
     pub span: Span,
@@ -421,23 +424,23 @@ pub struct Place {
 pub enum Step {
     /// A field of a struct, by index.
     Field(u32),
-    /// An element of an array, or of a matrix by columns; the index is of any integer type, checked.
+    /// An element of an array, or of a matrix by columns; the index has any integer type and is checked.
     Index(Expr),
-    /// An element of a matrix by row and column, each checked.
+    /// An element of a matrix; row and column are checked.
     Element(Expr, Expr),
-    /// The elements of an array or a slice from an index on, checked (of a matrix by columns). It is the last step of a
+    /// The elements from a checked index on, of an array, a slice or a matrix by columns. It is the last step of a
     /// slice argument.
     From(Expr),
 }
 
 impl Type {
-    /// `bool`.
+    /// Type `bool`.
     pub const BOOL: Type = Type::Scalar(Scalar::Bool);
-    /// `f64`.
+    /// Type `f64`.
     pub const F64: Type = Type::Scalar(Scalar::Float(Float::F64));
-    /// `f32`.
+    /// Type `f32`.
     pub const F32: Type = Type::Scalar(Scalar::Float(Float::F32));
-    /// `usize`.
+    /// Type `usize`.
     pub const USIZE: Type = Type::Scalar(Scalar::Int(Int::Usize));
 
     /// Returns true if a value is one word: a scalar or an enum.
@@ -455,7 +458,7 @@ impl Type {
         matches!(self, Type::Array { .. } | Type::Matrix { .. } | Type::Slice(_))
     }
 
-    /// The integer type, if it is one.
+    /// Returns the integer type, if it is one.
     pub fn as_int(&self) -> Option<Int> {
         match self {
             Type::Scalar(Scalar::Int(int)) => Some(*int),
@@ -463,7 +466,7 @@ impl Type {
         }
     }
 
-    /// The float type, if it is one.
+    /// Returns the float type, if it is one.
     pub fn as_float(&self) -> Option<Float> {
         match self {
             Type::Scalar(Scalar::Float(float)) => Some(*float),
@@ -508,7 +511,7 @@ impl Module {
         }
     }
 
-    /// The type of the part that a step selects in a value of type `ty`; none if such a value has no such part.
+    /// Returns the type of the part that a step selects in a value of type `ty`; none if there is no such part.
     pub fn step_type(&self, ty: &Type, step: &Step) -> Option<Type> {
         Some(match (step, ty) {
             (Step::Field(field), Type::Struct(id)) => {
@@ -532,7 +535,7 @@ impl Module {
 }
 
 impl Block {
-    /// The condition under which a loop ends, if its body begins with that and nothing else.
+    /// Returns the condition under which a loop ends, if its body begins with a test that only leaves it.
     pub fn head(&self) -> Option<&Expr> {
         let StmtKind::If { condition, then, otherwise } = &self.0.first()?.kind else {
             return None;
@@ -543,12 +546,12 @@ impl Block {
 }
 
 impl Function {
-    /// The parameters.
+    /// Returns the parameters.
     pub fn parameters(&self) -> &[Local] {
         &self.locals[..self.params as usize]
     }
 
-    /// A local by its handle.
+    /// Returns a local by its handle.
     pub fn local(&self, id: LocalId) -> &Local {
         &self.locals[id.index()]
     }

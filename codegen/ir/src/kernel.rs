@@ -1,15 +1,13 @@
-//! Kernels: routines of linear algebra that are functions of their own, one for each routine, element
-//! type and shape.
+//! Kernels: routines of linear algebra that are functions of their own, one for each routine, element type and shape.
 //!
-//! A [`Kernel`] says which; [`Kernel::function`] is the function of the module that represents it:
-//! a face without a body. Whoever runs IR brings its own body: the interpreter plain loops, the C back
-//! end a file for each kernel. Calls of it are calls like any other.
+//! A [`Kernel`] identifies one; [`Kernel::function`] is its function in the module, a signature without a body. Each
+//! executor of IR has its own body: the interpreter plain loops, the C back end a file for each kernel. Calls of it
+//! are ordinary calls.
 //!
-//! Invariants: what a kernel computes follows from its three parts alone, bit for bit, in nalgebra's
-//! order of operations; its name, too. A kernel cannot fault. One that is only ever added keeps the
-//! text of the others.
+//! Invariants: result bits and name follow only from routine, element type and shape, in nalgebra's order of
+//! operations. A kernel cannot fault. A new kernel does not change the text of others.
 //!
-//! Absent: how it is computed; scratch memory, which is the back end's business.
+//! Must not know: how it is computed, and its working memory, which belong to the back end.
 
 use alloc::format;
 use alloc::string::String;
@@ -23,28 +21,29 @@ pub use bessemer_tree::routine::KernelRoutine;
 /// A routine of linear algebra with its element type and its shape.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Kernel {
-    /// Its computation.
+    /// Routine of the kernel.
     pub routine: KernelRoutine,
     /// The type of every element.
     pub element: Float,
-    /// As [`KernelRoutine`] says; each at least 1.
+    /// Dimensions as [`KernelRoutine`] defines them; each at least 1.
     pub dims: Vec<u32>,
 }
 
-/// Up to so many multiplications a product is written out at its place.
+/// Largest number of multiplications for which a product is written out in place.
 pub const WRITTEN_OUT: u32 = 24;
 
-/// Up to so many multiplications a product of the scalar products of columns is.
+/// Largest number of multiplications for which a product of a transpose, whose elements are scalar products of
+/// columns, is written out in place.
 pub const DOTS_WRITTEN_OUT: u32 = 64;
 
 impl Kernel {
-    /// A kernel, if the dimensions are as many as the routine has, none of them 0.
+    /// Returns a kernel, if the number of dimensions is the routine's and none is 0.
     pub fn new(routine: KernelRoutine, element: Float, dims: &[u32]) -> Option<Kernel> {
         let sound = dims.len() == routine.dims() && !dims.contains(&0);
         sound.then(|| Kernel { routine, element, dims: dims.to_vec() })
     }
 
-    /// `lu_solve_f64_6`, `product_f64_6x6_6x3`: the name of its function, and of its file.
+    /// Returns the name of its function and its file, such as `lu_solve_f64_6` or `product_f64_6x6_6x3`.
     pub fn name(&self) -> String {
         let shape = match (self.routine, self.dims.as_slice()) {
             (KernelRoutine::Product, [rows, inner, cols]) => {
@@ -64,8 +63,8 @@ impl Kernel {
         format!("{}_{}_{shape}", self.routine.name(), Scalar::Float(self.element).name())
     }
 
-    /// Returns true if it is a function of its own. Otherwise it is expanded at its call, as a column times a row is,
-    /// which may be part of a loop over elements.
+    /// Returns true if it is a function of its own. Otherwise it is expanded at its call. The product of a column and
+    /// a row always is, since it may be part of a loop over elements.
     pub fn is_function(&self) -> bool {
         let multiplications: u64 = self.dims.iter().map(|dim| u64::from(*dim)).product();
         match (self.routine, self.dims.as_slice()) {
@@ -78,7 +77,7 @@ impl Kernel {
         }
     }
 
-    /// The function that represents it: a face, without a body.
+    /// Returns its function: a signature without a body.
     pub fn function(&self) -> Function {
         let name = self.name();
         let (params, result) = self.face();
@@ -103,7 +102,7 @@ impl Kernel {
         }
     }
 
-    /// Returns the kernel for matrices that are not stored by columns: it takes arrays of their elements.
+    /// Returns its function for matrices that are not stored by columns: it takes arrays of their elements.
     pub fn flat_function(&self) -> Function {
         let mut function = self.function();
         function.result = flat(&function.result);
@@ -163,7 +162,7 @@ impl Kernel {
         }
     }
 
-    /// A description, for the header of the C.
+    /// Returns its description, for the header of the C.
     fn docs(&self) -> Vec<String> {
         let lines: &[&str] = match (self.routine, self.dims.as_slice()) {
             (KernelRoutine::Product, _) => &[
@@ -297,7 +296,8 @@ pub const COFACTORS: [(usize, Products); 16] = {
     table
 };
 
-/// A matrix of several rows and columns as the array of its elements, by columns; any other type as it is.
+/// Returns the array type of a matrix's elements by columns, if it has several rows and columns; any other type
+/// unchanged.
 pub fn flat(ty: &Type) -> Type {
     match ty {
         Type::Matrix { element, rows, cols } if *rows > 1 && *cols > 1 => Type::Array {

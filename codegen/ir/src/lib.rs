@@ -1,12 +1,12 @@
-//! The typed form between the author's tree and C.
+//! Typed form between the author's tree and C.
 //!
-//! * [`ir`]: typed, names resolved, places explicit, control flow as statements. The interpreter and
-//!   the C back end read nothing else. [`text`] prints it and parses it back.
-//! * [`effects`] and [`alias`]: what stages ask of it, what is read and written, and which places may be one; [`used`]
-//!   counts how often they prove by it.
-//! * [`tree`]: the form before it, which the DSL hands on, for whoever reads both.
+//! * [`ir`]: typed, names resolved, places explicit, control flow as statements. The interpreter and the C back end
+//!   read nothing else. [`text`] prints and parses it.
+//! * [`effects`] and [`alias`] compute for all stages which places are read, written and overlapping; [`used`] counts
+//!   the uses of proof rules.
+//! * [`tree`]: the form before it, from the DSL, re-exported for crates that use both.
 //!
-//! Invariants: `no_std`; no nalgebra; nothing here knows Rust's front end or C.
+//! Invariants: `no_std`; no nalgebra; nothing here depends on Rust's front end or C.
 
 #![no_std]
 

@@ -1,17 +1,17 @@
-//! The operators of the IR: of operands of one type each. All other operations are those that the tree names, too.
+//! Operators of the IR, each on operands of one type. The tree and the IR share all other operations.
 //!
-//! Every one is exact: one value for given operands, the same on every target.
+//! Each operator is exact: one value for its operands, equal on every target.
 
 /// Operators of one operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UnaryOp {
-    /// `-x`; on integers a fault for the smallest value.
+    /// `-x`; on integers it faults for the smallest value.
     Neg,
     /// `!x` on `bool` and integers.
     Not,
 }
 
-/// Operators of two operands. On integers: a fault where Rust panics.
+/// Operators of two operands. On integers they fault where Rust panics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 pub enum BinaryOp {
@@ -27,7 +27,7 @@ pub enum BinaryOp {
     Shr,
 }
 
-/// Comparisons; on floats as IEEE 754 has them.
+/// Comparisons; on floats as in IEEE 754.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 pub enum CompareOp {
@@ -48,7 +48,7 @@ pub enum LogicOp {
 }
 
 impl CompareOp {
-    /// The comparison that holds of two integers where this one does not.
+    /// Returns the comparison of two integers that holds if and only if this one does not.
     #[must_use]
     pub const fn opposite(self) -> CompareOp {
         match self {

@@ -1,12 +1,12 @@
-//! Counters of the proofs' rules, which show the coverage of programs.
+//! Counters of the proofs' rules, which show how well programs cover them.
 //!
-//! Counters of the process. Nothing that decides reads them.
+//! The counters are global to the process. No decision depends on them.
 
 use core::sync::atomic::{AtomicU64, Ordering};
 
 macro_rules! rules {
     ($($name:ident: $text:literal,)*) => {
-        /// A rule.
+        /// A rule of a proof.
         #[derive(Clone, Copy)]
         pub enum Rule {
             $(#[doc = $text] $name,)*
@@ -48,7 +48,7 @@ rules! {
 static COUNTS: [AtomicU64; TEXTS.len()] = [const { AtomicU64::new(0) }; TEXTS.len()];
 
 impl Rule {
-    /// It decided something.
+    /// Counts a use of the rule.
     pub fn used(self) {
         COUNTS[self as usize].fetch_add(1, Ordering::Relaxed);
     }
@@ -62,7 +62,7 @@ impl Rule {
     }
 }
 
-/// The rules in words, and how often each decided something in this process.
+/// Returns each rule as text, with the number of its uses in this process.
 pub fn counts() -> impl Iterator<Item = (&'static str, u64)> {
     TEXTS.iter().zip(&COUNTS).map(|(text, count)| (*text, count.load(Ordering::Relaxed)))
 }

@@ -1,24 +1,23 @@
-//! Walks over statements, expressions and places, children in the order in which they are evaluated.
+//! Visitors of statements, expressions and places; children are visited in the order of evaluation.
 //!
-//! Implement [`Visit`] (to read) or [`VisitMut`] (to rewrite) and override what matters; an override
-//! goes on to the children by calling the `walk_…` function of the same name. Where one closure can tell, [`Walk`]
-//! spares the visitor.
+//! Implement [`Visit`] (to read) or [`VisitMut`] (to rewrite), and override the methods that matter. An override
+//! visits the children by calling the `walk_…` function of the same name. If a closure suffices, use [`Walk`].
 //!
-//! Invariants: every node is met exactly once; a place that is written is met after the value that is
-//! written to it; a declaration is met after the value (or the bounds) it starts from.
+//! Invariants: every node is visited exactly once; a written place is visited after the value that is written to it;
+//! a declaration is visited after its value (or its bounds).
 //!
-//! Absent: types, handles' tables, meaning. The walks never look outside the node they are given.
+//! Must not know: types, or the tables of handles. A visit never leaves the node at which it began.
 
 use crate::ir::{Argument, Block, Expr, ExprKind, LocalId, Place, Step, Stmt, StmtKind};
 
 /// The access to a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {
-    /// Its value is loaded.
+    /// The value is loaded.
     Read,
-    /// An assignment replaces its value.
+    /// An assignment replaces the value.
     Write,
-    /// It is lent to a call that may do both.
+    /// A call borrows the place mutably.
     Lend,
 }
 
@@ -29,37 +28,37 @@ macro_rules! visitor {
     ) => {
         $(#[$doc])*
         pub trait $visitor {
-            /// A block.
+            /// Visits a block.
             fn block(&mut self, block: &$($mutable)? Block) {
                 $walk_block(self, block);
             }
-            /// A statement.
+            /// Visits a statement.
             fn stmt(&mut self, stmt: &$($mutable)? Stmt) {
                 $walk_stmt(self, stmt);
             }
-            /// An expression.
+            /// Visits an expression.
             fn expr(&mut self, expr: &$($mutable)? Expr) {
                 $walk_expr(self, expr);
             }
-            /// A place, and what is done with it.
+            /// Visits a place with its access.
             fn place(&mut self, place: &$($mutable)? Place, access: Access) {
                 let _ = access;
                 $walk_place(self, place);
             }
-            /// The local that a `let` or a `for` declares.
+            /// Visits the local that a `let` or a `for` declares.
             fn declaration(&mut self, local: &$($mutable)? LocalId) {
                 let _ = local;
             }
         }
 
-        /// The statements of a block.
+        /// Visits the statements of a block.
         pub fn $walk_block<V: $visitor + ?Sized>(visitor: &mut V, block: &$($mutable)? Block) {
             for stmt in &$($mutable)? block.0 {
                 visitor.stmt(stmt);
             }
         }
 
-        /// The parts of a statement.
+        /// Visits the parts of a statement.
         pub fn $walk_stmt<V: $visitor + ?Sized>(visitor: &mut V, stmt: &$($mutable)? Stmt) {
             match &$($mutable)? stmt.kind {
                 StmtKind::Let { local, value } => {
@@ -98,7 +97,7 @@ macro_rules! visitor {
             }
         }
 
-        /// The operands of an expression.
+        /// Visits the operands of an expression.
         pub fn $walk_expr<V: $visitor + ?Sized>(visitor: &mut V, expr: &$($mutable)? Expr) {
             match &$($mutable)? expr.kind {
                 ExprKind::Literal(_) | ExprKind::Const(_) => {}
@@ -132,7 +131,7 @@ macro_rules! visitor {
             }
         }
 
-        /// The indices of a place.
+        /// Visits the indices of a place.
         pub fn $walk_place<V: $visitor + ?Sized>(visitor: &mut V, place: &$($mutable)? Place) {
             for step in &$($mutable)? place.steps {
                 match step {
@@ -149,17 +148,17 @@ macro_rules! visitor {
 }
 
 visitor! {
-    /// Reads every node under the one it is started on.
+    /// Visitor that reads every node.
     Visit() => walk_block walk_stmt walk_expr walk_place
 }
 
 visitor! {
-    /// Rewrites every node under the one it is started on, in place.
+    /// Visitor that rewrites every node in place.
     VisitMut(mut) => walk_block_mut walk_stmt_mut walk_expr_mut walk_place_mut
 }
 
 impl Stmt {
-    /// The branches of a statement, an `else` that is not there among them; the body of a loop is none.
+    /// Returns the branches of a statement, including a missing `else`; the body of a loop is none.
     pub fn branches(&self) -> impl Iterator<Item = &Block> {
         let (pair, arms, otherwise) = match &self.kind {
             StmtKind::If { then, otherwise, .. } => (Some([then, otherwise]), &[][..], &None),
@@ -169,7 +168,7 @@ impl Stmt {
         pair.into_iter().flatten().chain(arms.iter().map(|arm| &arm.body)).chain(otherwise)
     }
 
-    /// Returns true if the test is true of the statement, or of one in its branches.
+    /// Returns true if the test holds for the statement, or for one in its branches.
     pub fn any_branch(&self, test: &impl Fn(&StmtKind) -> bool) -> bool {
         let any = |block: &Block| block.0.iter().any(|stmt| stmt.any_branch(test));
         test(&self.kind) || self.branches().any(any)
@@ -177,7 +176,7 @@ impl Stmt {
 }
 
 impl Step {
-    /// The indices of a step, in their order.
+    /// Returns the indices of a step, in order.
     pub fn indices(&self) -> impl Iterator<Item = &Expr> {
         let (first, second) = match self {
             Step::Field(_) => (None, None),
@@ -198,43 +197,43 @@ impl Step {
     }
 }
 
-/// A node in which something is looked for: what one closure can tell needs no visitor of its own.
+/// A node that can be searched by a closure, without a visitor type.
 ///
-/// The walks are [`Visit`]'s, the node itself included; of a place, the indices.
+/// The order is [`Visit`]'s, including the node itself; of a place, its indices are visited.
 pub trait Walk {
-    /// Starts a visitor on the node.
+    /// Runs a visitor on the node.
     fn walk<V: Visit>(&self, visitor: &mut V);
 
-    /// Shows each statement, outer before inner.
+    /// Calls `see` for each statement, outer before inner.
     fn each_stmt(&self, see: impl FnMut(&Stmt)) {
         self.walk(&mut Stmts(see));
     }
 
-    /// Shows each expression, outer before inner.
+    /// Calls `see` for each expression, outer before inner.
     fn each_expr(&self, see: impl FnMut(&Expr)) {
         self.walk(&mut Exprs(see));
     }
 
-    /// Shows each place, and what is done with it.
+    /// Calls `see` for each place with its access.
     fn each_place(&self, see: impl FnMut(&Place, Access)) {
         self.walk(&mut Places(see));
     }
 
-    /// Returns true if the test is true of any statement.
+    /// Returns true if the test holds for any statement.
     fn any_stmt(&self, mut test: impl FnMut(&Stmt) -> bool) -> bool {
         let mut found = false;
         self.each_stmt(|stmt| found = found || test(stmt));
         found
     }
 
-    /// Returns true if the test is true of any expression.
+    /// Returns true if the test holds for any expression.
     fn any_expr(&self, mut test: impl FnMut(&Expr) -> bool) -> bool {
         let mut found = false;
         self.each_expr(|expr| found = found || test(expr));
         found
     }
 
-    /// Returns true if the test is true of any place.
+    /// Returns true if the test holds for any place.
     fn any_place(&self, mut test: impl FnMut(&Place, Access) -> bool) -> bool {
         let mut found = false;
         self.each_place(|place, access| found = found || test(place, access));

@@ -1,23 +1,22 @@
-//! Validity of words as values of a type: values cross every border in this form.
+//! Validity of words as values of a type; all legs exchange values in this form.
 //!
-//! Absent: allocation. A value is checked where it lies, so that the interpreter can check what it is
-//! given at every call.
+//! Does not allocate: a value is checked in place, so the interpreter can check the arguments of every call.
 
 use core::fmt;
 
 use crate::{Float, Module, Scalar, Type};
 
-/// The mistake in words that should be a value.
+/// Error in words that should be a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum WordsError {
-    /// Too few or too many.
+    /// The number of words is wrong.
     Count {
-        /// The number of words that the type takes.
+        /// Number of words of the type.
         expected: usize,
-        /// The number of words that are there.
+        /// Number of words found.
         found: usize,
     },
-    /// One of them is no value of its leaf's type.
+    /// A word is not a value of its leaf's type.
     Value {
         /// Index of the word.
         index: usize,
@@ -83,7 +82,7 @@ pub fn words_in(module: &Module, ty: &Type) -> usize {
     }
 }
 
-/// Checks a value that starts at `at`; the index after it, or of the first bad word.
+/// Checks a value that starts at index `at`; returns the index after it, or of the first invalid word.
 fn check(module: &Module, ty: &Type, words: &[u64], mut at: usize) -> Result<usize, usize> {
     match ty {
         Type::Unit | Type::Slice(_) => {}

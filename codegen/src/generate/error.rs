@@ -1,20 +1,20 @@
-//! Why nothing was generated, and what to do about it.
+//! Errors of a generation, and their remedies.
 
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use bessemer_frontend::diagnostic::Told;
 
-/// Why nothing was generated.
+/// Errors of a generation.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The models do not compile; what rustc said, in the author's terms.
+    /// The models do not compile; rustc's errors in the author's terms.
     #[error("{0}")]
     Models(Told),
-    /// The models compile, but are not what C can be made of.
+    /// The models compile, but the DSL cannot express them in C.
     #[error("{0}")]
     Refused(Told),
-    /// The committed C is not what the models give; the differences.
+    /// The committed C differs from the generated C; the differences.
     #[error("{0}")]
     Stale(String),
     /// The folder holds files that the generator did not write.
@@ -31,12 +31,12 @@ pub enum Error {
         /// Path of the file.
         path: PathBuf,
     },
-    /// The folder holds the C of another package.
+    /// The folder has the C of another package.
     #[error("`{folder}` holds the C of the package `{package}`")]
     Other {
         /// The folder.
         folder: PathBuf,
-        /// Whose it is.
+        /// Name of that package.
         package: String,
     },
     /// There is no workspace, or cargo cannot read it.
@@ -44,15 +44,15 @@ pub enum Error {
     Workspace {
         /// Folder of the search.
         folder: PathBuf,
-        /// cargo's message.
+        /// Message of cargo.
         said: String,
     },
     /// The workspace has no package of this name.
     #[error("the workspace has no package `{package}`")]
     NoPackage {
-        /// As it was requested.
+        /// Requested name.
         package: String,
-        /// Those that there are.
+        /// Names of the existing packages.
         known: Vec<String>,
     },
     /// The package has no library.
@@ -61,7 +61,7 @@ pub enum Error {
         /// Name of the package.
         package: String,
     },
-    /// No Rust can be linked with the package's library.
+    /// The package's library cannot be linked with Rust code.
     #[error("the library of `{package}` cannot be linked")]
     NotLinked {
         /// Name of the package.
@@ -73,28 +73,28 @@ pub enum Error {
         /// Name of the package.
         package: String,
     },
-    /// Members of one workspace request different mathematics of `f32`.
+    /// Members of one workspace require different versions of the `f32` functions.
     #[error(
         "`{with}` enables the feature `single` of `bessemer` and `{without}` does not, but cargo builds `bessemer` once for both"
     )]
     Singles {
-        /// The package that has the feature.
+        /// Package with the feature.
         with: String,
-        /// One that does not.
+        /// Package without it.
         without: String,
     },
-    /// The package has no licence to write into the C.
+    /// The package has no licence for the C.
     #[error("the package `{package}` has no `license`, which each file of the C names")]
     NoLicense {
         /// Name of the package.
         package: String,
     },
-    /// The licence is no line of a comment of C.
+    /// The licence is not a valid line of a C comment.
     #[error("the licence of the package `{package}` cannot be written in a C comment: {license:?}")]
     License {
         /// Name of the package.
         package: String,
-        /// As it is written.
+        /// Text of the licence.
         license: String,
     },
     /// Nothing in the package is marked.
@@ -108,15 +108,15 @@ pub enum Error {
     Run {
         /// Name of the program.
         program: String,
-        /// Why.
+        /// Error of the operating system.
         source: std::io::Error,
     },
-    /// The package's tree could not be read: tool and DSL do not fit together.
+    /// The package's tree could not be read: the versions of tool and DSL differ.
     #[error("the tree of `{package}` cannot be read: {reason}")]
     Tree {
         /// The package.
         package: String,
-        /// Why.
+        /// Message of the parser.
         reason: String,
     },
     /// A file could not be read or written.
@@ -124,13 +124,13 @@ pub enum Error {
     File {
         /// Path of the file.
         path: PathBuf,
-        /// Why.
+        /// Error of the operating system.
         source: std::io::Error,
     },
 }
 
 impl Error {
-    /// A step that resolves the error, if there is one.
+    /// Returns a remedy, if there is one.
     pub fn remedy(&self) -> Option<String> {
         Some(match self {
             Error::Stale(_) => "run `gen` again, without `--check`".to_owned(),

@@ -1,4 +1,4 @@
-//! The files of a folder, by name.
+//! Files of a folder, by name.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ impl Files {
         self.0.insert(name.to_owned(), text);
     }
 
-    /// Their names, in order.
+    /// Returns the names, in order.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.0.keys().map(String::as_str)
     }

@@ -1,32 +1,32 @@
-//! The job of a generation: its package, its output folder, its options.
+//! Input of a generation: package, output folder, options.
 
 use std::path::PathBuf;
 
 use crate::compile::Options;
 
-/// The job of a generation: its package, its output folder, its options.
+/// Input of a generation: package, output folder, options.
 #[derive(Clone, Debug)]
 pub struct Job {
     /// The root of the workspace.
     pub root: PathBuf,
     /// The package of models.
     pub package: String,
-    /// The folder of the C, which belongs to the generator.
+    /// Output folder, which only the generator may write.
     pub output: PathBuf,
-    /// Compare instead of writing.
+    /// True to compare the C with the folder instead of writing it.
     pub check: bool,
-    /// The user's decisions about the C.
+    /// User's options for the C.
     pub options: Options,
-    /// The licence of the C, as an SPDX expression, if it is not the package's.
+    /// SPDX licence expression of the C, if it differs from the package's.
     pub license: Option<String>,
-    /// Colour in diagnostics and differences.
+    /// True for colour in diagnostics and differences.
     pub colour: bool,
-    /// The version that the manifest names: the tool's.
+    /// Version of the tool, for the manifest.
     pub version: String,
 }
 
 impl Job {
-    /// Generates `package` of the workspace at `root` into its `generated/`.
+    /// Creates a job for `package` of the workspace at `root`, with the output folder `generated/`.
     pub fn new(root: impl Into<PathBuf>, package: &str) -> Job {
         let root = root.into();
         let output = root.join("generated");

@@ -1,9 +1,9 @@
-//! The command line's work: a package of models in, a folder of C out.
+//! Generates a folder of C from a package of models.
 //!
-//! Builds the package in a generation build, runs it for its tree, compiles that, and writes the
-//! folder whole or not at all. `cargo bessemer` and an `xtask` call [`generate`] and print what it returns.
+//! Builds the package in a generation build, runs it to get its tree, compiles the tree, and replaces the folder as a
+//! whole. `cargo bessemer` and an `xtask` call [`generate`] and print its result.
 //!
-//! Must not know: how C is made, or what a terminal looks like.
+//! Must not know: the compiler's stages, or the terminal.
 
 mod error;
 mod files;
@@ -29,28 +29,29 @@ pub use program::Program;
 pub use report::{explanation, table};
 pub use workspace::{Member, Workspace};
 
-/// The outcome of a generation.
+/// Result of a generation.
 pub struct Summary {
-    /// The models and their C.
+    /// Compiled package.
     pub compiled: Compiled,
-    /// Files written, or that would be: empty when everything was up to date.
+    /// Files that were written or, with `check`, would be; empty if the folder was up to date.
     pub changed: Vec<String>,
     /// Warnings for the author of the models.
     pub remarks: Told,
 }
 
-/// A package that is compiled and not written yet.
+/// A compiled package that is not written yet.
 pub struct Made {
-    /// The models and their C.
+    /// Compiled package.
     pub compiled: Compiled,
     /// Warnings for the author of the models.
     pub remarks: Told,
 }
 
-/// Does the job.
+/// Generates the C of a job.
 ///
 /// # Errors
-/// See [`Error`]; on any of them the folder is as it was.
+///
+/// See [`Error`]; after an error the folder is unchanged.
 pub fn generate(job: &Job) -> Result<Summary, Error> {
     let Made { compiled, remarks } = compiled(job)?;
     let changed = deliver(job, &compiled)?;
@@ -94,10 +95,11 @@ pub fn compiled_from(job: &Job, tree: &Tree) -> Result<Made, Error> {
     Ok(Made { compiled, remarks: Told::new(remarks, &sources, job.colour) })
 }
 
-/// Writes what was compiled to the job's folder, or compares it; gives the names of the files that changed.
+/// Writes the C to the job's folder, or compares it; returns the names of the changed files.
 ///
 /// # Errors
-/// See [`Error`]; on any of them the folder is as it was.
+///
+/// See [`Error`]; after an error the folder is unchanged.
 pub fn deliver(job: &Job, compiled: &Compiled) -> Result<Vec<String>, Error> {
     let mut files = files::Files::default();
     for file in &compiled.files {
@@ -116,19 +118,21 @@ pub fn deliver(job: &Job, compiled: &Compiled) -> Result<Vec<String>, Error> {
     output::write(&job.output, files, &manifest)
 }
 
-/// A program around the job's package as rustc makes it, linked from `text`; or what rustc said of the text, in a line
-/// each.
+/// Builds a native program from `text`, linked with the job's package. Returns rustc's messages, one per line, if the
+/// text does not compile.
 ///
 /// # Errors
+///
 /// See [`Error`].
 pub fn native(job: &Job, text: &str) -> Result<Result<Program, String>, Error> {
     let (workspace, sources) = (Workspace::of(&job.root)?, Sources::new(&job.root));
     package::native(job, &workspace, &sources, text)
 }
 
-/// Builds the job's package and gives its tree; for tools that go on from there.
+/// Builds the job's package and returns its tree, for other tools.
 ///
 /// # Errors
+///
 /// See [`Error`].
 pub fn tree(job: &Job) -> Result<Tree, Error> {
     package::tree(job, &Workspace::of(&job.root)?, &Sources::new(&job.root))

@@ -1,8 +1,7 @@
-//! The folder of the C: compared, or replaced whole.
+//! Compares or replaces the output folder.
 //!
-//! A new folder is laid out beside the old one and takes its name in one step; until then nothing of
-//! the old one has changed. Files whose bytes stay keep their time stamps. What a run that was killed
-//! left behind, the next one takes up.
+//! A new folder is written beside the old one and renamed to it in one step; until then the old one is unchanged.
+//! Unchanged files keep their time stamps. A run removes the staging folders of earlier runs that were killed.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -15,7 +14,7 @@ use super::error::Error;
 use super::files::Files;
 use super::manifest::{self, Manifest};
 
-/// Compares the folder with what it should hold.
+/// Compares the folder with the expected content.
 pub(super) fn check(
     folder: &Path,
     files: &Files,
@@ -78,12 +77,12 @@ pub(super) fn ready(folder: &Path, package: &str) -> Result<(), Error> {
     tried.map(drop).map_err(|source| Error::File { path: folder.clone(), source })
 }
 
-/// The folder that a link leads to: what is replaced is that, not the link.
+/// Returns the folder behind a symbolic link, which is replaced instead of the link.
 fn followed(folder: &Path) -> PathBuf {
     folder.canonicalize().unwrap_or_else(|_| folder.to_owned())
 }
 
-/// Makes the folder hold `files` and the manifest; gives the names of those that changed.
+/// Writes `files` and the manifest to the folder; returns the names of the changed files.
 pub(super) fn write(
     folder: &Path,
     files: Files,
@@ -117,7 +116,7 @@ pub(super) fn write(
     Ok(changed)
 }
 
-/// The files of the folder and of those folders in it that the manifest speaks of, by their names from the folder on.
+/// Reads the files of the folder, and of the folders in it that the manifest lists, by their relative names.
 fn read(folder: &Path) -> Result<BTreeMap<String, String>, Error> {
     let mut files = BTreeMap::new();
     let failed = |path: &Path| {
@@ -161,7 +160,7 @@ fn read(folder: &Path) -> Result<BTreeMap<String, String>, Error> {
     Ok(files)
 }
 
-/// The folder is replaced whole, so it may hold nothing that would be lost.
+/// Refuses a folder with files that the generator did not write, since they would be lost.
 fn refuse_foreign(folder: &Path, present: &BTreeMap<String, String>) -> Result<(), Error> {
     let ours = present.get(manifest::NAME).map(|text| manifest::files_of(text)).unwrap_or_default();
     let foreign = present.keys().find(|name| *name != manifest::NAME && !ours.contains(name));
@@ -171,7 +170,7 @@ fn refuse_foreign(folder: &Path, present: &BTreeMap<String, String>) -> Result<(
     }
 }
 
-/// Two packages that generate into one folder would take each other's C away.
+/// Refuses a folder with the C of another package, which would be lost.
 fn refuse_other(
     folder: &Path,
     present: &BTreeMap<String, String>,
@@ -184,17 +183,18 @@ fn refuse_other(
     }
 }
 
-/// The prefix of the names of a folder's stages.
+/// Returns the prefix of the names of staging folders.
 fn stages(folder: &Path) -> String {
     format!(".bessemer-{}-", folder.file_name().unwrap_or_default().to_string_lossy())
 }
 
-/// The folder that `folder` is in.
+/// Returns the parent of `folder`.
 fn parent(folder: &Path) -> PathBuf {
     folder.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf)
 }
 
-/// Takes away the stages of runs that were killed; if one was between its two steps, the old folder gets its name back.
+/// Removes the staging folders of killed runs. If a run was killed between its two renames, the old folder gets its
+/// name back.
 fn recover(folder: &Path) -> Result<(), Error> {
     let failed = |path: &Path| {
         let path = path.to_owned();
@@ -215,7 +215,7 @@ fn recover(folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Lays the folder out anew beside the old one, then swaps the two.
+/// Writes the new folder beside the old one, then exchanges the two.
 fn replace(
     folder: &Path,
     files: &BTreeMap<String, String>,
@@ -268,7 +268,7 @@ mod tests {
         assert!(matches!(error, Err(Error::Foreign { file, .. }) if file == "notes.txt"));
     }
 
-    /// Killed between the two steps, and before them.
+    /// A killed run, before or between its two renames, is recovered.
     #[test]
     fn what_a_killed_run_left_is_taken_up() -> Result<(), Box<dyn std::error::Error>> {
         let dir = tempfile::tempdir()?;

@@ -1,7 +1,7 @@
 //! Runs the generation build of a package, and the program that prints its tree.
 //!
-//! The build is cargo's own, of the package's library with the DSL's feature `generate`, so that the package itself
-//! needs neither a feature nor a program for it; what rustc says about the builders is reported in the author's terms.
+//! The build is cargo's build of the package's library with the DSL's feature `generate`, so the package itself needs
+//! neither a feature nor a program. rustc's errors about builders are reported in the author's terms.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
@@ -18,21 +18,21 @@ use crate::deep;
 use bessemer_frontend::diagnostic::{Diagnostic, Level, Told};
 use bessemer_frontend::source::Sources;
 
-/// The lock that is held while something is built: the build must still be there when it is linked.
+/// Lock that is held from a build to the linking of its result, so that no other build replaces it.
 const BUILDS: &str = ".bessemer-lock";
 
-/// Number of attempts when a build turns out to be another workspace's.
+/// Largest number of builds if a result turns out to be another workspace's.
 const TRIES: usize = 10;
 
 /// A package as its author wrote it.
 pub struct Tree {
-    /// Its types and functions.
+    /// Types and functions.
     pub package: Package,
-    /// The warnings of rustc about its source.
+    /// Warnings of rustc about its source.
     pub warnings: Vec<Diagnostic>,
 }
 
-/// The tree of a package, with rustc's warnings.
+/// Returns the tree of a package, with rustc's warnings.
 pub(super) fn tree(job: &Job, workspace: &Workspace, sources: &Sources) -> Result<Tree, Error> {
     let member = workspace.agreed(&job.package)?;
     let library = member.models()?;
@@ -105,9 +105,9 @@ fn panicked(error: &str, sources: &Sources) -> Option<Diagnostic> {
     })
 }
 
-/// The settings that `--config` passes to cargo for a generation build of a package. Its program runs once, for its tree: the
-/// builders are not worth optimising, and nobody steps through them. The macros, and what they rest on, are left as the
-/// workspace has them: its other builds need them, too.
+/// Returns cargo's `--config` settings for a generation build of a package. Its program runs once to print the tree,
+/// so the builders need neither optimisation nor debug information. The macros and their dependencies keep the
+/// workspace's settings, since other builds use them, too.
 pub fn settings(package: &str) -> impl Iterator<Item = String> {
     let of = |package: &str| {
         ["opt-level=0", "debug=false"].map(|it| format!("profile.dev.package.{package}.{it}"))
@@ -116,11 +116,12 @@ pub fn settings(package: &str) -> impl Iterator<Item = String> {
     [package, "bessemer"].into_iter().flat_map(of).chain([whole])
 }
 
-/// Bytes of rustc's stack in a generation build. In the witness copy each value of an expression is in a call, so
-/// what nests as deep as an author's Rust may nests three times as deep there. Only what is used of it is memory.
+/// Size of rustc's stack in a generation build, bytes. In the witness copy each value is inside a call, so the
+/// author's expressions nest three times as deep there. Only used pages take memory.
 const RUSTC_STACK: usize = 1 << 30;
 
-/// A program around the package as rustc makes it, without builders; or what rustc said of the text, in a line each.
+/// Builds a native program from `text`, linked with the package without builders. Returns rustc's messages, one per
+/// line, if the text does not compile.
 pub(super) fn native(
     job: &Job,
     workspace: &Workspace,
@@ -142,7 +143,8 @@ pub(super) fn native(
     built.link(&job.root, library, text, &[])
 }
 
-/// Builds the package and what it is made of; in a generation build, with their builders. Gives what rustc warns of, too.
+/// Builds the package and its dependencies; in a generation build, with their builders. Also returns rustc's
+/// warnings.
 fn build(
     job: &Job,
     sources: &Sources,

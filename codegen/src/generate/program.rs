@@ -1,10 +1,10 @@
-//! A program around a package, such as that which prints its tree: linked with what cargo built, and whether that is
-//! this workspace's.
+//! Programs linked with a package, such as the one that prints its tree; and the check that the package is this
+//! workspace's.
 //!
-//! Where workspaces share a target folder, cargo takes what was built of another's package of the same
-//! name for this one's if that is newer than the sources. So the program of a generation build says first in which folder each
-//! crate was compiled, and what was compiled elsewhere is built anew. Of a native build, which says nothing, all is built anew
-//! that may be another's.
+//! If workspaces share a target folder, cargo uses the build of another package with the same name if it is newer
+//! than the sources. So the program of a generation build first prints the folder in which each crate was compiled,
+//! and crates from other folders are rebuilt. A native program prints nothing, so all crates that may be another
+//! workspace's are rebuilt.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -18,28 +18,28 @@ use tempfile::TempDir;
 
 use super::error::Error;
 
-/// The program that cargo built.
+/// Artifacts of a build.
 pub(super) struct Built {
     artifacts: Vec<Artifact>,
 }
 
-/// The program, in a folder of its own, and the crates that it is made of.
+/// A linked program in a temporary folder, with its crates.
 pub struct Program {
     folder: TempDir,
     artifacts: Vec<Artifact>,
 }
 
-/// The artifacts that cargo's messages name.
+/// An artifact of cargo's messages.
 struct Artifact {
-    /// The name of the crate.
+    /// Name of the crate.
     krate: String,
-    /// The folder of its package.
+    /// Folder of its package.
     folder: PathBuf,
-    /// Its first source file.
+    /// Root source file.
     source: PathBuf,
-    /// The library, if other Rust can be linked with it.
+    /// Library file, if Rust code can be linked with it.
     library: Option<PathBuf>,
-    /// True if cargo found it already built.
+    /// True if cargo did not rebuild it.
     found: bool,
 }
 
@@ -47,11 +47,11 @@ struct Artifact {
 pub(super) struct Printed {
     /// True if it succeeded.
     pub success: bool,
-    /// The tree.
+    /// Standard output: the tree.
     pub tree: String,
-    /// Its error output.
+    /// Standard error.
     pub error: String,
-    /// The first source files of the crates that were compiled in another workspace instead.
+    /// Root source files of crates that were compiled in another workspace.
     pub strangers: Vec<PathBuf>,
     /// Source of the package's library if nothing in it is marked: such a library does not report where it was
     /// compiled.
@@ -59,13 +59,13 @@ pub(super) struct Printed {
 }
 
 impl Built {
-    /// The artifacts, by cargo's messages.
+    /// Returns the artifacts in cargo's messages.
     pub fn of(messages: &[Value]) -> Built {
         Built { artifacts: messages.iter().filter_map(Artifact::of).collect() }
     }
 
-    /// Returns the first source files of the libraries in the folder `root` that cargo found already built. It is
-    /// unknown whether they were built from these sources or from another workspace's.
+    /// Returns the root source files of the libraries in the folder `root` that cargo did not rebuild. It is unknown
+    /// if they were built from these sources or from another workspace's.
     pub fn found_in(&self, root: &Path) -> Vec<PathBuf> {
         let real = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let root = real(root);
@@ -73,9 +73,9 @@ impl Built {
         found.filter(|it| real(&it.folder).starts_with(&root)).map(|it| it.source.clone()).collect()
     }
 
-    /// Links a program with a package's `library` and the DSL: `text`, with the variables that it reads when it is
-    /// compiled. Or what rustc said, in a line each: where another workspace has built into the same folder meanwhile, or
-    /// where the text is at fault.
+    /// Links the program `text` with a package's `library` and the DSL, with these environment variables at compile
+    /// time. Returns rustc's messages, one per line, if another workspace has built into the folder meanwhile, or if
+    /// the text is wrong.
     pub fn link(
         self,
         root: &Path,
@@ -126,7 +126,7 @@ impl Program {
         self.folder.path().join("program")
     }
 
-    /// Runs it.
+    /// Runs the program.
     pub(super) fn run(&self, library: &str) -> Result<Printed, Error> {
         let path = self.path();
         let output = Command::new(&path)
@@ -146,7 +146,7 @@ impl Program {
         })
     }
 
-    /// The sources of the crates that were compiled in other folders than cargo says.
+    /// Returns the sources of the crates that were compiled in other folders than cargo reports.
     fn strangers(&self, folders: &BTreeMap<String, PathBuf>) -> Vec<PathBuf> {
         let built = |krate: &str| -> Vec<&Artifact> {
             self.artifacts.iter().filter(|it| it.krate == krate).collect()
@@ -180,14 +180,14 @@ impl Artifact {
     }
 }
 
-/// Returns true if two paths lead to one folder.
+/// Returns true if two paths denote the same folder.
 fn is_same(one: &Path, other: &Path) -> bool {
     let real = |path: &Path| path.canonicalize().ok();
     one == other || real(one).is_some_and(|one| real(other) == Some(one))
 }
 
-/// Makes cargo compile a crate anew, by the time of its first source file: cleaning would also take away
-/// what others have built.
+/// Makes cargo rebuild a crate, by a new time stamp of its root source file. `cargo clean` would also remove other
+/// builds.
 pub(super) fn touch(source: &Path) -> Result<(), Error> {
     let now = SystemTime::now();
     let touched = File::options().append(true).open(source).and_then(|file| file.set_modified(now));

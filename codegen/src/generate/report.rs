@@ -1,4 +1,4 @@
-//! The report of a generation: an aligned table, the checks that are left and why, and what rests on stand-ins.
+//! Report of a generation: a table of entry points, remaining checks with reasons, and external functions.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -9,8 +9,8 @@ use crate::compile::Compiled;
 use bessemer_backend::c::{EntryReport, Width};
 use bessemer_backend::passes;
 
-/// Component, entry point, lines of C, bytes of state, estimated stack, checks left, operations in double and of 64 bits;
-/// below it the external functions.
+/// Returns the table of entry points: lines of C, bytes of state, estimated stack, remaining checks, operations in
+/// double and in 64 bits. External functions follow.
 pub fn table(compiled: &Compiled) -> String {
     let titles =
         ["component", "entry point", "C lines", "state", "stack", "checks", "double", "64 bits"];
@@ -71,7 +71,7 @@ pub fn table(compiled: &Compiled) -> String {
     text
 }
 
-/// The units at each entry point, by names in the C.
+/// Returns the units at each entry point, by C names.
 fn units(compiled: &Compiled) -> String {
     let mut text = String::new();
     for entry in compiled.entries.iter().filter(|entry| !entry.units.is_empty()) {
@@ -84,7 +84,7 @@ fn units(compiled: &Compiled) -> String {
     text
 }
 
-/// The functions for which the firmware's C has to give the bits of what is in for it.
+/// Returns the external functions, for which the firmware's C must compute the bits of their Rust stand-ins.
 fn externals(compiled: &Compiled) -> String {
     let functions = compiled.explicit.functions.iter();
     let lines = functions.filter_map(|function| {
@@ -133,7 +133,7 @@ pub fn explanation(compiled: &Compiled) -> String {
     text
 }
 
-/// The author's lines that lead to operations in double and of 64 bits, a file each.
+/// Returns the author's lines with operations in double and in 64 bits, by file.
 fn wide_lines(compiled: &Compiled, entry: &EntryReport) -> String {
     let mut text = String::new();
     for (width, what) in [(Width::Double, "in double"), (Width::Long, "in 64 bits")] {
@@ -150,7 +150,7 @@ fn wide_lines(compiled: &Compiled, entry: &EntryReport) -> String {
     text
 }
 
-/// `models/src/height.rs:12:9`.
+/// Returns a place such as `models/src/height.rs:12:9`.
 fn place(compiled: &Compiled, span: Span) -> String {
     let file = compiled.module.files.get(span.file as usize).map_or("", String::as_str);
     format!("{file}:{}:{}", span.line, span.column)

@@ -1,6 +1,6 @@
-//! The workspace that a folder belongs to, as cargo describes it: its root and its packages.
+//! The cargo workspace of a folder: root and packages.
 //!
-//! Must not know: what is generated of them.
+//! Must not know: what is generated from them.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -11,46 +11,47 @@ use serde_json::Value;
 
 use super::error::Error;
 
-/// The crate that models are written in.
+/// Crate in which models are written.
 const DSL: &str = "bessemer";
-/// Its feature that lets the functions of `f32` compute in `f32` alone.
+/// Feature with which functions of `f32` compute only in `f32`.
 const SINGLE: &str = "single";
 
-/// A workspace of cargo's.
+/// A cargo workspace.
 #[derive(Clone, Debug)]
 pub struct Workspace {
-    /// Its root.
+    /// Root folder.
     pub root: PathBuf,
     /// Target folder of cargo.
     pub target: PathBuf,
-    /// Its packages.
+    /// Packages.
     pub members: Vec<Member>,
 }
 
 /// A package of a workspace.
 #[derive(Clone, Debug)]
 pub struct Member {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its folder.
+    /// Folder.
     pub folder: PathBuf,
-    /// Its licence, if its manifest names one.
+    /// Licence in its manifest.
     pub license: Option<String>,
-    /// The name of its library in Rust, if it has one.
+    /// Name of its library in Rust.
     pub library: Option<String>,
-    /// True if other Rust can be linked with that library.
+    /// True if Rust code can be linked with that library.
     pub linked: bool,
-    /// True if it is written in the DSL, judging by its dependencies.
+    /// True if its dependencies include the DSL.
     pub uses_dsl: bool,
-    /// True if it requests functions of `f32` that compute in `f32` only.
+    /// True if it enables the feature for `f32`.
     pub single: bool,
 }
 
 impl Workspace {
-    /// The workspace that `folder` is in.
+    /// Returns the workspace of `folder`.
     ///
     /// # Errors
-    /// [`Error::Workspace`] if it is in none, or if cargo cannot read a manifest of it.
+    ///
+    /// [`Error::Workspace`] if there is none, or if cargo cannot read one of its manifests.
     pub fn of(folder: &Path) -> Result<Workspace, Error> {
         let mut command = cargo(&["metadata", "--no-deps", "--format-version", "1"]);
         let output = command.current_dir(folder).stdin(Stdio::null()).output();
@@ -89,8 +90,8 @@ impl Workspace {
         }
     }
 
-    /// Waits until no other run holds the lock of this name in the target folder; until what it gives is dropped, none
-    /// does.
+    /// Waits until no other run holds the lock of this name in the target folder, and holds it until the result is
+    /// dropped.
     pub(super) fn alone(&self, name: &str) -> Result<File, Error> {
         let path = self.target.join(name);
         let locked = fs::create_dir_all(&self.target)
@@ -105,9 +106,10 @@ impl Workspace {
         !real(&self.target).starts_with(real(&self.root))
     }
 
-    /// The member of this name.
+    /// Returns the member of this name.
     ///
     /// # Errors
+    ///
     /// [`Error::NoPackage`] if there is none.
     pub fn member(&self, name: &str) -> Result<&Member, Error> {
         let found = self.members.iter().find(|member| member.name == name);
@@ -142,10 +144,11 @@ impl Member {
         })
     }
 
-    /// The name of the library, if C can be made of the package.
+    /// Returns the name of the library, if models can be generated from the package.
     ///
     /// # Errors
-    /// The condition that it does not meet.
+    ///
+    /// The unmet condition.
     pub fn models(&self) -> Result<&str, Error> {
         let package = self.name.clone();
         match &self.library {
@@ -171,7 +174,7 @@ pub(super) fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-/// The cargo to run: the one that runs this, or the one on the path.
+/// Returns the cargo to run: the one that runs this process, or the one on the path.
 pub(super) fn program() -> String {
     std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")).to_string_lossy().into()
 }

@@ -1,8 +1,7 @@
-//! The author's wishes for the C of a function: `#[c(name = "…", section = "…")]`,
-//! `#[inline(never)]`, `#[entry(atomic)]`, `#[entry(single)]`, `#[external(header = "…")]`.
+//! Author's attributes for the C of a function: `#[c(name = "…", section = "…")]`, `#[inline(never)]`,
+//! `#[entry(atomic)]`, `#[entry(single)]`, `#[external(header = "…")]`.
 //!
-//! The attributes are the DSL's alone: the native item goes without them. What they request reaches the
-//! tree as [`Attributes`].
+//! They are removed from the native item, and reach the tree as [`Attributes`].
 
 use bessemer_tree::Role;
 use bessemer_tree::attributes::{Attributes, Inlining};
@@ -13,12 +12,12 @@ use crate::kind::Kind;
 use crate::lower::refuse::{self, Reason};
 use crate::lower::{self, Refusals};
 
-/// The role of a function for its callers, and the author's wishes for its C. Takes the DSL's attributes off it.
+/// Role of a function, and its attributes for the C.
 #[derive(Clone)]
 pub struct Asked {
-    /// Its role for its callers.
+    /// Role for its callers.
     pub role: Role,
-    /// The wishes.
+    /// Attributes for the C.
     pub attributes: Attributes,
 }
 
@@ -36,10 +35,10 @@ pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked
     asked
 }
 
-/// The argument by which a function in the body of others is marked, which no author writes: it is in so many.
+/// Internal argument that marks a function inside other functions; its value is the nesting depth.
 const INSIDE: &str = "__inside";
 
-/// In how many functions the function stands that these arguments mark.
+/// Returns the nesting depth in a function's arguments.
 pub fn depth(arguments: &TokenStream) -> u32 {
     let value = syn::parse2::<syn::MetaNameValue>(arguments.clone()).ok();
     match value.filter(|it| it.path.is_ident(INSIDE)).map(|it| it.value) {
@@ -63,12 +62,12 @@ pub fn mark_inner(body: &mut syn::Block, depth: u32) {
     }
 }
 
-/// Returns true if others see it.
+/// Returns true if other modules can see it.
 pub fn is_public(visibility: &syn::Visibility) -> bool {
     !matches!(visibility, syn::Visibility::Inherited)
 }
 
-/// The role of what others call only if it is `pub`.
+/// Returns the role of an item that other modules call only if it is `pub`.
 fn visible(visibility: &syn::Visibility) -> Role {
     if is_public(visibility) { Role::Public } else { Role::Private }
 }
@@ -118,7 +117,7 @@ pub fn of_interface(method: &mut syn::TraitItemFn, refusals: &mut Refusals) -> A
 }
 
 impl Asked {
-    /// `#[entry]`, `#[entry(infallible)]`, `#[entry(atomic)]`, each also with `single`.
+    /// Reads `#[entry]`, `#[entry(infallible)]` and `#[entry(atomic)]`, each possibly with `single`.
     fn entry(&mut self, kind: Kind, attribute: &syn::Attribute, refusals: &mut Refusals) {
         let words = match &attribute.meta {
             syn::Meta::Path(_) => String::new(),
@@ -147,7 +146,7 @@ impl Asked {
         self.role = Role::Entry { infallible };
     }
 
-    /// `#[c(name = "…", section = "…", result = "…")]`, `#[unit("…")]` of the result.
+    /// Reads `#[c(name = "…", section = "…", result = "…")]`, and the result's `#[unit("…")]`.
     fn take(&mut self, attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) {
         let role = self.role;
         attributes.retain(|attribute| {
@@ -186,7 +185,7 @@ impl Asked {
     }
 }
 
-/// The arguments of `#[external(header = "board.h", name = "board_sine")]`.
+/// Reads the arguments of `#[external(header = "board.h", name = "board_sine")]`.
 pub fn external(
     arguments: &TokenStream,
     function: &syn::ItemFn,
@@ -213,13 +212,13 @@ pub fn external(
     attributes
 }
 
-/// `board/adc.h`: what can stand between quotation marks behind `#include`.
+/// Returns true for a valid name in an `#include` directive, such as `board/adc.h`.
 fn is_header(text: &str) -> bool {
     let allowed = |c: char| c.is_ascii_alphanumeric() || "_-./".contains(c);
     text.len() > 2 && text.ends_with(".h") && text.chars().all(allowed)
 }
 
-/// Returns true if the author wants the function where it is called: `#[inline]`.
+/// Returns true if the author requests inlining: `#[inline]`.
 fn is_inline(attributes: &[syn::Attribute]) -> bool {
     let is_inline = attributes.iter().any(|attribute| attribute.path().is_ident("inline"));
     is_inline && inlining(attributes) != Inlining::Never
@@ -237,7 +236,7 @@ fn inlining(attributes: &[syn::Attribute]) -> Inlining {
     }
 }
 
-/// A wish that something generic cannot have: each of its instances would have it.
+/// Returns the refusal of an attribute that a generic item cannot have, since each instance would have it.
 pub fn of_one_instance(attributes: &Attributes) -> Option<Reason> {
     match attributes {
         Attributes { external: Some(_), .. } => Some(refuse::EXTERNAL_GENERIC),

@@ -1,7 +1,7 @@
-//! The builder of one function's tree, and the companion that its callers' witness copies call.
+//! Emits the builder of one function's tree, and the companion for its callers' witness copies.
 //!
-//! A builder holds the witness copy of the body ([`crate::witness`]), and hands on the tree with the types that its slots
-//! were given. It is emitted in generation builds only; the refusals come in every build.
+//! A builder contains the witness copy of the body ([`crate::witness`]), and returns the tree with the types in its
+//! slots. It is emitted only in generation builds; refusals occur in every build.
 
 use bessemer_tree::{FunctionTree, Role};
 use proc_macro2::TokenStream;
@@ -19,7 +19,7 @@ use crate::witness::{Copy, result_type};
 
 /// A function as the author wrote it.
 pub struct Subject<'a> {
-    /// Its attributes: doc comments.
+    /// Attributes, including doc comments.
     pub attributes: &'a [syn::Attribute],
     /// Visibility of the function.
     pub visibility: &'a syn::Visibility,
@@ -27,14 +27,14 @@ pub struct Subject<'a> {
     pub signature: &'a syn::Signature,
     /// Its body.
     pub body: &'a syn::Block,
-    /// Its role for its callers, and the author's wishes for the C.
+    /// Role, and attributes for the C.
     pub asked: Asked,
-    /// Span of the node.
+    /// Context of its declaration.
     pub home: Home<'a>,
 }
 
 impl<'a> Subject<'a> {
-    /// A method, of which `asked` is asked.
+    /// Returns the subject for a method.
     pub fn of(method: &'a syn::ImplItemFn, asked: Asked, home: Home<'a>) -> Subject<'a> {
         let syn::ImplItemFn {
             attrs: attributes, vis: visibility, sig: signature, block: body, ..
@@ -42,7 +42,7 @@ impl<'a> Subject<'a> {
         Subject { attributes, visibility, signature, body, asked, home }
     }
 
-    /// With this signature.
+    /// Returns the subject with another signature.
     fn with<'s>(&self, signature: &'s syn::Signature) -> Subject<'s>
     where
         'a: 's,
@@ -56,20 +56,20 @@ impl<'a> Subject<'a> {
 pub enum Home<'a> {
     /// In a module.
     Module,
-    /// In the body of a function, or of one in that: so deep.
+    /// In the body of a function; nesting depth.
     Function(u32),
     /// In an `impl` block of a type.
     Block,
     /// In the definition of an interface.
     Interface(&'a syn::Ident),
-    /// In an implementation of one.
+    /// In an implementation of an interface.
     Implementation(&'a syn::Path),
-    /// In an implementation of one of Rust's own traits, each of whose methods is known by its type.
+    /// In an implementation of a standard trait, whose methods are identified by type.
     OfRust(&'a syn::Path),
 }
 
-/// Refuses what the DSL does not take; in a generation build gives the items that are beside a
-/// free function. For a method see [`method`].
+/// Refuses code that the DSL does not support; in a generation build, returns the items beside a free function. For a
+/// method see [`method`].
 pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let signature = closures::with_names(subject.signature);
     let subject = &subject.with(&signature);
@@ -102,7 +102,7 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     }
 }
 
-/// The items that are beside the `impl` block of `owner` for one of its methods.
+/// Returns the items beside the `impl` block of `owner` for one of its methods.
 pub fn method(
     owner: &syn::Type,
     generics: &syn::Generics,
@@ -160,7 +160,7 @@ pub fn function_marker(name: &syn::Ident, scope: Scope<'_>) -> syn::Ident {
     }
 }
 
-/// The type that represents the function in slots.
+/// Declares the marker type that represents the function in slots.
 pub fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     let (parameters, types) = (scope.unbounded(), scope.types());
     quote! {
@@ -170,7 +170,7 @@ pub fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     }
 }
 
-/// The companion that callers' witness copies call, of a function that `marker` represents.
+/// Returns the companion of the function that `marker` represents.
 pub fn companion(
     subject: &Subject<'_>,
     name: &syn::Ident,
@@ -191,7 +191,7 @@ pub fn companion(
     }
 }
 
-/// Implements the construction of a marker's function.
+/// Implements the trait by which a marker builds its function.
 pub fn callee(
     owner: &TokenStream,
     marker: &syn::Ident,
@@ -208,7 +208,7 @@ pub fn callee(
     callee_by(marker, scope, bound, &build)
 }
 
-/// Implements the construction by the function `build`.
+/// Implements that trait with the function `build`.
 fn callee_by(
     marker: &syn::Ident,
     scope: Scope<'_>,
@@ -223,8 +223,8 @@ fn callee_by(
     }
 }
 
-/// The item that announces a function to its package; of something generic, its instances are built where
-/// they are called.
+/// Returns the item that registers a function with its package. Instances of a generic function are built where they
+/// are called.
 fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     if scope.is_generic() {
         return TokenStream::new();
@@ -232,13 +232,13 @@ fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenSt
     registered(name, &quote! { Function(<#marker as ::bessemer::generate::Callee>::callee) })
 }
 
-/// The parts of a companion.
+/// Parts of a companion.
 pub struct Parts {
-    /// The parameters, each with a name of its own.
+    /// Parameters, each with a unique name.
     pub parameters: Vec<TokenStream>,
-    /// The type of the result.
+    /// Result type.
     pub result: TokenStream,
-    /// The function that builds.
+    /// Building function.
     pub builder: TokenStream,
 }
 
@@ -331,7 +331,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     Some(Parts { parameters: companion_parameters(told), result, builder })
 }
 
-/// An entry point ends in a value, and so does a function that takes a closure.
+/// Refuses references in the results of entry points, external functions, and functions with closures.
 fn check_lending(subject: &Subject<'_>, parameters: &[Parameter], refusals: &mut Refusals) {
     let syn::ReturnType::Type(_, ty) = &subject.signature.output else { return };
     let outside = matches!(subject.asked.role, Role::Entry { .. });
@@ -346,12 +346,12 @@ fn check_lending(subject: &Subject<'_>, parameters: &[Parameter], refusals: &mut
     }
 }
 
-/// The name of the function that builds `name`.
+/// Returns the name of the function that builds `name`.
 pub fn build_name(name: &syn::Ident) -> syn::Ident {
     syn::Ident::new(&format!("__build_{}", lower::text(name)), proc_macro2::Span::call_site())
 }
 
-/// The building function: the witness copy, and the tree with the types of its slots.
+/// Returns the building function: the witness copy, and the tree with the types of its slots.
 fn builder(
     subject: &Subject<'_>,
     scope: Scope<'_>,
@@ -421,7 +421,7 @@ fn builder(
     }
 }
 
-/// The bounds of a builder on the types in its scope; those of an `impl` block are there.
+/// Returns the bounds of a builder on the types in its scope, except those that an `impl` block has.
 pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
     let this = || quote! { Self: ::bessemer::generate::Value };
     let types = || scope.values();
@@ -439,13 +439,13 @@ pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
     }
 }
 
-/// A generic type may ask more of its parameters to be a type of the DSL than to have methods: a
-/// component its initial state.
+/// Returns the bound that a generic type is a type of the DSL. It may require more of its parameters than its methods
+/// do; a component, for example, its initial state.
 pub fn owner_bound(scope: Scope<'_>, owner: &TokenStream) -> Option<TokenStream> {
     scope.outer().is_generic().then(|| quote! { #owner: ::bessemer::generate::DslType })
 }
 
-/// The interface that a function is part of, with what represents its parameters.
+/// Returns the interface of a function, with arguments for its parameters.
 fn interface(home: Home<'_>, scope: Scope<'_>) -> TokenStream {
     let (name, told, module) = match home {
         Home::Module | Home::Function(_) | Home::Block => {
@@ -472,7 +472,7 @@ impl Subject<'_> {
     }
 }
 
-/// The parameters of a companion.
+/// Returns the parameters of a companion.
 pub fn companion_parameters(signature: &syn::Signature) -> Vec<TokenStream> {
     signature
         .inputs

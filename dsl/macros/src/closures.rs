@@ -1,9 +1,8 @@
-//! Parameters that take closures or iterators. Examples: `f: impl Fn(f64) -> f64`, `f: F` with `F: Fn(f64) -> f64`, and
-//! `items: impl IntoIterator<Item = f64>`.
+//! Parameters that take closures or iterators: `f: impl Fn(f64) -> f64`, `f: F` with `F: Fn(f64) -> f64`, and `items:
+//! impl IntoIterator<Item = f64>`.
 //!
-//! Such a function is built with another type in their place, since neither has one that a builder could name: a function
-//! pointer, or the DSL's iterator. What becomes C is a copy of the function for each closure that it is called with; one
-//! that takes an iterator stands where it is called.
+//! Builders cannot name such types, so they use a substitute: a function pointer, or the DSL's iterator. The C has a
+//! copy of the function for each combination of closures; a function with an iterator is inlined at each call.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -14,9 +13,9 @@ use crate::lower::refuse;
 
 /// Substitute in the builder for a type that it cannot name.
 pub struct StandsFor {
-    /// The type.
+    /// Substitute type.
     pub ty: TokenStream,
-    /// True if it is that of an iterator.
+    /// True if it replaces an iterator.
     pub items: bool,
 }
 
@@ -38,7 +37,8 @@ pub fn stands_for(ty: &syn::Type, generics: &syn::Generics) -> Option<StandsFor>
     }
 }
 
-/// The parameters of a function without the types of its closures and iterators: those have no part in what is built.
+/// Returns the generic parameters of a function without the types of its closures and iterators, which builders do
+/// not need.
 pub fn without(generics: &syn::Generics) -> syn::Generics {
     let is_closure =
         |name: &syn::Ident| bounds_of(generics, name).any(|bound| of_bound(bound).is_some());
@@ -90,7 +90,7 @@ fn is_relaxed(bound: &TypeParamBound) -> bool {
     matches!(bound, TypeParamBound::Trait(it) if it.maybe.is_some())
 }
 
-/// The names that types behind interfaces are given.
+/// Generated names for types behind interfaces.
 struct Interfaces(Vec<GenericParam>);
 
 impl VisitMut for Interfaces {
@@ -108,7 +108,7 @@ impl VisitMut for Interfaces {
     }
 }
 
-/// The bounds on the type called `name`.
+/// Returns the bounds on the type called `name`.
 pub fn bounds_of<'g>(
     generics: &'g syn::Generics,
     name: &'g syn::Ident,
@@ -125,7 +125,7 @@ pub fn bounds_of<'g>(
     own.chain(further).flatten()
 }
 
-/// The type that a predicate bounds.
+/// Returns the type that a predicate bounds.
 fn bounded(predicate: &WherePredicate) -> Option<&syn::Path> {
     match predicate {
         WherePredicate::Type(it) => match &it.bounded_ty {
@@ -136,7 +136,7 @@ fn bounded(predicate: &WherePredicate) -> Option<&syn::Path> {
     }
 }
 
-/// The name that a predicate is about, or about a part of: `I::IntoIter: Clone` is about `I`.
+/// Returns the type parameter of a predicate; `I::IntoIter: Clone` is about `I`.
 fn about(predicate: &WherePredicate) -> Option<&syn::Ident> {
     bounded(predicate)?.segments.first().map(|first| &first.ident)
 }
@@ -150,7 +150,7 @@ fn of_bound(bound: &TypeParamBound) -> Option<StandsFor> {
     })
 }
 
-/// `Fn(f64) -> f64` as `fn(f64) -> f64`.
+/// Converts the bound `Fn(f64) -> f64` to `fn(f64) -> f64`.
 fn of_closure(bound: &TypeParamBound) -> Option<TokenStream> {
     let TypeParamBound::Trait(bound) = bound else { return None };
     let last = bound.path.segments.last()?;
@@ -162,11 +162,11 @@ fn of_closure(bound: &TypeParamBound) -> Option<TokenStream> {
     Some(quote! { fn(#inputs) #output })
 }
 
-/// The traits of iterators, and of what is iterated as one.
+/// Traits of iterators, and of types that convert to one.
 const ITERATORS: [&str; 4] =
     ["Iterator", "DoubleEndedIterator", "ExactSizeIterator", "IntoIterator"];
 
-/// The items of an iterator with this bound, `Iterator<Item = f64>`; none if it is another bound.
+/// Returns the item type of an iterator bound, `Iterator<Item = f64>`; none for another bound.
 pub fn items_of(bound: &TypeParamBound) -> Option<&syn::Type> {
     let TypeParamBound::Trait(bound) = bound else { return None };
     let last = bound.path.segments.last()?;
@@ -180,7 +180,7 @@ pub fn items_of(bound: &TypeParamBound) -> Option<&syn::Type> {
     })
 }
 
-/// Leaves out the names of lifetimes, which the builder does not have.
+/// Visitor that removes the names of lifetimes, which the builder does not declare.
 struct Unnamed;
 
 impl VisitMut for Unnamed {

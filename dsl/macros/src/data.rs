@@ -1,7 +1,7 @@
-//! `#[data]` and `#[component]`: structs, enums and their `impl` blocks.
+//! Expands `#[data]` and `#[component]` on structs, enums and their `impl` blocks.
 //!
-//! Every build gets `Plain` (values as words). A generation build also gets the definition of the
-//! type and the builders of its methods.
+//! Every build implements `Plain` (values as words). A generation build also emits the definition of the type and the
+//! builders of its methods.
 
 use bessemer_tree::Role;
 use bessemer_tree::attributes::Given;
@@ -78,7 +78,7 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
     quote! { #errors #native #beside }
 }
 
-/// The state of a component outlives every call, and so holds no reference.
+/// Refuses a component with a lifetime: its state outlives every call, so it cannot hold references.
 fn refuse_lifetimes(kind: Kind, generics: &syn::Generics, refusals: &mut Refusals) {
     for parameter in generics.params.iter().filter(|_| kind == Kind::Component) {
         if let syn::GenericParam::Lifetime(it) = parameter {
@@ -150,7 +150,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     quote! { #plain #initial #definition }
 }
 
-/// The bounds of a generic type on the fields that depend on its parameters.
+/// Returns the bounds of a generic type on its fields that depend on its parameters.
 fn field_bounds(scope: Scope<'_>, fields: &syn::Fields, of: &TokenStream) -> TokenStream {
     let types = fields.iter().map(|field| &field.ty).filter(|ty| scope.is_named_in(ty));
     scope.bounds(types.map(|ty| quote! { #ty: #of }))
@@ -160,7 +160,7 @@ fn strip_fields(fields: &mut syn::Fields) {
     fields.iter_mut().for_each(|field| given::strip(&mut field.attrs));
 }
 
-/// The attributes of a type itself: of something generic each instance would have the name.
+/// Checks the attributes of a type. A generic type cannot have a C name, since each instance would have it.
 fn check_type(attributes: &[syn::Attribute], generics: &syn::Generics, refusals: &mut Refusals) {
     lower::check_attributes(attributes, refusals);
     let given = given::read(attributes, On::Type, refusals);
@@ -170,7 +170,7 @@ fn check_type(attributes: &[syn::Attribute], generics: &syn::Generics, refusals:
     }
 }
 
-/// A zero-sized type is not in the C: it has no state to keep, and no name.
+/// Refuses a component or a C name without fields, since zero-sized types are not in the C.
 fn check_empty(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) {
     if kind == Kind::Component {
         refusals.add(&it.ident, refuse::EMPTY_COMPONENT);
@@ -180,7 +180,7 @@ fn check_empty(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) {
     }
 }
 
-/// The fields of a type that `borrows` or does not.
+/// Checks the fields of a type; `borrows` is true if it may hold references.
 fn check_fields(fields: &syn::Fields, borrows: bool, refusals: &mut Refusals) {
     for field in fields {
         given::read(&field.attrs, On::Value, refusals);
@@ -235,14 +235,14 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
     quote! { #definition #ranked #template }
 }
 
-/// A generic component announces itself: without an instance it has no C, of which its author is reported.
+/// Registers a generic component; if it has no instance, its author is warned that the C lacks it.
 fn template(name: &syn::Ident) -> TokenStream {
     let (named, site) = (place::named(name), place::site(name));
     let build = quote! { Other(|__cx| __cx.template(#named, #site)) };
     place::registered(name, &build)
 }
 
-/// A type that has an order by its parts, or by its number.
+/// Implements the marker trait of types that are ordered by their fields or numbers.
 fn ranked(name: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     let (declared, arguments) = (scope.declared(), scope.arguments());
     let bounds = scope.bounds([quote! { #name #arguments: ::bessemer::generate::Value }]);
@@ -251,7 +251,7 @@ fn ranked(name: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     }
 }
 
-/// The bounds of a generic type's definition on its parameters, and on the fields that depend on them.
+/// Returns the bounds of a generic type's definition on its parameters, and on the fields that depend on them.
 fn definition_bounds<'a>(
     scope: Scope<'_>,
     fields: impl IntoIterator<Item = &'a syn::Fields>,
@@ -263,7 +263,7 @@ fn definition_bounds<'a>(
     fields.chain(own).collect()
 }
 
-/// The list of the definitions of fields.
+/// Returns the list of field definitions.
 fn field_definitions(fields: &syn::Fields) -> TokenStream {
     let fields = fields.iter().zip(fields.members()).map(|(field, member)| {
         let (name, docs, ty) = (lower::member(&member), docs::lines(&field.attrs), &field.ty);
@@ -274,12 +274,12 @@ fn field_definitions(fields: &syn::Fields) -> TokenStream {
     quote! { ::bessemer::generate::list([#(#fields),*]) }
 }
 
-/// The attributes of an item, which were checked before.
+/// Returns the attributes of an item, which were checked before.
 fn said(attributes: &[syn::Attribute], on: On) -> TokenStream {
     given::tokens(&given::read(attributes, on, &mut Refusals::default()))
 }
 
-/// Returns true if a trait is derived, as far as the attributes below the DSL's show it.
+/// Returns true if a trait is in a `derive` below the DSL's attribute.
 fn derives(name: &str, attributes: &[syn::Attribute]) -> bool {
     attributes.iter().filter(|it| it.path().is_ident("derive")).any(|derive| {
         use syn::punctuated::Punctuated;
@@ -289,8 +289,7 @@ fn derives(name: &str, attributes: &[syn::Attribute]) -> bool {
     })
 }
 
-/// The definition of a type, and its registration; of a generic type, its instances are built where
-/// they are used.
+/// Returns the definition of a type and its registration. Instances of a generic type are built where they are used.
 fn definition(
     name: &syn::Ident,
     scope: Scope<'_>,
@@ -496,7 +495,7 @@ fn enum_words(it: &syn::ItemEnum) -> TokenStream {
     }
 }
 
-/// The `impl` block as Rust runs it, and what is beside it.
+/// Returns the native `impl` block, and the items beside it.
 fn methods(
     kind: Kind,
     more: bool,
@@ -546,8 +545,7 @@ fn methods(
     (it.into_token_stream(), beside)
 }
 
-/// A method of the author's whose name the DSL owns: calls of it were redirected, so it answers to
-/// that name as well.
+/// Returns an alias of an author's method whose name the DSL owns, since calls of it were redirected to the alias.
 fn alias(owner: &syn::Type, method: &syn::ImplItemFn) -> Option<syn::ImplItem> {
     let mut alias = method.clone();
     let name = &method.sig.ident;

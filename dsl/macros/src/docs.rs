@@ -1,6 +1,6 @@
-//! The author's doc comments, a line each, as they travel to the C.
+//! Author's doc comments, one entry per line, for the C.
 
-/// The text of the `///` lines among `attributes`, without the leading space.
+/// Returns the text of the `///` lines in `attributes`, without the leading space.
 pub fn lines(attributes: &[syn::Attribute]) -> Vec<String> {
     let mut lines = Vec::new();
     for attribute in attributes {

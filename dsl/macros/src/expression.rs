@@ -1,15 +1,15 @@
-//! The author's expression of a constant, for a comment in the C: rustc provides the value only.
+//! Author's expression of a constant, for a comment in the C, since rustc provides only the value.
 //!
-//! What is no more than its value says nothing, nor does what is long. Absent: what the names in it mean.
+//! A literal has no expression, and neither has a long one. Must not know: the meaning of names in it.
 
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::Expr;
 
-/// The longest that a comment quotes, in characters.
+/// Longest expression that a comment quotes, in characters.
 const LONGEST: usize = 72;
 
-/// The author's text of an expression that computes something.
+/// Returns the author's text of an expression that computes something.
 pub fn told(value: &Expr) -> Option<String> {
     let text = shown(value.to_token_stream());
     let fits = text.chars().count() <= LONGEST && !text.contains("/*") && !text.contains("*/");
@@ -17,7 +17,7 @@ pub fn told(value: &Expr) -> Option<String> {
     (computes(value) && fits && !generic).then_some(text)
 }
 
-/// Returns true if a value is more than the numbers that are there, and what they are put into.
+/// Returns true if a value is more than literals and constructors of them.
 fn computes(value: &Expr) -> bool {
     match value {
         Expr::Binary(_) | Expr::MethodCall(_) => true,
@@ -43,14 +43,14 @@ fn computes(value: &Expr) -> bool {
     }
 }
 
-/// Returns true if a function only puts its arguments together: `Vector3::new`, `Some`.
+/// Returns true if a function only constructs a value from its arguments: `Vector3::new`, `Some`.
 fn constructs(function: &Expr) -> bool {
     let Expr::Path(path) = function else { return false };
     let name = path.path.segments.last().map(|it| it.ident.to_string()).unwrap_or_default();
     name == "new" || name.starts_with(char::is_uppercase)
 }
 
-/// Tokens as an author writes them; without generic arguments, which look like comparisons.
+/// Returns tokens as an author writes them; not generic arguments, which look like comparisons.
 fn shown(tokens: TokenStream) -> String {
     let mut text = String::new();
     // Whether an operand is complete, so that an operator behind it has two; and whether one goes on.

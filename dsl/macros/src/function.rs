@@ -1,4 +1,4 @@
-//! Free functions: the native item, its carrier, and in a generation build the builder.
+//! Expands attributes of free functions: the native item, its marker, and in a generation build the builder.
 
 use bessemer_tree::Role;
 use bessemer_tree::attributes::Attributes;
@@ -33,7 +33,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     })
 }
 
-/// `#[external]`.
+/// Expands `#[external]`.
 pub fn expand_external(arguments: TokenStream, item: TokenStream) -> TokenStream {
     marked(item, Refusals::default(), 0, |function, refusals| Asked {
         role: Role::Public,
@@ -41,7 +41,7 @@ pub fn expand_external(arguments: TokenStream, item: TokenStream) -> TokenStream
     })
 }
 
-/// A free function with what its attribute itself requests; `depth`: in how many functions it stands.
+/// Returns a free function with its attributes; `depth` is its nesting depth in other functions.
 fn marked(
     item: TokenStream,
     mut refusals: Refusals,

@@ -1,7 +1,7 @@
 //! Generic parameters, as the expansions write them.
 //!
-//! The parameters of an `impl` block or a type come first, the function's own after them. In a
-//! generation build each type among them is a value of the DSL besides what its author asks of it.
+//! The parameters of an `impl` block or a type precede the function's own. In a generation build each type parameter
+//! is a value of the DSL, in addition to its author's bounds.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -10,10 +10,10 @@ use syn::GenericParam;
 use crate::closures::bounds_of;
 use crate::lower;
 
-/// The parameters in the scope of a function, or of a type.
+/// Generic parameters in the scope of a function or a type.
 #[derive(Clone, Copy)]
 pub struct Scope<'a> {
-    /// The type that implements an interface, where that is open.
+    /// Type that implements an interface, if it is a parameter.
     this: Option<&'a GenericParam>,
     outer: Option<&'a syn::Generics>,
     own: Option<&'a syn::Generics>,
@@ -35,39 +35,39 @@ impl<'a> Scope<'a> {
         Scope { own: Some(own), ..self }
     }
 
-    /// With what implements an interface.
+    /// Returns the scope with the implementing type of an interface.
     pub fn with_implementor(self, this: &'a GenericParam) -> Scope<'a> {
         Scope { this: Some(this), ..self }
     }
 
-    /// The part of the `impl` block.
+    /// Returns only the `impl` block's or type's part.
     pub fn outer(self) -> Scope<'a> {
         Scope { own: None, ..self }
     }
 
-    /// The part of the function.
+    /// Returns only the function's part.
     pub fn own(self) -> Scope<'a> {
         Scope { this: None, outer: None, ..self }
     }
 
-    /// Returns true if there is anything to be generic over.
+    /// Returns true if there is a parameter.
     pub fn is_generic(self) -> bool {
         self.params().next().is_some()
     }
 
-    /// Types and constants; lifetimes have no part in what is built.
+    /// Returns the type and const parameters; builders do not need lifetimes.
     fn params(self) -> impl Iterator<Item = &'a GenericParam> {
         let both = self.outer.into_iter().chain(self.own);
         let params = self.this.into_iter().chain(both.flat_map(|generics| &generics.params));
         params.filter(|param| !matches!(param, GenericParam::Lifetime(_)))
     }
 
-    /// The lifetimes of the type, or of the `impl` block.
+    /// Returns the lifetimes of the type, or of the `impl` block.
     pub fn lifetimes(self) -> impl Iterator<Item = &'a syn::LifetimeParam> {
         self.outer.into_iter().flat_map(|generics| generics.lifetimes())
     }
 
-    /// `<'a, T: Real, const N: usize>`, without defaults.
+    /// Returns the declarations `<'a, T: Real, const N: usize>`, without defaults.
     pub fn declared(self) -> TokenStream {
         let lifetimes = self.lifetimes().map(ToTokens::to_token_stream);
         angle(lifetimes.chain(self.params().map(|param| match param {
@@ -83,19 +83,19 @@ impl<'a> Scope<'a> {
         })))
     }
 
-    /// `<'a, T, N>`: as the type itself is written.
+    /// Returns the arguments `<'a, T, N>`, as in the type itself.
     pub fn applied(self) -> TokenStream {
         let lifetimes = self.lifetimes().map(|it| it.lifetime.to_token_stream());
         angle(lifetimes.chain(self.params().map(name)))
     }
 
-    /// `<'static, T, N>`: the type as a slot holds it.
+    /// Returns the arguments `<'static, T, N>`, for a type in a slot.
     pub fn lasting(self) -> TokenStream {
         let lifetimes = self.lifetimes().map(|_| quote! { 'static });
         angle(lifetimes.chain(self.params().map(name)))
     }
 
-    /// `<T, const N: usize>`: without bounds.
+    /// Returns the declarations `<T, const N: usize>`, without bounds.
     pub fn unbounded(self) -> TokenStream {
         angle(self.params().map(|param| match param {
             GenericParam::Type(it) => it.ident.to_token_stream(),
@@ -107,18 +107,18 @@ impl<'a> Scope<'a> {
         }))
     }
 
-    /// `<T, N>`.
+    /// Returns the arguments `<T, N>`.
     pub fn arguments(self) -> TokenStream {
         angle(self.params().map(name))
     }
 
-    /// `<Self, T, N>`: as the interface itself calls them.
+    /// Returns the arguments `<Self, T, N>`, for the interface itself.
     pub fn arguments_of_self(self) -> TokenStream {
         let rest = Scope { this: None, ..self };
         angle(std::iter::once(quote! { Self }).chain(rest.params().map(name)))
     }
 
-    /// `::<T, N>`.
+    /// Returns the arguments `::<T, N>`.
     pub fn turbofish(self) -> TokenStream {
         let arguments = self.arguments();
         if self.is_generic() {
@@ -128,7 +128,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// The types among them.
+    /// Returns the type parameters.
     pub fn types(self) -> impl Iterator<Item = &'a syn::Ident> {
         self.params().filter_map(|param| match param {
             GenericParam::Type(it) => Some(&it.ident),
@@ -136,7 +136,7 @@ impl<'a> Scope<'a> {
         })
     }
 
-    /// The author's `where`, and what `more` requests.
+    /// Returns a `where` clause with the author's predicates and `more`.
     pub fn bounds(self, more: impl IntoIterator<Item = TokenStream>) -> TokenStream {
         let both = self.outer.into_iter().chain(self.own);
         let clauses = both.filter_map(|generics| generics.where_clause.as_ref());
@@ -165,7 +165,7 @@ impl<'a> Scope<'a> {
         })
     }
 
-    /// The arguments for the parameters, as a builder tells them: names and arguments.
+    /// Returns names and arguments of the parameters, for a builder.
     pub fn told(self) -> TokenStream {
         let told = self.params().map(|param| {
             let text = lower::text(ident(param));
@@ -178,7 +178,7 @@ impl<'a> Scope<'a> {
         quote! { &[#(#told),*] }
     }
 
-    /// The arguments for the parameters of an interface, as its implementation writes them.
+    /// Returns the arguments for an interface's parameters, as its implementation writes them.
     pub fn told_of(self, path: &syn::Path) -> TokenStream {
         let arguments = path.segments.last().map(|last| &last.arguments);
         let Some(syn::PathArguments::AngleBracketed(arguments)) = arguments else {
@@ -199,7 +199,7 @@ impl<'a> Scope<'a> {
         quote! { &[#(#told),*] }
     }
 
-    /// Returns true if what looks like a type is a number among the parameters.
+    /// Returns true if a path that looks like a type is a const parameter.
     fn is_number(self, ty: &syn::Type) -> bool {
         let syn::Type::Path(path) = ty else { return false };
         self.params()
@@ -213,7 +213,7 @@ impl<'a> Scope<'a> {
         Some(if is_real { Floats::Real } else { Floats::Number })
     }
 
-    /// Returns true if nalgebra's `RealField` is asked of a type, which then is one of the DSL's floats.
+    /// Returns true if a type has nalgebra's bound `RealField`, so it is a float of the DSL.
     fn is_real(self, name: &syn::Ident) -> bool {
         let mut both = self.outer.into_iter().chain(self.own);
         both.any(|generics| bounds_of(generics, name).any(is_real))
@@ -226,7 +226,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Returns true if all arguments of `ty` are parameters: a block for it is one for every instance.
+    /// Returns true if all arguments of `ty` are parameters, so a block for it applies to every instance.
     pub fn is_for_all(self, ty: &syn::Type) -> bool {
         let syn::Type::Path(path) = ty else { return true };
         let arguments = path.path.segments.last().map(|last| &last.arguments);
@@ -256,11 +256,11 @@ pub fn is_real(bound: &syn::TypeParamBound) -> bool {
 /// A conversion that a bound requires.
 #[derive(Clone, Copy)]
 pub enum Conversion {
-    /// `From`.
+    /// A `From` bound.
     From,
-    /// `Into`, from the other end.
+    /// An `Into` bound.
     Into,
-    /// `TryFrom`.
+    /// A `TryFrom` bound.
     TryFrom,
 }
 
@@ -275,7 +275,7 @@ impl Conversion {
     }
 }
 
-/// The conversion that a bound requires, and the other type; none if it requires something else.
+/// Returns the conversion that a bound requires, and the other type; none for another bound.
 pub fn conversion(bound: &syn::TypeParamBound) -> Option<(Conversion, &syn::Type)> {
     let syn::TypeParamBound::Trait(bound) = bound else { return None };
     let last = bound.path.segments.last()?;
@@ -292,17 +292,17 @@ pub fn conversion(bound: &syn::TypeParamBound) -> Option<(Conversion, &syn::Type
     }
 }
 
-/// Bounds of a type that represents a float: they decide which of the DSL's traits provides its methods.
+/// Bound of a type that represents a float; it selects the DSL's trait with its methods.
 #[derive(Clone, Copy)]
 pub enum Floats {
-    /// `num_traits::Float`, or a trait that implies it.
+    /// Bound `num_traits::Float`, or a trait that implies it.
     Number,
-    /// nalgebra's `RealField`.
+    /// Bound `RealField` of nalgebra.
     Real,
 }
 
 impl Floats {
-    /// The trait of its methods.
+    /// Returns the trait of its methods.
     pub fn methods(self) -> TokenStream {
         match self {
             Floats::Number => quote! { AnyFloatMethods },

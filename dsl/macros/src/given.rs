@@ -1,8 +1,8 @@
-//! The author's names, units and sections for types, variants, fields, parameters and tables:
-//! `#[c(name = "…", section = "…")]`, `#[unit("…")]`, `#[range(0.0..=5.0)]`.
+//! Author's C names, units and sections for types, variants, fields, parameters and tables: `#[c(name = "…", section
+//! = "…")]`, `#[unit("…")]`, `#[range(0.0..=5.0)]`.
 //!
-//! The attributes are the DSL's alone: the native item goes without them. What they say travels as
-//! [`Given`]; whether a name is free shows only when the C is written.
+//! They are removed from the native item, and reach the tree as [`Given`]. Conflicts of names are found only when the
+//! C is written.
 
 use bessemer_tree::attributes::{Attributes, Given, Range};
 use proc_macro2::TokenStream;
@@ -11,30 +11,30 @@ use quote::quote;
 use crate::lower::{self, Refusals, refuse};
 use crate::sizes;
 
-/// The item below the attributes, which decides what they may say.
+/// Item below the attributes, which determines the allowed ones.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum On {
-    /// A struct or an enum: a name.
+    /// A struct or an enum: a name is allowed.
     Type,
-    /// A variant of an enum: a name.
+    /// A variant of an enum: a name is allowed.
     Variant,
-    /// A field or a parameter: a name, a unit and a range.
+    /// A field or a parameter: a name, a unit and a range are allowed.
     Value,
-    /// A `const` or a `static`: a name, a unit and a section.
+    /// A `const` or a `static`: a name, a unit and a section are allowed.
     Table,
 }
 
-/// Returns true if an attribute is one of these.
+/// Returns true if an attribute is one of the DSL's.
 fn is_ours(attribute: &syn::Attribute) -> bool {
     ["c", "unit", "range"].iter().any(|name| attribute.path().is_ident(name))
 }
 
-/// Takes the attributes off the native item.
+/// Removes the DSL's attributes from the native item.
 pub fn strip(attributes: &mut Vec<syn::Attribute>) {
     attributes.retain(|attribute| !is_ours(attribute));
 }
 
-/// The content of the attributes.
+/// Reads the DSL's attributes.
 pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> Given {
     let mut given = Given::default();
     for attribute in attributes.iter().filter(|attribute| is_ours(attribute)) {
@@ -84,7 +84,7 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
     given
 }
 
-/// The unit that an attribute gives.
+/// Reads a unit.
 pub fn unit(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<String> {
     let unit = attribute.parse_args::<syn::LitStr>().map(|unit| unit.value()).unwrap_or_default();
     if unit.trim().is_empty() || unit.contains("*/") || unit.contains(char::is_control) {
@@ -94,7 +94,7 @@ pub fn unit(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Strin
     Some(unit)
 }
 
-/// The range that an attribute gives.
+/// Reads a range.
 fn range(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Range> {
     let ends = attribute.parse_args::<syn::ExprRange>().ok();
     let ends = ends.filter(|it| matches!(it.limits, syn::RangeLimits::Closed(_)));
@@ -106,7 +106,7 @@ fn range(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Range> {
     range
 }
 
-/// The value of a number as it is written: `5`, `-0.5`.
+/// Returns the value of a literal, such as `5` or `-0.5`.
 fn literal(expr: &syn::Expr) -> Option<f64> {
     match expr {
         syn::Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => {
@@ -118,7 +118,8 @@ fn literal(expr: &syn::Expr) -> Option<f64> {
     }
 }
 
-/// Takes what is said of its parameters off a signature, and adds what their types and its result's say.
+/// Removes the DSL's attributes of parameters from a signature, and records them with the names of lengths in its
+/// types.
 pub fn parameters(
     signature: &mut syn::Signature,
     attributes: &mut Attributes,
@@ -143,7 +144,7 @@ pub fn parameters(
     }
 }
 
-/// The attributes, as the builder takes them.
+/// Returns the attributes as an expression for the builder.
 pub fn tokens(given: &Given) -> TokenStream {
     let none = quote! { ::core::option::Option::None };
     if *given == Given::default() {

@@ -1,8 +1,8 @@
-//! Items of generic types' instances that are called other than by name: `[…]`, `==`, and the author's own `next` and
+//! Functions of generic types' instances that have no call in the source: `Index`, `==`, and an author's `next` and
 //! `iter`.
 //!
-//! Nobody knows all instances, and a generic type does not know what its implementations ask of its parameters. So an
-//! instance is asked wherever it is built, by its definition, by its methods and by its name; one of these knows the bounds.
+//! No one knows all instances, and a generic type does not know the bounds of its implementations. So an instance is
+//! queried wherever it is built: by its definition, by its methods and by its name; one of these has the bounds.
 
 use bessemer_tree::{ITER, ITER_MUT};
 use proc_macro2::TokenStream;
@@ -10,7 +10,7 @@ use quote::{format_ident, quote};
 
 use crate::generics::Scope;
 
-/// The statement of a builder that asks the type `owner`.
+/// Returns the builder's statement that queries the type `owner`.
 pub fn ask(owner: &TokenStream) -> TokenStream {
     quote! {
         {
@@ -19,7 +19,8 @@ pub fn ask(owner: &TokenStream) -> TokenStream {
     }
 }
 
-/// The answer of a generic type: `build` builds the function of the trait `of`, for an operand of type `other`.
+/// Implements the answer for a generic type: `build` builds the function of the trait `of`, for an operand of type
+/// `other`.
 pub fn noted(
     of: &syn::Ident,
     (owner, other): (&syn::Type, &syn::Type),
@@ -37,7 +38,7 @@ pub fn noted(
     }
 }
 
-/// The sign of a method that loops call by no name.
+/// Returns the sign that identifies a method which loops call implicitly.
 pub fn sign_of(method: &str) -> Option<syn::Ident> {
     match method {
         ITER => Some(format_ident!("Iter")),

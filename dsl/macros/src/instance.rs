@@ -1,4 +1,4 @@
-//! Instances of generic types that reach C under a name of their author's.
+//! Instances of generic types with an author's name, which are in the C.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -11,8 +11,8 @@ use crate::implied;
 use crate::lower::{self, Refusals, refuse};
 use crate::place;
 
-/// The methods that an instance with a name of its own shows to C: those of a generic block, by the names of
-/// their builders. Two such blocks would leave open which.
+/// Returns the methods of a named instance that are in the C: those of a generic block, by the names of their
+/// builders. Two such blocks would be ambiguous.
 pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
     let scope = Scope::of_type(&it.generics);
     if !scope.is_generic() || faces.is_empty() {

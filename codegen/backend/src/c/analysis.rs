@@ -1,7 +1,7 @@
-//! Facts of a module that several parts of the back end request: who can fault, which locals are
-//! written, which are read.
+//! Facts about a module for several parts of the back end: functions that can fault, and locals that are written or
+//! read.
 //!
-//! Invariant: a fact about a function depends on that function and its callees only.
+//! Invariant: a fact about a function depends only on that function and its callees.
 
 use std::collections::BTreeSet;
 
@@ -16,14 +16,14 @@ use bessemer_ir::{
 pub struct Faults {
     functions: Vec<bool>,
     latched: Vec<bool>,
-    /// Checks in each function, its callees' included once per call.
+    /// Number of checks in each function, including its callees once for each call.
     pub checks: Vec<u32>,
-    /// True if a hook of the user's is called at a fault, and nothing returns a status.
+    /// True if a fault calls the user's hook and no function returns a status.
     hook: bool,
 }
 
 impl Faults {
-    /// Looks at every function; callees precede callers.
+    /// Computes the facts about all functions; callees precede callers.
     pub fn new(module: &Module, hook: bool) -> Faults {
         let mut faults = Faults {
             hook,
@@ -72,7 +72,7 @@ impl Faults {
     }
 }
 
-/// The component that a function is an entry point of.
+/// Returns the component of which a function is an entry point.
 fn entry_owner(module: &Module, function: &Function) -> Option<StructId> {
     match (function.role, function.owner) {
         (Role::Entry { .. }, Some(Owner::Struct(id))) => {
@@ -85,14 +85,14 @@ fn entry_owner(module: &Module, function: &Function) -> Option<StructId> {
 /// Use of a function's locals.
 #[derive(Clone, Debug, Default)]
 pub struct Usage {
-    /// Written after their declaration, or lent out as `RefMut`.
+    /// True for each local that is written after its declaration, or borrowed mutably.
     pub assigned: Vec<bool>,
-    /// Read, or lent out.
+    /// True for each local that is read or borrowed.
     pub read: Vec<bool>,
 }
 
 impl Usage {
-    /// Looks at the whole body.
+    /// Collects the uses in a whole body.
     pub fn new(function: &Function) -> Usage {
         let count = function.locals.len();
         let none = || vec![false; count];
@@ -103,11 +103,11 @@ impl Usage {
     }
 }
 
-/// Looks for what is done with locals.
+/// Visitor that collects uses of locals.
 struct Uses<'f> {
     function: &'f Function,
     usage: Usage,
-    /// The local that the statement assigns as a whole: what flows back into it does not use it.
+    /// Local that the present statement assigns as a whole; its own old value is no use.
     own: Option<LocalId>,
 }
 
@@ -135,9 +135,8 @@ impl Visit for Uses<'_> {
     }
 }
 
-/// The functions that the C needs: those that others can call, and what they call. What another crate
-/// brings for the stand-in of an external function alone is none of them; nor is what a function of a
-/// library calls in Rust.
+/// Returns the functions that the C needs: those that others can call, and their callees. Not included are functions
+/// that only the Rust stand-in of an external function calls, and those that a function replaced by a library calls.
 pub fn reachable(
     module: &Module,
     is_extern: impl Fn(FunctionId) -> bool,
@@ -158,7 +157,7 @@ pub fn reachable(
     reached
 }
 
-/// Marks what marked functions call, as far as `through` goes on from them.
+/// Marks the callees of marked functions; `through` selects the functions whose callees are followed.
 fn follow(module: &Module, marked: &mut [bool], through: impl Fn(FunctionId) -> bool) {
     // Callees precede callers.
     for index in (0..marked.len()).rev() {
@@ -172,7 +171,7 @@ fn follow(module: &Module, marked: &mut [bool], through: impl Fn(FunctionId) -> 
     }
 }
 
-/// The structs that C need not name: parts of the memory that an entry is lent, of which nothing speaks as a whole.
+/// Returns the structs that the C need not name: parts of a work struct that no code uses as a whole.
 pub fn unnamed(module: &Module) -> BTreeSet<StructId> {
     let of_union = |item: &Struct| item.form == Form::Shared;
     let parts = module.structs.iter().filter(|it| of_union(it)).flat_map(|it| &it.fields);
@@ -196,7 +195,7 @@ fn struct_of(ty: &Type) -> Option<StructId> {
     }
 }
 
-/// The inline functions that these functions call, directly or through one another; callees first.
+/// Returns the inline functions that these functions call, directly or indirectly, callees first.
 pub fn inline_callees(
     module: &Module,
     callers: impl IntoIterator<Item = FunctionId>,

@@ -1,14 +1,14 @@
-//! Requests to compilers for which C99 has no word: sections, inlining, copies without a call.
+//! Attributes of compilers that C99 does not have: sections, inlining, copies without a call, unrolling.
 //!
-//! Each is a macro that is empty where the compiler knows no such attribute, defined in the file that uses
-//! it; a firmware for another compiler defines it on the command line.
+//! Each is a macro that is empty for an unknown compiler, defined in the file that uses it. Firmware for another
+//! compiler can define it on the command line.
 
 use bessemer_ir::{Attributes, Inlining};
 
 use super::options::Options;
 use super::spelling::identifier;
 
-/// One of the macros.
+/// A macro for a compiler attribute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Macro {
     AlwaysInline,
@@ -19,7 +19,7 @@ pub enum Macro {
 }
 
 impl Macro {
-    /// Its name.
+    /// Returns its name in C.
     pub fn name(self, options: &Options) -> String {
         let stem = identifier(&options.status).to_uppercase();
         match self {
@@ -31,7 +31,7 @@ impl Macro {
         }
     }
 
-    /// The text that defines it.
+    /// Returns its definition in C.
     pub fn text(self, options: &Options) -> String {
         let (name, docs) = (self.name(options), self.docs());
         let (parameters, meaning) = match self {
@@ -63,7 +63,7 @@ impl Macro {
     }
 }
 
-/// The macros that a function's author requests, each as it precedes the function.
+/// Returns the macros that a function's author requests, each with its text in front of the function.
 pub fn of(attributes: &Attributes, options: &Options) -> Vec<(Macro, String)> {
     let mut asked: Vec<_> =
         attributes.section.iter().map(|name| (Macro::Section, section(name, options))).collect();
@@ -79,12 +79,12 @@ pub fn of(attributes: &Attributes, options: &Options) -> Vec<(Macro, String)> {
     asked
 }
 
-/// The section of a function or a constant, as it precedes it.
+/// Returns the text in front of a function or a constant that places it in a section.
 pub fn section(section: &str, options: &Options) -> String {
     format!("{}(\"{section}\")", Macro::Section.name(options))
 }
 
-/// The name of memcpy by which the compiler knows it, whatever it is reported the library.
+/// Defines a name for `memcpy` that compilers expand inline, also with `-ffreestanding`.
 fn copy(name: &str, docs: &str) -> String {
     format!(
         "/* {docs} */\n#ifndef {name}\n#if defined(__GNUC__)\n#define {name} __builtin_memcpy\n#else\n\
@@ -92,7 +92,7 @@ fn copy(name: &str, docs: &str) -> String {
     )
 }
 
-/// The macro before a loop, which is a pragma, and another for each compiler.
+/// Defines the macro in front of a loop that requests unrolling, by the pragma of each compiler.
 fn unroll(name: &str, docs: &str) -> String {
     let pragma = name.replace("_UNROLL", "_PRAGMA");
     let define = |word: &str| {

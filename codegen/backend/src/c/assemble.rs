@@ -1,4 +1,4 @@
-//! A file of its items: the shell around them, the text, and the map.
+//! Assembles a file from its items: the enclosing shell, the text, and the map of source lines.
 
 use super::context::Context;
 use super::file::CFile;
@@ -35,7 +35,7 @@ pub(super) fn assemble(
     CFile { name: name.to_owned(), text, map }
 }
 
-/// Returns true if an item is defined in another file than it is declared in.
+/// Returns true if another file than this one defines the item.
 fn links(item: &Item) -> bool {
     matches!(item, Item::Prototype { .. } | Item::Constant { storage: Storage::Extern, .. })
 }

@@ -1,9 +1,10 @@
-//! The names of constants, and which of them are beside all sources.
+//! Names of constants in the C, and the set of constants that all sources share.
 //!
-//! A constant that its author marked, and that is `pub`, stands once, with its module's name before it, as a function has; so at its place and
-//! what it is called follow from it alone. So does one of an inline function that other modules may call. Any other is `static` in each file that uses it, under the author's own name; it is
-//! qualified where two in one file differ in value, or where a type, a variant or a function has the name. So what another
-//! file uses changes nothing.
+//! A marked `pub` constant is defined once, with its module as a prefix, as functions have. So is a constant of an
+//! inline function that other modules may call. Its file and name so depend only on its definition. Any other
+//! constant is `static` in each file that uses it, under the author's name. It has a prefix only if two constants in
+//! one file have this name and different values, or if a type, a variant or a function has it. Thus other files have
+//! no influence.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,7 +18,7 @@ use super::sizes;
 use super::spelling::{identifier, last_segment, relative, screaming, unique};
 use super::tree::Storage;
 
-/// The names, by file (its header) and constant.
+/// Names of constants, by file (its header) and constant.
 #[derive(Clone, Debug, Default)]
 pub struct ConstNames {
     files: BTreeMap<String, BTreeMap<ConstId, String>>,
@@ -26,7 +27,7 @@ pub struct ConstNames {
 }
 
 impl ConstNames {
-    /// Names the constants that the functions use; `globals` are the names of everything else.
+    /// Names the constants that the functions use; `globals` are the names of all other items.
     pub fn new(
         module: &Module,
         functions: &[Signature],
@@ -68,18 +69,18 @@ impl ConstNames {
         ConstNames { files, shared, all }
     }
 
-    /// The name of a constant that is beside all sources.
+    /// Returns the name of a shared constant.
     pub fn shared(&self, id: ConstId) -> Option<&str> {
         self.shared.get(&id).map(String::as_str)
     }
 
-    /// The name of a constant in a file.
+    /// Returns the name of a constant in a file.
     pub fn get(&self, file: &str, id: ConstId) -> &str {
         let own = || self.files.get(file)?.get(&id).map(String::as_str);
         self.shared(id).or_else(own).unwrap_or_default()
     }
 
-    /// Returns true if a constant has another name than this in some file.
+    /// Returns true if a constant has a different name in some file.
     pub fn renamed(&self, id: ConstId, name: &str) -> bool {
         let files = self.files.values().chain([&self.shared]);
         files.filter_map(|names| names.get(&id)).any(|own| own != name)
@@ -91,7 +92,7 @@ impl ConstNames {
     }
 }
 
-/// The names of those that are beside all sources.
+/// Returns the names of the shared constants.
 fn beside_all(
     module: &Module,
     ids: &BTreeSet<ConstId>,
@@ -115,7 +116,7 @@ fn beside_all(
     names
 }
 
-/// The names of those of one file.
+/// Returns the names of the constants of one file.
 fn of_file(
     module: &Module,
     ids: &BTreeSet<ConstId>,

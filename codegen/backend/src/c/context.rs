@@ -1,4 +1,4 @@
-//! The lookup tables of the whole back end, and the includes and helpers that one file needs.
+//! Tables that the whole back end reads, and the requirements of one file.
 
 use std::collections::BTreeSet;
 
@@ -8,14 +8,14 @@ use super::analysis::Faults;
 use super::helpers::Helper;
 use super::names::Names;
 
-/// The helpers, constants and headers that the functions of a file need.
+/// Requirements of the functions in a file: helpers, constants and headers.
 #[derive(Clone, Debug, Default)]
 pub struct Uses {
-    /// The file, by its header.
+    /// Header name that identifies the file.
     pub file: String,
     /// Helper functions.
     pub helpers: BTreeSet<Helper>,
-    /// Functions that the text calls.
+    /// Called functions.
     pub called: BTreeSet<FunctionId>,
     /// Named constants.
     pub consts: BTreeSet<ConstId>,
@@ -23,7 +23,7 @@ pub struct Uses {
     pub headers: BTreeSet<String>,
     /// Headers of C's library.
     pub system: BTreeSet<&'static str>,
-    /// The macro that asks the compiler to unroll a loop.
+    /// True if the macro for unrolling is needed.
     pub unroll: bool,
 }
 
@@ -32,7 +32,7 @@ pub struct Uses {
 pub struct Context<'a> {
     /// The module.
     pub module: &'a Module,
-    /// Its names.
+    /// Names of all items.
     pub names: &'a Names,
     /// Set of functions that can fault.
     pub faults: &'a Faults,

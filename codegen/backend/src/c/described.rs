@@ -1,4 +1,4 @@
-//! Additions to the author's comments: units, ranges, and how a matrix lies in its array.
+//! Additions to the author's comments: units, ranges, and the element order of matrices.
 
 use bessemer_ir::attributes::Range;
 use bessemer_ir::{Const, Function, Given, Type};
@@ -7,15 +7,15 @@ use super::matrices::Layout;
 use super::names::Names;
 use super::signature::{Param, Signature};
 
-/// Characters in a line of a comment.
+/// Width of a comment line, in characters.
 const WIDTH: usize = 92;
 
-/// The doc comment of a constant.
+/// Returns the doc comment of a constant.
 pub fn constant(names: &Names, item: &Const) -> Vec<String> {
     told(names, &item.docs, &item.given, item.given.expression.as_ref(), &item.ty)
 }
 
-/// The doc comment of a field. How its first value is computed stands where it is set.
+/// Returns the doc comment of a field. The expression of its default is a comment of the function that sets it.
 pub fn field(names: &Names, docs: &[String], given: &Given, ty: &Type) -> Vec<String> {
     told(names, docs, given, None, ty)
 }
@@ -43,7 +43,8 @@ fn told(
     lines
 }
 
-/// The doc comment of a function, with the units and ranges of its parameters, its result's unit, and how its matrices lie.
+/// Returns the doc comment of a function, with units and ranges of its parameters, the unit of its result, and the
+/// element order of matrices.
 pub fn function(names: &Names, function: &Function, signature: &Signature) -> Vec<String> {
     let mut lines = function.docs.clone();
     let attributes = &function.attributes;
@@ -87,7 +88,7 @@ pub fn in_rust(expression: &str) -> String {
     format!("In Rust: `{expression}`.")
 }
 
-/// `0 to 5`.
+/// Returns a range as text, `0 to 5`.
 fn ends(range: Range) -> String {
     // Numbers that are far from 1 by their powers of ten.
     let shown = |it: f64| match it.abs() {
@@ -113,7 +114,7 @@ fn order(layout: Layout, ty: &Type) -> Option<String> {
     }
 }
 
-/// Adds a sentence, to the last line if there is room.
+/// Appends a sentence, to the last line if there is room.
 fn add(lines: &mut Vec<String>, said: String) {
     let room = |last: &&mut String| {
         !last.is_empty() && last.chars().count() + said.chars().count() < WIDTH

@@ -3,7 +3,7 @@
 /// An emitted file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CFile {
-    /// `height.h`.
+    /// Name, such as `height.h`.
     pub name: String,
     /// Text of the file.
     pub text: String,

@@ -1,9 +1,9 @@
-//! Assignment of items to files, and their order.
+//! Assigns items to files, and orders them.
 //!
-//! * A component has its own pair of files; a Rust module's data, enums and functions share another.
-//! * Types are in headers; functions in sources, prototypes of public ones in headers.
-//! * Inside a file everything is in the order of the Rust source, save that C wants types before
-//!   their uses; static functions are declared at the top instead of being moved.
+//! * A component has its own pair of files; the data, enums and functions of a Rust module share another.
+//! * Types are in headers; functions in sources, with the prototypes of public ones in headers.
+//! * A file has the order of the Rust source, except that types precede their uses; static functions are declared at
+//!   the top instead of being moved.
 
 mod about;
 mod constants;
@@ -53,7 +53,7 @@ enum Callable {
     Function(FunctionId),
 }
 
-/// All files, by name.
+/// Returns all files, in the order of their names.
 pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     let mut list = Vec::new();
     let (mut helpers, mut consts) = (BTreeSet::new(), BTreeSet::new());
@@ -158,7 +158,7 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
 }
 
 /// Returns true for each function that a file defines or a library provides. Annotated functions are always included;
-/// functions of the mathematics only if they are called.
+/// elementary functions only if they are called.
 pub fn reached(context: Context<'_>) -> Vec<bool> {
     let (module, names) = (context.module, context.names);
     let storage = |id: FunctionId| names.signature(id).storage;
@@ -185,7 +185,7 @@ fn origin(span: Span) -> Origin {
     Origin { file: span.file, line: span.line }
 }
 
-/// `models::attitude::Height::step`.
+/// Returns the Rust path of a function, such as `models::attitude::Height::step`.
 fn rust_path(context: Context<'_>, function: &Function) -> String {
     let owner = match function.owner {
         Some(Owner::Struct(id)) => format!("{}::", context.module.structs[id.index()].name),
@@ -243,7 +243,7 @@ impl Writer<'_> {
         self.file("h", &items, includes)
     }
 
-    /// The source, and what it uses of what several share.
+    /// Returns the source file, and what it requires of the shared files.
     fn source(&self) -> (CFile, Uses) {
         let (module, names) = (self.context.module, self.context.names);
         let mut uses = Uses { file: self.options.header(&self.name), ..Uses::default() };
@@ -293,7 +293,7 @@ impl Writer<'_> {
         (self.file("c", &items, includes), uses)
     }
 
-    /// The definition of a function, and what its text needs.
+    /// Returns the definition of a function, and records its requirements.
     fn definition(
         &self,
         id: FunctionId,
@@ -338,7 +338,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The inline functions of this file's own, callees first.
+    /// Returns the inline functions that only this file has, callees first.
     fn inline(&self) -> impl Iterator<Item = Callable> {
         let own = self.unit.functions.iter().filter_map(|callable| match callable {
             Callable::Function(id) => Some(*id),
@@ -371,7 +371,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A type, after those of this file that it needs.
+    /// Adds a type, after the types of this file that it contains.
     fn type_item(
         &self,
         id: TypeId,
@@ -477,7 +477,7 @@ impl Writer<'_> {
         fields
     }
 
-    /// The struct that is written inside of the one which has it as a field.
+    /// Returns the struct that is declared inside the struct with this field.
     fn inside(&self, ty: &Type) -> Option<StructId> {
         match ty {
             Type::Struct(id) if !self.context.names.structs[id.index()].named => Some(*id),
@@ -514,7 +514,7 @@ impl Writer<'_> {
     }
 }
 
-/// Returns true if it is a function that other files may call.
+/// Returns true if the item declares a function that other files may call.
 fn declares(item: &Item) -> bool {
     match item {
         Item::Prototype { .. } => true,
@@ -523,7 +523,7 @@ fn declares(item: &Item) -> bool {
     }
 }
 
-/// The struct or enum that a type is made of, if one.
+/// Returns the struct or enum in a type, if there is one.
 fn named(ty: &Type) -> Option<TypeId> {
     match ty {
         Type::Struct(id) => Some(TypeId::Struct(*id)),
@@ -533,7 +533,8 @@ fn named(ty: &Type) -> Option<TypeId> {
     }
 }
 
-/// The processor's instruction where it has one, elsewhere the body. gcc defines its own macro, too: newlib's `math.h` lacks C99's.
+/// Returns a body that uses the processor's instruction if there is one. gcc's own macro is tested, too, since
+/// newlib's `math.h` lacks C99's.
 fn by_instruction(fast: &str, name: &str, head: &Head, body: Vec<Stmt>) -> Vec<Stmt> {
     let arguments: Vec<&str> = head.params.iter().map(|param| param.name.as_str()).collect();
     let direct = format!(
@@ -545,7 +546,7 @@ fn by_instruction(fast: &str, name: &str, head: &Head, body: Vec<Stmt>) -> Vec<S
     [vec![direct], body, vec![end]].concat()
 }
 
-/// The callables with their places, in an order in which a function comes after those that call it.
+/// Returns the functions with their indices, in an order in which callers precede callees.
 fn callers_first(callables: &[Callable]) -> Vec<(usize, Callable)> {
     let mut list: Vec<(usize, Callable)> = callables.iter().copied().enumerate().collect();
     // Callees precede callers in the module.

@@ -1,5 +1,5 @@
-//! The names that authors give in the C: one that is taken is refused, not changed. So is one of the tool's own
-//! making that two things of the package would have.
+//! Checks the C names that authors choose: a conflicting name is refused, not changed. A conflict between two
+//! generated names is refused, too.
 
 use std::collections::BTreeMap;
 
@@ -10,24 +10,24 @@ use super::names::{Names, OVERLAY};
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
 use super::tree::Storage;
 
-/// Errors of a name chosen by the author.
+/// Conflict of a name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Taken {
-    /// C, C++ or POSIX have it.
+    /// A reserved name of C, C++ or POSIX.
     #[error("`{0}` is a name that C, C++ or POSIX reserve")]
     Reserved(String),
-    /// A file may have a helper of this name.
+    /// The name of a possible helper function.
     #[error("`{0}` is what the C calls a helper of its own")]
     Helper(String),
-    /// Something else of the package has it.
+    /// The name of another item of the package.
     #[error("two items would be `{0}` in the C")]
     Twice(String),
-    /// Two things of the package would have it, and no author gave it.
+    /// A generated name that two items of the package would have.
     #[error("two items would be `{0}` in the C")]
     Made(String),
 }
 
-/// The names that cannot be given, each with its place.
+/// Returns all conflicts, each with its place.
 pub fn taken(module: &Module, names: &Names) -> Vec<(Span, Taken)> {
     let mut found = Found { wanted: wanted(names), list: Vec::new() };
     found.types(module, names);
@@ -128,19 +128,19 @@ impl Found {
         }
     }
 
-    /// Returns true if two things would have this name.
+    /// Returns true if two items would have this name.
     fn is_twice(&self, name: &str) -> bool {
         self.wanted.get(name).is_some_and(|count| *count > 1)
     }
 
-    /// A name that is seen everywhere, and that the tool made.
+    /// Checks a generated global name.
     fn made(&mut self, name: &str, span: Span) {
         if self.is_twice(name) {
             self.list.push((span, Taken::Made(name.to_owned())));
         }
     }
 
-    /// A name that is seen everywhere.
+    /// Checks a global name of the author's.
     fn global(&mut self, name: &str, span: Span) {
         if is_keyword(name) || is_reserved_globally(name) {
             self.list.push((span, Taken::Reserved(name.to_owned())));
@@ -151,7 +151,7 @@ impl Found {
         }
     }
 
-    /// The name of a field.
+    /// Checks the name of a field.
     fn inner(&mut self, name: &str, span: Span, twice: bool) {
         if is_keyword(name) {
             self.list.push((span, Taken::Reserved(name.to_owned())));
@@ -160,7 +160,7 @@ impl Found {
         }
     }
 
-    /// The name of a parameter, and what it became.
+    /// Checks the name of a parameter against the name that it got.
     fn local(&mut self, given: &Given, became: &str, function: Span) {
         let Some(name) = &given.name else { return };
         let span = at(given, function);
@@ -172,7 +172,7 @@ impl Found {
     }
 }
 
-/// Returns the span of a name; that of its item if the name's file is unknown.
+/// Returns the span of a name, or of its item if it has none.
 fn at(given: &Given, item: Span) -> Span {
     match given.site.0 {
         0 => item,

@@ -1,8 +1,8 @@
-//! Small functions where C has no operator that means what Rust means.
+//! Helper functions for operations that C's operators do not have with Rust's meaning.
 //!
-//! Each is `static inline`, has no state and no undefined behaviour for any operand, and stands once, in the header of
-//! helpers, if any source calls it. Its name says what it does and on what type; its text depends on nothing
-//! else, so that it never changes for the sake of another.
+//! Each is `static inline`, has no state, and has no undefined behaviour for any operand. It is defined once, in the
+//! header of helpers, if a source calls it. Its name states operation and type. Its text depends on nothing else, so
+//! it never changes.
 
 mod conversions;
 mod floats;
@@ -15,63 +15,63 @@ use bessemer_ir::{Float, Int, Scalar};
 
 use super::spelling::scalar_type;
 
-/// A helper; the order is the order in their header: what another calls comes first.
+/// A helper. The order of the variants is the order in the header: callees precede callers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Helper {
-    /// The signed integer with the bits of an unsigned one.
+    /// Conversion of an unsigned integer to the signed integer with the same bits.
     Wrap(Int),
-    /// A small signed integer as `uint32_t`. A cast would do, but for gcc, which complains of the sign
-    /// wherever such a cast is an operand.
+    /// Conversion of a small signed integer to `uint32_t`. A cast is equivalent, but gcc warns of its sign conversion
+    /// wherever it is an operand.
     Extend(Int),
-    /// Converts the result of an operator to another type. A cast would not say in which of the two types the operator
-    /// computes (MISRA C:2012, rule 10.8); the type of the parameter does.
+    /// Conversion of the result of an operator to another type. A cast would leave open in which of the two types the
+    /// operator computes (MISRA C:2012, rule 10.8); the type of the parameter states it.
     Convert {
-        /// The type in which it was computed.
+        /// Type of the operation.
         from: Scalar,
-        /// The type of the result.
+        /// Type of the result.
         to: Scalar,
     },
-    /// The smaller of two.
+    /// Smaller of two numbers.
     Min(Scalar),
-    /// The larger of two.
+    /// Larger of two numbers.
     Max(Scalar),
-    /// The nearest within bounds.
+    /// Nearest number within bounds.
     Clamp(Scalar),
-    /// The absolute value of an integer.
+    /// Absolute value of an integer.
     Abs(Int),
-    /// The bits in which two values differ, where they are compared.
+    /// Exclusive or of two integers that are then compared.
     Xor(Int),
-    /// Bits shifted left, signed.
+    /// Left shift of a signed integer.
     ShiftLeft(Int),
-    /// Rust's `>>` on signed integers.
+    /// Rust's `>>` of a signed integer.
     ShiftRight(Int),
     /// Rust's `as` from float to integer.
     FromFloat(Int, Float),
-    /// The bits of a float.
+    /// Bits of a float.
     Bits(Float),
-    /// The bits of a float that is not a NaN.
+    /// Bits of a float that is not a NaN.
     RawBits(Float),
-    /// The float with these bits.
+    /// Float with these bits.
     FromBits(Float),
-    /// One number's size with another's sign.
+    /// Magnitude of one number with the sign of another.
     Copysign(Float),
-    /// A quotient modulo 2^bits.
+    /// Quotient modulo 2^bits.
     WrappingDiv(Int),
-    /// The remainder that goes with it.
+    /// Remainder of the wrapping quotient.
     WrappingRem(Int),
-    /// A sum that stops at the limits of its type.
+    /// Saturating sum.
     SaturatingAdd(Int),
-    /// A difference that stops at the limits of its type.
+    /// Saturating difference.
     SaturatingSub(Int),
-    /// A product that stops at the limits of its type.
+    /// Saturating product.
     SaturatingMul(Int),
-    /// The quotient that leaves a remainder of 0 or more.
+    /// Quotient whose remainder is not negative.
     DivEuclid(Scalar),
-    /// The remainder of 0 or more.
+    /// Remainder that is not negative.
     RemEuclid(Scalar),
-    /// The absolute value of a signed integer, unsigned.
+    /// Absolute value of a signed integer, as an unsigned one.
     UnsignedAbs(Int),
-    /// The distance of two integers, unsigned.
+    /// Distance of two integers, unsigned.
     AbsDiff(Int),
     /// Number of bits set, of 32 or 64.
     CountOnes(Int),
@@ -79,20 +79,20 @@ pub enum Helper {
     LeadingZeros(Int),
     /// Number of zero bits below the lowest bit set, of 32 or 64.
     TrailingZeros(Int),
-    /// The bytes turned round.
+    /// Integer with its bytes in reverse order.
     SwapBytes(Int),
-    /// A `bool` of the caller's as a number, whatever byte represents it.
+    /// A `bool` in the caller's memory as a number, for any byte value.
     Flag,
-    /// The sign of a float.
+    /// Sign of a float.
     Signum(Float),
-    /// The scalar product of the columns of two matrices.
+    /// Scalar product of the columns of two matrices.
     Dot(Float),
-    /// The sum of the squares of a matrix.
+    /// Sum of the squares of a matrix's elements.
     NormSquared(Float),
 }
 
 impl Helper {
-    /// `usize` is `u64` in C.
+    /// Maps `usize` to `u64` and `isize` to `i64`, as in the C.
     fn plain(int: Int) -> Int {
         match int {
             Int::Usize => Int::U64,
@@ -101,7 +101,7 @@ impl Helper {
         }
     }
 
-    /// The helper with types that C tells apart.
+    /// Returns the helper with types that C distinguishes.
     pub fn normal(self) -> Helper {
         let scalar = |scalar| match scalar {
             Scalar::Int(int) => Scalar::Int(Helper::plain(int)),
@@ -135,7 +135,7 @@ impl Helper {
         }
     }
 
-    /// Its name in C.
+    /// Returns its name in C.
     pub fn name(self) -> String {
         match self.normal() {
             Helper::Wrap(int) => format!("wrap_{}", int.name()),
@@ -173,7 +173,7 @@ impl Helper {
         }
     }
 
-    /// The helpers that it calls.
+    /// Returns the helper that it calls.
     fn needs(self) -> Option<Helper> {
         match self {
             Helper::ShiftLeft(int) => Some(Helper::Wrap(int)),
@@ -187,7 +187,7 @@ impl Helper {
         }
     }
 
-    /// Returns true if it needs `math.h`.
+    /// Returns true if its text needs `math.h`.
     pub fn needs_math(self) -> bool {
         match self {
             Helper::Min(ty) | Helper::Max(ty) => matches!(ty, Scalar::Float(_)),
@@ -198,12 +198,12 @@ impl Helper {
         }
     }
 
-    /// Returns true if it needs `string.h`.
+    /// Returns true if its text needs `string.h`.
     pub fn needs_string(self) -> bool {
         matches!(self, Helper::Bits(_) | Helper::RawBits(_) | Helper::FromBits(_) | Helper::Flag)
     }
 
-    /// Its definition; `copy` is what memcpy is called there.
+    /// Returns its definition; `copy` is the name of `memcpy` in it.
     pub fn text(self, copy: &str) -> String {
         let name = self.name();
         match self.normal() {
@@ -253,7 +253,7 @@ pub fn is_helper_name(name: &str) -> bool {
     NAMES.contains(name)
 }
 
-/// Every helper there can be.
+/// Returns every possible helper.
 fn all() -> impl Iterator<Item = Helper> {
     let of_int: [fn(Int) -> Helper; 17] = [
         Helper::Wrap,
@@ -297,7 +297,7 @@ fn all() -> impl Iterator<Item = Helper> {
         .chain(scalars.flat_map(move |scalar| of_either.map(|helper| helper(scalar))))
 }
 
-/// The helpers with those that they call.
+/// Returns the helpers together with those that they call.
 pub fn closure(helpers: &BTreeSet<Helper>) -> BTreeSet<Helper> {
     helpers.iter().flat_map(|helper| [Some(*helper), helper.needs()]).flatten().collect()
 }
@@ -310,7 +310,7 @@ fn float_type(float: Float) -> &'static str {
     scalar_type(Scalar::Float(float))
 }
 
-/// The unsigned integer of the same width.
+/// Returns the unsigned integer of the same width.
 pub fn unsigned(int: Int) -> Int {
     match int.bits() {
         8 => Int::U8,
@@ -320,7 +320,7 @@ pub fn unsigned(int: Int) -> Int {
     }
 }
 
-/// Its type.
+/// Returns the C type of the unsigned integer of the same width.
 pub fn unsigned_type(int: Int) -> &'static str {
     int_type(unsigned(int))
 }

@@ -1,7 +1,7 @@
-//! The helpers of the package, once: a header that the sources share, and that firmware has no need of.
+//! Header of the helpers, which all sources share and firmware does not include.
 //!
-//! Invariants: it holds what the sources call and nothing else; a source's own text does not depend on what else is in
-//! it. It states what it asks of the compiler before it computes, so that it may be included first.
+//! Invariants: it contains exactly the helpers that the sources call. A source's own text does not depend on the
+//! other helpers in it. It includes the target header before it computes, so it may be included first.
 
 use std::collections::BTreeSet;
 
@@ -16,12 +16,12 @@ use super::spelling::identifier;
 use super::target;
 use super::tree::Item;
 
-/// The header's name.
+/// Returns the header's name.
 pub fn name(options: &Options) -> String {
     options.header(&format!("{}_helpers", identifier(&options.status)))
 }
 
-/// The header of these helpers, if there are any.
+/// Returns the header of these helpers; none if there are none.
 pub fn header(
     context: Context<'_>,
     options: &Options,

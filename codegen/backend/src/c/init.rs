@@ -1,4 +1,4 @@
-//! The functions that set a component to its initial state, and data that entry points take to its default.
+//! Functions that set a component to its initial state, and plain data of entry points to its default.
 
 use std::collections::BTreeSet;
 
@@ -11,12 +11,12 @@ use super::tree::{
 };
 use super::{described, literal, sizes};
 
-/// Up to so many equal elements are set by a line each.
+/// Largest number of equal elements that are set one per line, without a loop.
 const LINES: usize = 4;
-/// Up to so many different words are set by a line each; more come from a table.
+/// Largest number of different words that are set one per line; more are copied from a table.
 const WORDS: usize = 16;
 
-/// The head of the function that sets a component to its initial state, or plain data to its default.
+/// Returns the head of the function that sets a component to its initial state, or plain data to its default.
 pub fn head(context: Context<'_>, id: StructId) -> Head {
     let names = &context.names.structs[id.index()];
     let this = Declarator {
@@ -33,7 +33,7 @@ pub fn head(context: Context<'_>, id: StructId) -> Head {
     }
 }
 
-/// Its doc comment.
+/// Returns the doc comment of that function.
 pub fn docs(context: Context<'_>, id: StructId) -> Vec<String> {
     let component = context.module.structs[id.index()].initial.is_some();
     let said = match component {
@@ -43,7 +43,7 @@ pub fn docs(context: Context<'_>, id: StructId) -> Vec<String> {
     vec![said.to_owned()]
 }
 
-/// Its definition.
+/// Returns the definition of that function.
 pub fn item(context: Context<'_>, id: StructId, uses: &mut Uses) -> Item {
     let component = &context.module.structs[id.index()];
     let words = component.initial.as_ref().or(component.defaults.as_ref());
@@ -64,7 +64,7 @@ struct Writer<'a> {
     context: Context<'a>,
     uses: &'a mut Uses,
     body: Vec<Stmt>,
-    /// Loops around.
+    /// Number of surrounding loops.
     depth: usize,
     tables: BTreeSet<String>,
 }
@@ -99,7 +99,7 @@ impl Writer<'_> {
         self.body.push(plain(StmtKind::Assign(place, "=", value)));
     }
 
-    /// A value; `sizes` name how many elements it has.
+    /// Sets a place to a value; `sizes` are the constants that name its lengths.
     fn value(&mut self, place: Expr, ty: &Type, sizes: &[Option<ConstId>], words: &[u64]) {
         match ty {
             Type::Unit | Type::Slice(_) => {}
@@ -120,7 +120,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A component inside another sets itself, if it starts as it does on its own.
+    /// Sets a nested component by its own function, if its value is its initial state.
     fn structure(&mut self, place: Expr, id: StructId, words: &[u64]) {
         let item = &self.context.module.structs[id.index()];
         let names = &self.context.names.structs[id.index()];
@@ -195,7 +195,7 @@ impl Writer<'_> {
     }
 }
 
-/// The counter of a loop with so many around it: one of its own each.
+/// Returns the counter name for a loop inside `depth` others.
 fn counter(depth: usize) -> String {
     match ["i", "j", "k", "l", "m", "n"].get(depth) {
         Some(letter) => (*letter).to_owned(),

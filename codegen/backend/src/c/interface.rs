@@ -1,8 +1,9 @@
-//! The face of the C as data: the types that entry points take and give, with offsets, units and ranges, and the entry points.
+//! Interface of the C as data: entry points, and the types of their parameters and results with offsets, units and
+//! ranges.
 //!
-//! Whoever writes a description for another tool builds on it: `interface.json`, ASAP2, bindings of other languages.
+//! Descriptions for other tools are built from it: `interface.json`, ASAP2, bindings of other languages.
 //!
-//! Invariants: a type stands after those that it holds; names are those of the C. It must not know any such tool.
+//! Invariants: a type follows the types that it contains; names are those of the C. Must not know: any such tool.
 
 use bessemer_ir::{Form, Given, Range, Role, StructId, Type};
 
@@ -11,18 +12,18 @@ use super::layout::{Enums, offsets, size_of};
 use super::names::FAULTS;
 use super::signature::{Passing, Returned};
 
-/// The face of the C of a package.
+/// Interface of the C of a package.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Interface {
-    /// The structs, each after those that it holds.
+    /// Structs, each after those that it contains.
     pub structs: Vec<Struct>,
-    /// The enums, the status among them.
+    /// Enums, including the status.
     pub enums: Vec<Enum>,
-    /// The entry points, in the order of the Rust.
+    /// Entry points, in the order of the Rust source.
     pub entries: Vec<Entry>,
 }
 
-/// Bytes, as compilers lay types out: all of them alike, but for enums.
+/// A size or offset in bytes. Layouts of compilers differ only in the size of enums.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bytes {
     /// Layout in which an enum is an `int`, as on Linux.
@@ -38,17 +39,17 @@ pub struct Struct {
     pub name: String,
     /// Its name in Rust, `motor::Gains`.
     pub rust: String,
-    /// The author's comment, a line each.
+    /// Author's comment, by lines.
     pub docs: Vec<String>,
-    /// The header that declares it.
+    /// Header that declares it.
     pub header: String,
     /// True if it is the state of a component.
     pub component: bool,
-    /// True if each of its fields holds a value at any time: not so of an enum with payload, an `Option`, a list.
+    /// True if all fields are valid at any time: false for an enum with payload, an `Option`, a list.
     pub whole: bool,
-    /// The function that sets it to its initial state or its default, if it has one.
+    /// Function that sets it to its initial state or its default, if it has one.
     pub set_by: Option<String>,
-    /// The words of what that function sets, in the order of memory; an enum's is its value.
+    /// Words that this function sets, in memory order; the word of an enum is its value.
     pub words: Option<Vec<u64>>,
     /// Its size.
     pub size: Bytes,
@@ -59,9 +60,9 @@ pub struct Struct {
 /// A field of a struct.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
-    /// Text after the dot behind the struct: `gain`, `as.speed`.
+    /// Path from the struct to the field, `gain` or `as.speed`.
     pub name: String,
-    /// The author's comment, a line each.
+    /// Author's comment, by lines.
     pub docs: Vec<String>,
     /// Offset of its first byte.
     pub offset: Bytes,
@@ -69,14 +70,14 @@ pub struct Field {
     pub value: Value,
 }
 
-/// The type of a field, a parameter or a result, and what its author says of its numbers.
+/// Type of a field, a parameter or a result, with the unit and the range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
-    /// The type of each element: a scalar of C's, or the name of a struct or an enum.
+    /// Element type: a C scalar, or the name of a struct or an enum.
     pub ty: String,
     /// Lengths from the outside in. A slice's pointer has none, since its length is the next parameter.
     pub dimensions: Vec<Option<u32>>,
-    /// Rows and columns, of a matrix.
+    /// Rows and columns of a matrix.
     pub matrix: Option<(u32, u32)>,
     /// The unit.
     pub unit: Option<String>,
@@ -89,13 +90,13 @@ pub struct Value {
 pub struct Enum {
     /// Its name.
     pub name: String,
-    /// The author's comment, a line each.
+    /// Author's comment, by lines.
     pub docs: Vec<String>,
     /// The header that declares it.
     pub header: String,
     /// Its size.
     pub size: Bytes,
-    /// The enumerators: name, value, comment.
+    /// Enumerators: name, value, comment.
     pub variants: Vec<(String, i32, Vec<String>)>,
 }
 
@@ -106,15 +107,15 @@ pub struct Entry {
     pub name: String,
     /// Its name in Rust, `Motor::step`.
     pub rust: String,
-    /// The author's comment, a line each.
+    /// Author's comment, by lines.
     pub docs: Vec<String>,
     /// The header that declares it.
     pub header: String,
-    /// The parameters, the state first, a result by pointer last.
+    /// Parameters: the state first, a result by pointer last.
     pub parameters: Vec<Parameter>,
     /// Type that it returns by value.
     pub result: Option<Value>,
-    /// True if what it returns is the status.
+    /// True if the returned value is the status.
     pub status: bool,
 }
 
@@ -129,7 +130,7 @@ pub struct Parameter {
     pub value: Value,
 }
 
-/// The face of a module that the passes have made explicit.
+/// Returns the interface of a module in explicit IR.
 pub fn interface(context: Context<'_>) -> Interface {
     let Context { module, names, .. } = context;
     let mut writer = Writer { context, face: Interface::default(), seen: Vec::new() };
@@ -179,7 +180,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// A value, after its type is in the face.
+    /// Returns a value's description, after adding its type to the interface.
     fn value(&mut self, ty: &Type, given: &Given) -> Value {
         let (mut inner, mut dimensions, mut matrix) = (ty.clone(), Vec::new(), None);
         let element = loop {
@@ -257,7 +258,7 @@ impl Writer<'_> {
         });
     }
 
-    /// The fields of a struct; of one that is written inside, its own.
+    /// Returns the fields of a struct; the fields of a struct declared inside it are included.
     fn fields(&mut self, id: StructId) -> Vec<Field> {
         let (item, own) =
             (&self.context.module.structs[id.index()], &self.context.names.structs[id.index()]);
@@ -296,7 +297,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The words of a value in the order in which they lie in memory.
+    /// Returns the words of a value in memory order.
     fn in_memory(&self, ty: &Type, words: &[u64]) -> Vec<u64> {
         let module = self.context.module;
         let each = |types: &mut dyn Iterator<Item = &Type>| {
@@ -327,7 +328,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The status, once.
+    /// Adds the status enum, once.
     fn status(&mut self) {
         let names = &self.context.names.status;
         if self.face.enumeration(&names.ty).is_some() {
@@ -367,10 +368,10 @@ impl Writer<'_> {
     }
 }
 
-/// A number of a struct, by its way from there.
+/// A number inside a struct, with its path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Leaf<'f> {
-    /// The way: `height.p`, `axes[2].gain`.
+    /// Path, such as `height.p` or `axes[2].gain`.
     pub path: String,
     /// Offset from the beginning of the struct.
     pub offset: Bytes,
@@ -381,22 +382,22 @@ pub struct Leaf<'f> {
 }
 
 impl Interface {
-    /// The struct of this name.
+    /// Returns the struct of this name.
     pub fn structure(&self, name: &str) -> Option<&Struct> {
         self.structs.iter().find(|it| it.name == name)
     }
 
-    /// The enum of this name.
+    /// Returns the enum of this name.
     pub fn enumeration(&self, name: &str) -> Option<&Enum> {
         self.enums.iter().find(|it| it.name == name)
     }
 
-    /// The numbers of a struct, in order; arrays of numbers as one.
+    /// Returns the numbers of a struct in order; an array of numbers is one entry.
     pub fn leaves<'f>(&'f self, of: &'f Struct) -> Vec<Leaf<'f>> {
         self.leaves_of(of, &|_| true)
     }
 
-    /// Returns the leaves of the structs that are `wanted`.
+    /// Returns the numbers of a struct, descending only into structs for which `wanted` is true.
     pub fn leaves_of<'f>(
         &'f self,
         of: &'f Struct,
@@ -438,7 +439,7 @@ impl Interface {
 }
 
 impl Bytes {
-    /// So many times the others behind these.
+    /// Returns the sum of `self` and `times` times `others`.
     fn plus(self, others: Bytes, times: u64) -> Bytes {
         Bytes {
             int_enums: self.int_enums + times * others.int_enums,

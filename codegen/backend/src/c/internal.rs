@@ -1,4 +1,4 @@
-//! The names of headers that the sources alone share, which signatures say and files write.
+//! Names of the headers that only sources include.
 
 use super::options::Options;
 use super::spelling::identifier;

@@ -1,4 +1,4 @@
-//! Sizes and offsets in memory, as the usual ABIs lay things out: for reports and descriptions, never for the C.
+//! Sizes and offsets in memory for the usual ABIs. They appear in reports and descriptions, never in the C.
 
 use bessemer_ir::{EnumId, Form, Scalar, StructId, Type};
 
@@ -13,17 +13,17 @@ pub enum Enums {
     Short,
 }
 
-/// `sizeof` a value.
+/// Returns `sizeof` a value.
 pub fn size_of(context: Context<'_>, ty: &Type, enums: Enums) -> u64 {
     size_and_align(context, ty, enums).0
 }
 
-/// `sizeof` a struct, its hidden field included, with enums as `int`.
+/// Returns `sizeof` a struct including its hidden field, with enums as `int`.
 pub fn size_of_struct(context: Context<'_>, id: StructId) -> u64 {
     size_of(context, &Type::Struct(id), Enums::Int)
 }
 
-/// `offsetof` each field of a struct, and its hidden one.
+/// Returns `offsetof` each field of a struct, and of its hidden field.
 pub fn offsets(context: Context<'_>, id: StructId, enums: Enums) -> Vec<u64> {
     laid_out(context, id, enums).0
 }

@@ -1,19 +1,19 @@
-//! Lays an expression out in 100 columns.
+//! Breaks expressions into lines of at most 100 columns.
 //!
-//! An expression becomes pieces, each with the depth at which a line may break before it; a line that
-//! is too long breaks at its outermost possible places, and goes on four columns further in.
+//! An expression is a list of pieces, each with the nesting depth of a possible line break before it. A line that is
+//! too long breaks at its outermost possible places, and continues four columns further in.
 
 use super::tree::{Expr, operator_precedence};
 
 /// Columns of a line.
 pub const WIDTH: usize = 100;
 
-/// A stretch of text that stays on one line.
+/// A piece of text without a line break.
 #[derive(Clone, Debug)]
 pub struct Piece {
-    /// The text, with the space before it if it follows on the same line.
+    /// The text, beginning with a space if it follows another piece on the same line.
     pub text: String,
-    /// May the line break before it, and how deep inside is that.
+    /// Nesting depth of a possible line break before the piece; none if there is none.
     pub break_depth: Option<u32>,
 }
 
@@ -26,12 +26,12 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Appends text that must not be parted from what precedes.
+    /// Appends text that must not be separated from the text before it.
     pub fn glue(&mut self, text: &str) {
         self.open.push_str(text);
     }
 
-    /// Allows a break here.
+    /// Allows a line break here.
     pub fn allow_break(&mut self, depth: u32) {
         self.close();
         self.open_break = Some(depth);
@@ -44,13 +44,13 @@ impl Pieces {
         }
     }
 
-    /// All pieces.
+    /// Returns all pieces.
     pub fn finish(mut self) -> Vec<Piece> {
         self.close();
         self.list
     }
 
-    /// Appends an expression; `depth` counts the constructs around it.
+    /// Appends an expression; `depth` is the number of enclosing constructs.
     pub fn expr(&mut self, expr: &Expr, depth: u32) {
         match expr {
             Expr::Name(name) => self.glue(name),
@@ -142,8 +142,8 @@ impl Pieces {
     }
 }
 
-/// Returns true if a reader wants parentheses that C does not need: bit operations and shifts among other operators,
-/// `&&` under `||`, comparisons under comparisons.
+/// Returns true if parentheses help a reader though C does not need them. These are bit operations and shifts among
+/// other operators, `&&` inside `||`, and comparisons inside comparisons.
 fn wants_parens(op: &str, child: &Expr) -> bool {
     let Expr::Binary(inner, ..) = child else {
         return matches!(child, Expr::Conditional(..));
@@ -158,14 +158,14 @@ fn wants_parens(op: &str, child: &Expr) -> bool {
         || matches!(*inner, "%") && !compare(op)
 }
 
-/// The expression on one line.
+/// Returns the expression on one line.
 pub fn flat(expr: &Expr) -> String {
     let mut pieces = Pieces::default();
     pieces.expr(expr, 0);
     pieces.finish().into_iter().map(|piece| piece.text).collect()
 }
 
-/// Lays pieces out from column `indent`; later lines go `further` columns in.
+/// Breaks pieces into lines from column `indent`; further lines are indented by `further` more columns.
 pub fn fill(pieces: &[Piece], indent: usize, further: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut rest = pieces;

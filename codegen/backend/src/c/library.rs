@@ -1,11 +1,11 @@
-//! The functions of the target's own `math.h`, for those who want these instead of the DSL's.
+//! Functions of the target's own `math.h`, for users who prefer them to the DSL's.
 //!
-//! A function that rounds once (`mul_add`), one that is defined as an expansion (`powi`), and `sin_cos`, which C99 has
-//! not, stay the DSL's.
+//! A function that rounds once (`mul_add`), one that is defined by its expansion (`powi`), and `sin_cos`, which C99
+//! lacks, remain the DSL's.
 
 use bessemer_ir::Function;
 
-/// Whose elementary functions the C calls.
+/// Source of the elementary functions that the C calls.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Math {
     /// The DSL's, emitted with the models: the same bits as the Rust on every target.
@@ -15,7 +15,7 @@ pub enum Math {
     Target,
 }
 
-/// Modules of the mathematics, the Rust names there, and what C calls them in double precision.
+/// Modules of elementary functions in double precision: Rust names and C names.
 const DOUBLE: &[(&str, &[(&str, &str)])] = &[
     ("sine", &[("sin", "sin"), ("cos", "cos")]),
     ("tangent", &[("tan", "tan")]),
@@ -27,7 +27,8 @@ const DOUBLE: &[(&str, &[(&str, &str)])] = &[
     ("roots", &[("cbrt", "cbrt"), ("hypot", "hypot")]),
 ];
 
-/// The modules of those in single precision, in either form: the Rust names have an `f` more, and so have C's.
+/// Returns true for a module of functions in single precision, whose names in Rust and in C end with an additional
+/// `f`.
 fn is_of_f32(module: &str) -> bool {
     module == "bessemer::math::single" || module.starts_with("bessemer::math::narrow::")
 }
@@ -45,13 +46,13 @@ pub fn instruction(function: &Function) -> Option<(&'static str, &'static str)> 
     }
 }
 
-/// Returns true if a Rust module is one of the mathematics.
+/// Returns true if a Rust module contains elementary functions.
 pub fn is_mathematics(module: &str) -> bool {
     module == "bessemer::math" || module.starts_with("bessemer::math::")
 }
 
-/// The name in C's `math.h` of a function of the mathematics. Only functions that return floats have one: the proofs use what they
-/// know of a function's result at each call, the library's may return something else, and of floats the proofs know nothing.
+/// Returns the name in `math.h` of an elementary function. Only functions that return floats have one: proofs use
+/// bounds of a function's integer result, which another implementation might not satisfy.
 pub fn name(function: &Function) -> Option<String> {
     let gives_float = function.result.as_float().is_some();
     if function.owner.is_some() || !is_mathematics(&function.module) || !gives_float {

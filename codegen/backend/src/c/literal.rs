@@ -1,11 +1,11 @@
-//! Words as C constants that read back to the same bits.
+//! Formats words as C constants that read back to the same bits.
 
 use bessemer_ir::{Const, Float, Int, Scalar, Type};
 
 use super::names::Names;
 use super::tree::Expr;
 
-/// A scalar or an enum.
+/// Returns a scalar or an enum as a C constant.
 pub fn word(names: &Names, ty: &Type, word: u64) -> Expr {
     match ty {
         Type::Scalar(Scalar::Bool) => Expr::name(if word == 0 { "false" } else { "true" }),
@@ -16,7 +16,7 @@ pub fn word(names: &Names, ty: &Type, word: u64) -> Expr {
     }
 }
 
-/// A float from its bits.
+/// Returns a float from its bits.
 pub fn number(float: Float, bits: u64) -> Expr {
     let (magnitude, negative) = match float {
         Float::F64 => {
@@ -56,7 +56,7 @@ pub fn needs_math(ty: &Type, word: u64) -> bool {
 
 /// Returns C's name of a constant of Rust's floats, such as `f64::NAN` or `f64::MAX`, and its header.
 ///
-/// An author's own of that name and value means the same.
+/// An author's constant with this name and value is treated equally.
 pub fn word_of_c(item: &Const) -> Option<(Expr, &'static str)> {
     let (ty, name) = item.name.split_once('_').filter(|_| item.docs.is_empty())?;
     let float = item.ty.as_float()?;
@@ -88,7 +88,7 @@ pub fn word_of_c(item: &Const) -> Option<(Expr, &'static str)> {
     (bits == word).then_some((expr, "float.h"))
 }
 
-/// Returns true if a number is read by its bits, and not by its size.
+/// Returns true if a number is better read as a bit pattern than as a quantity.
 pub fn is_by_bits(ty: &Type, word: u64) -> bool {
     ty.as_int().is_some_and(|int| {
         let value = int.from_word(word);
@@ -96,7 +96,7 @@ pub fn is_by_bits(ty: &Type, word: u64) -> bool {
     })
 }
 
-/// An integer in base sixteen; a negative one in base ten, and a limit of 32 bits or more by its name.
+/// Returns an integer in hexadecimal; a negative one in decimal, and a limit of 32 bits or more by its name.
 pub fn hexadecimal(int: Int, value: i128) -> Expr {
     Expr::name(match (int.bits(), int.signed()) {
         (bits, _) if value < 0 || bits > 16 && value == int.max() => return integer(int, value),
@@ -107,7 +107,7 @@ pub fn hexadecimal(int: Int, value: i128) -> Expr {
     })
 }
 
-/// An unsigned integer that is read by its bits.
+/// Returns an unsigned integer that is a bit pattern.
 pub fn bits(int: Int, value: i128) -> Expr {
     match int.bits() {
         _ if value < 10 => integer(int, value),
@@ -116,7 +116,7 @@ pub fn bits(int: Int, value: i128) -> Expr {
     }
 }
 
-/// An integer, with the suffix of its type.
+/// Returns an integer with the suffix of its type.
 pub fn integer(int: Int, value: i128) -> Expr {
     if value == int.min() && int.signed() {
         return Expr::name(format!("INT{}_MIN", int.bits()));
@@ -136,7 +136,7 @@ pub fn integer(int: Int, value: i128) -> Expr {
     if value < 0 { Expr::unary("-", magnitude) } else { magnitude }
 }
 
-/// Returns true if a number is read by its bits: one that nobody counts to, and that is not round in decimal.
+/// Returns true if an unsigned number looks like a bit pattern: at least 2²⁰, and no multiple of 100.
 fn is_pattern(int: Int, value: u128) -> bool {
     !int.signed() && value >= 1 << 20 && !value.is_multiple_of(100)
 }

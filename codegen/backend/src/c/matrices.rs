@@ -1,7 +1,7 @@
-//! Layout of matrices in memory: by columns, by rows, or as C's own arrays of rows.
+//! Layout of matrices in memory: by columns, by rows, or as C's arrays of rows.
 //!
-//! Of a matrix with one row or one column there is one way, an array of its elements. Only this module knows
-//! where an element stands; what reads memory in a row goes through it, or takes a copy by columns.
+//! A matrix with one row or one column is always an array of its elements. Only this module knows the position of an
+//! element; code that needs contiguous columns calls it, or takes a copy by columns.
 
 use std::fmt::{Display, Formatter};
 
@@ -21,7 +21,7 @@ pub enum Layout {
     Array,
 }
 
-/// `near + count * far`, without what says nothing; unsigned, unless it is a number.
+/// Returns `near + count * far` without neutral terms; unsigned, unless it is a literal.
 fn flat(near: Expr, count: u32, far: Expr) -> Expr {
     let is_number = |index: &Expr| matches!(index, Expr::Name(text) if text.bytes().all(|it| it.is_ascii_digit()));
     let zero = Expr::name("0");
@@ -43,16 +43,16 @@ fn flat(near: Expr, count: u32, far: Expr) -> Expr {
     }
 }
 
-/// So many elements, and the name of the number, if it has one.
+/// A length, with the name of its constant if it has one.
 #[derive(Clone, Copy)]
 pub struct Size<'n> {
     /// Number of elements.
     pub number: u32,
-    /// The name.
+    /// Name of the constant.
     pub name: Option<&'n str>,
 }
 
-/// The name, else the number; with `#` as an operand of unsigned arithmetic.
+/// Prints the name, or else the number; with `#` as an operand of unsigned arithmetic.
 impl Display for Size<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         match self.name {
@@ -64,7 +64,7 @@ impl Display for Size<'_> {
 }
 
 impl Layout {
-    /// The element of a matrix of this shape.
+    /// Returns an element of a matrix of this shape.
     pub fn at(self, matrix: Expr, (rows, cols): (u32, u32), row: Expr, column: Expr) -> Expr {
         match (rows, cols) {
             (_, 1) => matrix.at(row),
@@ -77,13 +77,13 @@ impl Layout {
         }
     }
 
-    /// The element at a fixed row and column.
+    /// Returns the element at a constant row and column.
     pub fn element(self, matrix: Expr, shape: (u32, u32), row: u32, column: u32) -> Expr {
         let number = |value: u32| Expr::name(value.to_string());
         self.at(matrix, shape, number(row), number(column))
     }
 
-    /// The element that is so many from the first, by columns.
+    /// Returns the element with an index counted by columns.
     pub fn by_columns(self, matrix: Expr, shape: (u32, u32), index: u32) -> Expr {
         self.element(matrix, shape, index % shape.0, index / shape.0)
     }
@@ -98,12 +98,12 @@ impl Layout {
         }
     }
 
-    /// Returns true if the columns of a matrix of this shape lie one behind the other.
+    /// Returns true if the columns of a matrix of this shape are contiguous and in order.
     pub fn has_columns(self, shape: (u32, u32)) -> bool {
         self == Layout::Columns || is_vector(shape)
     }
 
-    /// Returns true if one index reaches each element.
+    /// Returns true if one index addresses each element.
     pub fn is_flat(self, shape: (u32, u32)) -> bool {
         self != Layout::Array || is_vector(shape)
     }
@@ -121,7 +121,7 @@ impl Layout {
         }
     }
 
-    /// Parts by columns, in the order in which they lie in memory.
+    /// Reorders parts by columns to the order in memory.
     pub fn in_memory<T: Clone>(self, parts: &[T], shape @ (rows, cols): (u32, u32)) -> Vec<T> {
         if self.has_columns(shape) {
             return parts.to_vec();
@@ -130,7 +130,7 @@ impl Layout {
         each.filter_map(|index| parts.get(index as usize).cloned()).collect()
     }
 
-    /// The list of what a matrix is made of, by columns.
+    /// Returns the initialiser list of a matrix from its elements by columns.
     pub fn list(self, parts: &[Init], shape @ (rows, cols): (u32, u32), lines: Lines) -> Init {
         let items = |parts: &[Init]| parts.iter().map(|part| (None, part.clone())).collect();
         let parts = self.in_memory(parts, shape);
@@ -144,7 +144,7 @@ impl Layout {
         Init::List { items: parts.chunks(cols as usize).map(row).collect(), lines: Lines::Each }
     }
 
-    /// The type of arrays that lies in memory as a matrix does, for what goes word by word.
+    /// Returns the array type with the same memory layout as a matrix, for copies word by word.
     pub fn array(self, element: Scalar, shape @ (rows, cols): (u32, u32)) -> Type {
         let array = |element: Type, len: u32| Type::Array { element: Box::new(element), len };
         match self.is_flat(shape) {

@@ -1,12 +1,11 @@
 //! The C back end: explicit IR in, C99 files out.
 //!
-//! lowering ([`lower`]) → C tree ([`tree`]) → printer ([`print`]) → file shells ([`shell`]). [`names`]
-//! decides every identifier beforehand, and serves whoever has to call the emitted C.
+//! Lowering ([`lower`]) → C tree ([`tree`]) → printer ([`print`]) → file shells ([`shell`]). [`names`] determines
+//! every identifier before, and serves callers of the emitted C.
 //!
-//! Invariants: the same module gives the same bytes; the text of a function depends on that function,
-//! the faces of its callees, and its types; no line numbers, dates or versions in the C; no state, no
-//! heap, no recursion, every loop bounded. It knows nothing of Rust's front end, and changes nothing
-//! in the IR.
+//! Invariants: equal modules give equal bytes. The text of a function depends only on that function, the signatures
+//! of its callees, and its types. The C has no line numbers, dates or versions; no state, no heap, no recursion;
+//! every loop is bounded. This module knows nothing of the front end, and does not change the IR.
 
 mod analysis;
 mod asked;
@@ -65,7 +64,7 @@ use given::Taken;
 use interface::Interface;
 use names::Names;
 
-/// The flags under which emitted C raises no warning, with gcc and clang; the last of them it needs.
+/// Flags with which the emitted C compiles without warnings by gcc and clang. It requires the last one.
 pub const FLAGS: &[&str] = &[
     "-std=c99",
     "-Wall",
@@ -80,13 +79,13 @@ pub const FLAGS: &[&str] = &[
     "-ffp-contract=off",
 ];
 
-/// Emits a module that the passes have made explicit; files in the order of their names.
+/// Emits a module in explicit IR; files are in the order of their names.
 pub fn emit(module: &Module, options: &Options) -> Vec<CFile> {
     Plan::new(module, options).emit()
 }
 
-/// All that is decided of a module before anything is written: every name and place, and who can fault. The module is one
-/// that the passes have made explicit.
+/// Decisions about a module in explicit IR, before anything is written: every name and place, and the functions that
+/// can fault.
 pub struct Plan<'m> {
     module: &'m Module,
     options: &'m Options,
@@ -95,7 +94,7 @@ pub struct Plan<'m> {
 }
 
 impl<'m> Plan<'m> {
-    /// Decides it.
+    /// Computes the decisions.
     pub fn new(module: &'m Module, options: &'m Options) -> Plan<'m> {
         let faults = Faults::new(module, options.hook.is_some());
         let names = Names::with_faults(module, options, &faults);
@@ -106,17 +105,17 @@ impl<'m> Plan<'m> {
         Context { module: self.module, names: &self.names, faults: &self.faults }
     }
 
-    /// The names that cannot be given, each with its place.
+    /// Returns the names that conflict, each with its place.
     pub fn taken(&self) -> Vec<(Span, Taken)> {
         given::taken(self.module, &self.names)
     }
 
-    /// The files, in the order of their names.
+    /// Returns the files, in the order of their names.
     pub fn emit(&self) -> Vec<CFile> {
         files::files(self.context(), self.options)
     }
 
-    /// The face of the module.
+    /// Returns the interface of the module as data.
     pub fn interface(&self) -> Interface {
         interface::interface(self.context())
     }
@@ -126,7 +125,7 @@ impl<'m> Plan<'m> {
         report::report(self.context(), self.options, files)
     }
 
-    /// The functions of the target's `math.h` that the C calls in place of the DSL's, by their C names.
+    /// Returns the C names of the `math.h` functions that the C calls instead of the DSL's.
     pub fn library_calls(&self) -> Vec<String> {
         let reached = files::reached(self.context());
         let mut called: Vec<String> = (self.names.functions.iter().zip(reached))

@@ -1,14 +1,14 @@
-//! The C name of every item, and the C signature of every function.
+//! C names of all items, and C signatures of all functions.
 //!
-//! Whoever calls emitted C (a test harness, a header for another language) builds on this module.
+//! Callers of emitted C (a test harness, a header for another language) use this module.
 //!
-//! * A type is its Rust name in snake case with `_t`; an enum's variants are prefixed by it in
-//!   capitals. A method is prefixed by its type, a free function by its module's last segment.
+//! * A type is its Rust name in snake case with `_t`; the enumerators of an enum have its name in capitals as a
+//!   prefix. A method has its type as a prefix, a free function the last segment of its module.
 //! * A name that is reserved, or a helper's, or that two items want, is qualified by the module: `Mode` in
-//!   `models::flight` becomes `flight_mode_t`, since `mode_t` is POSIX's. Every item that wants the
-//!   name is qualified, so that the order of the items does not matter.
-//! * A field, parameter or variable with a reserved name gets a `_` at its end.
-//! * An item's name depends on nothing but the items that want the same name.
+//!   `models::flight` becomes `flight_mode_t`, since `mode_t` is POSIX's. All items with this name are qualified, so
+//!   their order has no influence.
+//! * A field, parameter or variable with a reserved name gets a trailing `_`.
+//! * An item's name depends only on the items that want the same name.
 
 use std::collections::BTreeSet;
 
@@ -31,51 +31,51 @@ pub use super::status::{FAULTS, StatusNames};
 pub use super::tree::Storage;
 use super::tree::{Declarator, Head};
 
-/// The names of a struct.
+/// C names of a struct.
 #[derive(Clone, Debug)]
 pub struct StructNames {
-    /// Prefix of its functions, `pid`.
+    /// Prefix of its functions, such as `pid`.
     pub base: String,
-    /// The type, `pid_t`.
+    /// Type name, such as `pid_t`.
     pub ty: String,
-    /// True if C calls it so: else it is written inside of the one that has it as a field.
+    /// True if the struct has a name in C; false if it is declared inside the struct that contains it.
     pub named: bool,
-    /// The fields, in order.
+    /// Field names, in order.
     pub fields: Vec<String>,
-    /// The field that holds the fault which stopped the component, if it can fault. It comes last.
+    /// Name of the last field, which holds the fault that stopped the component; none if it cannot fault.
     pub fault: Option<String>,
-    /// The function that sets a component to its initial state, or data that an entry point takes to its default.
+    /// Name of the function that sets a component to its initial state, or an entry point's argument to its default.
     pub init: Option<String>,
-    /// The header that declares it, `altitude.h`.
+    /// Header that declares it, such as `altitude.h`.
     pub header: String,
 }
 
-/// The names of an enum.
+/// C names of an enum.
 #[derive(Clone, Debug)]
 pub struct EnumNames {
-    /// Prefix of its functions, `mode`.
+    /// Prefix of its functions, such as `mode`.
     pub base: String,
-    /// The type.
+    /// Type name.
     pub ty: String,
-    /// The enumerators, in order.
+    /// Enumerator names, in order.
     pub variants: Vec<String>,
-    /// The header that declares it.
+    /// Header that declares it.
     pub header: String,
 }
 
-/// The names of a whole module.
+/// C names of a whole module.
 #[derive(Clone, Debug)]
 pub struct Names {
-    /// Per [`StructId`].
+    /// Names by [`StructId`].
     pub structs: Vec<StructNames>,
-    /// Per [`EnumId`].
+    /// Names by [`EnumId`].
     pub enums: Vec<EnumNames>,
     consts: ConstNames,
-    /// Every name with a meaning of its own in some file, helpers' and constants' apart.
+    /// All names with a global meaning in some file, except those of helpers and constants.
     globals: BTreeSet<String>,
-    /// Per [`FunctionId`].
+    /// Signatures by [`FunctionId`].
     pub functions: Vec<Signature>,
-    /// The status type.
+    /// Names of the status type.
     pub status: StatusNames,
     /// Layout of matrices in memory.
     pub layout: Layout,
@@ -84,7 +84,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Names everything.
+    /// Names all items of a module.
     pub fn new(module: &Module, options: &Options) -> Names {
         Names::with_faults(module, options, &Faults::new(module, options.hook.is_some()))
     }
@@ -107,7 +107,7 @@ impl Names {
         names
     }
 
-    /// The C type of a word.
+    /// Returns the C type of a word.
     pub fn word(&self, ty: &Type) -> String {
         match ty {
             Type::Scalar(scalar) => scalar_type(*scalar).to_owned(),
@@ -116,7 +116,7 @@ impl Names {
         }
     }
 
-    /// `type name[dimensions]` of a variable.
+    /// Returns `type name[dimensions]` for a variable.
     pub fn declarator(&self, ty: &Type, name: &str) -> Declarator {
         self.sized(ty, name, &[])
     }
@@ -127,7 +127,7 @@ impl Names {
         Declarator { ty, name: name.to_owned(), dimensions }
     }
 
-    /// A pointer to a value that stays where it points; of an array, to its first element.
+    /// Returns a constant pointer to a value; for an array, to its first element.
     pub fn pointer(&self, ty: &Type, name: &str) -> Declarator {
         let (ty, dimensions) = self.type_parts(ty);
         let inner = dimensions.find(']').map(|end| dimensions[end + 1..].to_owned());
@@ -139,7 +139,7 @@ impl Names {
         }
     }
 
-    /// The type of the innermost element, and the dimensions around it.
+    /// Returns the innermost element type and the dimensions.
     pub fn type_parts(&self, ty: &Type) -> (String, String) {
         self.sized_parts(ty, &[])
     }
@@ -167,7 +167,7 @@ impl Names {
         }
     }
 
-    /// A parameter as C declares it.
+    /// Returns a parameter's declaration in C.
     pub fn param(&self, param: &Param) -> Declarator {
         let mut declarator = self.sized(&param.ty, &param.name, &param.sizes);
         let pointer = declarator.dimensions.is_empty();
@@ -182,7 +182,7 @@ impl Names {
         declarator
     }
 
-    /// The head of a function.
+    /// Returns the head of a function.
     pub fn head(&self, signature: &Signature) -> Head {
         Head {
             asked: Vec::new(),
@@ -341,27 +341,27 @@ impl Names {
     }
 }
 
-/// Prefix of the name of a field that shares its memory: `state.as.running`.
+/// Prefix of a field that shares its memory with others: `state.as.running`.
 pub const OVERLAY: &str = "as.";
 
-/// The name that an author gave, or another.
+/// Returns the author's name, or else this one.
 fn given_or(given: &Given, name: String) -> String {
     given.name.clone().unwrap_or(name)
 }
 
-/// The name of a field.
+/// Returns the C name of a field.
 pub fn field_name(name: &str) -> String {
     let name = identifier(name);
     if is_keyword(&name) { format!("{name}_") } else { name }
 }
 
-/// The name that a local requests.
+/// Returns the preferred C name of a local.
 pub fn local_name(name: &str) -> String {
     let name = identifier(name);
     if is_reserved_for_locals(&name) { format!("{name}_") } else { name }
 }
 
-/// `attitude_pid_torque`: the whole module path, the owner, the name.
+/// Returns the long name of a function: `attitude_pid_torque`, with the module path and the owner.
 fn long_name(names: &Names, module: &Module, function: &Function, options: &Options) -> String {
     let owner = match function.owner {
         Some(Owner::Struct(id)) => format!("{}_", snake(&module.structs[id.index()].name)),
@@ -375,7 +375,7 @@ fn long_name(names: &Names, module: &Module, function: &Function, options: &Opti
 }
 
 impl Names {
-    /// Returns true if a name has a meaning of its own in some file: a local would hide it.
+    /// Returns true if a name has a global meaning in some file, which a local would hide.
     pub(super) fn is_global(&self, name: &str) -> bool {
         is_helper_name(name) || self.globals.contains(name) || self.consts.contains(name)
     }
@@ -392,32 +392,32 @@ impl Names {
             .collect();
     }
 
-    /// The name of a constant in the file of this header.
+    /// Returns the name of a constant in the file of this header.
     pub fn constant(&self, header: &str, id: ConstId) -> &str {
         self.consts.get(header, id)
     }
 
-    /// The name of a constant that several files use.
+    /// Returns the name of a constant that several files share.
     pub fn shared_constant(&self, id: ConstId) -> Option<&str> {
         self.consts.shared(id)
     }
 
-    /// Returns true if a constant could not have its name in some file that uses it.
+    /// Returns true if a constant has a different name in some file that uses it.
     pub(super) fn renamed(&self, id: ConstId, name: &str) -> bool {
         self.consts.renamed(id, name)
     }
 
-    /// The name of an enum's variant.
+    /// Returns the name of an enum's variant.
     pub fn variant(&self, id: EnumId, index: u64) -> &str {
         &self.enums[id.index()].variants[index as usize]
     }
 
-    /// The face of a function.
+    /// Returns the signature of a function.
     pub fn signature(&self, id: FunctionId) -> &Signature {
         &self.functions[id.index()]
     }
 
-    /// Returns true if functions of a library represent some.
+    /// Returns true if functions of a C library replace some of the module's.
     pub fn has_library(&self) -> bool {
         self.functions.iter().any(|signature| signature.storage == Storage::Library)
     }

@@ -1,11 +1,11 @@
-//! The user's decisions about the C.
+//! User's options for the C.
 
 use super::library::Math;
 use super::matrices::Layout;
 use crate::kernels::Tuning;
 use crate::kernels::replace::Replacement;
 
-/// The standard of C that the project is compiled by.
+/// C standard of the project.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Standard {
     /// Standard of 1999, which every compiler has.
@@ -28,7 +28,7 @@ pub enum Standard {
 }
 
 impl Standard {
-    /// Each of them.
+    /// All standards.
     pub const ALL: [Standard; 8] = [
         Standard::C99,
         Standard::C11,
@@ -40,12 +40,12 @@ impl Standard {
         Standard::Gnu23,
     ];
 
-    /// The flag that asks gcc and clang for it: that of 2024 by the name that older ones know, too.
+    /// Returns the flag of gcc and clang. For C23 it is the name that older versions know, too.
     pub fn flag(self) -> &'static str {
         self.flags()[0]
     }
 
-    /// Returns the flags as a list.
+    /// Returns all equivalent flags.
     pub fn flags(self) -> &'static [&'static str] {
         match self {
             Standard::C99 => &["-std=c99"],
@@ -59,13 +59,13 @@ impl Standard {
         }
     }
 
-    /// The name of ISO's own: `C11`.
+    /// Returns the ISO name, such as `C11`.
     pub fn iso(self) -> &'static str {
         self.demand().map_or("C99", |(_, name)| name)
     }
 
-    /// The condition on `__STDC_VERSION__` that refuses an older compilation, and the standard's name; none for the oldest, which has
-    /// nothing that another lacks.
+    /// Returns the condition on `__STDC_VERSION__` for an older standard, and the standard's name; none for C99, the
+    /// oldest.
     pub(super) fn demand(self) -> Option<(&'static str, &'static str)> {
         match self {
             Standard::C99 | Standard::Gnu99 => None,
@@ -80,31 +80,32 @@ impl Standard {
 /// Options of the C that the user selects.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Stands before the name of every type, function and file, and so of every include guard.
+    /// Prefix of the names of all types, functions, files and include guards.
     pub prefix: String,
-    /// The folder of the headers, below that of the sources: `acme` gives `#include "acme/motor.h"`. Empty: beside the sources.
+    /// Folder of the headers, relative to the sources: `acme` gives `#include "acme/motor.h"`. Empty: beside the
+    /// sources.
     pub headers: String,
-    /// The stem of the status type: `bessemer` gives `bessemer_status_t`.
+    /// Stem of the status type: `bessemer` gives `bessemer_status_t`.
     pub status: String,
-    /// A function of the firmware's that a fault calls, and that does not return: then functions return
-    /// their results plainly, and no status.
+    /// Function of the firmware that a fault calls, and that does not return. With it, functions return their results
+    /// and no status.
     pub hook: Option<String>,
-    /// The SPDX expression of the emitted files.
+    /// SPDX licence expression of the emitted files.
     pub license: String,
-    /// The standard of C.
+    /// C standard.
     pub standard: Standard,
-    /// The user's own functions in place of kernels.
+    /// User's functions that replace kernels.
     pub replacements: Vec<Replacement>,
     /// Variants of the kernels.
     pub kernels: Tuning,
-    /// Number of POSIX threads that share the work of a large kernel, unless `BESSEMER_THREADS` is set; up to 1, none.
-    /// The text of no kernel depends on it.
+    /// Number of POSIX threads for a large kernel, unless `BESSEMER_THREADS` is set; 0 or 1 means none. The text of
+    /// kernels does not depend on it.
     pub threads: u32,
-    /// Whose elementary functions are called.
+    /// Source of the elementary functions.
     pub math: Math,
     /// Layout of matrices in memory.
     pub layout: Layout,
-    /// True if `bessemer_self_test` comes along, which tells on the target whether its arithmetic is as the C needs it.
+    /// True to emit `bessemer_self_test`, which checks the arithmetic on the target.
     pub self_test: bool,
     /// True if proved checks stay in the C and end the program when one fails. This tests the compiler and is not for a
     /// target.
@@ -112,7 +113,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// The name of a header, as it is included: `motor.h`, or `acme/motor.h`.
+    /// Returns the path by which a header is included: `motor.h`, or `acme/motor.h`.
     pub fn header(&self, stem: &str) -> String {
         match self.headers.as_str() {
             "" => format!("{stem}.h"),

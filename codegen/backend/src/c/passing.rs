@@ -1,7 +1,6 @@
-//! The signature of a function in C: its parameters, their names, and its result.
+//! C signatures of functions: parameters, their names, and results.
 //!
-//! A parameter yields its name to whatever has a meaning of its own in a file: functions, types, variants
-//! and constants. So these are named first.
+//! A parameter gives way to functions, types, variants and constants with the same name, so these are named first.
 
 use bessemer_ir::{ConstId, Function, FunctionId, Given, Mode, Module, Type};
 
@@ -27,7 +26,7 @@ impl Names {
     }
 }
 
-/// The parameters and what is returned.
+/// Returns the parameters and the returned type.
 fn passing(
     function: &Function,
     fallible: bool,

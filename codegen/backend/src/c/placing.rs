@@ -1,12 +1,12 @@
-//! Placement of definitions in files, such that the headers' includes are acyclic.
+//! Assigns definitions to files, such that the includes of headers have no cycle.
 //!
-//! * A component has files of its own; whatever else names a component is beside the last that it names, since
-//!   that component's header may need the module's, which must then not need the component's.
-//! * The rest of a Rust module shares another pair.
-//! * The project's prefix precedes each, so that two packages can share a folder of headers.
-//! * Rust's modules may need each other; headers of C may not: files that do are one, which has the first one's name.
+//! * A component has its own files. An item that contains components belongs to the last of them, since that
+//!   component's header may include the module's header, which must then not include the component's.
+//! * All other items of a Rust module share a pair of files.
+//! * The project's prefix precedes each file name, so that two packages can share a folder of headers.
+//! * Rust modules may use each other, C headers may not: files that would are merged under the first one's name.
 //!
-//! What it must not know: what the C of a definition looks like.
+//! Must not know: the C text of a definition.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,7 +20,7 @@ use super::options::Options;
 use super::reserved::is_reserved_file;
 use super::spelling::{identifier, last_segment, relative, snake, wanted};
 
-/// The file, without extension, of each definition.
+/// File of each definition, without extension.
 #[derive(Clone, Debug, Default)]
 pub struct Placing {
     /// Prefix of the C names of each Rust module, before files are merged.
@@ -31,7 +31,7 @@ pub struct Placing {
 }
 
 impl Placing {
-    /// Places everything.
+    /// Assigns all definitions to files.
     pub fn new(module: &Module, options: &Options) -> Placing {
         let mut placing = Placing { modules: module_files(module), ..Placing::default() };
         let enums = module.enums.iter().map(|item| placing.module(&item.module)).collect();
@@ -50,12 +50,12 @@ impl Placing {
         placing
     }
 
-    /// The file of each definition.
+    /// Returns the file of each definition.
     fn all(&mut self) -> impl Iterator<Item = &mut String> {
         self.structs.iter_mut().chain(&mut self.enums).chain(&mut self.functions)
     }
 
-    /// Returns the prefix of a Rust module's names; it is its file, unless that was merged with another.
+    /// Returns the prefix of a Rust module's names: its file, unless that was merged.
     pub fn module(&self, path: &str) -> String {
         self.modules.get(path).cloned().unwrap_or_else(|| last_segment(path))
     }
@@ -75,10 +75,10 @@ impl Placing {
         &self.functions[id.index()]
     }
 
-    /// Returns true for each function that is `static`: private in Rust and called only from its own file.
+    /// Returns true for each function that is `static`: private in Rust, and called only from its own file.
     ///
-    /// One that nothing calls is for others, or it would vanish without a word; a method of a component is not, since a remark
-    /// tells of it.
+    /// A private function without callers is not `static`, since C compilers would warn. A method of a component is,
+    /// since a remark reports it.
     pub fn private(&self, module: &Module) -> Vec<bool> {
         let moved = self.moved(module);
         let is_private = |function: &Function| function.role == Role::Private;
@@ -136,7 +136,7 @@ impl Placing {
         }
     }
 
-    /// A component's: its name, with its module's before it if that is taken.
+    /// Returns the file of a component: its name, qualified by its module if that is taken.
     fn own_file(&self, item: &Struct, components: &BTreeMap<String, usize>) -> String {
         let (own, own_module) = (snake(&item.name), self.module(&item.module));
         let taken = is_reserved_file(&own)
@@ -157,7 +157,7 @@ impl Placing {
         }
     }
 
-    /// For each file, those that its header needs.
+    /// Returns the files whose headers each file's header includes.
     fn needs(&self, module: &Module, options: &Options) -> BTreeMap<String, BTreeSet<String>> {
         let mut needs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut need = |file: &str, ty: &Type| {
@@ -191,7 +191,7 @@ impl Placing {
         }
     }
 
-    /// Makes one of files whose headers need each other.
+    /// Merges files whose headers include each other.
     fn join(&mut self, needs: &BTreeMap<String, BTreeSet<String>>) {
         let reached: BTreeMap<&str, BTreeSet<&str>> =
             needs.keys().map(|file| (file.as_str(), reached(needs, file))).collect();
@@ -227,7 +227,7 @@ fn signature(function: &Function) -> impl Iterator<Item = &Type> {
     function.parameters().iter().map(|local| &local.ty).chain([&function.result])
 }
 
-/// The last component that a value of a type is or holds.
+/// Returns the last component that a type is or contains.
 fn component_in(module: &Module, ty: &Type) -> Option<StructId> {
     match ty {
         Type::Struct(id) => {
@@ -240,7 +240,7 @@ fn component_in(module: &Module, ty: &Type) -> Option<StructId> {
     }
 }
 
-/// The file of each Rust module: its last segment, or the whole path where two end alike.
+/// Returns the file of each Rust module: its last segment, or the whole path if another module ends alike.
 fn module_files(module: &Module) -> BTreeMap<String, String> {
     let paths: BTreeSet<&str> = (module.structs.iter().map(|item| &*item.module))
         .chain(module.enums.iter().map(|item| &*item.module))

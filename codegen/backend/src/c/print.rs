@@ -1,6 +1,6 @@
-//! The printer: from the C tree to text, with the line of each statement for the map.
+//! Prints the C tree, and records the source line of each statement for the map.
 //!
-//! It decides indentation, line breaks, braces, comments' form. It knows nothing of the IR.
+//! Decides indentation, line breaks, braces, and the form of comments. Must not know: the IR.
 
 use super::file::MapLine;
 use super::layout_text::{Pieces, WIDTH, fill, flat};
@@ -8,10 +8,10 @@ use super::tree::{
     Declarator, Head, Init, Item, Lines, Member, Origin, Step, Stmt, StmtKind, Storage, SwitchArm,
 };
 
-/// Columns of one level.
+/// Columns of one indentation level.
 const INDENT: usize = 4;
 
-/// Text under construction.
+/// Text being printed.
 pub struct Printer<'a> {
     files: &'a [String],
     text: String,
@@ -22,7 +22,7 @@ pub struct Printer<'a> {
 }
 
 impl<'a> Printer<'a> {
-    /// A printer whose first line is number `first_line` of its file.
+    /// Creates a printer whose first line has the number `first_line` in its file.
     pub fn new(files: &'a [String], first_line: u32) -> Printer<'a> {
         Printer {
             files,
@@ -34,7 +34,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// The text and its map.
+    /// Returns the text and its map.
     pub fn finish(self) -> (String, Vec<MapLine>) {
         (self.text, self.map)
     }
@@ -77,7 +77,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// Fields in braces, and the name behind them.
+    /// Prints fields in braces, and the name after them.
     fn fields(&mut self, before: &str, shared: bool, fields: &[Member], name: &str) {
         self.put(&format!("{before}{} {{", if shared { "union" } else { "struct" }));
         self.level += 1;
@@ -188,7 +188,7 @@ impl<'a> Printer<'a> {
         self.put_filled(pieces, INDENT);
     }
 
-    /// A doc comment.
+    /// Prints a doc comment.
     fn docs(&mut self, docs: &[String]) {
         self.comment("/**", docs);
     }
@@ -391,7 +391,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// A list behind what it is given to, on one line if it fits there.
+    /// Prints an initialiser list, on one line if it fits.
     fn initialised(&mut self, before: &str, list: &Init) {
         let one = format!("{before}{};", flat_init(list));
         if one.chars().count() + self.margin() <= WIDTH && !by_lines(list) {
@@ -461,7 +461,7 @@ fn is_value(init: &Init) -> bool {
     matches!(init, Init::Value(_))
 }
 
-/// Returns true if a list has more lines than one whatever its length.
+/// Returns true if a list has several lines whatever its length.
 fn by_lines(init: &Init) -> bool {
     match init {
         Init::Value(_) => false,
@@ -488,7 +488,7 @@ fn flat_init(init: &Init) -> String {
     }
 }
 
-/// The author's lines as those of a C comment, without empty ones at either end.
+/// Returns the author's lines as lines of a C comment, without empty ones at either end.
 pub fn comment_lines(lines: &[String]) -> Vec<String> {
     let lines = lines.iter().filter(|line| !defines_link(line)).map(|line| comment_text(line));
     let mut lines: Vec<String> = lines.skip_while(String::is_empty).collect();
@@ -498,13 +498,13 @@ pub fn comment_lines(lines: &[String]) -> Vec<String> {
     lines
 }
 
-/// Returns true if a line says where a link leads: `` [`name`]: path ``. Rustdoc shows none of it.
+/// Returns true if a line defines a link, `` [`name`]: path ``, which rustdoc does not show.
 fn defines_link(line: &str) -> bool {
     let named = line.trim_start().strip_prefix('[').and_then(|line| line.split_once("]:"));
     named.is_some_and(|(name, path)| !name.contains(']') && path.split_whitespace().count() == 1)
 }
 
-/// A path of Rust from where its names begin: C has no `crate`.
+/// Removes `crate`, `super` and `self` from a Rust path, since C has no such names.
 fn without_roots(mut code: &str) -> String {
     code = code.strip_prefix('`').unwrap_or(code);
     while let Some((_, names)) =
@@ -515,7 +515,7 @@ fn without_roots(mut code: &str) -> String {
     format!("`{code}")
 }
 
-/// A line without what only rustdoc understands: a link is its text, of `[text](path)` or of `` [`name`] ``.
+/// Replaces links by their text: `[text](path)` and `` [`name`] ``.
 fn without_links(line: &str) -> String {
     let (mut text, mut rest) = (String::new(), line);
     while let Some(start) = rest.find('[') {
@@ -542,7 +542,7 @@ fn without_links(line: &str) -> String {
     text + rest
 }
 
-/// The author's comment, with what would end or upset a C comment taken apart.
+/// Returns a line of the author's comment with `*/` and the like separated, which would end a C comment.
 pub fn comment_text(line: &str) -> String {
     without_links(line.strip_prefix(' ').unwrap_or(line))
         .trim_end()

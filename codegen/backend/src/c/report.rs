@@ -1,4 +1,4 @@
-//! The figures of each entry point: sizes, checks, stack, operations that are too wide for a small processor.
+//! Figures of each entry point: sizes, checks, stack, and operations that small processors do not have.
 
 use std::collections::BTreeSet;
 
@@ -14,15 +14,15 @@ use super::units::{self, Measured};
 use super::wide::{Wide, Width};
 use crate::{kernels, passes};
 
-/// Stack use of a call beside the variables: return address, saved registers, alignment.
+/// Stack use of a call in addition to its variables: return address, saved registers, alignment, bytes.
 const FRAME: u64 = 64;
 
-/// One entry point.
+/// Figures of one entry point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EntryReport {
     /// The function.
     pub function: FunctionId,
-    /// The author's name of the component.
+    /// Author's name of the component.
     pub component: String,
     /// The C type of its state.
     pub state: String,
@@ -32,32 +32,32 @@ pub struct EntryReport {
     pub header: String,
     /// Lines of the component's header and source.
     pub lines: usize,
-    /// `sizeof` its state.
+    /// `sizeof` its state, bytes.
     pub state_bytes: u64,
-    /// An estimate for the whole call tree: variables and frames along the deepest chain.
+    /// Estimated stack of the whole call tree: variables and frames along the deepest chain, bytes.
     pub stack_bytes: u64,
-    /// Checks that are left, callees' included.
+    /// Number of remaining checks, including callees.
     pub checks: u32,
     /// Bytes of the largest set of variables of one function in the call tree.
     pub largest_frame: u64,
-    /// Operations in double in the text of all that it reaches.
+    /// Number of operations in double in the text of all reached functions.
     pub doubles: usize,
-    /// Operations of 64 bits there.
+    /// Number of 64-bit operations in the text of all reached functions.
     pub longs: usize,
-    /// The author's lines that lead to them.
+    /// Author's lines with these operations.
     pub wide: Vec<Site>,
-    /// Items with a unit from their author.
+    /// Values with units.
     pub units: Vec<Measured>,
 }
 
-/// A place at which the author requests an operation that is too wide for a small processor.
+/// A line of the author's with a wide operation.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Site {
     /// Span of the operation.
     pub span: Span,
     /// Width that it exceeds.
     pub width: Width,
-    /// The function of another package that is called there, and carries it out.
+    /// Function of another package that is called there and performs it; none if the line itself does.
     pub through: Option<FunctionId>,
 }
 
@@ -118,10 +118,10 @@ pub fn report(context: Context<'_>, options: &Options, files: &[CFile]) -> Vec<E
     list
 }
 
-/// The operations of functions that are too wide, callees before callers.
+/// Wide operations of functions, callees before callers.
 struct Widths<'m> {
     module: &'m Module,
-    /// Each function's own.
+    /// Wide operations of each function itself.
     direct: Vec<Vec<Wide>>,
     /// Widths that a call of each function reaches.
     reached: Vec<BTreeSet<Width>>,
@@ -144,7 +144,7 @@ impl Widths<'_> {
         reached.iter().flat_map(|at| &self.direct[*at]).filter(|it| it.width == width).count()
     }
 
-    /// Returns true if a function is of the package that is compiled, and its lines are the author's.
+    /// Returns true if a function belongs to the compiled package, so that its lines are the author's.
     fn is_own(&self, function: &Function) -> bool {
         let root = self.module.name.replace('-', "_");
         function.kernel.is_none() && function.module.split("::").next() == Some(&*root)

@@ -1,9 +1,9 @@
-//! Reserved identifiers. They are the keywords of C and C++, the names of standard headers that firmware is likely to
-//! include, POSIX's types, and predefined macros.
+//! Reserved identifiers: keywords of C and C++, names of standard headers that firmware probably includes, POSIX
+//! types, and predefined macros.
 //!
-//! A list only ever grows at its end, for a name that enters it changes the C of those who use it.
+//! A list changes only by additions for new names, since each addition changes the C of its users.
 
-/// Keywords of C99, C11, C23 and C++, and object-like macros: nothing can be called so.
+/// Keywords of C99, C11, C23 and C++, and object-like macros; no item may have these names.
 const KEYWORDS: &[&str] = &[
     "auto",
     "break",
@@ -456,7 +456,7 @@ const TYPES: &[&str] = &[
     "string_t",
 ];
 
-/// Returns true if nothing at all may have this name.
+/// Returns true if no item at all may have this name.
 pub fn is_keyword(name: &str) -> bool {
     KEYWORDS.contains(&name) || is_macro(name)
 }
@@ -505,7 +505,7 @@ const CALLED: &[&str] = &[
     "roundf",
 ];
 
-/// Headers of the standard library, POSIX and C++: a file of ours of that name could hide one.
+/// Standard headers of C, POSIX and C++, which an emitted file of this name could hide.
 const HEADERS: &[&str] = &[
     "assert",
     "complex",
@@ -566,17 +566,17 @@ const HEADERS: &[&str] = &[
     "index",
 ];
 
-/// Returns true if a local may not have this name: it would hide what the emitted code calls or declares.
+/// Returns true if a local may not have this name, since it would hide an item that the emitted code uses.
 pub fn is_reserved_for_locals(name: &str) -> bool {
     is_keyword(name) || CALLED.contains(&name) || TYPES.contains(&name)
 }
 
-/// Returns true if a name of global reach may not be this one.
+/// Returns true if a global item may not have this name.
 pub fn is_reserved_globally(name: &str) -> bool {
     is_keyword(name) || FUNCTIONS.contains(&name) || TYPES.contains(&name)
 }
 
-/// Returns true if a file may not have this name, without extension.
+/// Returns true if a file may not have this name (without extension).
 pub fn is_reserved_file(name: &str) -> bool {
     HEADERS.contains(&name)
 }

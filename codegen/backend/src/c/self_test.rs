@@ -1,8 +1,8 @@
-//! A function that tells on the target whether its arithmetic is what the C was made for.
+//! Emits a function that checks the target's arithmetic at run time.
 //!
-//! Its text is in `codegen/backend/templates/` and depends on names alone. It is guarded as every other file is, so that it tells of
-//! what is left: of a compiler that passes the guards by, and of how the processor was set up. Only the checks are absent
-//! that would refuse to compile it.
+//! Its text is in `codegen/backend/templates/` and depends only on names. It has the guards of every other file, so
+//! it detects the rest: a compiler that the guards do not detect, and the mode of the processor. It omits only the
+//! checks that would prevent its own compilation.
 
 use tera::{Context as Values, Tera};
 
@@ -12,7 +12,7 @@ use super::options::Options;
 use super::shell::{Shell, frame};
 use super::spelling::identifier;
 
-/// Header and source, if they are wanted.
+/// Returns header and source, if they are wanted.
 pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     if !options.self_test {
         return Vec::new();

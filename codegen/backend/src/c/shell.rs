@@ -1,5 +1,5 @@
-//! The frame around the body of a file: banner, guards, includes. The text is in
-//! `codegen/backend/templates/`. A header that computes by itself states and checks what a source does.
+//! Text around the body of a file: banner, guards, includes. It is in `codegen/backend/templates/`. A header that
+//! computes has the statements and checks of a source.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -8,7 +8,7 @@ use tera::{Context, Tera};
 
 use super::print::comment_lines;
 
-/// The mark that the body takes the place of.
+/// Mark in a template that the body replaces.
 const BODY: &str = "\u{1}body\u{1}";
 
 /// Pragmas against contraction, per file in a source, and per function in a header, since other files include it.
@@ -16,31 +16,32 @@ pub const NO_CONTRACTION: &str = include_str!("../../templates/contraction.tera"
 
 /// Data of a file's template.
 pub struct Shell<'a> {
-    /// `height.h`.
+    /// File name, `height.h`.
     pub file: &'a str,
-    /// `height.h` in `height.c`.
+    /// Header of a source: `height.h` for `height.c`.
     pub header: &'a str,
-    /// A line that says what is inside.
+    /// One line about the content.
     pub summary: &'a str,
-    /// Author's comment of its module.
+    /// Author's comment of the module.
     pub about: &'a [String],
-    /// The Rust modules it comes from.
+    /// Rust modules of the content.
     pub source: &'a str,
-    /// The SPDX expression.
+    /// SPDX licence expression.
     pub license: &'a str,
-    /// `<…>`, sorted.
+    /// Included system headers, `<…>`, sorted.
     pub system_includes: Vec<String>,
-    /// `"…"`, sorted.
+    /// Included headers of the package, `"…"`, sorted.
     pub own_includes: Vec<String>,
-    /// True if it declares functions: then it says what they ask of their callers.
+    /// True if it declares functions; then it states the preconditions of callers.
     pub calls: bool,
-    /// True if it refuses compilers that would compute other bits.
+    /// True if it refuses compilers that compute other bits.
     pub refuses: bool,
-    /// True if it is a header of which others, too, may include what computes.
+    /// True if it is a header with computing functions that other files may include.
     pub computes: bool,
 }
 
-/// The text before and after the body. `links`: whether it declares what other files define, which C++ is reported.
+/// Returns the text before and after the body. `links` is true if the file declares functions that other files
+/// define, which needs `extern "C"` in C++.
 pub fn frame(shell: &Shell<'_>, is_header: bool, links: bool) -> (String, String) {
     let template = if is_header {
         include_str!("../../templates/header.h.tera")
@@ -52,7 +53,7 @@ pub fn frame(shell: &Shell<'_>, is_header: bool, links: bool) -> (String, String
     (before.to_owned(), after.to_owned())
 }
 
-/// The text of a file that is a template as a whole, but for a body.
+/// Returns a file whose whole text is a template with a body.
 pub fn whole(shell: &Shell<'_>, template: &'static str, body: &str) -> String {
     rendered(shell, false, false, template).replacen(BODY, body, 1)
 }
@@ -77,7 +78,7 @@ fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &'static 
     parsed(template).render("file", &context).expect("the templates render: a test renders them")
 }
 
-/// A template, with those that it includes. It is parsed once: a package has hundreds of files.
+/// Returns a template with the templates that it includes. It is parsed once, since a package has hundreds of files.
 fn parsed(template: &'static str) -> Arc<Tera> {
     static PARSED: Mutex<BTreeMap<&str, Arc<Tera>>> = Mutex::new(BTreeMap::new());
     let parse = || {
@@ -96,7 +97,7 @@ fn parsed(template: &'static str) -> Arc<Tera> {
     Arc::clone(parsed.entry(template).or_insert_with(parse))
 }
 
-/// The lines of a comment, behind an empty one.
+/// Returns the lines of a comment, after an empty one.
 fn about(lines: &[String]) -> String {
     let lines = comment_lines(lines).into_iter();
     let text: String =
@@ -104,7 +105,7 @@ fn about(lines: &[String]) -> String {
     if text.is_empty() { text } else { format!(" *\n{text}") }
 }
 
-/// `height.h` → `HEIGHT_H`, `acme/height.h` → `ACME_HEIGHT_H`.
+/// Returns the include guard: `HEIGHT_H` for `height.h`, `ACME_HEIGHT_H` for `acme/height.h`.
 fn guard(file: &str) -> String {
     file.replace(['.', '-', '/'], "_").to_uppercase()
 }

@@ -1,4 +1,4 @@
-//! The C face of a function.
+//! C signatures of functions.
 
 use bessemer_ir::{ConstId, Type};
 
@@ -11,9 +11,9 @@ pub enum Passing {
     Value,
     /// A pointer to const, or an array of const elements.
     Input,
-    /// A pointer or an array that is read and written.
+    /// A pointer or an array that the callee reads and writes.
     InOut,
-    /// A pointer or an array that only receives the result.
+    /// A pointer or an array that receives the result.
     Output,
 }
 
@@ -22,9 +22,9 @@ pub enum Passing {
 pub struct Param {
     /// Its name.
     pub name: String,
-    /// The type of the value, of the pointee for a pointer.
+    /// Type of the value; for a pointer, of the pointee.
     pub ty: Type,
-    /// The constants that say how many elements it has.
+    /// Constants that name its lengths.
     pub sizes: Vec<Option<ConstId>>,
     /// Passing mode.
     pub passing: Passing,
@@ -33,25 +33,25 @@ pub struct Param {
 /// Result of a C function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Returned {
-    /// `void`.
+    /// No returned value, `void`.
     Nothing,
-    /// The result itself.
+    /// The result.
     Value(Type),
     /// The status.
     Status,
 }
 
-/// The C face of a function.
+/// C signature of a function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signature {
     /// Its name.
     pub name: String,
     /// Storage class.
     pub storage: Storage,
-    /// The parameters of the Rust function, in order; after them the result's, if it has one.
+    /// Parameters of the Rust function in order, followed by one for the result if it has none by value.
     pub params: Vec<Param>,
     /// Result.
     pub returned: Returned,
-    /// The header that declares it (for a static function, the one beside its source).
+    /// Header that declares it; for a static function, the header of its source.
     pub header: String,
 }

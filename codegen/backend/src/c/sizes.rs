@@ -1,7 +1,7 @@
-//! Sizes by name: numbers of elements that callers see, by the constants that the author named for them.
+//! Named sizes: lengths that callers see, as constants of the author.
 //!
-//! A constant is one of these for what it is: marked, `pub`, and a `usize`. C takes no object for the bound of an array, so
-//! each is a macro, in a header that others include; it holds these alone, so that none needs another back.
+//! Such a constant is marked, `pub`, and a `usize`. C requires a constant expression as the bound of an array, so
+//! each is a macro. They have a header of their own that includes nothing.
 
 use std::collections::BTreeSet;
 
@@ -10,17 +10,17 @@ use bessemer_ir::{Const, ConstId, Given, Module, Type};
 use super::options::Options;
 use super::spelling::identifier;
 
-/// The header's name.
+/// Returns the header's name.
 pub fn header(options: &Options) -> String {
     options.header(&format!("{}_sizes", identifier(&options.status)))
 }
 
-/// Returns true if a constant stands among them.
+/// Returns true if a constant can be such a size.
 pub fn is_one(item: &Const) -> bool {
     item.given.public && item.given.section.is_none() && item.ty == Type::USIZE
 }
 
-/// The constants by which the module names sizes.
+/// Returns the constants that name lengths in the module.
 pub fn named(module: &Module) -> BTreeSet<ConstId> {
     let fields = module.structs.iter().flat_map(|it| &it.fields).map(|field| &field.given);
     let functions = module.functions.iter().map(|function| &function.attributes);
@@ -29,7 +29,7 @@ pub fn named(module: &Module) -> BTreeSet<ConstId> {
     all.flat_map(|given| sizes(module, given)).flatten().collect()
 }
 
-/// The constants of the sizes of something, in order.
+/// Returns the constants that name the lengths of an item, in order.
 pub fn sizes(module: &Module, given: &Given) -> Vec<Option<ConstId>> {
     let constant = |path: &String| {
         let at = module.consts.iter().position(|it| is_one(it) && it.path() == *path)?;

@@ -1,10 +1,10 @@
-//! From Rust's spelling of names to C's.
+//! Converts Rust names to C names.
 
 use std::collections::BTreeMap;
 
 use bessemer_ir::{Int, Scalar};
 
-/// A Rust identifier as a C identifier: ASCII letters, digits and `_`.
+/// Converts a Rust identifier to a C identifier: ASCII letters, digits and `_`.
 pub fn identifier(name: &str) -> String {
     let name = name.strip_prefix("r#").unwrap_or(name);
     let mut out = String::new();
@@ -28,7 +28,7 @@ pub fn identifier(name: &str) -> String {
     if out.starts_with(|letter: char| letter.is_ascii_digit()) { format!("n{out}") } else { out }
 }
 
-/// `PidGains` → `pid_gains`, `LQR` → `lqr`, `Axis3D` → `axis3_d`.
+/// Converts `PidGains` to `pid_gains`, `LQR` to `lqr`, `Axis3D` to `axis3_d`.
 pub fn snake(name: &str) -> String {
     let letters: Vec<char> = identifier(name).chars().collect();
     let mut out = String::new();
@@ -49,13 +49,13 @@ pub fn snake(name: &str) -> String {
     out
 }
 
-/// `TakeOff` → `TAKE_OFF`.
+/// Converts `TakeOff` to `TAKE_OFF`.
 pub fn screaming(name: &str) -> String {
     snake(&if name.chars().any(char::is_lowercase) { name.to_owned() } else { name.to_lowercase() })
         .to_uppercase()
 }
 
-/// The segments of a module path below the crate; the crate itself for its root.
+/// Returns the segments of a module path below the crate, or the crate for its root.
 pub fn relative(path: &str) -> Vec<String> {
     let segments: Vec<String> = path.split("::").map(snake).collect();
     if segments.len() > 1 { segments[1..].to_vec() } else { segments }
@@ -68,7 +68,7 @@ pub fn wanted(names: impl Iterator<Item = String>) -> BTreeMap<String, usize> {
     wanted
 }
 
-/// The last segment of a module path.
+/// Returns the last segment of a module path.
 pub fn last_segment(path: &str) -> String {
     relative(path).pop().unwrap_or_default()
 }
@@ -90,7 +90,7 @@ fn greek(letter: char) -> Option<&'static str> {
     pick(&SMALL, 'α').or_else(|| pick(&CAPITAL, 'Α'))
 }
 
-/// The C type of a scalar.
+/// Returns the C type of a scalar.
 pub fn scalar_type(scalar: Scalar) -> &'static str {
     match scalar {
         Scalar::Bool => "bool",
@@ -109,7 +109,7 @@ pub fn scalar_type(scalar: Scalar) -> &'static str {
     }
 }
 
-/// `name`, or `name_2`, `name_3`, …: the first that is free.
+/// Returns the first free name of `name`, `name_2`, `name_3`, ….
 pub fn unique(name: &str, taken: impl Fn(&str) -> bool) -> String {
     if !taken(name) {
         return name.to_owned();

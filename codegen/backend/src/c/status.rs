@@ -1,25 +1,25 @@
-//! Names of the status type and its values, and of the hook that a fault calls, if there is one.
+//! Names of the status type and its values, and of the hook that a fault calls.
 
 use bessemer_ir::Fault;
 
 use super::options::Options;
 use super::spelling::identifier;
 
-/// The names of the status type and its values.
+/// Names of the status type and its values.
 #[derive(Clone, Debug)]
 pub struct StatusNames {
-    /// The type, `bessemer_status_t`.
+    /// Type name, `bessemer_status_t`.
     pub ty: String,
-    /// No fault.
+    /// Enumerator for no fault.
     pub ok: String,
-    /// The header.
+    /// Header that declares the type.
     pub header: String,
-    /// The function of the firmware's that a fault calls.
+    /// Function of the firmware that a fault calls.
     pub hook: Option<String>,
     prefix: String,
 }
 
-/// Every fault, in the order of its number in C (from 1).
+/// All faults, in the order of their numbers in C (from 1).
 pub const FAULTS: [Fault; 10] = [
     Fault::Overflow,
     Fault::DivisionByZero,
@@ -34,7 +34,7 @@ pub const FAULTS: [Fault; 10] = [
 ];
 
 impl StatusNames {
-    /// Those that the user decided for.
+    /// Returns the names for the user's options.
     pub fn new(options: &Options) -> StatusNames {
         let stem = identifier(&options.status);
         let prefix = format!("{}_STATUS", stem.to_uppercase());
@@ -47,12 +47,12 @@ impl StatusNames {
         }
     }
 
-    /// The macro that asks the compiler to unroll a loop.
+    /// Returns the macro that requests unrolling of a loop.
     pub fn unroll(&self) -> String {
         format!("{}_UNROLL", self.prefix.trim_end_matches("_STATUS"))
     }
 
-    /// The enumerator of a fault.
+    /// Returns the enumerator of a fault.
     pub fn fault(&self, fault: Fault) -> String {
         let word = match fault {
             Fault::Overflow => "OVERFLOW",

@@ -1,4 +1,4 @@
-//! The header of the status type.
+//! Header of the status type.
 
 use bessemer_ir::Fault;
 
@@ -10,7 +10,7 @@ use super::shell::Shell;
 use super::status::FAULTS;
 use super::tree::{Declarator, Head, Item, Origin, Storage};
 
-/// The header of the status type: what a call can come to.
+/// Returns the header of the status type.
 pub fn header(context: Context<'_>, options: &Options) -> CFile {
     let status = &context.names.status;
     let mut variants = vec![(vec!["All is well.".to_owned()], status.ok.clone(), 0)];

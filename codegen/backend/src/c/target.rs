@@ -1,9 +1,9 @@
-//! The demands of every source on its compiler and on the processor: a header of its own, which each of them includes.
+//! Requirements of all sources on compiler and processor, as a header that each of them includes.
 //!
-//! It refuses what would compute other bits and takes back what a compiler does to floats unasked. Its text is in
-//! `codegen/backend/templates/`, and depends on names and on what the user decided about the build alone. A header that computes says
-//! the same for its own lines instead: what includes it may be anybody's. So it demands no standard, either: a header is
-//! C99 and C++, whatever its sources are compiled as.
+//! It rejects compilers that would compute other bits, and reverts their changes to floating-point operations. Its
+//! text is in `codegen/backend/templates/`; it depends only on names and on the user's build options. A header with
+//! computing functions has these lines itself, since any file may include it. It requires no C standard: a header is
+//! both C99 and C++.
 
 use std::fmt::Write as _;
 
@@ -13,12 +13,12 @@ use super::options::Options;
 use super::shell::{Shell, whole};
 use super::spelling::identifier;
 
-/// The header's name.
+/// Returns the header's name.
 pub fn name(options: &Options) -> String {
     options.header(&format!("{}_target", identifier(&options.status)))
 }
 
-/// The demand for the standard that the user decided for, what it has to check sizes with, and the number of threads.
+/// Returns the lines that depend on options: the required C standard, a check of sizes, and the number of threads.
 fn decided(options: &Options) -> String {
     let mut text = String::new();
     if let Some((older, name)) = options.standard.demand() {
@@ -43,7 +43,7 @@ fn decided(options: &Options) -> String {
     text
 }
 
-/// The header.
+/// Returns the header.
 pub fn header(context: Context<'_>, options: &Options) -> CFile {
     let name = name(options);
     let shell = Shell {

@@ -1,51 +1,50 @@
-//! The C tree: what the lowering builds and the printer prints.
+//! The C tree: the lowering builds it, and the printer prints it.
 //!
-//! Expressions know their precedence, so that parentheses are the printer's business alone. Types are
-//! the lowering's: it has put every conversion in place as a [`Expr::Cast`]. Nothing here knows the
-//! IR, save that statements carry the Rust line they come from.
+//! Expressions have a precedence, so the printer alone places parentheses. The lowering has inserted every conversion
+//! as an [`Expr::Cast`]. Nothing here depends on the IR, except that statements have a Rust line.
 
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expr {
     /// An identifier, a literal without sign, or a macro.
     Name(String),
-    /// `-x`, `!x`, `~x`, `*x`, `&x`.
+    /// A unary operation: `-x`, `!x`, `~x`, `*x`, `&x`.
     Unary(&'static str, Box<Expr>),
-    /// `a op b`.
+    /// A binary operation, `a op b`.
     Binary(&'static str, Box<Expr>, Box<Expr>),
-    /// `a ? b : c`.
+    /// A conditional, `a ? b : c`.
     Conditional(Box<Expr>, Box<Expr>, Box<Expr>),
-    /// `(type)x`.
+    /// A cast, `(type)x`.
     Cast(String, Box<Expr>),
-    /// `name(arguments)`.
+    /// A call, `name(arguments)`.
     Call(String, Vec<Expr>),
-    /// `array[index]`.
+    /// An indexed array, `array[index]`.
     Index(Box<Expr>, Box<Expr>),
-    /// `value.field`.
+    /// A field of a value, `value.field`.
     Member(Box<Expr>, String),
-    /// `pointer->field`.
+    /// A field behind a pointer, `pointer->field`.
     Arrow(Box<Expr>, String),
-    /// `x++`, `x--`.
+    /// An increment or decrement, `x++`, `x--`.
     Postfix(Box<Expr>, &'static str),
 }
 
 impl Expr {
-    /// An identifier or a literal.
+    /// Returns an identifier or a literal.
     pub fn name(text: impl Into<String>) -> Expr {
         Expr::Name(text.into())
     }
 
-    /// `a op b`.
+    /// Returns `a op b`.
     pub fn binary(op: &'static str, left: Expr, right: Expr) -> Expr {
         Expr::Binary(op, Box::new(left), Box::new(right))
     }
 
-    /// A unary operator.
+    /// Returns a unary operation.
     pub fn unary(op: &'static str, operand: Expr) -> Expr {
         Expr::Unary(op, Box::new(operand))
     }
 
-    /// `(ty)operand`, unless it is that cast already or a literal that can have the type itself.
+    /// Returns `(ty)operand`. A second equal cast is omitted, and a literal gets a suffix instead.
     pub fn cast(ty: &str, operand: Expr) -> Expr {
         match operand {
             Expr::Cast(inner, value) if inner == ty => Expr::Cast(inner, value),
@@ -56,12 +55,12 @@ impl Expr {
         }
     }
 
-    /// A call.
+    /// Returns a call.
     pub fn call(function: impl Into<String>, arguments: Vec<Expr>) -> Expr {
         Expr::Call(function.into(), arguments)
     }
 
-    /// The last name in a place: a field's, or a variable's.
+    /// Returns the last name in a place: of a field, or of the variable.
     pub fn last_name(&self) -> Option<&str> {
         match self {
             Expr::Name(name) | Expr::Member(_, name) | Expr::Arrow(_, name) => Some(name),
@@ -70,12 +69,12 @@ impl Expr {
         }
     }
 
-    /// `self[index]`.
+    /// Returns `self[index]`.
     pub fn at(self, index: Expr) -> Expr {
         Expr::Index(Box::new(self), Box::new(index))
     }
 
-    /// The field of a struct, whether the struct is at hand or behind a pointer.
+    /// Returns a field of a struct, also through a pointer.
     pub fn field(self, name: &str) -> Expr {
         match self {
             Expr::Unary("*", pointer) => Expr::Arrow(pointer, name.to_owned()),
@@ -83,7 +82,7 @@ impl Expr {
         }
     }
 
-    /// The address of what is not an array (an array is its own address).
+    /// Returns the address of a value that is not an array (an array is its own address).
     pub fn address(self) -> Expr {
         match self {
             Expr::Unary("*", pointer) => *pointer,
@@ -91,7 +90,7 @@ impl Expr {
         }
     }
 
-    /// Binding strength; the larger binds tighter.
+    /// Returns the precedence; a greater one binds tighter.
     pub fn precedence(&self) -> u8 {
         match self {
             Expr::Name(_)
@@ -107,7 +106,7 @@ impl Expr {
     }
 }
 
-/// Binding strength of a binary operator.
+/// Returns the precedence of a binary operator.
 pub fn operator_precedence(op: &str) -> u8 {
     match op {
         "*" | "/" | "%" => 13,
@@ -127,11 +126,11 @@ pub fn operator_precedence(op: &str) -> u8 {
 /// An initialiser.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Init {
-    /// A value.
+    /// One value.
     Value(Expr),
-    /// `{…}`.
+    /// A list, `{…}`.
     List {
-        /// The items, each with its designator if it is a field.
+        /// Items, each with its designator if it is a field.
         items: Vec<(Option<String>, Init)>,
         /// Layout of the list.
         lines: Lines,
@@ -141,27 +140,27 @@ pub enum Init {
 /// Layout of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lines {
-    /// On one line, or as many items on each as fit.
+    /// On one line, or with as many items per line as fit.
     Fill,
-    /// On one line, or an item on each.
+    /// On one line, or with one item per line.
     Each,
-    /// So many items on each, as a matrix has them.
+    /// With this number of items per line, as in a matrix.
     Groups(usize),
 }
 
-/// `type name[dimensions]`.
+/// A declarator, `type name[dimensions]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declarator {
-    /// `const double`, `pid_t *`.
+    /// Type, such as `const double` or `pid_t *`.
     pub ty: String,
     /// The name.
     pub name: String,
-    /// `[3][4]`, or nothing.
+    /// Dimensions, such as `[3][4]`; may be empty.
     pub dimensions: String,
 }
 
 impl Declarator {
-    /// As C writes it.
+    /// Returns the declarator as C text.
     pub fn text(&self) -> String {
         let gap = if self.ty.ends_with('*') { "" } else { " " };
         format!("{}{gap}{}{}", self.ty, self.name, self.dimensions)
@@ -180,7 +179,7 @@ pub struct Origin {
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stmt {
-    /// Its action.
+    /// Kind of the statement.
     pub kind: StmtKind,
     /// Source position.
     pub origin: Option<Origin>,
@@ -189,46 +188,46 @@ pub struct Stmt {
 /// Kinds of statements.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StmtKind {
-    /// `/* … */`, a line each.
+    /// A comment, by lines.
     Comment(Vec<String>),
     /// A declaration.
     Declare(Declarator, Option<Init>),
     /// An expression for its effect.
     Expr(Expr),
-    /// `place op value;`, `op` being `=` or `+=` and the like.
+    /// `place op value;`, where `op` is `=`, `+=` or the like.
     Assign(Expr, &'static str, Expr),
-    /// `place = (type){…};`
+    /// `place = (type){…};`, a compound literal.
     Build(Expr, String, Init),
     /// `if`.
     If {
         /// The condition.
         condition: Expr,
-        /// When true.
+        /// Statements if it is true.
         then: Vec<Stmt>,
-        /// When false.
+        /// Statements if it is false.
         otherwise: Vec<Stmt>,
     },
     /// `switch`.
     Switch {
         /// Value that selects the case.
         scrutinee: Expr,
-        /// In order.
+        /// Cases, in order.
         arms: Vec<SwitchArm>,
     },
     /// `for (init; condition; step)`.
     For {
         /// The counter and its first value.
         init: (Declarator, Expr),
-        /// While it holds.
+        /// Condition for a further pass.
         condition: Expr,
-        /// After each pass, if anything is left to do.
+        /// Expression after each pass; none if empty.
         step: Option<Step>,
         /// Body of the loop.
         body: Vec<Stmt>,
     },
     /// `while (condition)`.
     While {
-        /// While it holds.
+        /// Condition for a further pass.
         condition: Expr,
         /// Body of the loop.
         body: Vec<Stmt>,
@@ -239,57 +238,57 @@ pub enum StmtKind {
     Break,
     /// `continue`.
     Continue,
-    /// `for (;;) { }`: nothing runs on.
+    /// `for (;;) { }`, which never ends.
     Forever,
     /// `{ … }`.
     Block(Vec<Stmt>),
-    /// Lines that come as they are.
+    /// Lines printed unchanged.
     Verbatim(String),
 }
 
-/// The third part of a `for`.
+/// Third part of a `for`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
-    /// `i++`, `i--`.
+    /// An expression, `i++` or `i--`.
     Expr(Expr),
-    /// `i = …`.
+    /// An assignment, `i = …`.
     Assign(Expr, Expr),
 }
 
-/// A group of `case` labels with what they do.
+/// A group of `case` labels with its statements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwitchArm {
-    /// The values.
+    /// Values of the labels.
     pub labels: Vec<Expr>,
-    /// True if `default:` stands here too.
+    /// True if `default:` is one of the labels.
     pub default: bool,
-    /// Its action.
+    /// Statements.
     pub body: Vec<Stmt>,
 }
 
 /// Storage class of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
-    /// Every file.
+    /// Visible in every file.
     Extern,
-    /// Its own file.
+    /// Visible in its own file.
     Static,
-    /// The sources, which have it of a header of their own.
+    /// Inline, in a header for the sources.
     Inline,
-    /// Its own file, at whose calls it may stand.
+    /// Inline, in its own file.
     OwnInline,
-    /// The firmware's.
+    /// External: the firmware defines it.
     Foreign,
-    /// It is the target's own, of `math.h`.
+    /// External: a function of the target's `math.h`.
     Library,
 }
 
-/// The head of a function, as C writes it.
+/// Head of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Head {
-    /// Attributes for the compiler, one macro each.
+    /// Macros of compiler attributes.
     pub asked: Vec<String>,
-    /// `static`, or `static inline`.
+    /// Storage class: `static`, `static inline`, ….
     pub storage: Storage,
     /// The type of the result.
     pub result: String,
@@ -299,20 +298,20 @@ pub struct Head {
     pub params: Vec<Declarator>,
 }
 
-/// A part of a struct or of a union, with its doc comment.
+/// A member of a struct or of a union, with its doc comment.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Member {
     /// A field.
     Field(Vec<String>, Declarator),
-    /// `struct { … } name;`, or `union`: fields whose type nothing else speaks of.
+    /// `struct { … } name;`, or `union`: fields whose type has no name.
     Inside {
         /// The doc comment.
         docs: Vec<String>,
-        /// True if they share their memory.
+        /// True for a union.
         shared: bool,
-        /// They.
+        /// Members.
         fields: Vec<Member>,
-        /// The name of all of them.
+        /// Name of the member.
         name: String,
     },
 }
@@ -322,7 +321,7 @@ pub enum Member {
 pub enum Item {
     /// `typedef struct { … } name;`, or `typedef union`.
     Struct {
-        /// True if all fields share their memory.
+        /// True for a union.
         shared: bool,
         /// The author's doc comment.
         docs: Vec<String>,
@@ -339,31 +338,31 @@ pub enum Item {
         docs: Vec<String>,
         /// The name of the type.
         name: String,
-        /// The enumerators, each with its doc comment and its value.
+        /// Enumerators, each with its doc comment, name and value.
         variants: Vec<(Vec<String>, String, i32)>,
         /// Source position.
         origin: Origin,
     },
-    /// `static const …;` at the top of a file, or one that several files see.
+    /// `static const …;` in a file, or a constant that several files share.
     Constant {
         /// Storage class.
         storage: Storage,
         /// The author's doc comment.
         docs: Vec<String>,
-        /// Attribute for the compiler, on the line before.
+        /// Macro of a compiler attribute, on the line before.
         asked: Option<String>,
-        /// Its name and type.
+        /// Name and type.
         declarator: Declarator,
-        /// Its value, unless another file gives it.
+        /// Value; none if another file defines it.
         init: Option<Init>,
     },
     /// `#define name value`.
     Define {
         /// The author's doc comment.
         docs: Vec<String>,
-        /// Its name.
+        /// Name of the macro.
         name: String,
-        /// Its value, a literal.
+        /// Value, a literal.
         value: Expr,
     },
     /// A function's declaration.
@@ -374,12 +373,12 @@ pub enum Item {
         head: Head,
         /// Source position.
         origin: Origin,
-        /// The Rust path.
+        /// Rust path.
         function: String,
     },
     /// A function.
     Function {
-        /// The doc comment, where no prototype carries it.
+        /// Doc comment, unless the prototype has it.
         docs: Vec<String>,
         /// The head.
         head: Head,
@@ -387,19 +386,19 @@ pub enum Item {
         body: Vec<Stmt>,
         /// Source position.
         origin: Origin,
-        /// The Rust path.
+        /// Rust path.
         function: String,
     },
-    /// Text that comes as it is.
+    /// Text printed unchanged.
     Verbatim(String),
 }
 
-/// A statement that no line of the author's represents.
+/// Returns a statement without a source line.
 pub fn plain(kind: StmtKind) -> Stmt {
     Stmt { kind, origin: None }
 }
 
-/// Returns true if a text is a literal without a sign, of `int` or `unsigned int`.
+/// Returns true if a text is an unsigned literal of `int` or `unsigned int`.
 fn is_counted(text: &str) -> bool {
     let digits = text.trim_end_matches('U');
     let hexadecimal = digits.strip_prefix("0x");

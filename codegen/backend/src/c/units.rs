@@ -1,4 +1,4 @@
-//! The units that authors give, for the report of an entry point.
+//! Units at the interface of entry points, for reports.
 
 use bessemer_ir::{Function, Module, Type};
 
@@ -12,14 +12,14 @@ pub enum Port {
     Input,
     /// A parameter that is read and written.
     Parameter,
-    /// A part of the component.
+    /// A part of the component's state.
     State,
-    /// Output.
+    /// A result.
     Output,
 }
 
 impl Port {
-    /// As a report has it.
+    /// Returns the word that a report prints.
     pub fn word(self) -> &'static str {
         match self {
             Port::Input => "input",
@@ -30,18 +30,18 @@ impl Port {
     }
 }
 
-/// A number at the face of an entry point, and its unit.
+/// A number at the interface of an entry point, and its unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Measured {
     /// Role for the caller.
     pub port: Port,
-    /// Place by its names in the C: `target.position`, `axes[].gain`.
+    /// Path in the C: `target.position`, `axes[].gain`.
     pub place: String,
     /// Its unit.
     pub unit: String,
 }
 
-/// Everything with a unit at the face of an entry point, in the order of its parameters.
+/// Returns all numbers with a unit at the interface of an entry point, in the order of its parameters.
 pub fn of_entry(
     module: &Module,
     names: &Names,

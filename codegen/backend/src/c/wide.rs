@@ -1,17 +1,17 @@
-//! Operations that are too wide for a small processor: in double precision, and of 64 bits.
+//! Operations that small processors do not have: in double precision, and of 64 bits.
 
 use bessemer_ir::Span;
 
 /// Width that an operation exceeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Width {
-    /// A unit for `float` alone.
+    /// Wider than a floating-point unit for `float` only.
     Double,
-    /// Registers of 32 bits.
+    /// Wider than registers of 32 bits.
     Long,
 }
 
-/// An operation that a small processor carries out in software, or in several instructions.
+/// An operation that a small processor performs in software, or by several instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Wide {
     /// Width that it exceeds.

@@ -22,13 +22,14 @@ fn unit(element: Float) -> f64 {
     }
 }
 
-/// `γ(n)`: what `n` roundings can make of a number, relative to it.
+/// Returns `γ(n)`, the relative error that `n` roundings can cause.
 fn gamma(roundings: u32, element: Float) -> f64 {
     let error = f64::from(roundings) * unit(element);
     error / (1.0 - error)
 }
 
-/// The factor of a kernel's bound in the fast mode: of `|A| |B|` for a product, of `|L| |U|` for all else.
+/// Returns the factor of a kernel's error bound in the fast mode: of `|A| |B|` for a product, of `|L| |U|` for all
+/// others.
 pub fn factor(kernel: &Kernel) -> f64 {
     let roundings = match (kernel.routine, kernel.dims.as_slice()) {
         (
@@ -40,7 +41,7 @@ pub fn factor(kernel: &Kernel) -> f64 {
     gamma(roundings, kernel.element)
 }
 
-/// The bound of a kernel's error in the fast mode, in a line of ASCII.
+/// Returns the error bound of a kernel in the fast mode, as one line of ASCII.
 pub fn bound(kernel: &Kernel) -> String {
     let factor = upwards(factor(kernel));
     match kernel.routine {
@@ -54,7 +55,7 @@ pub fn bound(kernel: &Kernel) -> String {
     }
 }
 
-/// Two digits of a number, none of which is below it: half a unit of the second is at most a twentieth of the number.
+/// Rounds a number up to two digits: half a unit of the second digit is at most a twentieth of the number.
 fn upwards(number: f64) -> String {
     let nearest = format!("{number:.1e}");
     let is_below = nearest.parse().is_ok_and(|nearest: f64| nearest < number);

@@ -17,7 +17,7 @@ static $result by_loops($params)
 $loops}
 $ways#endif";
 
-/// The ways of a kernel that works with these buffers, behind its loops; unless there is but the one way.
+/// Returns a kernel's variants, preceded by its plain loops unless these are the only variant.
 pub(super) fn before(kernel: &Kernel, ways: Source, buffers: &[Buffer]) -> Source {
     let loops = plain::alone(plain::source(kernel));
     let Some(lent) = lent(kernel, buffers) else { return ways };
@@ -91,7 +91,7 @@ fn element(constant: &str, ty: &Type) -> String {
     format!("{constant}{}", scalar(element))
 }
 
-/// Returns true if a text is one choice of the preprocessor's, from its first line to its last.
+/// Returns true if a text is one `#if` … `#endif`, from its first line to its last.
 fn is_one_choice(text: &str) -> bool {
     let mut depth = 0;
     let mut lines = text.lines().peekable();

@@ -1,26 +1,25 @@
-//! The C of kernels: routines of linear algebra, each in a file of its own, named by routine, type and
-//! shape.
+//! C of kernels: routines of linear algebra, each in its own file, named by routine, type and shape.
 //!
-//! The interface: [`source`] gives the body of a kernel's function and what precedes it;
-//! [`buffers`] gives the memory that it needs. The head follows from [`Kernel::function`] and is the
-//! back end's, as are file, header and includes. The parameters keep their names: `a`, `b`, `result`.
+//! [`source`] returns the body of a kernel's function and the text before it; [`buffers`] returns the memory that it
+//! needs. The head follows from [`Kernel::function`]; head, file, header and includes are the back end's. The
+//! parameters keep their names: `a`, `b`, `result`.
 //!
-//! Bodies are text, not C trees: what makes a kernel fast (vector types, intrinsics, pragmas, the
-//! preprocessor) is not in the C tree, and what the C tree brings (precedence, conversions, names)
-//! a kernel has no need of. [`text`] fills templates that look like the C they become; a generator of
-//! tiles prints lines.
+//! Bodies are text, not C trees. Vector types, intrinsics, pragmas and the preprocessor make a kernel fast, and the C
+//! tree has none of them. A kernel does not need the tree's precedence, conversions and names. [`text`] fills
+//! templates that look like the resulting C; generators of tiles print lines.
 //!
 //! Invariants:
-//! * **Order.** In the exact mode each element sees the operations that `bessemer_ir::KernelRoutine` and nalgebra give it, in
-//!   that order, each rounded by itself; how elements are interleaved is free. Any NaN is as good as
-//!   another; everything else, ±0 and subnormals included, is the same bits.
-//! * **No fault.** For any input, singular, infinite or NaN, no index leaves its array and every loop ends.
-//! * **Memory.** Buffers of more than [`LARGEST`] bytes in all are the caller's, in the kernel's `…_work_t`;
-//!   what they hold means nothing between calls. Smaller ones are locals. Nothing else takes more than a
-//!   few hundred bytes of the stack.
-//! * **Stable.** The text of a kernel depends on the kernel alone.
 //!
-//! Absent: IR, names, files; any knowledge of who calls.
+//! * **Order.** In the exact mode each element undergoes the operations of `bessemer_ir::KernelRoutine` and nalgebra
+//!   in their order, each rounded by itself. Their interleaving between elements is free. All NaNs are equivalent; all
+//!   other results, including ±0 and subnormals, have the same bits.
+//! * **No fault.** For any input, singular, infinite or NaN, each index is within its array and every loop ends.
+//! * **Memory.** Buffers of more than [`LARGEST`] bytes in total are the caller's, in the kernel's `…_work_t`; their
+//!   content has no meaning between calls. Smaller ones are locals. Nothing else takes more than a few hundred bytes of
+//!   the stack.
+//! * **Stable.** The text of a kernel depends only on the kernel.
+//!
+//! Must not know: IR, names, files, callers.
 
 mod cholesky;
 pub mod fast;
@@ -39,10 +38,10 @@ use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
 pub use processors::Processors;
 
-/// Bytes of buffers that a kernel may put on the stack.
+/// Largest size of buffers that a kernel keeps on the stack, bytes.
 pub const LARGEST: u64 = 256;
 
-/// The C of a kernel.
+/// C text of a kernel.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Source {
     /// Static functions and macros before the kernel's function.
@@ -57,39 +56,39 @@ pub struct Source {
     pub dot: bool,
 }
 
-/// An array that a kernel works with.
+/// An array in a kernel's working memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Buffer {
-    /// Its name.
+    /// Name in C.
     pub name: &'static str,
-    /// The type of its elements.
+    /// Element type.
     pub element: Scalar,
     /// Number of elements.
     pub len: u32,
-    /// Contents, for the comment.
+    /// Content, as a comment in the C.
     pub holds: &'static str,
 }
 
 /// Rounding of kernels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
-    /// As the Rust does, bit for bit.
+    /// Bit for bit as in Rust.
     #[default]
     Exact,
-    /// Multiplications fuse with additions, and sums go in any order, where that is faster.
+    /// With fused multiply-add and sums in any order, where that is faster.
     Fast,
-    /// As the Rust does, in one way that is C99 alone: loops, for who reads or certifies them.
+    /// Bit for bit as in Rust, as plain C99 loops for reviewers and certification.
     Plain,
 }
 
 /// Options of a project for all of its kernels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tuning {
-    /// Bytes of code that a kernel may take, by an estimate of four bytes an instruction without vectors.
+    /// Largest code size of a kernel, bytes, estimated by four bytes per instruction without vectors.
     pub code_bytes: u32,
     /// Rounding mode.
     pub mode: Mode,
-    /// Whose ways their files have.
+    /// Processors for which the files have variants.
     pub processors: Processors,
 }
 
@@ -102,7 +101,7 @@ impl Default for Tuning {
 /// Variants of a kernel, the fastest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Way {
-    /// Every operation by itself.
+    /// Every operation written out.
     WrittenOut,
     /// Loops over tiles.
     Tiles,
@@ -110,7 +109,7 @@ enum Way {
     Loops,
 }
 
-/// The fastest way that has room.
+/// Returns the fastest variant that fits into the code size.
 fn way(kernel: &Kernel, tuning: &Tuning) -> Way {
     if tuning.mode == Mode::Plain {
         Way::Loops
@@ -123,7 +122,7 @@ fn way(kernel: &Kernel, tuning: &Tuning) -> Way {
     }
 }
 
-/// The C of a kernel.
+/// Returns the C of a kernel.
 pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     use KernelRoutine::{Inverse, LuSolve, Solve};
     if tuning.mode == Mode::Plain {
@@ -145,7 +144,7 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     of_processors(source, tuning.processors)
 }
 
-/// A line of no C between what precedes a kernel's function and its body, which decide together what is left of both.
+/// Separator between the text before a kernel's function and its body, while conditions that span both are resolved.
 const BODY: &str = "\u{1}\n";
 
 fn of_processors(source: Source, processors: Processors) -> Source {
@@ -207,14 +206,14 @@ fn of_routine(kernel: &Kernel, tuning: &Tuning) -> Source {
     }
 }
 
-/// Returns true if the file of a kernel opens with its loops: where other ways may follow.
+/// Returns true if the file of a kernel begins with plain loops, before its other variants.
 fn has_loops(kernel: &Kernel) -> bool {
     use KernelRoutine::{Cholesky, CholeskyLower};
     // Of Cholesky's factor the loops are one of the ways.
     !stands_in_header(kernel) && !matches!(kernel.routine, Cholesky | CholeskyLower)
 }
 
-/// Returns true if a kernel goes by rows where there are vectors.
+/// Returns true if a kernel has a variant by rows for targets with vectors.
 fn by_rows(kernel: &Kernel, tuning: &Tuning) -> bool {
     rows::fits(kernel) && way(kernel, tuning) != Way::Loops && rows::BUDGET <= tuning.code_bytes
 }
@@ -230,7 +229,7 @@ pub fn stands_in_header(kernel: &Kernel) -> bool {
     }
 }
 
-/// The memory that a kernel works with.
+/// Returns the working memory of a kernel.
 pub fn buffers(kernel: &Kernel, tuning: &Tuning) -> Vec<Buffer> {
     let mut buffers = match way(kernel, tuning) {
         Way::WrittenOut => written_out::buffers(kernel),
@@ -244,7 +243,7 @@ pub fn buffers(kernel: &Kernel, tuning: &Tuning) -> Vec<Buffer> {
     buffers
 }
 
-/// The memory that a kernel's caller lends it: all its buffers, or none if they are small.
+/// Returns the buffers that a kernel's caller passes: all, or none if they are small.
 pub fn lent(kernel: &Kernel, tuning: &Tuning) -> Vec<Buffer> {
     let buffers = buffers(kernel, tuning);
     if are_lent(&buffers) { buffers } else { Vec::new() }
@@ -254,7 +253,7 @@ fn are_lent(buffers: &[Buffer]) -> bool {
     buffers.iter().map(Buffer::bytes).sum::<u64>() > LARGEST
 }
 
-/// The declarations of buffers: locals, or names for what the caller lends.
+/// Returns the declarations of buffers: local arrays, or names for parts of the caller's memory.
 fn declarations(buffers: &[Buffer]) -> String {
     let lent = are_lent(buffers);
     let declare = |buffer: &Buffer| {
@@ -267,13 +266,13 @@ fn declarations(buffers: &[Buffer]) -> String {
     buffers.iter().map(declare).collect()
 }
 
-/// Returns true if the bits of a kernel may differ from the Rust's, as it is made.
+/// Returns true if the bits of a kernel may differ from Rust's with this tuning.
 pub fn is_fast(kernel: &Kernel, tuning: &Tuning) -> bool {
     tuning.mode == Mode::Fast
         && source(kernel, tuning) != source(kernel, &Tuning { mode: Mode::Exact, ..*tuning })
 }
 
-/// Bytes of the buffers that are locals of the kernel.
+/// Returns the size of the buffers that are local arrays, bytes.
 pub fn stack_bytes(kernel: &Kernel, tuning: &Tuning) -> u64 {
     let buffers = buffers(kernel, tuning);
     let all: u64 = buffers.iter().map(Buffer::bytes).sum();
@@ -285,7 +284,7 @@ pub fn stack_bytes(kernel: &Kernel, tuning: &Tuning) -> u64 {
 }
 
 impl Buffer {
-    /// Its size.
+    /// Returns its size, bytes.
     pub fn bytes(&self) -> u64 {
         let element = match self.element {
             Scalar::Float(Float::F64) | Scalar::Int(Int::U64 | Int::I64) => 8,
@@ -297,7 +296,7 @@ impl Buffer {
     }
 }
 
-/// The C type of a buffer's element.
+/// Returns the C type of a buffer's element.
 fn scalar(scalar: Scalar) -> &'static str {
     match scalar {
         Scalar::Float(Float::F64) => "double",

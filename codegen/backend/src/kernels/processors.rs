@@ -1,19 +1,20 @@
-//! The ways of a kernel for one family of processors, without those of others.
+//! Removes from a kernel's text the variants for other processors than the target's family.
 //!
-//! A kernel's text has a way for each family, behind conditions of the preprocessor. Where the target is known, what can never
-//! hold there goes, and so does what only that would have defined. What a flag of the compiler decides stays.
+//! The text has a variant for each family, under preprocessor conditions. If the family is known, branches that can
+//! never be taken are removed, and so are those that depend only on macros defined there. Conditions that depend on
+//! compiler flags remain.
 //!
-//! Invariant: on the family the preprocessor makes the same of both texts. On any other it makes a way of C99 of what is left,
+//! Invariant: for this family the preprocessor makes the same of both texts. For any other it selects a C99 variant
 //! with the same bits.
 //!
-//! Absent: what a way computes.
+//! Must not know: the computations of a variant.
 
 use std::collections::BTreeSet;
 
-/// Processors whose variants the files of kernels have.
+/// Processors for which the files of kernels have variants.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Processors {
-    /// All that there are.
+    /// All processors.
     #[default]
     Every,
     /// Processors of the Cortex-A family.
@@ -51,7 +52,7 @@ impl Processors {
         (comparison == IS_M && self != Processors::Every).then_some(self == Processors::CortexM)
     }
 
-    /// A text with this family's ways alone.
+    /// Returns a text with only this family's variants.
     pub(super) fn alone(self, text: &str) -> String {
         if self == Processors::Every {
             return text.to_owned();
@@ -75,7 +76,7 @@ impl Processors {
     }
 }
 
-/// The macros that a text defines.
+/// Returns the macros that a text defines.
 fn defined(text: &str) -> BTreeSet<String> {
     let name = |line: &str| {
         let rest = line.trim_start().strip_prefix("#define ")?;
@@ -101,14 +102,14 @@ fn resolve(lines: &mut Lines<'_>, decide: &dyn Fn(&str) -> Condition, left: &mut
     }
 }
 
-/// The condition that a line opens a block by.
+/// Returns the condition of a line that opens a block.
 fn condition(line: &str) -> Option<String> {
     let named = |word: &str| line.strip_prefix(word).map(|name| format!("defined({name})"));
     let plain = || line.strip_prefix("#if ").map(str::to_owned);
     named("#ifdef ").or_else(|| Some(format!("!{}", named("#ifndef ")?))).or_else(plain)
 }
 
-/// A block with its branches, of which those go that cannot be taken.
+/// Resolves a block, removing the branches that cannot be taken.
 fn choice(
     first: String,
     lines: &mut Lines<'_>,
@@ -152,7 +153,7 @@ fn choice(
     }
 }
 
-/// The comment above what is gone goes, too.
+/// Removes the comment above a removed branch.
 fn without_comment(left: &mut Vec<String>) {
     if !left.last().is_some_and(|line| line.trim_end().ends_with("*/")) {
         return;
@@ -162,10 +163,10 @@ fn without_comment(left: &mut Vec<String>) {
     }
 }
 
-/// A condition of the preprocessor, as far as it is decided.
+/// A preprocessor condition, resolved as far as the family decides it.
 enum Condition {
     Known(bool),
-    /// Remaining condition, and the operator that binds its parts.
+    /// Remaining condition, with the operator that joins its parts.
     Open(String, Binds),
 }
 
@@ -214,7 +215,7 @@ impl Condition {
         known.map_or_else(|| Condition::Open(text.to_owned(), binds), Condition::Known)
     }
 
-    /// Combines parts by `&&` or `||`.
+    /// Joins parts by `&&` or `||`.
     fn together(parts: Vec<Condition>, binds: Binds) -> Condition {
         // What decides the whole by itself, and what says nothing.
         let decides = binds == Binds::Or;
@@ -247,7 +248,7 @@ impl Condition {
     }
 }
 
-/// The parts of a condition between operators that are in no parentheses.
+/// Splits a condition at an operator outside parentheses.
 fn parts<'t>(text: &'t str, operator: &str) -> Vec<&'t str> {
     let (mut depth, mut start, mut parts) = (0_u32, 0, Vec::new());
     for (at, letter) in text.char_indices() {

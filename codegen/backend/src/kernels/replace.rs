@@ -1,11 +1,10 @@
-//! A user's own functions in place of kernels: a vendor's library, an own routine in assembly.
+//! User's functions that replace kernels: a vendor's library, or assembly.
 //!
-//! A table says which kernels, by routine, type and size, and what to call instead. The first entry that
-//! fits counts; a kernel that none fits stays as it is. The C keeps the kernel as well:
-//! `BESSEMER_OWN_KERNELS` brings it back.
+//! A table selects kernels by routine, type and size, and has the code to call instead. The first matching entry is
+//! used; a kernel without a match is unchanged. The C keeps the kernel as well; the macro `BESSEMER_OWN_KERNELS`
+//! selects it.
 //!
-//! The result of a replacement is its library's affair: the same bits as the Rust only if it computes in the
-//! kernel's order.
+//! The library decides the bits of the result: they equal Rust's only if it computes in the kernel's order.
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 use serde_json::Value;
@@ -17,13 +16,13 @@ use super::Source;
 pub struct Replacement {
     /// The routine.
     pub routine: KernelRoutine,
-    /// The type; any if there is none.
+    /// Element type; any if there is none.
     pub element: Option<Float>,
-    /// Every dimension at least so much.
+    /// Smallest allowed value of every dimension.
     pub at_least: u32,
-    /// Every dimension at most so much.
+    /// Largest allowed value of every dimension.
     pub at_most: u32,
-    /// Whose it is, for the report.
+    /// Name of the library, for the report.
     pub library: String,
     /// Header to include: `<cblas.h>`, `"fast.h"`.
     pub include: String,
@@ -34,7 +33,7 @@ pub struct Replacement {
 /// Errors of a replacement table.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
-    /// It is not JSON.
+    /// The text is not JSON.
     #[error("line {line}, column {column}: {message}")]
     Text {
         /// Line of the error.
@@ -44,10 +43,10 @@ pub enum Error {
         /// Message of the parser.
         message: String,
     },
-    /// It is not a list of objects.
+    /// The JSON is not a list of objects.
     #[error("a table of replacements is a list: `[{{\"routine\": \"product\", …}}]`")]
     Shape,
-    /// An entry lacks a field, or has one that means nothing.
+    /// An entry lacks a field, or a field has an invalid value.
     #[error("entry {entry}, `{field}`: {expected}")]
     Field {
         /// Index of the entry, from 1.
@@ -133,7 +132,7 @@ impl Entry<'_> {
 }
 
 impl Replacement {
-    /// The first of a table that fits a kernel.
+    /// Returns the first entry of a table that matches a kernel.
     pub fn of<'a>(table: &'a [Replacement], kernel: &Kernel) -> Option<&'a Replacement> {
         table.iter().find(|it| {
             it.routine == kernel.routine
@@ -142,7 +141,7 @@ impl Replacement {
         })
     }
 
-    /// The kernel's C with this before it; `lends` if a caller lends it memory.
+    /// Returns the kernel's C with the replacement before it; `lends` is true if a caller passes memory to it.
     pub fn replace(&self, kernel: &Kernel, own: Source, lends: bool) -> Source {
         let mut lines = self.body.join("\n");
         for (index, dim) in kernel.dims.iter().enumerate() {

@@ -1,10 +1,10 @@
-//! Templates of C: `$name` represents a value, everything else for itself.
+//! Templates of C, in which `$name` represents a value.
 //!
-//! `$` has no meaning in C, so that a template looks like the C that it becomes.
+//! `$` has no meaning in C, so a template looks like the resulting C.
 
 use bessemer_ir::Float;
 
-/// The template with its names replaced. A name without a value stays, and a test finds it.
+/// Returns the template with its names replaced. A name without a value remains, and a test detects it.
 pub fn fill(template: &str, values: &[(&str, String)]) -> String {
     let mut text = String::new();
     let mut parts = template.split('$');
@@ -23,7 +23,7 @@ pub fn fill(template: &str, values: &[(&str, String)]) -> String {
     text
 }
 
-/// Bytes of a number.
+/// Returns the size of a number, bytes.
 pub fn bytes(float: Float) -> u32 {
     match float {
         Float::F64 => 8,
@@ -61,8 +61,9 @@ pub fn values(float: Float, sizes: &[(&'static str, u32)]) -> Vec<(&'static str,
     values
 }
 
-/// The condition of the preprocessor under which vectors of a target are used. x86-64's are shuffled, which gcc can from
-/// version 12 on; ARM's are not. On i386, which has the same vectors, `double` is at multiples of 4, where they may not.
+/// Returns the preprocessor condition under which vectors of a target are used. Those of x86-64 are shuffled, which
+/// gcc supports from version 12 on; those of ARM are not. i386 is excluded: its stack aligns `double` at 4 bytes, too
+/// little for its vectors.
 pub fn vectors_if(target: &str) -> String {
     let compiler = match target.contains("ARM") {
         true => "defined(__GNUC__)",
@@ -76,7 +77,7 @@ pub fn vectors_if(target: &str) -> String {
 /// Text before that of [`fused`], up to an `#endif`.
 pub const FUSED: &str = "#if defined(__FMA__)\n#include <immintrin.h>\n";
 
-/// The fused operation of x86-64 on vectors of so many bytes: a number in each lane, and two vectors.
+/// Returns the fused operation of x86-64 on vectors of this size: a number in each lane, and two vectors.
 pub fn fused(
     element: Float,
     vector: u32,
@@ -98,12 +99,12 @@ pub fn fused(
     )
 }
 
-/// The text without what stands under a macro that the kernel never defines.
+/// Returns the text without the branches under a macro that the kernel never defines.
 pub fn without(text: &str, name: &str) -> String {
     decided(text, name, false)
 }
 
-/// The text with the branches alone that a macro decides which is always defined, or never.
+/// Returns the text with only the selected branches of a macro that is always defined, or never.
 pub fn decided(text: &str, name: &str, defined: bool) -> String {
     let condition = format!("#if defined({name})");
     let mut kept = String::new();
@@ -141,7 +142,7 @@ pub fn decided(text: &str, name: &str, defined: bool) -> String {
     kept
 }
 
-/// Every line one level further in.
+/// Returns the text with every line indented by one level.
 pub fn indented(text: &str) -> String {
     text.lines()
         .map(|line| if line.is_empty() { "\n".to_owned() } else { format!("    {line}\n") })

@@ -1,15 +1,15 @@
-//! Threads of POSIX, where `BESSEMER_THREADS` says how many: of n, each takes every n-th part of the columns
-//! of a result.
+//! POSIX threads, whose number is `BESSEMER_THREADS`: each of n threads computes every n-th part of a result's
+//! columns.
 //!
-//! Invariant: a column is one thread's, and computed as it would be alone, so that their number changes no bit. Threads may
-//! allocate, so no kernel has them unless it is compiled for it.
+//! Invariant: one thread computes a column, exactly as it would alone, so the number of threads changes no bit.
+//! Threads may allocate, so no kernel uses them unless it is compiled for that.
 
 use super::text::fill;
 
 const THREADS: &str = include_str!("threads.c");
 
-/// A C function that does a share of the work. Its last two parameters are the first part and the distance between
-/// parts.
+/// A C function that computes a share of the work. Its last two parameters are the first part and the distance
+/// between parts.
 pub(super) struct Work<'a> {
     /// Its name.
     pub name: &'a str,
@@ -29,7 +29,7 @@ pub(super) struct Own<'a> {
 }
 
 impl Work<'_> {
-    /// The function `by_threads`, and what it needs.
+    /// Returns the function `by_threads`, and the code before it.
     pub fn text(&self) -> String {
         let own = self.own.iter();
         let parameters = self.shared.iter().copied().chain(own.clone().map(|it| (it.ty, it.name)));
@@ -54,7 +54,7 @@ impl Work<'_> {
         )
     }
 
-    /// The lines that do the whole: by threads, or alone.
+    /// Returns the lines that compute the whole, by threads or without.
     pub fn call(&self) -> String {
         let (name, arguments) = (self.name, self.arguments());
         format!(
@@ -69,7 +69,7 @@ impl Work<'_> {
     }
 }
 
-/// A declaration, as C writes it: `const double *a`.
+/// Returns a declaration, such as `const double *a`.
 fn declared(ty: &str, name: &str) -> String {
     let gap = if ty.ends_with('*') { "" } else { " " };
     format!("{ty}{gap}{name}")

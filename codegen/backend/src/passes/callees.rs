@@ -1,4 +1,4 @@
-//! The call graph, which functions may end in a fault, and which reach the firmware.
+//! The call graph: functions that may fault, and functions that reach the firmware.
 
 use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::{Expr, ExprKind, Fault, Function, FunctionId, Module, Stmt, StmtKind};
@@ -17,7 +17,7 @@ pub(super) fn callees(module: &Module) -> Vec<Callee> {
     })
 }
 
-/// The callees of a function, and whether it checks anything itself.
+/// Callees of a function, and true if it has checks itself.
 #[derive(Default)]
 struct Calls {
     checks: bool,
@@ -46,7 +46,7 @@ impl Visit for Calls {
     }
 }
 
-/// The facts about a function that its callers need; its callees precede it.
+/// Returns the facts about a function that its callers need; its callees precede it.
 pub(super) fn callee(function: &Function, callees: &[Callee]) -> Callee {
     let calls = Calls::of(function);
     let any = |is: fn(&Callee) -> bool| {
@@ -57,7 +57,7 @@ pub(super) fn callee(function: &Function, callees: &[Callee]) -> Callee {
     Callee::of(function, fallible, outside)
 }
 
-/// A function and all that it calls; callees before callers.
+/// Returns a function and all its direct and indirect callees, callees before callers.
 pub fn reached(module: &Module, index: usize) -> Vec<usize> {
     let mut reached = vec![false; module.functions.len()];
     reached[index] = true;

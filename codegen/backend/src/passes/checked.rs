@@ -1,10 +1,10 @@
-//! Operations that follow their own checks, as they are written.
+//! Operations that follow their own checks textually.
 //!
-//! An operation whose proof is doubted keeps its whole check: all conditions of [`faults`](super::faults), of which
-//! nothing is left out. Whether that check precedes it shows by its text alone, and needs no proof: the same
-//! condition, earlier in the same block, and nothing that it reads is written in between.
+//! An operation whose proof is doubted keeps its whole check: all conditions of [`faults`](super::faults). That the
+//! check precedes the operation needs no proof: an equal condition comes earlier in the same block, and no statement
+//! in between writes what it reads.
 //!
-//! Must not know: what is proved.
+//! Must not know: which conditions are proved.
 
 use std::collections::{HashMap, HashSet};
 
@@ -17,9 +17,9 @@ use super::places::erased;
 use super::proof::written::{by_stmts, touches};
 use super::sites::Site;
 
-/// Returns true if a condition was checked by the statements before a point of a block, and still holds there.
-/// `changes`: whether a statement may change its value. Who leaves a check out and who verifies that answer by
-/// themselves.
+/// Returns true if a statement before a point of a block checks a condition, and it still holds there. `changes`
+/// returns true if a statement may change its value; the remover of checks and the verifier each pass their own
+/// function.
 pub(super) fn before(
     stmts: &[Stmt],
     condition: &Expr,
@@ -40,7 +40,7 @@ pub(super) fn before(
     false
 }
 
-/// The verifier's answer, by the proof's own account of what is written.
+/// Returns true if a statement may change a condition, according to the proof's own list of written places.
 fn changes(stmt: &Stmt, condition: &Expr) -> bool {
     touches(condition, &by_stmts([stmt]))
 }
@@ -54,7 +54,7 @@ pub(super) fn without(open: Vec<Site>, module: &Module, function: &Function) -> 
     open.into_iter().filter(|site| !found.stands(site)).collect()
 }
 
-/// The conditions of checks that operations behind them need.
+/// Returns the conditions of checks that later operations need.
 pub(super) fn needed(module: &Module, function: &Function) -> Vec<Expr> {
     found(module, function).checks.into_iter().map(|check| check.condition).collect()
 }
@@ -69,20 +69,20 @@ fn found(module: &Module, function: &Function) -> Found {
 #[derive(Default)]
 struct Found {
     checks: Vec<Needed>,
-    /// The operations that follow their checks.
+    /// Operations that follow their checks.
     checked: HashSet<Site>,
-    /// Those that are part of a check's condition.
+    /// Operations inside the condition of a check.
     within: HashMap<Site, Part>,
 }
 
-/// A condition that an operation needed and found checked.
+/// A condition that an operation needs and that was checked.
 struct Needed {
     condition: Expr,
-    /// The operands of the operation that may fault.
+    /// Operands of the operation that may fault.
     operands: Vec<Expr>,
 }
 
-/// An operation in the condition of a check; `of`: itself, if it is no step.
+/// An operation in the condition of a check; `of` is its expression, none for a step.
 struct Part {
     condition: Expr,
     of: Option<Expr>,
@@ -123,19 +123,20 @@ impl Visit for Blocks<'_> {
     fn expr(&mut self, _: &Expr) {}
 }
 
-/// The operations of one statement, without those of its blocks.
+/// Visitor of the operations of one statement, without its inner blocks.
 struct Operations<'a, 'm> {
     of: &'a mut Blocks<'m>,
     /// Statements of the block before it.
     stmts: &'a [Stmt],
     /// The condition, if it is a check.
     within: Option<Expr>,
-    /// Those so far that could fault, steps left out.
+    /// Expressions so far that could fault, without steps.
     seen: Vec<Expr>,
 }
 
 impl Operations<'_, '_> {
-    /// An operation; `of`: itself, if it is no step; `operands`: from where on its operands were seen.
+    /// Visits an operation. `of` is its expression, none for a step; its operands begin at index `operands` of
+    /// `seen`.
     fn operation(&mut self, site: Site, needs: &[Obligation], of: Option<Expr>, operands: usize) {
         let found = &mut self.of.found;
         if needs.iter().all(|it| before(self.stmts, &it.condition, changes)) {

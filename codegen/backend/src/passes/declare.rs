@@ -1,9 +1,9 @@
-//! Declarations moved to where their value is known.
+//! Moves declarations to the first assignment.
 //!
-//! A block as a value, `let x = { … }`, comes as a declaration, the block's statements, and an
-//! assignment. If nothing before the assignment mentions the local, the assignment declares it.
+//! A block as a value, `let x = { … }`, is lowered to a declaration, the block's statements, and an assignment. If no
+//! statement before the assignment mentions the local, the assignment declares it.
 //!
-//! Keeps: every statement, its order, and what the locals hold. Must not know: faults, calls, types.
+//! Preserves: every statement, the order, and the values of locals. Must not know: faults, calls, types.
 
 use bessemer_ir::visit::{self, VisitMut};
 use bessemer_ir::{Block, Function, Stmt, StmtKind};
@@ -27,7 +27,7 @@ impl VisitMut for Late {
     }
 }
 
-/// Moves the declaration at `at`, if there is one that can go.
+/// Moves the declaration at `at`, if it is one that can be moved.
 fn moved(stmts: &mut Vec<Stmt>, at: usize) -> bool {
     let StmtKind::Let { local, value: None } = stmts[at].kind else { return false };
     let next = stmts[at + 1..].iter().position(|stmt| mentions(stmt, local));

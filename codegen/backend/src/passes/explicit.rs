@@ -1,7 +1,7 @@
-//! The verifier of explicit IR: F1 to F4 of [`passes`](super), function by function.
+//! Verifier of explicit IR: rules F1 to F4 of [`passes`](super), function by function.
 //!
-//! Precondition: a valid module. F1, F2 and F4 are a matter of form; F3 is shown anew by [`proof`](super::proof), which
-//! shares nothing with what left checks out.
+//! Precondition: a valid module. F1, F2 and F4 are syntactic. [`proof`](super::proof) proves F3 again, and shares no
+//! code with the removal of checks.
 
 use bessemer_ir::StmtKind;
 use bessemer_ir::{Argument, Block, Expr, ExprKind, Function, Module, Place, Span, Step, Stmt};
@@ -17,24 +17,24 @@ use bessemer_ir::effects::{lent, moves, reads, writes};
 /// A rule of explicit IR.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum Rule {
-    /// F1.
+    /// An aggregate in a place where F1 does not allow it.
     #[error("an aggregate stands where only a place or a constant may")]
     Aggregate,
-    /// F1.
+    /// A write to a place that is still read (F1).
     #[error("a value is written where it is still read")]
     Overlap,
-    /// F2.
+    /// A call in a place where F2 does not allow it.
     #[error("a call stands within an expression")]
     Call,
-    /// F3.
+    /// An operation without a check that may fault (F3).
     #[error("an operation may fault without a check before it")]
     Unchecked,
-    /// F4.
+    /// Bounds of a loop that change while it runs (F4).
     #[error("a loop changes its own bounds")]
     Bounds,
 }
 
-/// A place where a module is not explicit.
+/// A violation of a rule of explicit IR.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("`{function}` {}:{}: {rule}", .span.line, .span.column)]
 pub struct Problem {
@@ -42,11 +42,11 @@ pub struct Problem {
     pub function: String,
     /// Span in the author's source.
     pub span: Span,
-    /// The rule that is broken.
+    /// Violated rule.
     pub rule: Rule,
 }
 
-/// Everything that is not explicit in a valid module.
+/// Returns all violations in a valid module.
 pub fn check(module: &Module) -> Vec<Problem> {
     let callees = callees(module);
     let (mut problems, mut shown) = (Vec::new(), Vec::new());
@@ -195,8 +195,9 @@ impl Checker<'_> {
     }
 }
 
-/// The operations of a function that may fault: [`proof`](super::proof) does not show that they cannot, and their checks are not
-/// before them. And what it returns, where the functions before it were shown to return `shown`.
+/// Returns the operations of a function that may fault: neither does [`proof`](super::proof) show that they cannot,
+/// nor do their checks precede them. Also returns the function's summary; `shown` are the summaries of earlier
+/// functions.
 pub(super) fn verified(
     module: &Module,
     function: &Function,

@@ -1,9 +1,8 @@
-//! Conditions that an operation needs in order not to fault, and those of them that are not proved.
+//! Conditions that an operation needs in order not to fault, without the proved ones.
 //!
-//! Precondition: the operands are fault-free themselves. Postcondition: each condition is fault-free
-//! IR, true exactly where Rust would not panic; what [`State`] proves is left out, half by half.
-//! Integers of up to 32 bits are widened and compared; wider ones are compared with what is left to
-//! the limit.
+//! Precondition: the operands do not fault. Postcondition: each condition is IR that does not fault, and is true
+//! exactly where Rust does not panic. A conjunct that [`State`] proves is omitted. Integers of up to 32 bits are
+//! compared after widening; wider ones are compared with the distance to the limit.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LocalId, LogicOp, Scalar, Span,
@@ -20,11 +19,11 @@ pub(crate) struct Obligation {
     pub(crate) fault: Fault,
     /// Span of the operation.
     pub(crate) span: Span,
-    /// Why it could not be proved, in words.
+    /// Text that says why it could not be proved.
     pub(crate) reason: String,
 }
 
-/// The conditions that the operation at the root of `expr` needs so as not to fault.
+/// Returns the conditions that the operation at the root of `expr` needs.
 pub(crate) fn of_expr(expr: &Expr, facts: &State) -> Vec<Obligation> {
     let needs = Needs { facts, span: expr.span };
     match &expr.kind {
@@ -50,7 +49,7 @@ pub(crate) fn of_expr(expr: &Expr, facts: &State) -> Vec<Obligation> {
     }
 }
 
-/// The conditions that a step into a value of type `container` needs.
+/// Returns the conditions that a step into a value of type `container` needs.
 pub(crate) fn of_step(
     root: LocalId,
     container: &Type,
@@ -97,14 +96,14 @@ fn length_of(slice: LocalId, span: Span) -> Expr {
     Expr::local(LocalId(slice.0.saturating_add(1)), &Type::USIZE, span)
 }
 
-/// An operation at a point.
+/// An operation at a point of the function.
 struct Needs<'f, 'm> {
     facts: &'f State<'m>,
     span: Span,
 }
 
 impl Needs<'_, '_> {
-    /// The obligation of all `conditions` that are not known to hold, if any.
+    /// Returns one obligation for those of `conditions` that are not proved; none if all are.
     fn all(&self, conditions: Vec<Expr>, fault: Fault, reason: String) -> Vec<Obligation> {
         let open = conditions.into_iter().filter(|condition| !self.facts.proves(condition));
         let condition = open.reduce(|a, b| logic(LogicOp::And, a, b));
@@ -172,7 +171,7 @@ impl Needs<'_, '_> {
         self.all(vec![nonzero], Fault::DivisionByZero, reason)
     }
 
-    /// The range of a value in words, shorter where nothing is known.
+    /// Returns the range of a value as text, or its type if nothing is known.
     fn described(&self, x: &Expr) -> String {
         match x.ty.as_int() {
             Some(int) if self.facts.range(x) == Interval::of(int) => int.name().to_string(),
@@ -220,7 +219,7 @@ fn difference(a: &Expr, b: &Expr, int: Int, facts: &State) -> Vec<Expr> {
     }
 }
 
-/// `x - c` stays within the type.
+/// Returns the condition that `x - c` is within the type.
 fn shifted(x: &Expr, int: Int, c: i128) -> Vec<Expr> {
     if c >= 0 { at_least(x, int, int.min() + c) } else { at_most(x, int, int.max() + c) }
 }
@@ -235,7 +234,7 @@ fn product(a: &Expr, b: &Expr, int: Int, facts: &State) -> Vec<Expr> {
     }
 }
 
-/// `x * c` stays within the type.
+/// Returns the condition that `x * c` is within the type.
 fn scaled(x: &Expr, int: Int, c: i128) -> Vec<Expr> {
     let (low, high) = match c {
         0 => return Vec::new(),
@@ -247,7 +246,7 @@ fn scaled(x: &Expr, int: Int, c: i128) -> Vec<Expr> {
     conditions
 }
 
-/// `a * b` of 64 bits stays within the type: a condition for each pair of signs.
+/// Returns the conditions that a 64-bit `a * b` is within the type, one for each pair of signs.
 fn long_product(a: &Expr, b: &Expr, int: Int, facts: &State) -> Vec<Expr> {
     let zero = literal(0, int);
     let over = |limit, by| binary(BinaryOp::Div, &literal(limit, int), by);
@@ -277,7 +276,7 @@ fn quotient(a: &Expr, b: &Expr, int: Int) -> Vec<Expr> {
     vec![logic(LogicOp::Or, smallest, opposite)]
 }
 
-/// The exact result, in the wider type, lies within the narrower.
+/// Returns the condition that the exact result, in the wider type, is within the narrower.
 fn wide(op: BinaryOp, a: &Expr, b: &Expr, to: Int, int: Int) -> Vec<Expr> {
     let cast = |x: &Expr| {
         let ty = Type::Scalar(Scalar::Int(to));
@@ -289,13 +288,13 @@ fn wide(op: BinaryOp, a: &Expr, b: &Expr, to: Int, int: Int) -> Vec<Expr> {
     conditions
 }
 
-/// `condition`, which need not hold where `b` compares so with 0.
+/// Returns `condition`, or true where `b` compares with 0 as in `sign`.
 fn unless(b: &Expr, sign: CompareOp, condition: Expr, facts: &State) -> Expr {
     let Some(int) = b.ty.as_int() else { return condition };
     otherwise(compare(sign, b, &literal(0, int)), condition, facts)
 }
 
-/// `excuse || condition`, shorter where it is known that there is no excuse.
+/// Returns `excuse || condition`, or only `condition` if `excuse` is known to be false.
 fn otherwise(excuse: Expr, condition: Expr, facts: &State) -> Expr {
     if facts.range(&excuse) == Interval::one(0) {
         condition
@@ -320,7 +319,7 @@ fn below(x: &Expr, int: Int, end: i128) -> Vec<Expr> {
     if end > int.max() { Vec::new() } else { vec![compare(CompareOp::Lt, x, &literal(end, int))] }
 }
 
-/// The value, if it is written as a number or a named constant.
+/// Returns the value of a literal or a named constant.
 fn constant(x: &Expr, facts: &State) -> Option<i128> {
     match x.kind {
         ExprKind::Literal(_) | ExprKind::Const(_) => facts.range(x).single(),

@@ -1,15 +1,16 @@
-//! Expressions made explicit: from any IR expression to statements and an expression that is left.
+//! Makes expressions explicit: any IR expression becomes statements and a remaining expression.
 //!
-//! Precondition: a valid module. Postcondition, for the expression that is left:
-//! * it stands where [`positions`](super::positions) allows it: calls that fault, write or take
-//!   aggregates are statements of their own, and so are aggregates in the midst of an expression;
-//! * it cannot fault once the statements before it have run, and it has no effect (a call that is a
-//!   whole value excepted);
+//! Precondition: a valid module. Postconditions for the remaining expression:
+//!
+//! * it is in a position that [`positions`](super::positions) allows. Calls that fault, write or return aggregates
+//!   are separate statements, and so are aggregates inside an expression;
+//! * it cannot fault after the statements before it have run, and has no effect (unless it is a call as a whole
+//!   value);
 //! * the statements before it have the effects and the faults of the original, in its order.
 //!
-//! How the order is kept: operands are taken left to right; what each leaves is pure and fault-free, so
-//! that it may be evaluated later, unless a call in the next operand writes what it reads: then it is
-//! kept in a local first. What already is as it has to be is left alone.
+//! Operands are processed left to right. Each remaining operand is pure and cannot fault, so it may be evaluated
+//! later, unless a call in a later operand writes what it reads; then a local holds it. Expressions that are explicit
+//! already are unchanged.
 
 use std::borrow::Cow;
 
@@ -27,23 +28,23 @@ use super::places::weight;
 use super::positions::{self, Position, accepts};
 use bessemer_ir::effects::{lent, lent_by_step, moves, reads, whole, writes};
 
-/// The most text that an expression may make to be written twice: in a check, and again in the statement.
+/// Largest weight of an expression that may be written twice: in a check, and again in the statement.
 const LIGHT: usize = 4;
 
 impl<'m> Lowering<'m> {
-    /// Makes `expr` explicit, to stand at `position`.
+    /// Makes `expr` explicit, for the position `position`.
     pub(super) fn lower(&mut self, expr: Expr, position: Position, purpose: Purpose) -> Expr {
         let expr = self.node(expr);
         if accepts(self.callees, position, &expr) { expr } else { self.keep(expr, purpose) }
     }
 
-    /// A word within an expression.
+    /// Makes a word inside an expression explicit.
     pub(super) fn word(&mut self, expr: Expr) -> Expr {
         let expr = self.lower(expr, Position::Nested, Purpose::Operand);
         self.brought(expr)
     }
 
-    /// A word that may come from elsewhere: an enum's is one of its variants, or that is a fault.
+    /// Normalises an enum that may come from outside: it becomes one of its variants, or that is a fault.
     fn brought(&mut self, expr: Expr) -> Expr {
         let comes = matches!(expr.kind, ExprKind::Load(_) | ExprKind::Call(..));
         if !(self.brings && comes && self.facts.may_stray(&expr)) {
@@ -81,14 +82,14 @@ impl<'m> Lowering<'m> {
         self.secure(Expr { kind, ty, span })
     }
 
-    /// Two words, left to right.
+    /// Makes two words explicit, left to right.
     pub(super) fn pair(&mut self, a: Expr, b: Expr) -> (Expr, Expr) {
         let mut a = self.word(a);
         self.protect(&mut a, &lent(&b));
         (a, self.word(b))
     }
 
-    /// Constructors, intrinsics and routines: operands in a list.
+    /// Makes the operands of a constructor, an intrinsic or a routine explicit.
     fn list(&mut self, kind: ExprKind, ty: &Type) -> ExprKind {
         let module = self.module;
         let part = |index: usize| match ty {
@@ -155,7 +156,7 @@ impl<'m> Lowering<'m> {
         ExprKind::Call(callee, done)
     }
 
-    /// Copies the aggregates that the same call may write through another argument.
+    /// Copies aggregate arguments that the same call may write through another argument.
     fn part_from_lent(&mut self, arguments: &mut [Argument]) {
         let lent: Vec<Place> = arguments
             .iter()
@@ -175,7 +176,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Short circuit: an `if`, where the right side needs statements of its own.
+    /// Makes `&&` or `||` explicit: an `if`, if the right side needs statements.
     fn logic(&mut self, op: LogicOp, a: Expr, b: Expr, span: Span) -> Expr {
         self.chain(op, a, b, span).0
     }
@@ -214,7 +215,7 @@ impl<'m> Lowering<'m> {
         self.with_what_follows(op, Expr::local(local, &Type::BOOL, span))
     }
 
-    /// An operand, and what is known where the next one is asked.
+    /// Makes an operand of a chain explicit, and returns the facts at the evaluation of the next operand.
     fn before_next(&mut self, op: LogicOp, operand: Expr) -> (Expr, State<'m>) {
         match operand.kind {
             ExprKind::Logic(of, a, b) if of == op => {
@@ -232,7 +233,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// A value, and what is known where it is true, of `&&`, or false.
+    /// Returns a value, and the facts where it is true (for `&&`) or false.
     fn with_what_follows(&self, op: LogicOp, value: Expr) -> (Expr, State<'m>) {
         let mut behind = self.facts.clone();
         behind.assume(&value, op == LogicOp::And);
@@ -295,12 +296,12 @@ impl<'m> Lowering<'m> {
         self.keep_proved(|blank| faults::of_step(root, container, step, blank), checked);
     }
 
-    /// Returns true if the proof of what comes from there is not believed.
+    /// Returns true if the proof of an operation at this span is doubted.
     pub(super) fn doubts(&self, span: Span) -> bool {
         self.doubted.contains(&span)
     }
 
-    /// The state before an operation; blind, if its proof is not believed.
+    /// Returns the facts before an operation; none if its proof is doubted.
     fn facts_at(&self, span: Span) -> Cow<'_, State<'m>> {
         match self.doubts(span) {
             true => Cow::Owned(State::blind(self.module)),
@@ -308,12 +309,12 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Returns true if checks of an operation stand although they were proved.
+    /// Returns true if checks of an operation are kept although they were proved.
     fn keeps_any(&self, of: impl Fn(&State) -> Vec<Obligation>) -> bool {
         self.keeps && !of(&State::new(self.module)).is_empty()
     }
 
-    /// Writes down the checks of an operation that was proved not to need them, save those `checked`.
+    /// Emits the proved checks of an operation, except those in `checked`.
     fn keep_proved(&mut self, of: impl Fn(&State) -> Vec<Obligation>, checked: Vec<Expr>) {
         if !self.keeps {
             return;
@@ -325,7 +326,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Checks what the operation at the root of `expr` needs.
+    /// Emits the checks that the operation at the root of `expr` needs.
     fn secure(&mut self, mut expr: Expr) -> Expr {
         let obliged =
             |lowering: &Self, expr: &Expr| faults::of_expr(expr, &lowering.facts_at(expr.span));
@@ -356,14 +357,14 @@ impl<'m> Lowering<'m> {
         expr
     }
 
-    /// A value that will be written more than once is kept in a local, unless it is short.
+    /// Holds a value that will be written more than once in a local, unless it is short.
     fn lighten(&mut self, expr: &mut Expr, purpose: Purpose) {
         if weight(expr) > LIGHT {
             *expr = self.keep(expr.clone(), purpose);
         }
     }
 
-    /// Checks a condition, and gives it back; `doubted`: even if it is proved.
+    /// Emits the check of a condition, and returns the condition; with `doubted`, even if it is proved.
     fn check(&mut self, obligation: Obligation, doubted: bool) -> Expr {
         let Obligation { condition, fault, span, reason } = obligation;
         // Another half of the same operation may have just been checked; or all of it, in explicit code.
@@ -379,7 +380,7 @@ impl<'m> Lowering<'m> {
         condition
     }
 
-    /// Keeps a value in a local of its own, from here on.
+    /// Holds a value in a new local.
     pub(super) fn keep(&mut self, expr: Expr, purpose: Purpose) -> Expr {
         let (ty, span) = (expr.ty.clone(), expr.span);
         let name = self.wish(purpose, &expr);
@@ -389,7 +390,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Declares a local with a value. There are never so many that handles run out.
+    /// Declares a local with a value; none if handles run out, which does not happen.
     fn declare(&mut self, name: &str, value: Expr) -> Option<LocalId> {
         let span = value.span;
         let local = self.new_local(name, &value)?;
@@ -412,7 +413,7 @@ impl<'m> Lowering<'m> {
         self.out.push(Stmt { kind, span, comments: Vec::new() });
     }
 
-    /// Keeps `value`, if it reads what is about to be written.
+    /// Holds `value` in a local if it reads a place that is about to be written.
     pub(super) fn protect(&mut self, value: &mut Expr, written: &[Place]) {
         if written.is_empty() || !reads(value, written) {
             return;
@@ -457,7 +458,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Keeps the call `value` in front of the statement `at`: what follows waits for its effects.
+    /// Holds the call `value` in a local before the statement `at`, so that later code follows its effects.
     pub(super) fn keep_at(&mut self, at: usize, value: &mut Expr, name: &str) {
         let Some(local) = self.new_local(name, value) else { return };
         let kept = Expr::local(local, &value.ty, value.span);
@@ -467,7 +468,7 @@ impl<'m> Lowering<'m> {
         self.out.insert(at, Stmt { kind, span, comments: Vec::new() });
     }
 
-    /// The name to wish for what is kept of the present statement.
+    /// Returns the preferred name of a value that is held for the present statement.
     pub(super) fn wish(&self, purpose: Purpose, expr: &Expr) -> String {
         names::wish(self.module, &self.function, &self.base, purpose, expr)
     }
@@ -482,12 +483,12 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// Returns true if a value may be written twice: a place, and no call.
+/// Returns true if a value may be written twice: a short place without calls.
 fn comes_light(expr: &Expr) -> bool {
     matches!(expr.kind, ExprKind::Load(_)) && weight(expr) <= LIGHT
 }
 
-/// Returns true if a value is a number, a constant, a local or a field.
+/// Returns true if a value is a literal, a constant, a local or a field.
 fn bare(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Literal(_) | ExprKind::Const(_) => true,
@@ -496,7 +497,7 @@ fn bare(expr: &Expr) -> bool {
     }
 }
 
-/// The `if` that runs the right side of a short circuit.
+/// Returns the `if` that runs the right side of a short circuit.
 pub(super) fn when(op: LogicOp, condition: Expr, then: Vec<Stmt>) -> StmtKind {
     let condition = match op {
         LogicOp::And => condition,

@@ -1,19 +1,18 @@
-//! From valid IR to explicit IR: what the C back end can write down as it stands.
+//! Lowers valid IR to explicit IR, which the C back end can write without further statements.
 //!
 //! Precondition: a valid module. Postcondition, verified by [`check`]:
-//! * **F1** aggregates stand only as whole values, as operands that are places or constants (of products and
-//!   element-wise routines also their transposes), and as trees of constructors or of element-wise routines,
-//!   a column times a row among them; nothing is written where it is still read;
-//! * **F2** calls stand only as whole values, for their effect, or as all that an `if` asks or asks the opposite of, unless they
-//!   give a word, take words and shared references, and cannot fault;
-//! * **F3** no operation faults by itself: a [`StmtKind::Check`](bessemer_ir::StmtKind::Check) stands
-//!   before each that could not be proved;
-//! * **F4** the bounds of a loop do not change while it runs, unless its
-//!   body ends it.
 //!
-//! The meaning stays: the same results, and the same fault first. Absent: optimisation. No constant is
-//! folded, nothing is reordered, no local of the author's is renamed, and code that is explicit already
-//! comes out as it went in.
+//! * **F1** aggregates are whole values; or operands that are places or constants (in products and element-wise
+//!   routines also transposes); or trees of constructors or element-wise routines, including the product of a column
+//!   and a row. No place is written while it is still read;
+//! * **F2** calls are whole values, statements, or the whole condition of an `if`, perhaps negated; unless they
+//!   return a word, take words and shared references, and cannot fault;
+//! * **F3** no operation faults by itself: a [`StmtKind::Check`](bessemer_ir::StmtKind::Check) precedes each
+//!   operation without a proof;
+//! * **F4** the bounds of a loop do not change while it runs, unless its body ends it.
+//!
+//! The meaning is preserved: equal results, and the same fault first. There is no optimisation: no constant folding,
+//! no reordering, no renaming of the author's locals; and explicit code is unchanged.
 
 mod analysis;
 mod callees;
@@ -51,45 +50,46 @@ use explicit::verified;
 use remaining::Doubted;
 use statements::{Before, Explicit};
 
-/// The checks that are left.
+/// Remaining checks.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
     /// Checks in each function itself, without its callees, in the order of
     /// [`Module::functions`](bessemer_ir::Module::functions).
     pub functions: Vec<Vec<Remaining>>,
-    /// Checks of each function that the analysis proved and the verifier did not. They stay. Such a check stands.
+    /// Spans of each function's checks that the analysis proved and the verifier did not. These checks are kept.
     pub doubted: Vec<Vec<Span>>,
 }
 
-/// Why a module could not be made explicit.
+/// Errors of making a module explicit.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Error {
-    /// An entry point claims that it has no fault left, and has one.
+    /// An infallible entry point or an external function may fault.
     #[error(
         "`{entry}` {claim}: in `{function}`, {fault:?}: {}",
         .check.reason
     )]
     Fallible {
-        /// The entry point, or the external function.
+        /// Entry point, or external function.
         entry: String,
-        /// The claim that does not hold, in words.
+        /// The claim, as text.
         claim: &'static str,
-        /// The function that holds the check, the entry itself or what it calls.
+        /// Function with the check: the entry point itself or a callee.
         function: String,
-        /// The fault, once more, for the message.
+        /// Fault of the check, for the message.
         fault: Fault,
         /// The check.
         check: Remaining,
     },
-    /// The passes broke their own promise: an error of the tool.
+    /// The passes violate their postcondition, which is a bug of the compiler.
     #[error("error of the tool: {0}")]
     Tool(#[from] Problem),
 }
 
-/// Makes a valid module explicit, and lists the checks that are left.
+/// Makes a valid module explicit, and lists the remaining checks.
 ///
 /// # Errors
-/// For each check that is left in an entry point (or in what it calls) that claims to be infallible.
+///
+/// For each remaining check in an entry point that is declared infallible, or in its callees.
 pub fn explicit(module: Module) -> Result<(Module, Report), Vec<Error>> {
     explicit_with(module, false)
 }
@@ -151,10 +151,10 @@ impl VisitMut for Proved {
     }
 }
 
-/// An external function must not fault: its C has no status to tell of it.
+/// Message about an external function that may fault: its C has no status.
 pub const STAND_IN: &str = "is external, and its stand-in may fault";
 
-/// An error for each check that an infallible entry point can reach.
+/// Returns an error for each check that an infallible entry point can reach.
 fn broken_claims(module: &Module, report: &Report) -> Vec<Error> {
     let mut errors = Vec::new();
     for (index, entry) in module.functions.iter().enumerate() {

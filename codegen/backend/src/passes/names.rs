@@ -1,4 +1,4 @@
-//! Names for the values that the passes have to keep: from what they are and what they are for.
+//! Names for values that the passes hold in locals, from their kinds and purposes.
 
 use std::collections::HashSet;
 
@@ -15,7 +15,7 @@ impl Names {
         Names(function.locals.iter().map(|local| local.name.clone()).collect())
     }
 
-    /// `wanted`, or `wanted_2`, `wanted_3`, … if it is taken.
+    /// Returns the first free name of `wanted`, `wanted_2`, `wanted_3`, ….
     pub(crate) fn fresh(&mut self, wanted: &str) -> String {
         let mut name = wanted.to_string();
         let mut count = 1;
@@ -30,15 +30,15 @@ impl Names {
 /// The purpose of a value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Purpose<'a> {
-    /// Nothing better than what it is.
+    /// An operand without a name, named after its kind.
     Operand,
-    /// A part, or a parameter, of this name.
+    /// A part or a parameter with this name.
     Part(&'a str),
-    /// This, whatever it is a part of.
+    /// A value with this name, without the whole's name.
     Named(&'a str),
 }
 
-/// The name to wish for `expr`, kept on the way to the destination `base`.
+/// Returns the preferred name for `expr`, which is held for the destination `base`.
 pub(crate) fn wish(
     module: &Module,
     function: &Function,
@@ -60,7 +60,7 @@ pub(crate) fn wish(
     }
 }
 
-/// The name of what a place leads to: the last field, or the local.
+/// Returns the name of a place: its last field, or the local.
 pub(crate) fn place(module: &Module, function: &Function, place: &Place) -> String {
     let root = function.local(place.root);
     let mut name = &root.name;
@@ -77,7 +77,7 @@ pub(crate) fn place(module: &Module, function: &Function, place: &Place) -> Stri
     name.clone()
 }
 
-/// One word for what an expression is.
+/// Returns one word for the kind of an expression.
 fn kind(module: &Module, function: &Function, expr: &Expr) -> String {
     match &expr.kind {
         ExprKind::Literal(_) | ExprKind::Struct(_) => "value".to_string(),
@@ -104,7 +104,7 @@ fn kind(module: &Module, function: &Function, expr: &Expr) -> String {
     }
 }
 
-/// The last condition of several that have to hold, if it is a call: `gyroscope_says` of `gyroscope.says(…)`.
+/// Returns the name of the last condition in a chain, if it is a call: `gyroscope_says` for `gyroscope.says(…)`.
 fn answer(module: &Module, function: &Function, last: &Expr) -> String {
     let ExprKind::Call(callee, arguments) = &last.kind else { return "condition".to_string() };
     let name = &module.functions[callee.index()].name;

@@ -1,11 +1,11 @@
-//! Expressions as the passes compare and weigh them, and what may be written part by part.
+//! Comparison and weight of expressions, and hazards of assignments part by part.
 
 use bessemer_ir::visit::{Access, VisitMut, Walk, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{Argument, Expr, ExprKind, Place, Routine, Span, Type};
 
 use bessemer_ir::effects::{moves, overlap, reads};
 
-/// Sets the spans of an expression, by what they are.
+/// Visitor that sets the spans of an expression.
 struct Locate<F>(F);
 
 impl<F: Fn(Span) -> Span> VisitMut for Locate<F> {
@@ -33,7 +33,7 @@ pub(crate) fn located(mut expr: Expr, span: Span) -> Expr {
     expr
 }
 
-/// Returns the size of an expression's text: one that is written twice should be short.
+/// Returns the weight of an expression's text; one that is written twice should be light.
 pub(crate) fn weight(expr: &Expr) -> usize {
     let mut weight = 0;
     expr.each_expr(|expr| {
@@ -66,13 +66,13 @@ pub(crate) fn elementwise(routine: Routine) -> bool {
     }
 }
 
-/// Returns true if a routine is a column times a row: an element is one product, so that it may nest too.
+/// Returns true if a routine is the product of a column and a row, which may nest since each element is one product.
 pub(crate) fn outer(routine: Routine, operands: &[Expr]) -> bool {
     routine == Routine::Product && matches!(operands[0].ty, Type::Matrix { cols: 1, .. })
 }
 
-/// Returns true if writing `value` into `destination` part by part would disturb what is still to be read.
-/// `through_pointer`: whether a call delivers even a word through a pointer.
+/// Returns true if assigning `value` to `destination` part by part would overwrite what is still to be read.
+/// `through_pointer` is true if the call returns its result, even a word, through a pointer.
 pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: bool) -> bool {
     let written = std::slice::from_ref(destination);
     match &value.kind {
@@ -101,7 +101,7 @@ pub(crate) fn moves_itself(destination: &Place, value: &Expr) -> bool {
     !at_once && moves(destination, std::slice::from_ref(destination))
 }
 
-/// Returns true if a callee may see `destination` through `argument` while it runs.
+/// Returns true if a callee may read `destination` through `argument` while it runs.
 fn lends(argument: &Argument, destination: &Place) -> bool {
     let written = std::slice::from_ref(destination);
     match argument {

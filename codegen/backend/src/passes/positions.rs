@@ -1,4 +1,4 @@
-//! The grammar of explicit IR: which expressions may stand where.
+//! Grammar of explicit IR: the positions in which expressions are allowed.
 
 use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine, UnaryOp};
 
@@ -11,7 +11,7 @@ pub(crate) enum Position {
     Whole,
     /// The condition of an `if`, or the operand of the `!` that is its condition.
     Decision,
-    /// A word within an expression.
+    /// A word inside an expression.
     Nested,
     /// A part of a constructor.
     Part,
@@ -19,24 +19,25 @@ pub(crate) enum Position {
     Elementwise,
     /// The value that a splat repeats.
     Repeated,
-    /// An operand that is read many times.
+    /// An operand that is read several times.
     Leaf,
-    /// A factor of a product: the same, or the transpose of one.
+    /// A factor of a product: a leaf, or the transpose of one.
     Factor,
-    /// The place of which a reference is taken.
+    /// A place that is borrowed.
     Reference,
 }
 
-/// The facts about a function that its caller has to know.
+/// Facts about a function that its callers need.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Callee {
-    /// It may end in a fault.
+    /// True if it may fault.
     pub(crate) fallible: bool,
-    /// Its result travels through a pointer.
+    /// True if it returns its result through a pointer.
     pub(crate) through_pointer: bool,
-    /// A call may stand within an expression.
+    /// True if a call may be inside an expression.
     pub(crate) nests: bool,
-    /// It is the firmware's, or calls a function that is: two calls may give different results, and each may have effects.
+    /// True if it is external, or calls such a function: two calls may return different results, and each may have
+    /// effects.
     pub(crate) outside: bool,
 }
 
@@ -58,7 +59,7 @@ impl Callee {
     }
 }
 
-/// Returns true if `expr`, itself well made, may stand at `position`.
+/// Returns true if `expr`, whose operands are explicit, is allowed at `position`.
 pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bool {
     use Position::{Decision, Elementwise, Factor, Nested, Part, Reference, Repeated, Whole};
     match &expr.kind {
@@ -84,7 +85,7 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
     }
 }
 
-/// The operand of a condition that is a negation; any other condition itself.
+/// Returns the operand of a negated condition, or any other condition itself.
 pub(crate) fn asked(condition: &Expr) -> &Expr {
     match &condition.kind {
         ExprKind::Unary(UnaryOp::Not, x) => x,
@@ -92,7 +93,7 @@ pub(crate) fn asked(condition: &Expr) -> &Expr {
     }
 }
 
-/// The position of an operand of an expression that is no call.
+/// Returns the position of an operand of an expression that is no call.
 pub(crate) fn operand(parent: &ExprKind, operand: &Expr) -> Position {
     match parent {
         ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) => Position::Part,
@@ -106,7 +107,7 @@ pub(crate) fn operand(parent: &ExprKind, operand: &Expr) -> Position {
     }
 }
 
-/// The position of the value of an argument, if it has one.
+/// Returns the value of an argument with its position; none for a mutable borrow.
 pub(crate) fn argument(argument: &Argument) -> Option<(&Expr, Position)> {
     match argument {
         Argument::Value(value) if value.ty.is_aggregate() => Some((value, Position::Leaf)),

@@ -1,7 +1,7 @@
-//! Sites of operations in a function.
+//! Identity of operations in a function.
 //!
-//! Several operations may come from one place of the source, so a span does not tell them apart: what does is where they
-//! are in memory. Invariant: a site is compared only with others of the same function, borrowed all the while.
+//! A span may have several operations, so a site is the address of the node in memory. Invariant: a site is compared
+//! only with sites of the same function, which is borrowed meanwhile.
 
 use std::hash::{Hash, Hasher};
 
@@ -23,17 +23,17 @@ enum At {
 }
 
 impl Site {
-    /// The operation at the root of an expression.
+    /// Returns the site of the operation at the root of an expression.
     pub(super) fn of_expr(expr: &Expr) -> Site {
         Site { at: At::Expr(expr), span: expr.span }
     }
 
-    /// A step into the place that comes from `span`.
+    /// Returns the site of a step of a place at `span`.
     pub(super) fn of_step(step: &Step, span: Span) -> Site {
         Site { at: At::Step(step), span }
     }
 
-    /// A check of the author's that went.
+    /// Returns the site of an author's check that was removed.
     pub(super) fn of_check(stmt: &Stmt) -> Site {
         Site { at: At::Check(stmt), span: stmt.span }
     }

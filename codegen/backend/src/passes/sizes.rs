@@ -1,9 +1,9 @@
-//! Sizes that fit into 32 bits: reassigned locals of `usize`, and their ranges.
+//! Sizes that fit into 32 bits: reassigned `usize` locals, and their ranges.
 //!
-//! Precondition: an explicit function. Invariant: in each execution, what such a local holds lies within what is given for it.
-//! Both proofs have to show it, each with its own account of what is assigned, as of a check that is left out.
+//! Precondition: an explicit function. Invariant: in each execution, the value of such a local is in the returned
+//! range. As for a removed check, analysis and proof must both show it, each with its own list of assignments.
 //!
-//! Must not know: what C makes of it, but that a call gives its result in 64 bits.
+//! Must not know: the C, except that a call returns 64 bits.
 
 use bessemer_ir::visit::{Access, Visit, walk_expr, walk_place, walk_stmt};
 use bessemer_ir::{
@@ -12,7 +12,7 @@ use bessemer_ir::{
 
 use super::{analysis, proof};
 
-/// The largest value that fits, also on the way to another.
+/// Largest value that fits, also for intermediate results.
 const LIMIT: i128 = 1 << 31;
 
 /// Returns the least and greatest value of each local that fits.
@@ -67,7 +67,7 @@ fn compared_wide(expr: &Expr) -> impl Iterator<Item = LocalId> + '_ {
     })
 }
 
-/// The locals that might fit.
+/// Locals that might fit.
 struct Wanted {
     found: Vec<Fate>,
 }
@@ -75,9 +75,9 @@ struct Wanted {
 /// Uses of a local.
 #[derive(Clone, Copy)]
 struct Fate {
-    /// True if it is assigned behind its declaration.
+    /// True if it is assigned after its declaration.
     assigned: bool,
-    /// True if something else gives it a value, or it is no size of the function's own.
+    /// True if it is written otherwise, or is no `usize` value of this function.
     refused: bool,
 }
 

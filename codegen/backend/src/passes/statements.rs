@@ -1,8 +1,8 @@
-//! Statements made explicit, one function at a time.
+//! Makes statements explicit, one function at a time.
 //!
-//! Pre- and postcondition: see [`flatten`](super::flatten). In addition, a value that would be written
-//! into a place that it still reads goes through a local; the bounds of a loop that its body changes,
-//! or that call, are kept before it; a check that is known to hold goes away.
+//! Pre- and postcondition: see [`flatten`](super::flatten). In addition, a value that would be written to a place
+//! that it still reads goes through a local. Bounds of a loop that its body changes, or that contain calls, are held
+//! before it. A proved check is removed.
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
@@ -20,23 +20,23 @@ use super::positions::{Callee, Position};
 use super::remaining::{Doubted, Remaining};
 use bessemer_ir::effects::{is_own, lent, moves, reads, whole, writes};
 
-/// A function that is explicit.
+/// A function in explicit IR.
 pub(super) struct Explicit {
     pub(super) function: Function,
-    /// The checks that it needs.
+    /// Remaining checks.
     pub(super) remaining: Vec<Remaining>,
-    /// The numbers in what it returns.
+    /// Intervals of the numbers in its result.
     pub(super) results: Results,
 }
 
-/// The functions before one, as far as it has to know them.
+/// Facts about the functions before this one.
 #[derive(Clone, Copy)]
 pub(super) struct Before<'m> {
     pub(super) callees: &'m [Callee],
     pub(super) results: &'m [Results],
 }
 
-/// Makes one function explicit. Enums are brought to their variants if that spares checks.
+/// Makes one function explicit. Enums are normalised if that saves checks.
 pub(super) fn function(
     module: &Module,
     before: Before,
@@ -182,7 +182,7 @@ impl Lowering<'_> {
         self.emit(StmtKind::Assign { place, value }, span);
     }
 
-    /// Returns true if a value is a call that has to be a statement.
+    /// Returns true if a value is a call that must be a statement.
     fn is_statement(&self, value: &Expr) -> bool {
         match &value.kind {
             ExprKind::Call(callee, _) => !self.callees.get(callee.index()).is_some_and(|c| c.nests),
@@ -190,7 +190,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Returns true if the result of a value that is a call travels through a pointer.
+    /// Returns true if a value is a call that returns its result through a pointer.
     fn through_pointer(&self, value: &Expr) -> bool {
         match &value.kind {
             ExprKind::Call(callee, _) => {
@@ -236,7 +236,7 @@ impl Lowering<'_> {
         self.emit(StmtKind::If { condition, then, otherwise }, span);
     }
 
-    /// Lowers `if a && b { … }` without a flag: statements that `b` needs go into a branch of `a`.
+    /// Lowers `if a && b { … }` without a flag: statements that `b` needs move into a branch of `a`.
     fn within(&mut self, condition: Expr, then: Block, span: Span) {
         let mut parts = conjuncts(condition).into_iter();
         let Some(mut all) = parts.next().map(|(first, _)| self.word(first)) else { return };
@@ -334,7 +334,7 @@ impl Lowering<'_> {
         );
     }
 
-    /// A check of the author's.
+    /// Lowers a check of the author's.
     fn assertion(&mut self, condition: Expr, fault: Fault, span: Span) {
         // The check of an operation computes its condition at the operation's place, and that never faults.
         self.asked = self.needed.contains(&erased(&condition)).then_some(span);
@@ -361,7 +361,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The parts of `a && b && c`, in order, each with the place of the `&&` before it.
+/// Returns the operands of `a && b && c` in order, each with the span of the `&&` before it.
 fn conjuncts(condition: Expr) -> Vec<(Expr, Span)> {
     match condition.kind {
         ExprKind::Logic(LogicOp::And, a, b) => {

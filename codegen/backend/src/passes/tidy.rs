@@ -1,12 +1,13 @@
-//! Statements that say nothing, gone from explicit IR.
+//! Removes statements without effect from explicit IR.
 //!
-//! * A value that is read from a place to be put back there.
-//! * A local of the passes' own that only hands its value on: to the next statement, to the `if` that asks it, or to the author's
-//!   name for it.
-//! * A local of numbers that a loop computes for one other to read: that one computes them.
-//! * A local of equal numbers of which only whole copies are made: each copy is of these numbers.
+//! * A value that is read from a place and stored there again.
+//! * A local of the passes that only passes its value on: to the next statement, to the `if` that tests it, or to the
+//!   author's local.
+//! * A local of numbers that a loop computes for one other loop: that loop computes them.
+//! * A local of equal numbers that is only copied as a whole: each copy is of these numbers.
 //!
-//! Keeps: what every place holds behind each statement, and which faults occur. Must not know: why the passes made a local.
+//! Preserves: the value of every place after each statement, and the faults. Must not know: why the passes made a
+//! local.
 
 use bessemer_ir::visit::{Access, VisitMut, Walk, walk_block_mut, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{
@@ -19,10 +20,10 @@ use bessemer_ir::effects::{
     calls, is_own, lent, mentions, moves, reads, same_place, writes, writes_local,
 };
 
-/// Numbers that are computed by a line each.
+/// Largest number of elements that are computed one per line.
 const LINES: u32 = 4;
 
-/// Tidies a function, of whose locals the first `own` are the author's.
+/// Tidies a function; its first `own` locals are the author's.
 pub(super) fn tidy(function: &mut Function, own: usize, callees: &[Callee]) {
     let mut body = std::mem::take(&mut function.body);
     let mut again = true;
@@ -42,7 +43,7 @@ struct Tidy<'f> {
     callees: &'f [Callee],
     /// Number of uses of each local, without its declaration.
     uses: Vec<usize>,
-    /// True if what is gone may let more go.
+    /// True if a removal may allow further ones.
     again: bool,
 }
 
@@ -64,7 +65,7 @@ impl VisitMut for Tidy<'_> {
 }
 
 impl Tidy<'_> {
-    /// `let same = x; x = same;`
+    /// Removes `let same = x; x = same;`.
     fn put_back(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
         let [Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }, next, ..] =
             &stmts[at..]
@@ -106,7 +107,7 @@ impl Tidy<'_> {
         unused
     }
 
-    /// `let made = f(); x = made;`
+    /// Simplifies `let made = f(); x = made;`.
     fn handed_on(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
         let [Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }, next, ..] =
             &stmts[at..]
@@ -137,7 +138,7 @@ impl Tidy<'_> {
         direct
     }
 
-    /// `let made = f(); if !made { … }`
+    /// Simplifies `let made = f(); if !made { … }`.
     fn asked(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
         let [Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }, next, ..] =
             &stmts[at..]
@@ -163,7 +164,7 @@ impl Tidy<'_> {
         decides
     }
 
-    /// `let made = …; …; let name = made;`
+    /// Simplifies `let made = …; …; let name = made;`.
     fn renamed(&mut self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
         let StmtKind::Let { local: made, .. } = stmts[at].kind else { return false };
         if !self.is_made(made) {
@@ -190,7 +191,7 @@ impl Tidy<'_> {
         true
     }
 
-    /// `let zeros = [0.0; 8]; x = zeros;`
+    /// Simplifies `let zeros = [0.0; 8]; x = zeros;`.
     fn equal(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
         let StmtKind::Let { local, value: Some(value) } = &stmts[at].kind else { return false };
         let ExprKind::Splat(item) = &value.kind else { return false };
@@ -210,7 +211,7 @@ impl Tidy<'_> {
         true
     }
 
-    /// `let product = a * b; let sum = c + product;`, element by element.
+    /// Fuses `let product = a * b; let sum = c + product;` element by element.
     fn fused(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
         let StmtKind::Let { local, value: Some(value) } = &stmts[at].kind else { return false };
         let local = *local;
@@ -253,13 +254,13 @@ impl Tidy<'_> {
     }
 }
 
-/// Returns true if an expression is the whole of a local.
+/// Returns true if an expression loads a whole local.
 fn is_load(expr: &Expr, local: LocalId) -> bool {
     matches!(&expr.kind, ExprKind::Load(place) if place.root == local && place.steps.is_empty())
 }
 
-/// Takes away what puts a local back to the place that it is a copy of, in branches, as far as nothing wrote there.
-/// Whether there was any.
+/// Removes assignments, also in branches, that store a local into the place that it is a copy of, if nothing wrote it
+/// before. Returns true if there were any.
 fn put_back_within(stmts: &mut [Stmt], local: LocalId, place: &Place) -> bool {
     let mut found = false;
     for stmt in stmts {
@@ -300,7 +301,7 @@ fn put_back_within(stmts: &mut [Stmt], local: LocalId, place: &Place) -> bool {
     found
 }
 
-/// Puts a value where a local is an operand of what works element by element.
+/// Replaces a local by its value where it is an operand of an element-wise routine.
 fn put(expr: &mut Expr, local: LocalId, value: &Expr) -> bool {
     let ExprKind::Routine(routine, operands) = &mut expr.kind else { return false };
     elementwise(*routine)
@@ -313,7 +314,7 @@ fn put(expr: &mut Expr, local: LocalId, value: &Expr) -> bool {
         })
 }
 
-/// The comments of a statement that is gone go before the one that has its place.
+/// Moves the comments of a removed statement to the statement that follows.
 fn hand_down(stmts: &mut [Stmt], at: usize, mut comments: Vec<String>) {
     if let Some(stmt) = stmts.get_mut(at) {
         comments.append(&mut stmt.comments);
@@ -321,7 +322,7 @@ fn hand_down(stmts: &mut [Stmt], at: usize, mut comments: Vec<String>) {
     }
 }
 
-/// One local in another's place.
+/// Visitor that replaces one local by another.
 struct Rename(LocalId, LocalId);
 
 impl VisitMut for Rename {
@@ -337,7 +338,7 @@ impl VisitMut for Rename {
     }
 }
 
-/// The whole copies of a local, where its value may stand itself.
+/// Visitor that replaces whole copies of a local by its value, where that is allowed.
 struct Copies<'v> {
     of: LocalId,
     value: &'v Expr,

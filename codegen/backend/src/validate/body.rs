@@ -1,6 +1,6 @@
 //! Checks of a function's statements.
 //!
-//! Invariant: a nesting that could exhaust the stack is found before anything else walks the body.
+//! Invariant: a nesting that could overflow the stack is found before anything else visits the body.
 
 use std::collections::BTreeSet;
 
@@ -20,7 +20,7 @@ pub const MAX_BLOCKS: u32 = 1024;
 /// Largest number of operand levels of an expression: a sum has one for each term.
 pub const MAX_HEIGHT: u32 = 4096;
 
-/// Checks one function of a module whose definitions hold.
+/// Checks one function of a module whose definitions are valid.
 pub(super) fn check(module: &Module, sizes: &Sizes<'_>, index: usize) -> Vec<Error> {
     let function = &module.functions[index];
     let mut body = Body {
@@ -80,17 +80,17 @@ impl Visit for Depth {
     }
 }
 
-/// The function that is being checked.
+/// Function that is being checked.
 pub(super) struct Body<'m> {
     pub module: &'m Module,
     pub sizes: &'m Sizes<'m>,
-    /// Its index; callees have smaller ones.
+    /// Index of the function; callees have smaller ones.
     pub index: usize,
     pub function: &'m Function,
     pub flow: Flow,
     /// Number of surrounding loops.
     loops: u32,
-    /// The locals that the current block has declared.
+    /// Locals that the current block has declared.
     declared: Vec<LocalId>,
     errors: Vec<Error>,
 }
@@ -122,7 +122,7 @@ impl Body<'_> {
         falls_through
     }
 
-    /// Checks blocks of which one is run; whether the end of any is reached.
+    /// Checks alternative blocks; returns true if the end of any is reached.
     fn branches<'b>(&mut self, blocks: impl Iterator<Item = &'b Block>) -> bool {
         let before = self.flow.assigned();
         let mut after: Option<Vec<bool>> = None;
@@ -217,7 +217,7 @@ impl Body<'_> {
         true
     }
 
-    /// A local that is a name for a place needs one.
+    /// Checks that a local that is an alias begins with a place.
     fn name(&mut self, span: Span, local: LocalId, is_place: bool) {
         let mode = self.function.locals.get(local.index()).map(|local| local.mode);
         if mode == Some(Mode::RefMut) && !is_place {

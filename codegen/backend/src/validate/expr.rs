@@ -1,7 +1,7 @@
 //! Checks of expressions and places, bottom-up.
 //!
-//! Each node's stated type is held against what its kind and its operands' stated types give, so that
-//! one wrong node is one error.
+//! The stated type of each node is compared with the type that follows from its kind and its operands' stated types,
+//! so one wrong node is one error.
 
 use bessemer_ir::{
     Argument, BinaryOp, Expr, ExprKind, Form, FunctionId, Int, Intrinsic, Mode, Place, Routine,
@@ -18,7 +18,7 @@ use bessemer_ir::words::word_fits;
 type Checked = Result<Type, Problem>;
 
 impl Body<'_> {
-    /// An expression whose value is used.
+    /// Checks an expression whose value is used.
     pub fn value(&mut self, expr: &Expr) {
         self.expr(expr);
         if expr.ty == Type::Unit {
@@ -26,7 +26,7 @@ impl Body<'_> {
         }
     }
 
-    /// An expression, whatever becomes of its value.
+    /// Checks an expression whose value may be unused.
     pub fn expr(&mut self, expr: &Expr) {
         self.note(expr.span, check_span(self.module, expr.span));
         match self.operation(expr) {
@@ -47,7 +47,7 @@ impl Body<'_> {
         }
     }
 
-    /// The type that an expression has by its operands.
+    /// Returns the type of an expression according to its operands.
     fn operation(&mut self, expr: &Expr) -> Checked {
         match &expr.kind {
             ExprKind::Literal(word) => {
@@ -134,7 +134,7 @@ impl Body<'_> {
         Ok(ty.clone())
     }
 
-    /// Arrays and matrices.
+    /// Checks an array or a matrix, and returns its type.
     fn filled(&mut self, expr: &Expr) -> Checked {
         let scalar;
         let (element, count) = match &expr.ty {
@@ -216,7 +216,7 @@ impl Body<'_> {
         Ok(function.result.clone())
     }
 
-    /// A place's steps and indices; whether its root exists, so that its use can be looked at.
+    /// Checks a place's steps and indices; returns true if its root exists, so that its use can be checked.
     pub fn place(&mut self, place: &Place) -> bool {
         self.note(place.span, check_span(self.module, place.span));
         let Some(root) = self.function.locals.get(place.root.index()) else {
@@ -242,7 +242,7 @@ impl Body<'_> {
         true
     }
 
-    /// The type that a step leads to.
+    /// Returns the type to which a step leads.
     fn step(&mut self, step: &Step, ty: &Type) -> Option<Type> {
         let indices: Vec<&Expr> = match step {
             Step::Field(_) => Vec::new(),
@@ -286,7 +286,7 @@ fn counted(expected: usize, operands: &[Expr]) -> Result<(), Problem> {
     if expected == found { Ok(()) } else { Err(Problem::OperandCount { expected, found }) }
 }
 
-/// The scalar types that an operation takes.
+/// Scalar types that an operation accepts.
 #[derive(Clone, Copy)]
 struct Kind {
     signed: bool,
@@ -373,7 +373,7 @@ fn routine(what: Routine, operands: &[Expr]) -> Checked {
     }
 }
 
-/// The type of a routine's result, if the operands fit.
+/// Returns the type of a routine's result, if the operands fit.
 fn shape(what: Routine, first: &Type, second: Option<&Type>) -> Option<Type> {
     let &Type::Matrix { element, rows, cols } = first else { return None };
     if what != Routine::Transpose && !matches!(element, Scalar::Float(_)) {

@@ -1,12 +1,12 @@
 //! Data flow of a function's locals: declared, in scope, assigned.
 //!
-//! Invariant: where no path leads, everything counts as assigned, so that joining paths is "and".
+//! Invariant: at an unreachable point every local counts as assigned, so the join of paths is "and".
 
 use bessemer_ir::{Function, LocalId, Mode};
 
 use super::problem::Problem;
 
-/// The locals of a function at the point that is being looked at.
+/// Locals of a function at the present point.
 pub(super) struct Flow {
     declared: Vec<bool>,
     visible: Vec<bool>,
@@ -16,7 +16,7 @@ pub(super) struct Flow {
 }
 
 impl Flow {
-    /// At the start: parameters are declared and assigned.
+    /// Returns the state at the beginning: parameters are declared and assigned.
     pub fn new(function: &Function) -> Flow {
         let count = function.locals.len();
         let params: Vec<bool> = (0..count).map(|index| index < function.params as usize).collect();
@@ -29,7 +29,7 @@ impl Flow {
         }
     }
 
-    /// A `let`, or the variable of a `for`.
+    /// Declares a local by a `let`, or as the variable of a `for`.
     pub fn declare(&mut self, id: LocalId, assigned: bool, counter: bool) -> Result<(), Problem> {
         let index = id.index();
         match self.declared.get(index) {
@@ -44,20 +44,20 @@ impl Flow {
         Ok(())
     }
 
-    /// The end of the block that declares these.
+    /// Ends the scope of these locals, at the end of their block.
     pub fn forget(&mut self, ids: &[LocalId]) {
         for id in ids {
             self.visible[id.index()] = false;
         }
     }
 
-    /// A use that needs the local's value.
+    /// Checks a use that needs the local's value.
     pub fn read(&self, id: LocalId) -> Result<(), Problem> {
         self.see(id)?;
         if self.assigned[id.index()] { Ok(()) } else { Err(Problem::NotAssigned(id)) }
     }
 
-    /// A write to the whole local, or to part of it.
+    /// Checks a write to the whole local, or to a part of it.
     pub fn write(&mut self, id: LocalId, whole: bool) -> Result<(), Problem> {
         self.see(id)?;
         if self.references[id.index()] {
@@ -81,23 +81,23 @@ impl Flow {
         }
     }
 
-    /// The locals that are assigned here.
+    /// Returns the locals that are assigned here.
     pub fn assigned(&self) -> Vec<bool> {
         self.assigned.clone()
     }
 
-    /// Goes back to where this was assigned.
+    /// Restores the assigned locals of an earlier point.
     pub fn rewind(&mut self, assigned: Vec<bool>) {
         self.assigned = assigned;
     }
 
-    /// The statements that follow are not reached.
+    /// Marks the following statements as unreachable.
     pub fn diverge(&mut self) {
         self.assigned.fill(true);
     }
 }
 
-/// The locals that are assigned where two paths meet.
+/// Returns the locals that are assigned where two paths meet.
 pub(super) fn join(mut one: Vec<bool>, other: &[bool]) -> Vec<bool> {
     for (one, other) in one.iter_mut().zip(other) {
         *one &= other;

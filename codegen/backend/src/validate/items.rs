@@ -11,18 +11,18 @@ use bessemer_ir::{
 
 use super::problem::{Error, Problem, Subject};
 
-/// The most words that a value may have (128 MiB in the interpreter).
+/// Largest number of words in a value (128 MiB in the interpreter).
 pub const MAX_WORDS: u64 = 1 << 24;
 
-/// The words of types, which this also checks.
+/// Numbers of words of types, with their checks.
 pub(super) struct Sizes<'m> {
     module: &'m Module,
-    /// Checked structs.
+    /// Numbers of words of the structs checked so far.
     structs: Vec<u64>,
 }
 
 impl Sizes<'_> {
-    /// The words of a type, if it is a sound one.
+    /// Returns the number of words of a type, if it is valid.
     pub fn of(&self, ty: &Type) -> Result<u64, Problem> {
         self.size(ty, 0)
     }
@@ -65,7 +65,7 @@ struct Items<'m> {
     errors: Vec<Error>,
 }
 
-/// Checks everything but the bodies of functions.
+/// Checks everything except the bodies of functions.
 pub(super) fn check(module: &Module) -> (Sizes<'_>, Vec<Error>) {
     let sizes = Sizes { module, structs: Vec::new() };
     let mut items = Items { module, sizes, errors: Vec::new() };
@@ -137,7 +137,7 @@ impl Items<'_> {
         }
     }
 
-    /// The first field tells about others: it has to be able to.
+    /// Checks that the first field can select among the others, as the struct's form requires.
     fn form(&self, definition: &Struct) -> Result<(), Problem> {
         let first = definition.fields.first().map(|field| &field.ty);
         match &definition.form {
@@ -233,15 +233,15 @@ impl Items<'_> {
     }
 }
 
-/// Returns true if a local is a parameter by reference, with a length behind it.
+/// Returns true if a local is a slice parameter, followed by its length.
 fn is_lent(function: &Function, index: usize) -> bool {
     let by_reference = function.locals[index].mode != Mode::Value;
     let length = function.parameters().get(index + 1);
     by_reference && length.is_some_and(|it| it.ty == Type::USIZE && it.mode == Mode::Value)
 }
 
-/// Returns true if a function has the face of its kernel, no body, and beyond its parameters at most one that lends the
-/// kernel memory.
+/// Returns true if a function has its kernel's signature and no body, with at most one more parameter for the
+/// kernel's memory.
 fn has_face(function: &Function, kernel: &Kernel) -> bool {
     let Some(sound) = Kernel::new(kernel.routine, kernel.element, &kernel.dims) else {
         return false;

@@ -7,15 +7,15 @@ use bessemer_ir::{
 
 use bessemer_ir::words::WordsError;
 
-/// A violated invariant, and where.
+/// A violated invariant and its place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{subject:?}, {}:{}:{}: {problem}", span.file, span.line, span.column)]
 pub struct Error {
-    /// The invariant that is violated.
+    /// Violated invariant.
     pub problem: Problem,
-    /// The definition that it is found in.
+    /// Definition in which it was found.
     pub subject: Subject,
-    /// The node that it is found at.
+    /// Span at which it was found.
     pub span: Span,
 }
 
@@ -29,7 +29,7 @@ pub enum Subject {
     Function(FunctionId),
 }
 
-/// An invariant and how it is violated.
+/// Violations of the invariants.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs)]
 pub enum Problem {

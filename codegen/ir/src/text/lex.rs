@@ -1,20 +1,20 @@
-//! The lexer: text to tokens with their places.
+//! Lexer: converts text to tokens with their positions.
 //!
-//! Absent: grammar. Words of the language are names here.
+//! Must not know: the grammar. Keywords are names here.
 
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
-/// Why text is not a module, and where.
+/// Error in the text of a module, with its position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
     /// Line, from 1.
     pub line: u32,
     /// Column in characters, from 1.
     pub column: u32,
-    /// The mistake.
+    /// Message.
     pub message: String,
 }
 
@@ -29,13 +29,13 @@ impl core::error::Error for ParseError {}
 /// The smallest unit of text.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Token {
-    /// An identifier or a word of the language.
+    /// An identifier or a keyword.
     Name(String),
-    /// `"…"`.
+    /// A quoted name, `"…"`.
     Quoted(String),
-    /// Digits, with the point, exponent and suffix that follow.
+    /// A number: digits, with the point and exponent, and the suffix.
     Number { digits: String, suffix: String },
-    /// Anything of [`PUNCTUATION`].
+    /// One of [`PUNCTUATION`].
     Mark(&'static str),
     /// A `///` line.
     Doc(String),
@@ -45,7 +45,7 @@ pub(super) enum Token {
     End,
 }
 
-/// A token and where it starts.
+/// A token and its position.
 #[derive(Clone, Debug)]
 pub(super) struct Lexeme {
     pub token: Token,
@@ -53,7 +53,7 @@ pub(super) struct Lexeme {
     pub column: u32,
 }
 
-/// Longest first.
+/// Marks of the language, the longest first.
 const PUNCTUATION: [&str; 37] = [
     "..=", "..", "::", "->", "=>", "==", "!=", "<=", ">=", "<<", ">>", "&&", "||", "{", "}", "(",
     ")", "[", "]", "<", ">", ",", ";", ":", "=", "+", "-", "*", "/", "%", "&", "|", "^", "!", ".",
@@ -66,7 +66,7 @@ struct Lexer<'t> {
     column: u32,
 }
 
-/// All tokens of `text`, the last of them `End`.
+/// Returns all tokens of `text`; the last is `End`.
 pub(super) fn lex(text: &str) -> Result<Vec<Lexeme>, ParseError> {
     let mut lexer = Lexer { rest: text, line: 1, column: 1 };
     let mut lexemes = Vec::new();
@@ -89,7 +89,7 @@ impl<'t> Lexer<'t> {
         self.rest.chars().next()
     }
 
-    /// The character after the next.
+    /// Returns the character after the next.
     fn second(&self) -> Option<char> {
         self.rest.chars().nth(1)
     }
@@ -153,7 +153,7 @@ impl<'t> Lexer<'t> {
         self.fail(format!("unexpected character {first:?}"))
     }
 
-    /// The text behind the slashes: a quoted string, or the line less one space.
+    /// Reads the text after the slashes: a quoted string, or the line without its first space.
     fn remark(&mut self) -> Result<String, ParseError> {
         if self.peek() == Some('"') {
             return self.quoted();

@@ -1,4 +1,4 @@
-//! Words of the language, and names in it: when a name stands bare, and what the operations are called.
+//! Keywords and names of the text form: when a name needs a handle, and the names of operations.
 
 use alloc::format;
 use alloc::string::String;
@@ -6,7 +6,7 @@ use alloc::string::String;
 use crate::ir::{BinaryOp, CompareOp, Fault, Intrinsic, LogicOp, Routine};
 use crate::number::Scalar;
 
-/// Words that are no names unless quoted (scalar types are words as well).
+/// Keywords, which are names only in quotes (scalar types are keywords as well).
 const WORDS: [&str; 36] = [
     "module",
     "file",
@@ -46,12 +46,12 @@ const WORDS: [&str; 36] = [
     "_",
 ];
 
-/// Returns true if `name` is a word of the language.
+/// Returns true if `name` is a keyword.
 pub(super) fn is_word(name: &str) -> bool {
     WORDS.contains(&name) || Scalar::from_name(name).is_some()
 }
 
-/// `name` as it is in the text.
+/// Returns `name` as the text shows it, in quotes if necessary.
 pub(super) fn shown(name: &str) -> String {
     let mut chars = name.chars();
     let starts = chars.next().is_some_and(|first| first == '_' || first.is_ascii_alphabetic());
@@ -62,7 +62,7 @@ pub(super) fn shown(name: &str) -> String {
     }
 }
 
-/// The precedence of `as`, of prefix operators, and of what needs no parentheses.
+/// Precedences of `as`, of prefix operators, and of expressions that need no parentheses.
 pub(super) const CAST: u8 = 10;
 pub(super) const PREFIX: u8 = 11;
 pub(super) const ATOM: u8 = 12;
@@ -75,7 +75,7 @@ pub(super) enum Infix {
     Logic(LogicOp),
 }
 
-/// Each with its precedence, higher binds tighter.
+/// Operators with their precedences; a higher one binds tighter.
 pub(super) const INFIX: [(&str, Infix, u8); 18] = [
     ("||", Infix::Logic(LogicOp::Or), 1),
     ("&&", Infix::Logic(LogicOp::And), 2),
@@ -97,10 +97,10 @@ pub(super) const INFIX: [(&str, Infix, u8); 18] = [
     ("%", Infix::Binary(BinaryOp::Rem), 9),
 ];
 
-/// Comparisons do not chain.
+/// Precedence of comparisons, which do not chain.
 pub(super) const COMPARE: u8 = 3;
 
-/// The mark and precedence of an operator.
+/// Returns the mark and the precedence of an operator.
 pub(super) fn infix(op: Infix) -> (&'static str, u8) {
     let found = INFIX.iter().find(|entry| entry.1 == op);
     found.map_or(("?", 0), |entry| (entry.0, entry.2))
@@ -108,17 +108,17 @@ pub(super) fn infix(op: Infix) -> (&'static str, u8) {
 
 macro_rules! table {
     ($kind:ty: $all:ident, $name:ident, $find:ident => $($text:literal => $value:path,)*) => {
-        /// Every one that there is, with what the text calls it.
+        /// All items, with their names in the text.
         pub const $all: &[(&str, $kind)] = &[$(($text, $value),)*];
 
-        /// Its name in the text.
+        /// Returns the item's name in the text.
         pub(super) const fn $name(value: $kind) -> &'static str {
             match value {
                 $($value => $text,)*
             }
         }
 
-        /// The item of this name in the text.
+        /// Returns the item with this name in the text.
         pub(super) fn $find(name: &str) -> Option<$kind> {
             match name {
                 $($text => Some($value),)*

@@ -1,6 +1,6 @@
-//! The parser: what all its parts share, and the items of a module.
+//! Parser: the shared parts, and the items of a module.
 //!
-//! Invariants: every loop consumes a token or ends; what nests is counted against the limits.
+//! Invariants: every loop consumes a token or ends; nesting is limited.
 
 use alloc::collections::BTreeMap;
 use alloc::format;
@@ -44,20 +44,20 @@ pub fn parse(text: &str) -> Parsed<Module> {
     Ok(parser.module)
 }
 
-/// The meaning of a bare name.
+/// Meaning of a name without a handle.
 #[derive(Clone, Copy)]
 pub(super) enum Found<T> {
     One(T),
     Many,
 }
 
-/// Names and what they represent, as far as the text has been read.
+/// Names and their meanings, in the text read so far.
 pub(super) type Names<K, T> = BTreeMap<K, Found<T>>;
 
 pub(super) struct Parser {
     lexemes: Vec<Lexeme>,
     at: usize,
-    /// The comment lines right before the next token.
+    /// Comment lines directly before the next token.
     comments: Vec<String>,
     nesting: u32,
     pub module: Module,
@@ -67,13 +67,13 @@ pub(super) struct Parser {
     pub locals: Locals,
 }
 
-/// The locals of the function that is being read.
+/// Locals of the function that is being read.
 #[derive(Default)]
 pub(super) struct Locals {
     pub known: BTreeMap<u32, Local>,
     pub names: Names<String, LocalId>,
     pub next: u32,
-    /// References to locals that were not yet declared: to be checked at the end.
+    /// References to locals before their declarations, which are checked at the end.
     pub ahead: Vec<(u32, Option<String>, ParseError)>,
 }
 
@@ -87,7 +87,7 @@ impl Parser {
         Scope { module: &self.module, functions: self.module.functions.len() }
     }
 
-    /// The token `ahead` places on, comments not counted.
+    /// Returns the token `ahead` positions later, without comments.
     pub fn ahead(&self, ahead: usize) -> &Token {
         let rest = self.lexemes[self.at..].iter().map(|lexeme| &lexeme.token);
         let mut rest = rest.filter(|token| !matches!(token, Token::Comment(_)));
@@ -98,7 +98,7 @@ impl Parser {
         &self.lexemes[self.at].token
     }
 
-    /// Goes on to the next token, unless at the end.
+    /// Advances to the next token, unless at the end.
     pub fn bump(&mut self) -> Token {
         let token = self.peek().clone();
         if token != Token::End {
@@ -116,7 +116,7 @@ impl Parser {
         }
     }
 
-    /// The comment lines right before the next token.
+    /// Removes and returns the comment lines directly before the next token.
     pub fn take_comments(&mut self) -> Vec<String> {
         core::mem::take(&mut self.comments)
     }
@@ -138,7 +138,7 @@ impl Parser {
         matches!(self.peek(), Token::Name(found) if found == word)
     }
 
-    /// Takes the mark if it is next.
+    /// Consumes the mark if it is next.
     pub fn eat(&mut self, mark: &str) -> bool {
         let found = self.sees(mark);
         if found {
@@ -147,7 +147,7 @@ impl Parser {
         found
     }
 
-    /// Takes the word if it is next.
+    /// Consumes the keyword if it is next.
     pub fn eat_word(&mut self, word: &str) -> bool {
         let found = self.sees_word(word);
         if found {
@@ -164,7 +164,7 @@ impl Parser {
         if self.eat_word(word) { Ok(()) } else { self.fail(format!("expected `{word}`")) }
     }
 
-    /// A name of the author's.
+    /// Reads a name of the author's.
     pub fn name(&mut self) -> Parsed<String> {
         match self.peek() {
             Token::Quoted(_) => {}
@@ -177,7 +177,7 @@ impl Parser {
         }
     }
 
-    /// A plain number.
+    /// Reads a number of 32 bits.
     pub fn number(&mut self) -> Parsed<u32> {
         if let Token::Number { digits, suffix } = self.peek()
             && suffix.is_empty()
@@ -189,7 +189,7 @@ impl Parser {
         self.fail("expected a whole number below 2^32")
     }
 
-    /// A plain word.
+    /// Reads a number of 64 bits.
     fn long(&mut self) -> Parsed<u64> {
         if let Token::Number { digits, suffix } = self.peek()
             && suffix.is_empty()
@@ -201,7 +201,7 @@ impl Parser {
         self.fail("expected a whole number below 2^64")
     }
 
-    /// The number of a variant.
+    /// Reads the number of a variant.
     fn value(&mut self) -> Parsed<i32> {
         let negative = self.eat("-");
         if let Token::Number { digits, suffix } = self.peek()
@@ -215,7 +215,7 @@ impl Parser {
         self.fail("expected a whole number of 32 bits")
     }
 
-    /// Reads what stands one level deeper.
+    /// Reads one nesting level deeper.
     pub fn nested<T>(&mut self, read: impl FnOnce(&mut Parser) -> Parsed<T>) -> Parsed<T> {
         if self.nesting >= MAX_NESTING {
             return self.fail(format!("nested deeper than {MAX_NESTING} levels"));
@@ -226,7 +226,8 @@ impl Parser {
         result
     }
 
-    /// `@column`, `@line:column`, `@file:line:column` against `base`, if it is next.
+    /// Reads a span, `@column`, `@line:column` or `@file:line:column`, if it is next; missing parts are those of
+    /// `base`.
     pub fn span(&mut self, base: Span) -> Parsed<Option<Span>> {
         if !self.eat("@") {
             return Ok(None);
@@ -290,7 +291,7 @@ impl Parser {
         Ok(())
     }
 
-    /// ` in module`.
+    /// Reads ` in module`.
     fn home(&mut self) -> Parsed<String> {
         let mut home = String::new();
         if self.eat_word("in") {
@@ -392,7 +393,7 @@ impl Parser {
         Ok(())
     }
 
-    /// `[word, word * count, …]`.
+    /// Reads `[word, word * count, …]`.
     fn words(&mut self) -> Parsed<Vec<u64>> {
         let mut words = Vec::new();
         self.expect("[")?;
@@ -463,7 +464,7 @@ impl Parser {
         Ok(())
     }
 
-    /// `#name "servo_set" #never_inline`.
+    /// Reads attributes, such as `#name "servo_set" #never_inline`.
     fn attributes(&mut self) -> Parsed<Attributes> {
         let mut attributes = Attributes::default();
         while self.eat("#") {
@@ -483,7 +484,7 @@ impl Parser {
         Ok(attributes)
     }
 
-    /// `"0.0" "5.0"`.
+    /// Reads a range, such as `"0.0" "5.0"`.
     fn range(&mut self) -> Parsed<Range> {
         let (low, high) = (self.name()?.parse(), self.name()?.parse());
         match (low, high) {
@@ -493,7 +494,7 @@ impl Parser {
         .map_or_else(|| self.fail("expected two finite numbers in order before this"), Ok)
     }
 
-    /// `#(name "x" measured "m/s" @12:3)`, if it is next.
+    /// Reads an item's attributes, `#(name "x" measured "m/s" @12:3)`, if they are next.
     fn given(&mut self) -> Parsed<Given> {
         let mut given = Given::default();
         if !self.sees("#") || *self.ahead(1) != Token::Mark("(") {
@@ -536,7 +537,7 @@ impl Parser {
         Ok(given)
     }
 
-    /// The struct or enum that a function belongs to.
+    /// Reads the struct or enum to which a function belongs.
     fn type_id(&mut self) -> Parsed<Owner> {
         Ok(match self.type_reference()? {
             TypeId::Struct(id) => Owner::Struct(id),
@@ -570,7 +571,7 @@ impl Parser {
         self.statements(span)
     }
 
-    /// The table of locals, without gaps.
+    /// Returns the table of locals, or an error if one is missing.
     fn finish_locals(&mut self) -> Parsed<Vec<Local>> {
         let Locals { known, ahead, .. } = core::mem::take(&mut self.locals);
         for (id, name, mut error) in ahead {

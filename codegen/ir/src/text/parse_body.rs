@@ -10,7 +10,7 @@ use super::parse::{Parsed, Parser};
 use super::parse_type::{Number, signed};
 
 impl Parser {
-    /// Statements up to and with the `}`.
+    /// Reads statements up to and including the `}`.
     pub fn statements(&mut self, around: Span) -> Parsed<Block> {
         let mut stmts = Vec::new();
         while !self.eat("}") {
@@ -67,7 +67,7 @@ impl Parser {
         self.end(StmtKind::Let { local, value })
     }
 
-    /// `place = value;` or `expression;`.
+    /// Reads `place = value;` or `expression;`.
     fn assignment(&mut self, base: Span) -> Parsed<StmtKind> {
         let draft = self.draft(base)?;
         if !self.sees("=") && !self.sees(":") {
@@ -115,7 +115,7 @@ impl Parser {
         Ok(StmtKind::Match { scrutinee, arms, otherwise })
     }
 
-    /// A whole number, or `Mode::Hover`.
+    /// Reads an integer, or a variant such as `Mode::Hover`.
     fn pattern(&mut self) -> Parsed<i128> {
         let negative = self.eat("-");
         if negative || matches!(self.peek(), Token::Number { .. }) {

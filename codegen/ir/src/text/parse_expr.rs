@@ -1,7 +1,6 @@
-//! Reads expressions and places: operators by precedence, the rest by descent.
+//! Reads expressions and places: operators by precedence, everything else by recursive descent.
 //!
-//! Invariant: the height of what is built never passes [`MAX_HEIGHT`], so that dropping, printing or
-//! walking it cannot exhaust the stack.
+//! Invariant: no expression exceeds [`MAX_HEIGHT`], so dropping, printing or visiting it cannot overflow the stack.
 
 use alloc::boxed::Box;
 use alloc::format;
@@ -21,13 +20,13 @@ use super::parse_type::{Number, float, signed};
 use super::print::TypeId;
 use super::scope::spread;
 
-/// An expression whose type may still have to be stated.
+/// An expression whose type may still follow in the text.
 pub(super) struct Draft {
     kind: ExprKind,
     ty: Option<Type>,
     span: Span,
     height: u32,
-    /// A place as it stands: type and span stated for it are stated for the place as well.
+    /// True for a place without parentheses: a type and a span after it are also the place's.
     plain: bool,
 }
 
@@ -38,18 +37,18 @@ impl Draft {
 }
 
 impl Parser {
-    /// An expression of a statement that is at `base`.
+    /// Reads an expression of a statement at `base`.
     pub fn expr(&mut self, base: Span) -> Parsed<Expr> {
         let draft = self.draft(base)?;
         Ok(self.settle(draft)?.0)
     }
 
-    /// An expression whose type may not follow from it.
+    /// Reads an expression whose type may not follow from its operands.
     pub fn draft(&mut self, base: Span) -> Parsed<Draft> {
         self.infix(base, 0)
     }
 
-    /// An expression and its height.
+    /// Returns a finished expression and its height.
     pub fn settle(&mut self, draft: Draft) -> Parsed<(Expr, u32)> {
         let Some(ty) = draft.ty else {
             return self.fail("the type does not follow from this: write `(expression : type)`");
@@ -60,7 +59,7 @@ impl Parser {
         Ok((Expr { kind: draft.kind, ty, span: draft.span }, draft.height))
     }
 
-    /// The place that an assignment writes, with the type stated for it.
+    /// Returns the place that an assignment writes, with the type stated after it.
     pub fn target(&mut self, draft: Draft) -> Parsed<Place> {
         let stated = if self.eat(":") { Some(self.ty()?) } else { None };
         match (draft.kind, stated.or(draft.ty)) {
@@ -128,7 +127,7 @@ impl Parser {
         Ok(Draft::new(kind, ty, base, height))
     }
 
-    /// A primary expression, the span stated for it, and methods on it.
+    /// Reads a primary expression, its span, and methods on it.
     fn postfix(&mut self, base: Span) -> Parsed<Draft> {
         let mut draft = self.primary(base)?;
         loop {
@@ -150,7 +149,7 @@ impl Parser {
         }
     }
 
-    /// `name(operands)`, after the first operand and its point.
+    /// Reads `name(operands)`, after the first operand and the point.
     fn method(&mut self, name: &str, first: Option<(Expr, u32)>, base: Span) -> Parsed<Draft> {
         let unknown = self.error(format!("there is no operation `{name}`"));
         self.bump();
@@ -170,7 +169,7 @@ impl Parser {
         Ok(Draft::new(kind, ty, base, height.max(below)))
     }
 
-    /// Expressions up to and with the closing mark, and the height of the highest.
+    /// Reads expressions up to and including the closing mark; also returns the greatest height.
     fn list(&mut self, base: Span, close: &str) -> Parsed<(Vec<Expr>, u32)> {
         let (mut list, mut height) = (Vec::new(), 0);
         while !self.eat(close) {
@@ -238,7 +237,7 @@ impl Parser {
         }
     }
 
-    /// `(expression)`, or `(expression : type)`.
+    /// Reads `(expression)`, or `(expression : type)`.
     fn parenthesis(&mut self, base: Span) -> Parsed<Draft> {
         self.bump();
         let mut draft = self.nested(|parser| parser.draft(base))?;
@@ -278,7 +277,7 @@ impl Parser {
         }
     }
 
-    /// An expression that starts with a name of the author's: a call, a path, a local, a constant.
+    /// Reads an expression that begins with an author's name: a call, a path, a local, a constant.
     fn named(&mut self, base: Span) -> Parsed<Draft> {
         match self.ahead(1) {
             Token::Mark("::") => return self.path(base),
@@ -308,7 +307,7 @@ impl Parser {
         }
     }
 
-    /// `Mode::Hover`, or `Pid::step(…)`.
+    /// Reads `Mode::Hover`, or `Pid::step(…)`.
     fn path(&mut self, base: Span) -> Parsed<Draft> {
         let ty = self.type_reference()?;
         self.expect("::")?;
@@ -321,7 +320,7 @@ impl Parser {
         Ok(Draft::new(ExprKind::Literal(word), Some(ty), base, 0))
     }
 
-    /// The name of a variant: the enum's type, and the variant's word.
+    /// Reads the name of a variant; returns the enum's type and the variant's word.
     pub fn variant(&mut self, ty: TypeId) -> Parsed<(Type, u64)> {
         let name = self.name()?;
         let TypeId::Enum(id) = ty else { return self.fail("a struct has no variants") };
@@ -338,14 +337,14 @@ impl Parser {
         Ok(Draft::new(kind, ty, base, 0))
     }
 
-    /// A place, after its root: its value.
+    /// Reads the steps of a place after its root, and returns its value.
     fn load(&mut self, root: LocalId, base: Span) -> Parsed<Draft> {
         let (place, ty, below) = self.place(root, base)?;
         let draft = Draft::new(ExprKind::Load(place), ty, base, below);
         Ok(Draft { plain: true, ..draft })
     }
 
-    /// The inside of the brackets of a place, behind the first: `index]`, `row, column]`, `from..]`.
+    /// Reads a step in brackets after the opening one: `index]`, `row, column]` or `from..]`.
     fn step(&mut self, base: Span) -> Parsed<(Step, u32)> {
         let index = |parser: &mut Parser| {
             let draft = parser.nested(|parser| parser.draft(base))?;
@@ -365,7 +364,7 @@ impl Parser {
         Ok((Step::Element(first, column), below.max(behind)))
     }
 
-    /// The steps of a place; its type, if that follows, and the height of its indices.
+    /// Reads the steps of a place; returns its type, if it follows, and the height of its indices.
     fn place(&mut self, root: LocalId, base: Span) -> Parsed<(Place, Option<Type>, u32)> {
         let mut place = Place { root, steps: Vec::new(), ty: Type::Unit, span: base };
         let mut height = 0;
@@ -401,7 +400,7 @@ impl Parser {
         self.scope().place(root.map(|local| &local.ty), place)
     }
 
-    /// `name` or `#index` of the struct at `place`.
+    /// Reads `name` or `#index`, a field of the struct at `place`.
     fn field(&mut self, place: &Place) -> Parsed<u32> {
         if self.eat("#") {
             return self.number();
@@ -416,7 +415,7 @@ impl Parser {
         index.map(|index| index as u32).ok_or(unknown)
     }
 
-    /// `load(place : type)`: where the place and its value differ in span or type.
+    /// Reads `load(place : type)`, for a place that differs from its value in span or type.
     fn stated_load(&mut self, base: Span) -> Parsed<Draft> {
         self.bump();
         self.expect("(")?;
@@ -426,7 +425,7 @@ impl Parser {
         Ok(Draft::new(ExprKind::Load(place), ty, base, height))
     }
 
-    /// `place@span : type`.
+    /// Reads `place@span : type`.
     fn stated_place(&mut self, base: Span) -> Parsed<(Place, u32)> {
         let draft = self.nested(|parser| parser.postfix(base))?;
         let height = draft.height;
@@ -461,7 +460,7 @@ impl Parser {
         Ok(Draft::new(kind, ty, base, height))
     }
 
-    /// `struct Name { field: value }`, or `struct(values)`.
+    /// Reads `struct Name { field: value }`, or `struct(values)`.
     fn struct_value(&mut self, base: Span) -> Parsed<Draft> {
         self.bump();
         if self.eat("(") {
@@ -494,7 +493,7 @@ impl Parser {
         Ok(Draft::new(ExprKind::Struct(parts), Some(Type::Struct(id)), base, height))
     }
 
-    /// `<rows>` or `<rows, cols>`, if it is there.
+    /// Reads `<rows>` or `<rows, cols>`, if it is next.
     fn dimensions(&mut self) -> Parsed<Option<(u32, Option<u32>)>> {
         if !self.eat("<") {
             return Ok(None);

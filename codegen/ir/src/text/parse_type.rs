@@ -13,13 +13,13 @@ use super::lex::Token;
 use super::parse::{Found, Parsed, Parser, define};
 use super::print::TypeId;
 
-/// A number as it is in the text, before a type is known.
+/// A number in the text, before its type is known.
 pub(super) enum Number {
-    /// `0x…`.
+    /// A word, `0x…`.
     Bits(u64),
-    /// Digits alone, with what type they name.
+    /// Digits, with the suffix of a type.
     Whole { magnitude: u128, suffix: String },
-    /// With a point, an exponent or a float's suffix.
+    /// A number with a point, an exponent or a float's suffix.
     Fraction { digits: String, single: bool },
 }
 
@@ -59,7 +59,7 @@ impl Parser {
         })
     }
 
-    /// `kernel lu_solve<f64, 6, 1>`.
+    /// Reads a kernel, such as `kernel lu_solve<f64, 6, 1>`.
     pub fn kernel(&mut self) -> Parsed<Kernel> {
         if !self.eat_word("kernel") {
             return self.fail("expected `kernel`");
@@ -90,7 +90,7 @@ impl Parser {
         scalar
     }
 
-    /// `Name`, `struct#3.Name` or `enum#3.Name`.
+    /// Reads `Name`, `struct#3.Name` or `enum#3.Name`.
     pub fn type_reference(&mut self) -> Parsed<TypeId> {
         if self.eat_word("struct") {
             let (id, name) = self.handle("#")?;
@@ -113,7 +113,7 @@ impl Parser {
         }
     }
 
-    /// `#3.name`; the name is `_` where there is none.
+    /// Reads a handle, `#3.name`; `_` in place of the name means that it has none.
     pub fn handle(&mut self, sigil: &str) -> Parsed<(u32, Option<String>)> {
         self.expect(sigil)?;
         let id = self.number()?;
@@ -121,7 +121,7 @@ impl Parser {
         Ok((id, if self.eat_word("_") { None } else { Some(self.name()?) }))
     }
 
-    /// That the name beside a handle is the right one, if its definition is known.
+    /// Checks that the name beside a handle is right, if its definition is known.
     pub fn same(&self, id: u32, found: Option<String>, name: Option<String>) -> Parsed<()> {
         match found {
             Some(found) if Some(&found) != name.as_ref() => {
@@ -131,7 +131,8 @@ impl Parser {
         }
     }
 
-    /// `name: type@span` declares a local; `name` alone refers to one. Whether it declares, too.
+    /// Reads `name: type@span`, which declares a local, or `name`, which refers to one. Returns true for a
+    /// declaration.
     pub fn binding(&mut self, base: Span) -> Parsed<(LocalId, bool)> {
         if self.sees("%") {
             let error = self.error("");
@@ -153,7 +154,7 @@ impl Parser {
         }
     }
 
-    /// A local by its handle, whose name is checked now or at the end of the function.
+    /// Returns a local by its handle; its name is checked now, or at the end of the function.
     pub fn known_local(
         &mut self,
         id: u32,
@@ -188,7 +189,7 @@ impl Parser {
         Ok((id, true))
     }
 
-    /// The number that is next, if one is.
+    /// Reads a number, if it is next.
     pub fn take_number(&mut self) -> Parsed<Option<Number>> {
         let Token::Number { digits, suffix } = self.peek() else { return Ok(None) };
         let single = suffix == "f32";
@@ -208,7 +209,7 @@ impl Parser {
         Ok(number)
     }
 
-    /// A word of a constant.
+    /// Reads a word of a constant.
     pub fn word(&mut self) -> Parsed<u64> {
         if self.eat_word("true") {
             return Ok(1);
@@ -233,12 +234,12 @@ impl Parser {
     }
 }
 
-/// The value of a whole number, if it is in range.
+/// Returns the value of an integer, if it is in range.
 pub(super) fn signed(negative: bool, magnitude: u128) -> Option<i128> {
     if negative { 0i128.checked_sub_unsigned(magnitude) } else { i128::try_from(magnitude).ok() }
 }
 
-/// The word of a float.
+/// Returns the word of a float.
 pub(super) fn float(negative: bool, digits: &str, single: bool) -> Option<u64> {
     if single {
         let value: f32 = digits.parse().ok()?;

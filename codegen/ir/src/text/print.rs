@@ -1,7 +1,7 @@
 //! Prints the items of a module.
 //!
-//! Invariant: a name stands bare only where the parser, which has read what is above and nothing else,
-//! finds exactly the same thing by it.
+//! Invariant: a name is printed without a handle only if the parser, which has read only the text above, finds
+//! exactly this item by it.
 
 use alloc::collections::BTreeMap;
 use alloc::format;
@@ -19,21 +19,21 @@ use crate::number::{Float, Scalar};
 use super::names::shown;
 use super::scope::Scope;
 
-/// The text form of a module.
+/// Returns the text form of a module.
 pub fn print(module: &Module) -> String {
     let mut printer = Printer::new(module);
     printer.module();
     printer.out
 }
 
-/// A struct or an enum: they share one space of names.
+/// A struct or an enum; both share one namespace.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum TypeId {
     Struct(StructId),
     Enum(EnumId),
 }
 
-/// Number of definitions of each name.
+/// Number of definitions with each name.
 struct Uses<'m> {
     types: BTreeMap<&'m str, u32>,
     consts: BTreeMap<&'m str, u32>,
@@ -50,13 +50,13 @@ pub(super) struct Printer<'m> {
     pub locals: LocalsAbove<'m>,
 }
 
-/// The locals of the function that is being printed.
+/// Locals of the function that is being printed.
 #[derive(Default)]
 pub(super) struct LocalsAbove<'m> {
     pub function: Option<&'m Function>,
     pub uses: BTreeMap<&'m str, u32>,
     pub declared: Vec<bool>,
-    /// The number that the next declaration has if it states none.
+    /// Number of the next declaration, unless it states one.
     pub next: u32,
 }
 
@@ -113,7 +113,7 @@ impl<'m> Printer<'m> {
         }
     }
 
-    /// A doc or comment line.
+    /// Prints a doc or comment line.
     pub fn remarks(&mut self, slashes: &str, lines: &[String]) {
         for text in lines {
             self.line();
@@ -170,7 +170,7 @@ impl<'m> Printer<'m> {
         }
     }
 
-    /// Docs, span, and `keyword name in module` of an item.
+    /// Prints docs, span, and `keyword name in module` of an item.
     fn head(&mut self, docs: &[String], span: Span, (keyword, name, module): (&str, &str, &str)) {
         self.out.push('\n');
         self.remarks("///", docs);
@@ -229,7 +229,7 @@ impl<'m> Printer<'m> {
         self.out.push('\n');
     }
 
-    /// The words of a value of a struct.
+    /// Prints the words of a struct's value.
     fn state(&mut self, definition: &Struct, words: &[u64]) {
         let mut leaves = Vec::new();
         for field in &definition.fields {
@@ -290,7 +290,7 @@ impl<'m> Printer<'m> {
         self.out.push('\n');
     }
 
-    /// `name: type@span`, with the handle where the name or the number does not follow by itself.
+    /// Prints `name: type@span`, with the handle if the name or the number does not follow.
     pub fn declare(&mut self, id: LocalId, base: Span) {
         let Some(function) = self.locals.function else { return };
         let local = function.local(id);
@@ -308,7 +308,7 @@ impl<'m> Printer<'m> {
         self.locals.next = id.0.wrapping_add(1);
     }
 
-    /// A type as it is in the text.
+    /// Returns a type as text.
     pub fn ty(&self, ty: &Type) -> String {
         match ty {
             Type::Unit => "unit".to_string(),
@@ -323,7 +323,7 @@ impl<'m> Printer<'m> {
         }
     }
 
-    /// The name of a struct or an enum.
+    /// Returns the name of a struct or an enum.
     pub fn type_name(&self, id: TypeId) -> String {
         let (keyword, index, name, above) = match id {
             TypeId::Struct(id) => {
@@ -340,7 +340,7 @@ impl<'m> Printer<'m> {
         bare_or_handle(&format!("{keyword}#"), index, name, unique && above)
     }
 
-    /// The name of a function, as a call has it.
+    /// Returns the name of a function in a call.
     pub fn function_name(&self, id: FunctionId) -> String {
         let found = self.module.functions.get(id.index());
         let Some(function) = found.filter(|_| id.index() < self.functions_above) else {
@@ -358,7 +358,7 @@ impl<'m> Printer<'m> {
         }
     }
 
-    /// The name of a constant, as an expression has it: locals come first.
+    /// Returns the name of a constant in an expression; locals have priority.
     pub fn const_name(&self, id: ConstId) -> String {
         let name = self.module.consts.get(id.index()).map(|found| found.name.as_str());
         let unique = name.is_some_and(|name| {
@@ -367,7 +367,7 @@ impl<'m> Printer<'m> {
         bare_or_handle("const#", id.0, name, unique)
     }
 
-    /// The name of a local that a statement or a place refers to.
+    /// Returns the name of a local in a statement or a place.
     pub fn local_name(&self, id: LocalId) -> String {
         let locals = self.locals.function.map_or(&[][..], |function| &function.locals);
         let name = locals.get(id.index()).map(|local| local.name.as_str());
@@ -376,7 +376,7 @@ impl<'m> Printer<'m> {
         bare_or_handle("%", id.0, name, unique && declared)
     }
 
-    /// The words of a constant.
+    /// Prints the words of a constant.
     fn words(&mut self, words: &[u64], ty: &Type) {
         let mut leaves = Vec::new();
         self.leaves(ty, self.structs_above, words.len(), &mut leaves);
@@ -388,7 +388,7 @@ impl<'m> Printer<'m> {
         }
     }
 
-    /// The scalars that a value is made of, as many as are wanted; structs from `above` on count as empty.
+    /// Collects the first `wanted` scalars of a value; structs from index `above` on count as empty.
     fn leaves(&self, ty: &Type, above: usize, wanted: usize, leaves: &mut Vec<Option<Scalar>>) {
         let mut repeat = |count: usize, scalar| {
             leaves.resize(leaves.len().saturating_add(count).min(wanted), scalar);
@@ -443,7 +443,7 @@ impl<'m> Printer<'m> {
     }
 }
 
-/// ` in module`, unless that is empty.
+/// Returns ` in module`, or nothing for an empty path.
 fn home(module: &str) -> String {
     let parts: Vec<&str> = module.split("::").collect();
     if module.is_empty() {
@@ -463,7 +463,7 @@ fn bare_or_handle(sigil: &str, index: u32, name: Option<&str>, bare: bool) -> St
     }
 }
 
-/// ` @…`: nothing where `span` is `default`, else what differs from `base`.
+/// Returns ` @…`: nothing if `span` equals `default`, else its differences from `base`.
 pub(super) fn relative(span: Span, default: Span, base: Span) -> String {
     let Span { file, line, column } = span;
     if span == default {
@@ -477,7 +477,7 @@ pub(super) fn relative(span: Span, default: Span, base: Span) -> String {
     }
 }
 
-/// `#name "servo_set" #never_inline `.
+/// Returns attributes as text, such as `#name "servo_set" #never_inline `.
 fn shown_attributes(attributes: &Attributes) -> String {
     let mut text = String::new();
     let named = [
@@ -506,7 +506,7 @@ fn shown_attributes(attributes: &Attributes) -> String {
     text
 }
 
-/// ` (name "x", unit "m/s")`, or nothing.
+/// Returns an item's attributes as text, such as ` (name "x", unit "m/s")`, or nothing.
 fn shown_given(given: &Given) -> String {
     if *given == Given::default() {
         return String::new();
@@ -528,7 +528,7 @@ fn shown_given(given: &Given) -> String {
     format!(" #({said}{range}{public}{radix}{sizes}@{}:{})", given.site.0, given.site.1)
 }
 
-/// A word of a constant: readable where that reads back to the same bits.
+/// Returns a word of a constant, in a readable form if that reads back to the same bits.
 fn shown_word(word: u64, scalar: Option<Scalar>) -> String {
     let readable = match scalar {
         Some(Scalar::Bool) if word <= 1 => Some((word == 1).to_string()),
@@ -540,7 +540,7 @@ fn shown_word(word: u64, scalar: Option<Scalar>) -> String {
     readable.unwrap_or_else(|| format!("{word:#x}"))
 }
 
-/// A float in decimal, with its suffix, unless it is infinite or NaN.
+/// Returns a float in decimal with its suffix; none if it is infinite or NaN.
 pub(super) fn shown_float(word: u64, float: Float) -> Option<String> {
     match float {
         Float::F64 => {

@@ -18,7 +18,7 @@ impl Visit for Declared {
 }
 
 impl<'m> Printer<'m> {
-    /// ` { … }`, after the head of a function.
+    /// Prints ` { … }`, after the head of a function.
     pub fn body(&mut self, function: &'m Function) {
         let mut declared = Declared(self.locals.declared.clone());
         walk_block(&mut declared, &function.body);
@@ -113,7 +113,7 @@ impl<'m> Printer<'m> {
         self.out.push('\n');
     }
 
-    /// A local where a statement declares it: with its type the first time, by its name after that.
+    /// Prints a local in its declaration: with its type the first time, by its name afterwards.
     fn binding(&mut self, local: LocalId, base: Span) {
         if self.locals.declared.get(local.index()) == Some(&false) {
             self.declare(local, base);
@@ -152,7 +152,7 @@ impl<'m> Printer<'m> {
         self.out.push('}');
     }
 
-    /// `Mode::Hover`, if that is what this value of an enum is called.
+    /// Returns the variant's name, such as `Mode::Hover`, if it identifies this value of an enum.
     pub fn variant(&self, ty: &Type, value: Option<u64>) -> Option<alloc::string::String> {
         let Type::Enum(id) = ty else { return None };
         let variants = &self.module.enums.get(id.index())?.variants;

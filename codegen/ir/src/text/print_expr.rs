@@ -1,6 +1,6 @@
 //! Prints expressions and places.
 //!
-//! Invariant: a type or a span is left out only where the parser supplies the same.
+//! Invariant: a type or a span is omitted only if the parser supplies the same.
 
 use alloc::format;
 use alloc::string::String;
@@ -15,29 +15,29 @@ use super::names::{
 use super::print::{Printer, relative, shown_float};
 use super::scope::spread;
 
-/// An expression as far as it is printed: its text, and how tightly that binds.
+/// Text of an expression, and its precedence.
 struct Draft {
     text: String,
     binds: u8,
-    /// The type and the span that the parser supplies.
+    /// Type and span that the parser supplies.
     ty: Option<Type>,
     span: Span,
 }
 
 impl Printer<'_> {
-    /// An expression of a statement that is at `base`.
+    /// Prints an expression of a statement at `base`.
     pub fn expr(&mut self, expr: &Expr, base: Span) {
         let text = self.tight(expr, 0, base);
         self.out.push_str(&text);
     }
 
-    /// A place whose span is `default` if it states none, with its type where that does not follow.
+    /// Prints a place, with its span unless it is `default`, and with its type if that does not follow.
     pub fn place(&mut self, place: &Place, base: Span, default: Span, typed: bool) {
         let text = self.place_text(place, base, default, typed);
         self.out.push_str(&text);
     }
 
-    /// The text of an expression that binds at least as tightly as `least`.
+    /// Returns the text of an expression that binds at least as tightly as `least`.
     fn tight(&mut self, expr: &Expr, least: u8, base: Span) -> String {
         let Draft { mut text, mut binds, ty, span } = self.draft(expr, base);
         if ty.as_ref() != Some(&expr.ty) {
@@ -114,7 +114,7 @@ impl Printer<'_> {
         Draft { text, binds, ty, span }
     }
 
-    /// Plain where the place and its load agree, else `load(place)`.
+    /// Returns a place as text if it agrees with its load, else `load(place)`.
     fn load(&mut self, expr: &Expr, place: &Place, base: Span) -> Draft {
         if place.span == expr.span && place.ty == expr.ty {
             let text = self.place_text(place, base, place.span, false);
@@ -157,7 +157,7 @@ impl Printer<'_> {
         text
     }
 
-    /// The name of a field, if it is the only one of that name.
+    /// Returns the name of a field if it is unique, else its index.
     fn field(&self, ty: Option<&Type>, index: u32) -> String {
         let fields = match ty {
             Some(Type::Struct(id)) => {
@@ -220,7 +220,7 @@ impl Printer<'_> {
         Draft { text: format!("{left} {mark} {right}"), binds, ty, span }
     }
 
-    /// `first.name(rest)`, or `name!()`.
+    /// Returns `first.name(rest)`, or `name!()`.
     fn method(&mut self, name: &str, operands: &[Expr], base: Span) -> String {
         match operands {
             [] => format!("{name}!()"),
@@ -253,7 +253,7 @@ impl Printer<'_> {
         text
     }
 
-    /// `struct Name { field: value }`, or a list whose type has to be stated.
+    /// Returns `struct Name { field: value }`, or a list whose type must be stated.
     fn struct_value(&mut self, parts: &[Expr], ty: &Type, base: Span) -> (String, Option<Type>) {
         let definition = match ty {
             Type::Struct(id) => self.module.structs.get(id.index()),
@@ -271,7 +271,7 @@ impl Printer<'_> {
     }
 }
 
-/// `<rows, cols>` and the type that follows from it and the elements' type.
+/// Returns `<rows, cols>`, and the type that follows from it and from the element type.
 fn stated(ty: &Type, element: Option<&Expr>) -> (String, Option<Type>) {
     let (text, rows, cols) = match ty {
         Type::Array { len, .. } => (format!("<{len}>"), *len, None),

@@ -1,9 +1,9 @@
-//! Type of an expression by its operands, for printer and parser alike: the printer states a type only if it differs.
+//! Computes the type of an expression from its operands, for printer and parser: the printer states a type only if it
+//! differs.
 //!
-//! Invariant: nothing that the parser has not yet read is looked at.
+//! Invariant: only definitions that the parser has read are used.
 //!
-//! Absent: checks. Where operands make no sense the answer is `None`, or something the printer will
-//! find different from the stated type.
+//! No checks: if operands do not fit, the result is `None`, or a type that the printer finds different.
 
 use alloc::boxed::Box;
 
@@ -17,12 +17,13 @@ pub(super) struct Scope<'a> {
 }
 
 impl Scope<'_> {
-    /// The type of what `place` names, when its root has the type `root`.
+    /// Returns the type of `place`, whose root has the type `root`.
     pub fn place(&self, root: Option<&Type>, place: &Place) -> Option<Type> {
         place.steps.iter().try_fold(root?.clone(), |ty, step| self.module.step_type(&ty, step))
     }
 
-    /// The type of an expression of this kind; literals, structs and empty lists say it themselves.
+    /// Returns the type of an expression of this kind; none for literals, structs and empty lists, whose text states
+    /// it.
     pub fn expr(&self, kind: &ExprKind) -> Option<Type> {
         match kind {
             ExprKind::Literal(_) | ExprKind::Struct(_) | ExprKind::Cast(_) => None,
@@ -49,7 +50,7 @@ impl Scope<'_> {
     }
 }
 
-/// The type of a matrix of these dimensions, or with one dimension of an array.
+/// Returns the type of a matrix with these dimensions, or of an array if there is one dimension.
 pub(super) fn spread(element: &Type, rows: u32, cols: Option<u32>) -> Option<Type> {
     match (cols, element) {
         (None, _) => Some(Type::Array { element: Box::new(element.clone()), len: rows }),

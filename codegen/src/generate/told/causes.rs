@@ -1,4 +1,4 @@
-//! One error for one cause: which messages are left out, since another one tells why.
+//! Reports one error per cause: drops messages that follow from another.
 //!
 //! An item below an attribute is compiled up to three times: as its author wrote it, as the witness copy, and as
 //! builders. And an item that an attribute refuses is missing wherever it is used.
@@ -11,10 +11,10 @@ use super::rustc::{Mark, Message};
 use super::wording::{Once, UNNAMED, Words};
 use bessemer_frontend::source::Sources;
 
-/// A message, and its words if they are ours.
+/// A message of rustc, with its rewording if there is one.
 pub type Worded<'m, 'a> = (&'m Message<'a>, Option<Words>);
 
-/// Those that tell a cause, each once.
+/// Returns the messages that report a cause, each once.
 pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'m, 'a>> {
     let of = Causes::of(&all, sources);
     let mut kept: Vec<bool> = all.iter().map(|one| !of.follows(one, sources)).collect();
@@ -148,21 +148,21 @@ fn line<'a>(message: &Message<'a>) -> Option<(&'a str, u32)> {
     message.mark().map(|mark| (mark.file, mark.start.0))
 }
 
-/// The errors that others follow from.
+/// Errors from which other messages follow.
 struct Causes {
-    /// Files that are no Rust: what an attribute makes of their rest means nothing.
+    /// Files that do not parse; messages about the rest of such a file are meaningless.
     unread: BTreeSet<String>,
     /// Places that an attribute refused.
     refused: BTreeSet<(String, u32, u32)>,
-    /// The files of that.
+    /// Files of these places.
     files: BTreeSet<String>,
-    /// The items in which it did: they are not there.
+    /// Items with a refused place, which are missing in the expansion.
     items: BTreeSet<(String, String)>,
-    /// The names that it refused.
+    /// Refused names.
     names: BTreeSet<(String, String)>,
-    /// The types that are reported not to be the DSL's.
+    /// Types that were reported as unsupported.
     types: BTreeSet<(String, String)>,
-    /// The traits that are no interfaces.
+    /// Traits that are not interfaces.
     traits: BTreeSet<String>,
 }
 
@@ -268,7 +268,7 @@ fn mark_of_macro(message: &Message<'_>) -> bool {
     message.marks.iter().any(|it| it.label.contains("through this procedural macro"))
 }
 
-/// Returns true if rustc could not parse the file: such errors have no number.
+/// Returns true if rustc could not parse the file; such errors have no code.
 fn is_syntax(message: &Message<'_>) -> bool {
     const OTHERS: [&str; 3] = ["cannot find ", "unexpected token", "unexpected end of input"];
     message.is_error
@@ -278,17 +278,17 @@ fn is_syntax(message: &Message<'_>) -> bool {
         && message.mark().is_some_and(|mark| !mark.is_attribute())
 }
 
-/// An item of the author's, by its lines.
+/// An item of the author's, as a range of lines.
 pub struct Item {
     file: String,
-    /// Its name; empty if there is none.
+    /// Name; empty if there is none.
     name: String,
     first: u32,
     last: u32,
 }
 
 impl Item {
-    /// The item below an attribute: up to the first line that closes it.
+    /// Returns the item below an attribute, up to the first line that closes it.
     pub fn below(mark: &Mark<'_>, sources: &Sources) -> Item {
         let (file, first) = (mark.file.to_owned(), mark.start.0);
         let indent = |line: &str| line.len() - line.trim_start().len();
@@ -301,7 +301,7 @@ impl Item {
         Item { name: String::new(), first, last: last.unwrap_or(first), file }
     }
 
-    /// The function or the type that something is in: the nearest line above that begins one.
+    /// Returns the function or type that contains a place: the nearest line above that begins one.
     fn around(mark: &Mark<'_>, sources: &Sources) -> Item {
         let file = mark.file.to_owned();
         let above = (1..=mark.start.0).rev();
@@ -327,7 +327,7 @@ impl Item {
         Item { file, name: String::new(), first: 0, last: 0 }
     }
 
-    /// Its lines.
+    /// Returns its lines.
     pub fn lines(&self) -> RangeInclusive<u32> {
         self.first..=self.last
     }

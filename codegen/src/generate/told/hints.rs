@@ -1,10 +1,9 @@
-//! Remedies for rustc's errors about plain Rust, where its own remedy does not fit a model, or it has none for users of
-//! other languages.
+//! Remedies for rustc's errors about plain Rust, where rustc's own help does not fit a model, or is missing.
 
 use super::rustc::Message;
 use super::types;
 
-/// A remedy; none where rustc says it better.
+/// Returns a remedy; none if rustc's is better.
 pub fn of(message: &Message<'_>) -> Option<String> {
     let (title, quoted) = (message.title, message.quoted());
     let marked = message.mark().map(super::rustc::Mark::text).unwrap_or_default();
@@ -90,12 +89,12 @@ pub fn of(message: &Message<'_>) -> Option<String> {
     Some(help)
 }
 
-/// For a range that stands where a value is wanted.
+/// Remedy for a range where a value is expected.
 pub const ENDS: &str = "name its two ends: `core::ops::Range { start: a, end: b }`";
 
 const COPY: &str = "derive `Copy`: write `#[derive(Clone, Copy)]` below `#[data]`";
 
-/// For a number of another type than the one that is wanted.
+/// Returns the remedy for a number of another type than expected.
 fn converted(label: &str) -> Option<String> {
     let mut quoted = label.split('`').skip(1).step_by(2);
     let (to, from) = (quoted.next()?, quoted.next()?);
@@ -127,7 +126,7 @@ fn converted(label: &str) -> Option<String> {
 
 const POWER: &str = "write a power as `x.powi(2)` or `x.powf(y)`, and a square as `x * x`";
 
-/// For an operator of two types of numbers, or of a number and a matrix.
+/// Returns the remedy for an operator on numbers of two types, or on a number and a matrix.
 fn operands(quoted: &[&str]) -> Option<String> {
     let [one, other] = quoted.get(..2)? else { return None };
     let is_float = |it: &&&str| matches!(**it, "f64" | "f32" | "{float}");
@@ -155,7 +154,7 @@ fn operands(quoted: &[&str]) -> Option<String> {
     None
 }
 
-/// For an operator that a type of the author's does not have, or of what may not be there.
+/// Returns the remedy for an operator that an author's type lacks, or on an `Option` or a `Result`.
 fn operator(message: &Message<'_>, quoted: &[&str]) -> Option<String> {
     let absent = quoted.iter().find(|it| it.starts_with("Option<") || it.starts_with("Result<"));
     if absent.is_some() {
@@ -172,8 +171,8 @@ fn operator(message: &Message<'_>, quoted: &[&str]) -> Option<String> {
     })
 }
 
-/// Recognizes a mismatch of matrices, for [`super::wording`]: rustc tells it of the traits by which nalgebra compares
-/// dimensions.
+/// Returns message and remedy for matrices of different dimensions. rustc's message names the traits by which
+/// nalgebra compares dimensions.
 pub fn dimensions(message: &Message<'_>) -> Option<(String, String)> {
     if !message.title.contains("ShapeConstraint") {
         return None;

@@ -1,10 +1,10 @@
-//! Tells rustc's errors of a generation build in the author's terms: each mistake once, at the author's own line.
+//! Translates rustc's errors of a generation build to the author's terms: each error once, at the author's line.
 //!
-//! A generation build compiles more than the author wrote: a witness copy of each function and the builders of the
-//! tree. What is wrong in the model is wrong there, too, and is said in names that no author has seen. Each
-//! message of rustc's is read ([`rustc`]), reworded if it speaks of the DSL ([`wording`]) or gets a remedy that
-//! fits a model ([`hints`]), with types as authors write them ([`types`]), and left out where another one tells
-//! its cause ([`causes`]). A type that the DSL does not take is reported where its author names it ([`place`]).
+//! A generation build compiles more than the author's code: a witness copy of each function, and the builders of the
+//! tree. An error in the model repeats there, with names that no author has seen. Each message of rustc is parsed
+//! ([`rustc`]), reworded if it is about the DSL ([`wording`]), or gets a suitable remedy ([`hints`]), with types as
+//! authors write them ([`types`]). It is dropped if another message reports its cause ([`causes`]). An unsupported
+//! type is reported where its author names it ([`place`]).
 //!
 //! Must not know: how cargo is called.
 
@@ -23,7 +23,7 @@ use bessemer_frontend::source::Sources;
 use rustc::Message;
 use wording::Words;
 
-/// rustc's messages, as cargo hands them on.
+/// Returns the diagnostics for rustc's messages, which cargo passes on.
 pub fn told(messages: &[Value], sources: &Sources) -> Vec<Diagnostic> {
     let all: Vec<Message<'_>> = messages.iter().filter_map(Message::of).collect();
     let worded = all.iter().map(|message| (message, wording::of(message))).collect();

@@ -30,7 +30,7 @@ pub fn of_type(told: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sources)
     told
 }
 
-/// Returns the place where a struct or an enum of this name is declared in a file.
+/// Returns the declaration of a struct or an enum with this name in a file.
 fn declaration(name: &str, file: &str, sources: &Sources) -> Option<Place> {
     let lines = (1..).map_while(|line| Some((line, sources.line(file, line)?)));
     let is_declaration = |text: &str| {
@@ -43,7 +43,7 @@ fn declaration(name: &str, file: &str, sources: &Sources) -> Option<Place> {
     Some(Place { start: (line, start), end, label: "declared here".to_owned() })
 }
 
-/// The column of a whole word in a line, from 1.
+/// Returns the column of a whole word in a line, from 1.
 fn column(text: &str, word: &str) -> Option<u32> {
     let is_part = |it: char| it.is_alphanumeric() || it == '_';
     let (at, _) = text.match_indices(word).find(|(at, _)| {

@@ -1,8 +1,8 @@
-//! Remedies: something to write in place of what the DSL does not have.
+//! Remedies for items of Rust that the DSL does not have.
 
 use super::types::{is_known, is_parameter};
 
-/// A remedy for a method that this kind of type has in Rust.
+/// Returns the remedy for a method that this kind of type has in Rust.
 pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
     let generic = is_parameter(owner);
     Some(match method {

@@ -1,22 +1,22 @@
-//! Reads rustc's messages from its JSON.
+//! Parses rustc's messages from JSON.
 //!
-//! Must not know: what the DSL is.
+//! Must not know: the DSL.
 
 use serde_json::Value;
 
-/// One message of rustc's about the author's code.
+/// A message of rustc about the author's code.
 pub struct Message<'a> {
-    /// As rustc wrote it.
+    /// Message in rustc's JSON.
     pub value: &'a Value,
-    /// Its first line.
+    /// First line.
     pub title: &'a str,
-    /// `E0599`, or the name of a lint; empty for an attribute macro's.
+    /// Code `E0599`, or the name of a lint; empty for a message of an attribute macro.
     pub code: &'a str,
     /// True for an error, false for a warning.
     pub is_error: bool,
-    /// The places that it marks, the primary ones first.
+    /// Marked places, the primary ones first.
     pub marks: Vec<Mark<'a>>,
-    /// As rustc would print it.
+    /// Text as rustc prints it.
     pub rendered: &'a str,
 }
 
@@ -27,18 +27,18 @@ pub struct Mark<'a> {
     pub file: &'a str,
     /// Line and column, from 1.
     pub start: (u32, u32),
-    /// Those behind it.
+    /// Line and column after the last character.
     pub end: (u32, u32),
     /// True for the primary span of the message.
     pub is_primary: bool,
-    /// rustc's label; empty if there is none.
+    /// Label of rustc; empty if there is none.
     pub label: &'a str,
-    /// Its first line.
+    /// Source line of its first line.
     pub line: &'a str,
 }
 
 impl<'a> Message<'a> {
-    /// An error or a warning of rustc's among cargo's messages, if it has a place or is no mere summary.
+    /// Parses an error or a warning in cargo's messages; none for a summary without a place.
     pub fn of(message: &'a Value) -> Option<Message<'a>> {
         let value = message.get("message").filter(|message| message.is_object())?;
         let title = value["message"].as_str()?;
@@ -58,22 +58,22 @@ impl<'a> Message<'a> {
         })
     }
 
-    /// The first primary place.
+    /// Returns the first primary place.
     pub fn mark(&self) -> Option<&Mark<'a>> {
         self.marks.first().filter(|mark| mark.is_primary)
     }
 
-    /// The words between backquotes in the title.
+    /// Returns the words between backquotes in the title.
     pub fn quoted(&self) -> Vec<&'a str> {
         self.title.split('`').skip(1).step_by(2).collect()
     }
 
-    /// The texts below it.
+    /// Returns the texts of its notes and helps.
     pub fn below(&self) -> impl Iterator<Item = &'a str> {
         self.children().filter_map(|child| child["message"].as_str())
     }
 
-    /// The places that the texts below it mark.
+    /// Returns the places that its notes and helps mark.
     pub fn marked_below(&self) -> impl Iterator<Item = Mark<'a>> {
         self.children()
             .flat_map(|child| child["spans"].as_array().into_iter().flatten())
@@ -96,7 +96,7 @@ impl<'a> Message<'a> {
             || self.below().any(lists)
     }
 
-    /// The text that a trait of the DSL's has for a type that does not implement it.
+    /// Returns the notes of a DSL trait that a type does not implement.
     pub fn own_notes(&self) -> Vec<String> {
         const OTHERS: [&str; 5] =
             ["required ", "the full name ", "consider using ", "this error ", "the following "];
@@ -111,7 +111,7 @@ impl<'a> Message<'a> {
             .collect()
     }
 
-    /// A help that is a sentence about the author's code, without a place of its own or with one there.
+    /// Returns a help in the form of a sentence about the author's code, without a place or with one in it.
     pub fn own_help(&self) -> Option<String> {
         let is_own = |child: &&Value| {
             child["level"] == "help"
@@ -157,7 +157,7 @@ impl<'a> Mark<'a> {
         !self.file.starts_with(['/', '<']) && !self.file.starts_with("dsl/")
     }
 
-    /// Returns true if it is a part of a line of `file`.
+    /// Returns true if it is within one line of `file`.
     pub fn is_short_in(&self, file: &str) -> bool {
         self.file == file && self.start.0 == self.end.0
     }
@@ -167,7 +167,7 @@ impl<'a> Mark<'a> {
         self.line.trim_start().starts_with("#[")
     }
 
-    /// The source that it marks, as far as its first line goes.
+    /// Returns the marked source text in its first line.
     pub fn text(&self) -> String {
         let start = self.start.1.saturating_sub(1) as usize;
         let all = self.line.chars().count();
@@ -175,12 +175,12 @@ impl<'a> Mark<'a> {
         self.line.chars().skip(start).take(end.saturating_sub(start)).collect()
     }
 
-    /// The text before it in its line.
+    /// Returns the text before it in its line.
     pub fn before(&self) -> String {
         self.line.chars().take(self.start.1.saturating_sub(1) as usize).collect()
     }
 
-    /// The text behind it in its line.
+    /// Returns the text after it in its line.
     pub fn rest(&self) -> String {
         self.line.chars().skip(self.end.1.saturating_sub(1) as usize).collect()
     }

@@ -1,23 +1,23 @@
-//! Types as authors write them, and what a model has in place of those that the DSL does not take.
+//! Types as authors write them, and replacements for types that the DSL does not support.
 
-/// A type as its author writes it: without the references before it and the modules, nalgebra's by its alias.
+/// Returns a type without references and modules, with nalgebra's alias for a matrix.
 pub fn written(ty: &str) -> String {
     shown(ty.trim_start_matches("&mut ").trim_start_matches('&'))
 }
 
-/// The name of a type without its path and its parameters.
+/// Returns the name of a type without path and parameters.
 pub fn name(ty: &str) -> &str {
     let ty = ty.split(['<', '[', '(']).next().unwrap_or_default();
     ty.rsplit("::").next().unwrap_or_default()
 }
 
-/// A type without the modules before its name.
+/// Returns a type without the modules of its path.
 pub fn within_modules(ty: &str) -> &str {
     let head = ty.find(['<', '[', '(']).unwrap_or(ty.len());
     ty[..head].rfind("::").map_or(ty, |at| &ty[at + 2..])
 }
 
-/// The type that others are made of: `Instant` of `Option<Instant>`.
+/// Returns the innermost type: `Instant` for `Option<Instant>`.
 pub fn innermost(ty: &str) -> &str {
     let ty = ty.trim_start_matches("&mut ").trim_start_matches('&');
     let within = |before: &str, after: char| ty.strip_prefix(before)?.strip_suffix(after);
@@ -25,7 +25,7 @@ pub fn innermost(ty: &str) -> &str {
     inner.map_or(ty, innermost)
 }
 
-/// Returns true if a type is the DSL's, nalgebra's or Rust's, whose methods no author marks.
+/// Returns true for a type of the DSL, nalgebra or Rust, whose methods no author marks.
 pub fn is_known(ty: &str) -> bool {
     const KNOWN: [&str; 19] = [
         "SMatrix",
@@ -60,7 +60,7 @@ pub fn is_parameter(ty: &str) -> bool {
     !ty.is_empty() && !ty.contains(|it: char| !it.is_ascii_uppercase() && !it.is_ascii_digit())
 }
 
-/// The model's replacement for a type of Rust's, nalgebra's or another library's.
+/// Returns the remedy for a type of Rust, nalgebra or another library that models cannot use.
 pub fn instead(ty: &str) -> Option<&'static str> {
     Some(match name(ty) {
         "Vec" => "write `List<T, N>`, a list of at most `N` elements, or an array `[T; N]`",
@@ -93,11 +93,11 @@ pub fn instead(ty: &str) -> Option<&'static str> {
     })
 }
 
-/// Remedy for state that is kept outside of a component.
+/// Remedy for state outside of a component.
 pub const STATE: &str =
     "keep state in a field of the component, which methods change through `&mut self`";
 
-/// A text of rustc's, with the types in it as their authors write them.
+/// Returns a text of rustc with its types as authors write them.
 pub fn shown(text: &str) -> String {
     let mut shown = String::new();
     let mut rest = text;
@@ -121,7 +121,7 @@ pub fn shown(text: &str) -> String {
     PATHS.iter().fold(shown, |shown, path| shown.replace(path, ""))
 }
 
-/// A static matrix as its users write it, and how long it is in rustc's words.
+/// Returns a static matrix as authors write it, and the length of rustc's text for it.
 fn static_matrix(text: &str) -> Option<(String, usize)> {
     let mut depth = 0_usize;
     let end = text.char_indices().find_map(|(at, it)| {
@@ -144,7 +144,7 @@ fn static_matrix(text: &str) -> Option<(String, usize)> {
     Some((written, end))
 }
 
-/// Rows and columns of a matrix as [`shown`] writes it.
+/// Returns rows and columns of a matrix as [`shown`] writes it.
 pub fn dimensions(shown: &str) -> Option<(&str, &str)> {
     let (_, inner) = shown.split_once('<')?;
     let mut parts = inner.trim_end_matches('>').split(", ").skip(1);

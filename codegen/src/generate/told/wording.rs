@@ -5,28 +5,28 @@ use super::remedies::instead;
 use super::rustc::{Mark, Message};
 use super::types;
 
-/// The text in place of rustc's words.
+/// Replacement for rustc's text.
 pub struct Words {
-    /// The mistake.
+    /// Message.
     pub title: String,
-    /// The remedy.
+    /// Remedy.
     pub help: String,
-    /// The name of the type that it is about.
+    /// Name of the type that the message is about.
     pub of_type: Option<String>,
-    /// In what it is reported once.
+    /// Scope in which the message is reported once.
     pub once: Once,
     /// True if an attribute reports it about its own item; false if the builders or the witness copy do.
     pub is_refusal: bool,
 }
 
-/// In what something is reported once, however often it is found there.
+/// Scope in which a message is reported once, however often rustc repeats it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Once {
-    /// In a line.
+    /// A line.
     Line,
-    /// In a function or a type.
+    /// A function or a type.
     Item,
-    /// In a file.
+    /// A file.
     File,
 }
 
@@ -35,7 +35,7 @@ fn words(title: impl Into<String>, help: impl Into<String>) -> Option<Words> {
     Some(Words { title, help, of_type: None, once: Once::Item, is_refusal: false })
 }
 
-/// The words for a message that speaks of the DSL; none for rustc's own.
+/// Returns the rewording of a message about the DSL; none for other messages.
 pub fn of(message: &Message<'_>) -> Option<Words> {
     if !message.is_error {
         return None;
@@ -45,13 +45,13 @@ pub fn of(message: &Message<'_>) -> Option<Words> {
     EACH.iter().find_map(|it| it(message)).or_else(|| unnamed(message))
 }
 
-/// A refusal by an attribute: its remedies are in lines of their own.
+/// Rewords a refusal by an attribute, whose remedy is in separate lines.
 fn refused(message: &Message<'_>) -> Option<Words> {
     let (title, help) = message.title.split_once("\nhelp: ")?;
     Some(Words { is_refusal: true, ..words(title, help)? })
 }
 
-/// The attributes of the DSL.
+/// Attributes of the DSL.
 const ATTRIBUTES: [&str; 11] = [
     "component",
     "data",
@@ -66,7 +66,7 @@ const ATTRIBUTES: [&str; 11] = [
     "c",
 ];
 
-/// An attribute of the DSL's that was not imported.
+/// Rewords an unknown attribute that is the DSL's and was not imported.
 fn attribute(message: &Message<'_>) -> Option<Words> {
     let name = message.title.strip_prefix("cannot find attribute `")?.split('`').next()?;
     if !ATTRIBUTES.contains(&name) {
@@ -79,7 +79,7 @@ fn attribute(message: &Message<'_>) -> Option<Words> {
     Some(Words { once: Once::File, ..told })
 }
 
-/// An implementation of a trait that is no interface: its companions are not in the trait.
+/// Rewords an implementation of a trait that is no interface, so its companions are missing in the trait.
 fn interface(message: &Message<'_>) -> Option<Words> {
     let quoted = message.quoted();
     let of = match (message.code, quoted.as_slice()) {
@@ -89,7 +89,7 @@ fn interface(message: &Message<'_>) -> Option<Words> {
     words(format!("the trait `{of}` is not part of the DSL"), "mark the trait `#[interface]`")
 }
 
-/// A type that the DSL does not have.
+/// Rewords an unsupported type.
 fn ty(message: &Message<'_>) -> Option<Words> {
     let is_ours = message.title.ends_with("is not a type of the DSL")
         || message.title.ends_with("is not a type that a model can hold");
@@ -115,13 +115,13 @@ fn ty(message: &Message<'_>) -> Option<Words> {
     Some(told)
 }
 
-/// Matrices that do not fit.
+/// Rewords matrices of different dimensions.
 fn dimensions(message: &Message<'_>) -> Option<Words> {
     let (title, help) = hints::dimensions(message)?;
     Some(Words { once: Once::Line, ..words(title, help)? })
 }
 
-/// A `static mut`.
+/// Rewords the use of a `static mut`.
 fn global(message: &Message<'_>) -> Option<Words> {
     let is_static = message.code == "E0133" && message.title.starts_with("use of mutable static");
     let name = message.mark()?.text();
@@ -132,7 +132,7 @@ fn global(message: &Message<'_>) -> Option<Words> {
 /// Message about an unknown item.
 pub const UNNAMED: &str = "this is not part of the DSL";
 
-/// Other messages with names that no author has written.
+/// Rewords other messages with names that no author has written.
 fn unnamed(message: &Message<'_>) -> Option<Words> {
     const INTERNAL: [&str; 4] = ["__", OWNED, "bessemer::generate", "ScalarType"];
     let label = message.mark().map_or("", |mark| mark.label);
@@ -157,7 +157,7 @@ fn unnamed(message: &Message<'_>) -> Option<Words> {
     })?
 }
 
-/// A function that is not marked has no builder of its name.
+/// Rewords the call of an unmarked function, which has no builder.
 fn function(message: &Message<'_>) -> Option<Words> {
     let label = message.mark()?.label.strip_suffix(" is not a crate or module")?;
     if let Some(name) = label.strip_prefix("constant ").or_else(|| label.strip_prefix("static ")) {
@@ -175,14 +175,14 @@ fn function(message: &Message<'_>) -> Option<Words> {
     words(format!("{name} is not part of the DSL"), help)
 }
 
-/// For functions that may be `core::mem`'s.
+/// Remedy for functions that may be `core::mem`'s.
 const MEM: &str =
     "write `core::mem::swap(&mut a, &mut b)` whole, or mark a function of your own `#[function]`";
 
-/// For functions that may be `core::cmp`'s.
+/// Remedy for functions that may be `core::cmp`'s.
 const CMP: &str = "write `core::cmp::max(a, b)` whole, or `a.max(b)`; or mark a function of your own `#[function]`";
 
-/// A name that looks like a variant or an associated function, and is none.
+/// Rewords a name that looks like a variant or an associated function, and is neither.
 fn pattern(message: &Message<'_>) -> Option<Words> {
     if ["E0223", "E0599"].contains(&message.code)
         && message.rendered.contains("__b_")
@@ -207,7 +207,7 @@ fn is_pattern(mark: &Mark<'_>) -> bool {
     ["=>", "|", "if "].iter().any(|next| mark.rest().trim_start().starts_with(next))
 }
 
-/// The macros that a model may call: the builders ask rustc whether they are Rust's.
+/// Macros that a model may call; the builders let rustc check that they are Rust's.
 const TAKEN_MACROS: [&str; 8] = [
     "assert",
     "assert_eq",
@@ -219,10 +219,10 @@ const TAKEN_MACROS: [&str; 8] = [
     "unreachable",
 ];
 
-/// Prefix of the methods that the DSL owns.
+/// Prefix of the DSL's own methods.
 const OWNED: &str = "dsl_";
 
-/// rustc's messages about the builders' own names.
+/// Rewords messages about names in builders.
 fn builders(message: &Message<'_>) -> Option<Words> {
     let (title, quoted) = (message.title, message.quoted());
     // The builders request the one, what is simulated for the other, of the methods that the DSL owns.

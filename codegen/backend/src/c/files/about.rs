@@ -35,7 +35,7 @@ impl Writer<'_> {
     }
 }
 
-/// Returns true if the file is that of a module of this name.
+/// Returns true if the Rust file contains the module with this name.
 fn is_of(file: &str, name: &str) -> bool {
     let path = file.strip_suffix(".rs").unwrap_or(file);
     let path = path.strip_suffix("/mod").unwrap_or(path);

@@ -1,7 +1,8 @@
-//! Constants in files: of one source, those that its functions use; and those that other modules may read, once.
+//! Constants in files: those of one source, and shared ones, which are defined once.
 //!
-//! Of these, sizes are in a header for callers, too ([`sizes`]); other words in the header, for C's compilers to compute with, and so do the
-//! polynomials of inline functions; of tables it says that they are, and a source beside it holds them.
+//! Shared sizes are also in a header for callers ([`sizes`]). Other words are in a header, so that C compilers
+//! compute with them, and so are polynomials of inline functions. Tables are declared there, and defined in a source
+//! of their own.
 
 use std::collections::BTreeSet;
 
@@ -18,13 +19,13 @@ use crate::c::spelling::identifier;
 use crate::c::tree::{Init, Item, Lines, Storage};
 use crate::c::{asked, described, internal, literal, sizes, target};
 
-/// Words of a polynomial, not of a table.
+/// Largest number of words in a polynomial; longer constants are tables.
 const FEW: usize = 16;
 
 const SUMMARY: &str = "constants, for the sources beside it alone.";
 
 impl Writer<'_> {
-    /// The constants of a source's own.
+    /// Returns the constants that only this source has.
     pub(super) fn constants(&self, used: &BTreeSet<ConstId>, includes: &mut Includes) -> Vec<Item> {
         let names = self.context.names;
         let own: Vec<ConstId> =
@@ -36,7 +37,7 @@ impl Writer<'_> {
     }
 }
 
-/// The constants that are beside all sources: a header, and a source if there are tables among them.
+/// Returns the files of shared constants: a header, and a source if there are tables.
 pub(super) fn shared(
     context: Context<'_>,
     options: &Options,
@@ -117,8 +118,8 @@ pub(super) fn shared(
     files
 }
 
-/// Returns true if its value must be visible at its uses. These are scalars, and the short aggregates of inline
-/// functions, which compilers fold completely.
+/// Returns true if the value of a shared constant must be visible where it is used. These are scalars, and the short
+/// aggregates of inline functions, which compilers fold completely.
 fn stands_in_header(item: &Const) -> bool {
     let few = !item.given.public && item.words.len() <= FEW;
     item.given.section.is_none() && (item.ty.is_word() || few)
@@ -133,7 +134,7 @@ fn size(context: Context<'_>, id: ConstId, name: &str) -> Item {
     }
 }
 
-/// Constants in the order of their names; those that are one, once.
+/// Returns constants sorted by name, without duplicates.
 fn by_name<'n>(ids: &[ConstId], name: impl Fn(ConstId) -> &'n str) -> Vec<(&'n str, ConstId)> {
     let mut list: Vec<(&str, ConstId)> = ids.iter().map(|id| (name(*id), *id)).collect();
     list.sort();
@@ -171,7 +172,7 @@ fn constant(
     }
 }
 
-/// A constant's comment, in which those beside it that have other names in C are called by these.
+/// Returns a constant's comment, in which names of shared constants are replaced by their C names.
 fn docs(context: Context<'_>, item: &Const) -> Vec<String> {
     let mut docs = described::constant(context.names, item);
     for (index, other) in context.module.consts.iter().enumerate() {
@@ -185,7 +186,7 @@ fn docs(context: Context<'_>, item: &Const) -> Vec<String> {
     docs
 }
 
-/// The numbers of one constant are all in base sixteen, or none is.
+/// Returns the initialiser of a constant. Its integers are all hexadecimal, or all decimal.
 fn constant_init(context: Context<'_>, ty: &Type, hexadecimal: bool, words: &mut &[u64]) -> Init {
     let list = |items: Vec<(Option<String>, Init)>, lines| Init::List { items, lines };
     match ty {

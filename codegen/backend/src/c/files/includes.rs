@@ -60,12 +60,12 @@ impl Includes {
         }
     }
 
-    /// The headers of C's library.
+    /// Returns the included headers of C's library.
     pub(super) fn system(&self) -> Vec<String> {
         self.system.iter().map(|it| (*it).to_owned()).collect()
     }
 
-    /// The headers of the package, without one.
+    /// Returns the included headers of the package, except one.
     pub(super) fn own(&self, without: &str) -> Vec<String> {
         self.own.iter().filter(|it| *it != without).cloned().collect()
     }

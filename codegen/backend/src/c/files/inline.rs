@@ -1,7 +1,8 @@
-//! The inline functions that several sources may call, once: a header for the sources alone.
+//! Header of inline functions that several sources may call.
 //!
-//! Invariants: it holds what the sources call, and what that calls, callees first; what stands here follows from the
-//! function and its module ([`crate::c::placing::Placing::moved`]), so that a source's text does not depend on who else calls.
+//! Invariants: it contains the called functions and their callees, callees first. A function belongs here because of
+//! the function and its module alone ([`crate::c::placing::Placing::moved`]), so a source's text does not depend on
+//! other callers.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +18,7 @@ use crate::c::shell::Shell;
 use crate::c::tree::{Item, Storage};
 use crate::c::{asked, internal};
 
-/// The header of those that are called, if there are any, and what it uses.
+/// Returns the header of the called inline functions, if there are any, and its requirements.
 pub(super) fn shared(
     context: Context<'_>,
     options: &Options,

@@ -1,4 +1,4 @@
-//! Kernels in files: their text as it comes, in a source, or in the header if they are small.
+//! Places kernels in files: in a source, or in the header if they are small.
 
 use bessemer_ir::{FunctionId, Kernel, Span};
 
@@ -12,7 +12,7 @@ use crate::kernels;
 use crate::kernels::replace::Replacement;
 
 impl Writer<'_> {
-    /// The kernel that a function is, if it is one that is in its header.
+    /// Returns the kernel of a function, if it is defined in its header.
     pub(super) fn in_header(&self, callable: &Callable) -> Option<&Kernel> {
         let Callable::Function(id) = callable else { return None };
         let kernel = self.context.module.functions[id.index()].kernel.as_ref()?;
@@ -20,7 +20,7 @@ impl Writer<'_> {
         (own && kernels::stands_in_header(kernel)).then_some(kernel)
     }
 
-    /// A kernel that is a function of its header.
+    /// Returns a kernel as an inline function of its header.
     pub(super) fn inline_kernel(
         &self,
         kernel: &Kernel,
@@ -41,7 +41,7 @@ impl Writer<'_> {
         items
     }
 
-    /// A kernel, and what precedes it.
+    /// Returns a kernel as an item of a source, with the declarations that it needs.
     pub(super) fn kernel(&self, kernel: &Kernel, id: FunctionId, uses: &mut Uses) -> Vec<Item> {
         let tuning = &self.options.kernels;
         let own = kernels::source(kernel, tuning);

@@ -1,11 +1,12 @@
-//! The helpers that bring a value of one type into another.
+//! Helpers that convert values between types.
 
 use bessemer_ir::{Float, Int, Scalar};
 
 use super::super::spelling::scalar_type;
 use super::{Helper, int_type};
 
-/// From what C computes without a cast back: integers of 32 bits at least, and floats.
+/// Returns the conversions from each type in which C computes without a cast: floats, and integers of at least 32
+/// bits.
 pub(super) fn all() -> impl Iterator<Item = Helper> {
     let floats = [Float::F32, Float::F64].map(Scalar::Float);
     let every = move || Int::ALL.into_iter().map(Scalar::Int).chain(floats);

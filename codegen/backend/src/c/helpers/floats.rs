@@ -1,8 +1,8 @@
-//! The helpers of floats that take more than one operation.
+//! Helpers for floats that need more than one operation.
 
 use bessemer_ir::Float;
 
-/// Its type, and what the functions of `math.h` and the literals for it end with.
+/// Returns the C type of a float, and the suffixes of `math.h` functions and literals.
 fn names(float: Float) -> (&'static str, &'static str, &'static str) {
     match float {
         Float::F32 => ("float", "f", "F"),

@@ -1,15 +1,15 @@
-//! The helpers of integers. Below 32 bits C computes in `int`, so that each result is cast back.
+//! Helpers for integers. C computes types below 32 bits in `int`, so each result is cast back.
 
 use bessemer_ir::{Int, Scalar};
 
 use super::{Helper, int_type, integer_name, unsigned_type};
 
-/// `value`, back in its type where C has promoted it to `int`.
+/// Returns `value` cast to its type, if C has promoted it to `int`.
 fn narrowed(int: Int, value: &str) -> String {
     if int.bits() < 32 { format!("({})({value})", int_type(int)) } else { value.to_owned() }
 }
 
-/// The literal of an integer type.
+/// Returns the literal of an integer type.
 fn literal(int: Int, value: u32) -> String {
     if int.signed() || int.bits() < 32 { value.to_string() } else { format!("{value}U") }
 }
@@ -44,7 +44,7 @@ static inline {ty} {name}({ty} a, {ty} b)
     )
 }
 
-/// The body of a sum, difference or product of up to 32 bits, computed in a wider type.
+/// Returns the body of a saturating sum, difference or product of up to 32 bits, computed in a wider type.
 fn saturated(name: &str, int: Int, what: &str, op: char) -> String {
     let ty = int_type(int);
     let wide = match (int, op) {
@@ -210,7 +210,7 @@ static inline {ty} {name}({ty} a, {ty} b)
     )
 }
 
-/// `a - b` of two values that may be negative, in the unsigned type, modulo its range.
+/// Returns `a - b` of two signed values, in the unsigned type, modulo its range.
 fn unsigned_difference(int: Int, a: &str, b: &str) -> String {
     let unsigned = unsigned_type(int);
     if int.bits() < 32 && int.signed() {
@@ -329,7 +329,7 @@ static inline {ty} {name}({ty} bits)
     )
 }
 
-/// Written out in a comparison, gcc takes it for a complement and warns.
+/// Returns the exclusive or as a function, since gcc takes the operator in a comparison for a complement, and warns.
 pub fn exclusive(name: &str, int: Int) -> String {
     let ty = int_type(int);
     format!(

@@ -1,4 +1,4 @@
-//! Unsigned bits whose casts say nothing: what is above a type does not show where the value is brought into it later.
+//! Removes casts of unsigned values that have no effect, since the bits above the type are removed later.
 
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Int, Type};
 
@@ -6,7 +6,7 @@ use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::place::is_small;
 
-/// Returns true if a value is of unsigned bits that were put together, shifted or picked out.
+/// Returns true if a value is an unsigned result of bit operations or shifts.
 pub(super) fn is_bits(value: &Ir) -> bool {
     let unsigned = value.ty.as_int().is_some_and(|int| !int.signed());
     let of_bits = |op: &BinaryOp| {
@@ -29,18 +29,18 @@ pub(super) fn masked(value: Expr, ir: &Ir) -> Expr {
     if within { uncast(value, &ir.ty) } else { value }
 }
 
-/// Returns true if a value is shifted to the left: C computes it in 32 bits at least.
+/// Returns true if a value is shifted to the left; C computes it in at least 32 bits.
 pub(super) fn is_raised(value: &Ir) -> bool {
     is_bits(value) && matches!(value.kind, ExprKind::Binary(BinaryOp::Shl, ..))
 }
 
-/// Returns true if a value comes from a smaller unsigned type.
+/// Returns true if a value is converted from a smaller unsigned type.
 pub(super) fn is_widened(value: &Ir) -> bool {
     let ExprKind::Cast(from) = &value.kind else { return false };
     matches!((from.ty.as_int(), value.ty.as_int()), (Some(from), Some(to)) if !from.signed() && fits(from, to))
 }
 
-/// A value without the cast to its type around it.
+/// Returns a value without its outermost cast to this type.
 pub(super) fn uncast(value: Expr, ty: &Type) -> Expr {
     match (value, ty) {
         (Expr::Cast(to, inner), Type::Scalar(scalar)) if to == scalar_type(*scalar) => *inner,
@@ -48,7 +48,7 @@ pub(super) fn uncast(value: Expr, ty: &Type) -> Expr {
     }
 }
 
-/// Returns true if every value of one integer type is one of another.
+/// Returns true if one integer type contains all values of another.
 pub(super) fn fits(from: Int, to: Int) -> bool {
     from.min() >= to.min() && from.max() <= to.max()
 }

@@ -1,4 +1,4 @@
-//! Calls: what is passed how, where the result goes, what happens on a fault.
+//! Calls: passing of arguments, destination of the result, and handling of faults.
 
 use bessemer_ir::{Argument, Expr as Ir, ExprKind, FunctionId, Place, Type};
 
@@ -9,13 +9,13 @@ use super::copy::indexed_by;
 use bessemer_ir::effects::{overlap, reads_place};
 
 impl Lower<'_> {
-    /// A call whose result is one word and which cannot fault, as an expression.
+    /// Returns a call as an expression; its result is one word, and it cannot fault.
     pub(super) fn call_value(&mut self, callee: FunctionId, arguments: &[Argument]) -> Expr {
         let list = self.arguments(callee, arguments);
         Expr::call(&self.context.names.signature(callee).name, list)
     }
 
-    /// An expression for its effect.
+    /// Emits an expression for its effect.
     pub(super) fn effect(&mut self, value: &Ir) {
         let ExprKind::Call(callee, arguments) = &value.kind else {
             if value.ty.is_word() {
@@ -50,8 +50,8 @@ impl Lower<'_> {
         }
     }
 
-    /// A call whose result goes to a place of the author's, by way of a temporary where the callee
-    /// could tell the difference.
+    /// Emits a call whose result goes to a place of the author's, through a temporary if the callee could observe the
+    /// difference.
     pub(super) fn call_into_place(
         &mut self,
         callee: FunctionId,
@@ -93,7 +93,7 @@ impl Lower<'_> {
         self.emit(StmtKind::Block(block));
     }
 
-    /// A call that writes its result to `dest`, which nothing passed to it shares.
+    /// Emits a call that writes its result to `dest`, which shares no memory with its arguments.
     pub(super) fn call_into(
         &mut self,
         callee: FunctionId,
@@ -118,7 +118,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A fallible call; a fault ends this function too.
+    /// Emits a fallible call; a fault ends this function, too.
     fn guarded(&mut self, callee: FunctionId, list: Vec<Expr>) {
         let names = self.context.names;
         let status = Expr::name(&self.status);
@@ -166,7 +166,7 @@ impl Lower<'_> {
         list
     }
 
-    /// Returns true if a value that C passes by address could change under the callee's hands.
+    /// Returns true if the callee could change a value that C passes by address.
     fn needs_copy(&self, value: &Ir, arguments: &[Argument]) -> bool {
         arguments.iter().any(|other| match other {
             Argument::RefMut(place) => reads_place(value, place),
@@ -174,8 +174,8 @@ impl Lower<'_> {
         })
     }
 
-    /// The address of what the callee only reads. An array of arrays does not become one of const
-    /// arrays by itself in C99.
+    /// Returns the address of a value that the callee only reads. C99 does not convert an array of arrays to an array
+    /// of const arrays implicitly.
     fn lend(&mut self, value: Expr, ty: &Type) -> Expr {
         let (element, dimensions) = self.context.names.type_parts(ty);
         let inner = dimensions.find(']').map(|end| &dimensions[end + 1..]).unwrap_or_default();
@@ -187,7 +187,7 @@ impl Lower<'_> {
     }
 }
 
-/// Returns true if an argument lends the callee storage that `dest` shares.
+/// Returns true if an argument passes memory to the callee that `dest` shares.
 fn lends(argument: &Argument, dest: &Place) -> bool {
     match argument {
         Argument::RefMut(place) => overlap(place, dest),

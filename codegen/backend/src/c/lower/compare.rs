@@ -1,9 +1,9 @@
-//! Values as they can be compared.
+//! Values in comparisons.
 //!
-//! gcc takes `(uint8_t)(255U - x)` and `(uint8_t)(x ^ 255U)` for `(uint8_t)~x`, the number perhaps behind the name of a
-//! constant, and warns of any comparison with that. The same value in 32 bits, or from a function, means what it says.
-//! Of what was widened, `~(uint64_t)x`, and of what a signed type held, `(uint8_t)(int8_t)~x`, it warns too, so that a
-//! function gives that.
+//! gcc takes `(uint8_t)(255U - x)` and `(uint8_t)(x ^ 255U)` for `(uint8_t)~x`, also if the number is a named
+//! constant, and warns of every comparison with it. Instead the value is computed in 32 bits, or by a function. gcc
+//! also warns of widened values, `~(uint64_t)x`, and of signed ones, `(uint8_t)(int8_t)~x`; a function computes
+//! these.
 
 use bessemer_ir::{Float, Int, Scalar};
 
@@ -14,7 +14,7 @@ use super::super::tree::Expr;
 use super::Lower;
 
 impl Lower<'_> {
-    /// A value in a form that no compiler takes for a complement.
+    /// Returns a value in a form that no compiler takes for a complement.
     pub(super) fn comparable(&mut self, value: Expr) -> Expr {
         let (ty, inner) = match value {
             Expr::Unary("~", operand) => return self.complement(*operand),
@@ -66,7 +66,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Returns a value of the small type `to` under a cast to `int`, with complements in that of the same width.
+    /// Returns a value of the small type `to` under a cast to `int`; complements are computed by a function.
     fn held(&mut self, int: Int, to: String, operand: Expr) -> Expr {
         let signed = match (int, to.as_str()) {
             (Int::U8, "int8_t") => Int::I8,
@@ -93,7 +93,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Bits beside a number, which may leave them as they are.
+    /// Returns bits masked by a number, which may leave them unchanged.
     fn picked(&mut self, op: &'static str, left: Expr, right: Expr) -> Expr {
         let number = self.may_be_constant(&left) || self.may_be_constant(&right);
         let [left, right] = [left, right].map(|it| match it {
@@ -104,7 +104,7 @@ impl Lower<'_> {
         Expr::binary(op, left, right)
     }
 
-    /// Returns a cast to a type; the cast of a small complement comes from a function.
+    /// Returns a cast to a type; the cast of a small complement becomes a call of a function.
     fn turned_over(&mut self, ty: String, inner: Expr) -> Expr {
         let mut small = [Int::U8, Int::U16].into_iter();
         let int = small.find(|int| scalar_type(Scalar::Int(*int)) == ty);
@@ -119,7 +119,7 @@ impl Lower<'_> {
         }
     }
 
-    /// All bits turned over of what was widened.
+    /// Returns the complement of a widened value.
     fn complement(&mut self, operand: Expr) -> Expr {
         let widened = match &operand {
             Expr::Cast(ty, _) => ty.as_str(),
@@ -136,7 +136,7 @@ impl Lower<'_> {
         self.helper(Helper::Xor(int), vec![operand, all])
     }
 
-    /// Returns true if a compiler might know a value: a number, or what is no parameter.
+    /// Returns true if a compiler might know a value: a number, or anything except a parameter.
     fn may_be_constant(&self, value: &Expr) -> bool {
         match value {
             Expr::Name(name) => !self.signature.params.iter().any(|param| param.name == *name),
@@ -146,7 +146,7 @@ impl Lower<'_> {
     }
 }
 
-/// The type of numbers that C calls so.
+/// Returns the scalar type with this name in C.
 fn numeric(ty: &str) -> Option<Scalar> {
     let ints = Int::ALL.into_iter().map(Scalar::Int);
     let floats = [Float::F32, Float::F64].map(Scalar::Float);

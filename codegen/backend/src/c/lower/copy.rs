@@ -1,4 +1,4 @@
-//! Values of many words: initialisers, copies, fills, constructors.
+//! Values with several words: initialisers, copies, fills, constructors.
 
 use bessemer_ir::visit::Walk as _;
 use bessemer_ir::{Expr as Ir, ExprKind, Form, Place, Step, StructId, Type};
@@ -10,18 +10,18 @@ use super::stmt::is_simple;
 use crate::uncopied::is_stored_whole;
 use bessemer_ir::effects::{overlap, reads_place};
 
-/// Up to so many words are copied by a line each.
+/// Largest number of words that are copied one per line.
 const LINES: u32 = 4;
-/// Up to so many zeros are in an initialiser.
+/// Largest number of zeros in an initialiser.
 const SHOWN: u32 = 8;
-/// Words of a value at most that one statement builds: a compiler may keep it on the stack.
+/// Largest number of words in a value that one statement builds, since a compiler may keep it on the stack.
 const BRIEF: usize = 16;
-/// Up to so many equal words are in an initialiser.
+/// Largest number of equal words in an initialiser.
 const LISTED: u32 = 16;
 
 impl Lower<'_> {
-    /// Writes a value to `dest`. `place`: the author's place that it is, if other operands may share
-    /// storage with it.
+    /// Emits the assignment of a value to `dest`. `place` is the author's place of `dest`, if operands may share its
+    /// memory.
     pub(super) fn store(&mut self, dest: Expr, place: Option<&Place>, value: &Ir) {
         if let ExprKind::Call(callee, arguments) = &value.kind
             && (value.ty.is_aggregate() || self.context.faults.fallible(*callee))
@@ -77,7 +77,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Declares a table of the function's own.
+    /// Declares a constant table of the function.
     pub(super) fn declare_table(&mut self, ty: &Type, name: &str, value: &Ir) {
         let init = self.initialiser(value);
         let mut declarator = self.context.names.declarator(ty, name);
@@ -86,7 +86,7 @@ impl Lower<'_> {
         self.emit(StmtKind::Declare(declarator, Some(init)));
     }
 
-    /// Builds the value beside its destination, which it reads.
+    /// Builds the value in a temporary, since it reads its destination.
     pub(super) fn store_through_copy(&mut self, dest: Expr, value: &Ir) {
         let block = self.scope(|lower| {
             let name = lower.fresh("next");
@@ -96,7 +96,7 @@ impl Lower<'_> {
         self.emit(StmtKind::Block(block));
     }
 
-    /// Part by part.
+    /// Assigns a value part by part.
     fn construct(&mut self, dest: Expr, value: &Ir) {
         match (&value.kind, &value.ty) {
             (ExprKind::Struct(items), Type::Struct(id)) => {
@@ -136,9 +136,9 @@ impl Lower<'_> {
         }
     }
 
-    /// A value most of whose fields hold nothing, as one list: `(option_pair_t){.is_some = false}`. C sets to zero what the list
-    /// leaves out, so that its words are what they are in Rust and in the interpreter: callers see them. Not in a header: C++ has
-    /// no such expression.
+    /// Returns a compound literal for a value most of whose fields are empty: `(option_pair_t){.is_some = false}`. C
+    /// sets omitted fields to zero, as in Rust and in the interpreter, and callers may read them. Not in a header,
+    /// since C++ has no such expression.
     fn brief(&mut self, value: &Ir) -> Option<(String, Init)> {
         let (ExprKind::Struct(items), Type::Struct(id)) = (&value.kind, &value.ty) else {
             return None;
@@ -159,7 +159,7 @@ impl Lower<'_> {
         Some((ty, self.initialiser(value)))
     }
 
-    /// Returns true if a field holds nothing as the first is, and is zero in C, too.
+    /// Returns true if a field is empty according to the tag, and zero in C, too.
     fn is_nothing(&self, id: StructId, index: usize, items: &[Ir]) -> bool {
         let definition = &self.context.module.structs[id.index()];
         let tag = match (&definition.form, items.first().map(|first| &first.kind)) {
@@ -196,13 +196,13 @@ impl Lower<'_> {
         }
     }
 
-    /// Returns true if a value stands where it belongs from the start.
+    /// Returns true if a value is already built in its place in the result.
     fn is_part(&self, item: &Ir) -> bool {
         matches!(&item.kind, ExprKind::Load(place)
             if place.steps.is_empty() && self.parts.contains_key(&place.root))
     }
 
-    /// Returns true if a part of a struct is written: not what shares its memory with the part that is there.
+    /// Returns true if a field of a struct is written: not one whose memory another variant's payload uses.
     fn is_held(&self, id: StructId, index: usize, parts: &[Ir]) -> bool {
         let definition = &self.context.module.structs[id.index()];
         let word = match parts.first().map(|first| &first.kind) {
@@ -212,7 +212,7 @@ impl Lower<'_> {
         !definition.overlaid() || definition.holds(index, word)
     }
 
-    /// Writes one value to every element.
+    /// Emits the assignment of one value to every element.
     fn fill(&mut self, dest: Expr, ty: &Type, item: &Ir) {
         if let Type::Matrix { element, rows, cols } = ty
             && !self.context.names.layout.is_flat((*rows, *cols))
@@ -243,7 +243,7 @@ impl Lower<'_> {
         });
     }
 
-    /// Writes one value to each element of arrays.
+    /// Emits loops that assign one value to each element of nested arrays.
     fn fill_rows(&mut self, dest: Expr, ty: &Type, value: &Expr) {
         match ty {
             Type::Array { element, len } => self.count_up(*len, &dest.clone(), |lower, index| {
@@ -253,7 +253,8 @@ impl Lower<'_> {
         }
     }
 
-    /// `for (uint32_t i = 0U; i < count; i++) { body }`, through all of an array: to what names its size, if anything does.
+    /// Emits `for (uint32_t i = 0U; i < count; i++) { body }` over a whole array, whose length may be a named
+    /// constant.
     pub(super) fn count_up(
         &mut self,
         count: u32,
@@ -264,7 +265,7 @@ impl Lower<'_> {
         self.count_to("i", 0, count, end, body);
     }
 
-    /// Writes a loop with a name for the counter and a first value.
+    /// Emits a loop from `first` to `count`, with a name for the counter.
     pub(super) fn count_from(
         &mut self,
         name: &str,
@@ -307,7 +308,7 @@ impl Lower<'_> {
         });
     }
 
-    /// Copies a whole value; `shared`: source and destination may be one.
+    /// Emits the copy of a whole value; `shared` is true if source and destination may be the same.
     pub(super) fn copy(&mut self, dest: Expr, from: Expr, ty: &Type, shared: bool) {
         if ty.is_word() || matches!(ty, Type::Struct(_)) {
             self.assign(dest, from);
@@ -329,7 +330,7 @@ impl Lower<'_> {
         self.emit(StmtKind::Expr(Expr::cast("void", call)));
     }
 
-    /// Returns true if C has an initialiser for a value.
+    /// Returns true if C can initialise a variable with a value.
     pub(super) fn initialisable(&self, value: &Ir) -> bool {
         match &value.kind {
             ExprKind::Call(callee, _) => {
@@ -353,7 +354,7 @@ impl Lower<'_> {
         }
     }
 
-    /// The initialiser.
+    /// Returns the initialiser of a value.
     pub(super) fn initialiser(&mut self, value: &Ir) -> Init {
         if value.ty.is_word() {
             return Init::Value(self.given(value));
@@ -416,7 +417,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A part of an array, or of a matrix by columns.
+    /// Returns an element of an array, or of a matrix by columns.
     fn part(&self, whole: Expr, ty: &Type, index: u32) -> Expr {
         let layout = self.context.names.layout;
         match ty {
@@ -427,7 +428,7 @@ impl Lower<'_> {
         }
     }
 
-    /// The list of the parts of an array, or of a matrix by columns.
+    /// Returns the initialiser list of an array, or of a matrix by columns.
     fn list(&self, parts: &[Init], ty: &Type, lines: Lines) -> Init {
         let shape = match ty {
             Type::Matrix { rows, cols, .. } => (*rows, *cols),
@@ -436,7 +437,7 @@ impl Lower<'_> {
         self.context.names.layout.list(parts, shape, lines)
     }
 
-    /// A value to compute with more than once: itself if that is simple, else a constant.
+    /// Returns a value that may be used more than once: itself if simple, else a constant variable.
     pub(super) fn once(&mut self, name: &str, value: &Ir, place: Option<&Place>) -> Expr {
         let lowered = self.word(value);
         let disturbed = place.is_some_and(|place| reads_place(value, place));
@@ -449,7 +450,7 @@ impl Lower<'_> {
     }
 }
 
-/// Returns the number of lines that would write a value.
+/// Returns the number of lines that an assignment part by part needs.
 fn lines(value: &Ir) -> usize {
     match &value.kind {
         ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
@@ -460,7 +461,7 @@ fn lines(value: &Ir) -> usize {
     }
 }
 
-/// Returns true if a value is copied word by word: a few words in a row.
+/// Returns true if a value is copied word by word: it has few words in a row.
 fn is_short(ty: &Type) -> bool {
     let flat = match ty {
         Type::Array { element, .. } => element.is_word(),
@@ -470,20 +471,20 @@ fn is_short(ty: &Type) -> bool {
     flat && length(ty) <= LINES
 }
 
-/// Returns true if a matrix is mostly zeros, so that a loop and what differs say more than a line for each element.
-/// Only of numbers: what else there is might be read after the loop.
+/// Returns true if a matrix is mostly zeros, so that a loop and some assignments are shorter than a line for each
+/// element. Its elements are literals, since others might be read after the loop.
 fn is_sparse(items: &[Ir]) -> bool {
     let numbers = items.iter().all(|item| matches!(item.kind, ExprKind::Literal(_)));
     let zeros = items.iter().filter(|item| item.kind == ExprKind::Literal(0)).count();
     items.len() > LINES as usize && numbers && 2 * zeros > items.len()
 }
 
-/// Returns true if values are numbers, of which C's `0` is one.
+/// Returns true for types whose zero is C's `0`.
 fn is_number(ty: &Type) -> bool {
     ty.as_int().is_some() || ty.as_float().is_some()
 }
 
-/// Returns true if a place has an index that reads what one of `written` holds.
+/// Returns true if an index in a place reads one of the places `written`.
 pub(super) fn indexed_by(place: &Place, written: &[&Place]) -> bool {
     place.steps.iter().any(|step| match step {
         Step::Field(_) => false,

@@ -1,7 +1,7 @@
-//! Lengths of locals, by the constants that their author named for them.
+//! Lengths of local arrays, by the author's named constants.
 //!
-//! No type of Rust keeps the name. What a local is lent to as a whole has it, if it is a parameter. Loops through all of an array
-//! count to it.
+//! No Rust type contains the name. A local gets it from the parameter to which it is passed as a whole. Loops over a
+//! whole array use it as their end.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use crate::c::names::Names;
 use crate::c::tree::Expr as CExpr;
 
 impl Lower<'_> {
-    /// The number of elements of an array, by its name if it is a variable or a parameter that has one.
+    /// Returns the length of an array: its named constant if it is a variable or parameter with one, else the number.
     pub(super) fn extent(&mut self, array: &CExpr, count: u32) -> CExpr {
         let named = match array {
             CExpr::Name(name) => self.named_extent(name, count),
@@ -46,11 +46,11 @@ pub(super) fn of_locals(
     lent.found.into_iter().filter_map(|(local, sizes)| Some((local, sizes?))).collect()
 }
 
-/// Looks for what is lent to parameters whose sizes have names.
+/// Visitor that finds locals passed to parameters whose lengths have names.
 struct Lent<'l> {
     names: &'l Names,
     function: &'l Function,
-    /// Nothing where two differ.
+    /// Constants of each local; none if two parameters disagree.
     found: BTreeMap<LocalId, Option<Vec<Option<ConstId>>>>,
 }
 
@@ -67,7 +67,7 @@ impl Lent<'_> {
         }
     }
 
-    /// A call's result is lent to the parameter behind the others.
+    /// Records that a call's result is passed by a pointer after the other parameters.
     fn result(&mut self, local: LocalId, value: &Expr) {
         if let ExprKind::Call(callee, arguments) = &value.kind {
             self.note(local, *callee, arguments.len());

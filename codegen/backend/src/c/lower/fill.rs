@@ -1,8 +1,8 @@
-//! Detection of arrays, matrices and structs that are completely overwritten after their declaration. Their initial
-//! value is never read, so C omits it; a partly filled array is initialised in the rest only.
+//! Finds arrays, matrices and structs that are completely overwritten after their declaration. Their initial value is
+//! never read, so C omits it; in a partly filled array only the rest is initialised.
 //!
-//! Invariant: where [`filled`] or [`rewritten`] say so, and outside of what [`unwritten`] tells, every element is assigned before
-//! anything reads it, on each path.
+//! Invariant: every element that [`filled`] or [`rewritten`] report, or that [`unwritten`] does not return, is
+//! assigned on each path before anything reads it.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ use bessemer_ir::{
 
 use bessemer_ir::effects::{mentions, whole};
 
-/// Elements of an array from which on those are reported apart that are written before anything reads them.
+/// Largest number of elements of an array that are tracked one by one.
 const MOST: u32 = 4096;
 
 /// Returns the ranges of an array's elements that are not written before the array is otherwise used. Counters and
@@ -59,7 +59,7 @@ pub(super) fn unwritten(
     gaps
 }
 
-/// Marks what these statements write, in each pass of a loop; no, if one of them does something else with the array.
+/// Marks the elements that these statements write, in each pass of a loop; none if one uses the array otherwise.
 fn each<'s>(
     module: &Module,
     local: LocalId,
@@ -191,7 +191,7 @@ fn is_each(ty: &Type, step: &Step, counter: LocalId, to: u32) -> bool {
     len == to && is_element(&place(vec![step.clone()]), &at)
 }
 
-/// The counter of a loop from 0, its end and its body.
+/// Returns the counter of a loop from 0, its end and its body.
 fn through<'s>(module: &Module, stmt: &'s Stmt) -> Option<(LocalId, u32, &'s Block)> {
     match &stmt.kind {
         StmtKind::For { variable, from, to, inclusive: false, ended: false, body, .. } => {
@@ -240,7 +240,7 @@ fn is_element(place: &Place, at: &[Option<LocalId>]) -> bool {
     }
 }
 
-/// Returns true if something in a statement leaves a loop or the function.
+/// Returns true if a statement may leave a loop or the function.
 fn leaves(stmt: &Stmt) -> bool {
     stmt.any_stmt(|stmt| {
         matches!(stmt.kind, StmtKind::Break | StmtKind::Continue | StmtKind::Return(_))

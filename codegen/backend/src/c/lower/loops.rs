@@ -1,7 +1,7 @@
 //! `for` over ranges, and `while`.
 //!
-//! A range that includes its end may end at the largest value of its type, where `i <= end` never
-//! fails; unless the bound is known to be smaller, a flag ends the loop.
+//! An inclusive range may end at the largest value of its type, for which `i <= end` never fails. Unless the bound is
+//! known to be smaller, a flag ends the loop.
 
 use bessemer_ir::visit::{Access, Walk};
 use bessemer_ir::{Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Type};
@@ -17,7 +17,7 @@ use bessemer_ir::effects::mentions;
 /// Type of C's counter if a range fits into 32 bits.
 const U32: Type = Type::Scalar(Scalar::Int(Int::U32));
 
-/// The pieces of a loop that its form decides.
+/// Parts of a loop's head that its form determines.
 struct Head {
     first: Expr,
     condition: Expr,
@@ -100,7 +100,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A loop that its body ends, where it begins if it can be reported there.
+    /// Emits a loop that its body ends; a test at its beginning becomes the condition of the `while`.
     pub(super) fn while_(&mut self, body: &Block) {
         let (condition, first) = match body.head() {
             Some(end) => (self.negated(end), 1),
@@ -164,7 +164,7 @@ impl Lower<'_> {
         }
     }
 
-    /// The value of a literal or a constant.
+    /// Returns the value of a literal or a constant.
     fn constant_value(&self, expr: &Ir, int: Int) -> Option<i128> {
         match expr.kind {
             ExprKind::Const(id) => {
@@ -174,7 +174,7 @@ impl Lower<'_> {
         }
     }
 
-    /// `bool more = from <= to;`
+    /// Declares the flag `bool more = from <= to;`.
     fn flag(&mut self, from: &(Expr, Ir), to: &(Expr, Ir)) -> String {
         let name = self.fresh("more");
         let value = match self.decided(CompareOp::Le, &from.1, &to.1) {
@@ -185,14 +185,14 @@ impl Lower<'_> {
         name
     }
 
-    /// A bound that is read once.
+    /// Returns a bound that is read once.
     fn start(&mut self, value: &Ir, narrow: bool) -> (Expr, Ir) {
         let lowered = self.bound_value(value, narrow);
         let wide = narrow && self.is_wide(value);
         (if wide { Expr::cast("uint32_t", lowered) } else { lowered }, value.clone())
     }
 
-    /// A bound that is read before every pass.
+    /// Returns a bound that is read before every pass.
     fn bound(&mut self, value: &Ir, name: &str, narrow: bool, body: &Block) -> (Expr, Ir) {
         let lowered = self.bound_value(value, narrow);
         if !holds_still(value, body) || calls(&lowered) {
@@ -246,13 +246,13 @@ fn literal_value(expr: &Ir, int: Int) -> Option<i128> {
     }
 }
 
-/// The largest value of what was converted from a narrower type; a sign would wrap round.
+/// Returns the largest value of an integer converted from a narrower type; none for a signed one in an unsigned type.
 fn largest(expr: &Ir, int: Int) -> Option<i128> {
     let ExprKind::Cast(inner) = &expr.kind else { return None };
     inner.ty.as_int().filter(|from| !from.signed() || int.signed()).map(Int::max)
 }
 
-/// A literal in the form of another: `4U` where that was `3U`.
+/// Returns a literal with the suffix of another: `4U` for `3U`.
 fn literal_like(other: &Expr, int: Int, value: i128) -> Expr {
     match other {
         Expr::Name(text)
@@ -264,7 +264,7 @@ fn literal_like(other: &Expr, int: Int, value: i128) -> Expr {
     }
 }
 
-/// Returns true if a bound keeps its value while the body runs, and costs little to read.
+/// Returns true if a bound does not change while the body runs, and is cheap to read.
 fn holds_still(value: &Ir, body: &Block) -> bool {
     let computes = |expr: &Ir| matches!(expr.kind, ExprKind::Call(..) | ExprKind::Routine(..));
     let written = |place: &Place, access| access != Access::Read && mentions(value, place.root);

@@ -1,12 +1,13 @@
-//! From a function of the explicit IR to statements of the C tree.
+//! Lowers a function of the explicit IR to statements of the C tree.
 //!
-//! It relies on this (the passes establish it, the validator checks it):
-//! * aggregates stand only as the whole value of `Let`, `Assign`, `Return`, or are lent as arguments;
-//! * calls stand only as the whole value of a statement, save pure ones of words;
-//! * no operation faults: `Check` statements precede them.
+//! Preconditions, which the passes establish and the validator checks:
 //!
-//! It adds conversions where C's promotions differ from Rust's types; a name for every local; a
-//! temporary wherever a result would be written over an operand.
+//! * an aggregate is the whole value of a `Let`, an `Assign` or a `Return`, or a borrowed argument;
+//! * a call is the whole value of a statement, except pure calls of words;
+//! * no operation faults: `Check` statements precede it.
+//!
+//! This step adds conversions where C's promotions differ from Rust's types, a name for every local, and a temporary
+//! wherever a result would overwrite an operand.
 
 mod bits;
 mod call;
@@ -48,9 +49,9 @@ use crate::uncopied::uncopied;
 pub struct Lowered {
     /// The body.
     pub body: Vec<Stmt>,
-    /// Bytes of the variables that it declares.
+    /// Bytes of its local variables.
     pub locals: u64,
-    /// Its own operations in double and of 64 bits.
+    /// Operations in double or in 64 bits, without those of callees.
     pub wide: Vec<Wide>,
 }
 
@@ -58,9 +59,9 @@ pub struct Lowered {
 #[derive(Clone, Debug)]
 struct Binding {
     name: String,
-    /// A pointer to what the local represents.
+    /// True if the C variable is a pointer to the local.
     pointer: bool,
-    /// The constant that the local represents: the file needs it where the local is mentioned.
+    /// Constant that the local represents; the file needs it if the local is used.
     constant: Option<ConstId>,
 }
 
@@ -77,39 +78,40 @@ pub(super) struct Lower<'a> {
     signature: &'a Signature,
     usage: Usage,
     bindings: Vec<Option<Binding>>,
-    /// Per local: the range of a `usize` that C holds in 32 bits. Of those that are assigned again it is known from the start.
+    /// Range of each `usize` local that C holds in 32 bits. For locals that are assigned again, it is known from the
+    /// start.
     counters: Vec<Option<(i128, i128)>>,
     /// True for each local that a comparison needs in 64 bits.
     wide: Vec<bool>,
-    /// Per local: whether the C mentions it.
+    /// True for each local that the C mentions.
     mentioned: Vec<bool>,
-    /// The names that are visible here.
+    /// Names that are visible here.
     live: Vec<String>,
     out: Vec<Stmt>,
     origin: Option<Origin>,
     uses: &'a mut Uses,
     /// The variable that holds a callee's status.
     status: String,
-    /// Place in the component of the latched fault.
+    /// Field of the component that holds the latched fault.
     latch: Option<Expr>,
-    /// True if the function looks at that before it runs.
+    /// True if the function tests the latch before it runs.
     looks: bool,
-    /// The local that is the result, and is in the caller's storage from the start.
+    /// Local that is the result, in the caller's memory from the start.
     in_place: Option<LocalId>,
-    /// The locals that are names for what lies elsewhere.
+    /// Locals that are aliases of places.
     names: BTreeMap<LocalId, Place>,
-    /// The constants that say how many elements a local has, of those that are not declared yet.
+    /// Constants that name the lengths of locals not declared yet.
     sizes: BTreeMap<LocalId, Vec<Option<ConstId>>>,
     /// Length constants of variables, by their names in C.
     declared: BTreeMap<String, Vec<Option<ConstId>>>,
-    /// The locals that are parts of the result from the start.
+    /// Locals that are parts of the result from the start.
     parts: BTreeMap<LocalId, built::Path>,
     bytes: u64,
     /// Unroll factor of the next loop, from the author.
     unroll: Option<u32>,
 }
 
-/// Lowers the body of a function; notes in `uses` what it needs.
+/// Lowers the body of a function; records its requirements in `uses`.
 pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) -> Lowered {
     let function = &context.module.functions[id.index()];
     let mut lower = Lower {
@@ -161,7 +163,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Writes the code before the author's first statement.
+    /// Emits the code before the author's first statement.
     fn prologue(&mut self) {
         let function = self.function;
         if self.calls_fallible() {
@@ -208,7 +210,7 @@ impl<'a> Lower<'a> {
         looked_at || self.usage.read[parameter]
     }
 
-    /// A component that a fault has stopped does not run.
+    /// Emits the early return of a component that a fault has stopped.
     fn check_latch(&mut self) {
         let (Role::Entry { .. }, Some(Owner::Struct(owner))) =
             (self.function.role, self.function.owner)
@@ -247,7 +249,7 @@ impl<'a> Lower<'a> {
         found
     }
 
-    /// A fallible function that returns nothing still says that all is well.
+    /// Emits the status of success at the end of a fallible function without a result.
     fn epilogue(&mut self) {
         let returns = matches!(self.out.last().map(|stmt| &stmt.kind), Some(StmtKind::Return(_)));
         if self.function.result == Type::Unit && self.is_fallible() && !returns {
@@ -256,7 +258,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Says of parameters that they are not used, and takes out locals whose uses C has no need of.
+    /// Marks unused parameters, and removes locals that the C does not use.
     fn quiet(&mut self) {
         let params = self.function.params as usize;
         let mut names = Vec::new();
@@ -291,7 +293,7 @@ impl<'a> Lower<'a> {
         self.out.push(Stmt { kind, origin: self.origin });
     }
 
-    /// `place = value`, or `place += …` where it is that.
+    /// Emits `place = value`, or `place += …` if the value has this form.
     fn assign(&mut self, place: Expr, value: Expr) {
         match value {
             // A value that needs no conversion in C may be there already: `kept = kept as i32 as u32`.
@@ -303,7 +305,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Runs `inner` in a scope of its own; its statements are the result.
+    /// Runs `inner` in a new scope and returns its statements.
     fn scope(&mut self, inner: impl FnOnce(&mut Self)) -> Vec<Stmt> {
         let (names, outer) = (self.live.len(), std::mem::take(&mut self.out));
         inner(self);
@@ -315,7 +317,7 @@ impl<'a> Lower<'a> {
         self.scope(|lower| lower.block_into(block, tail))
     }
 
-    /// A name that nothing visible has.
+    /// Returns a name that no visible variable has.
     fn fresh(&mut self, wanted: &str) -> String {
         let wanted = local_name(wanted);
         let live = &self.live;
@@ -340,12 +342,12 @@ impl<'a> Lower<'a> {
         name
     }
 
-    /// The name of a constant here.
+    /// Returns the name of a constant in this file.
     fn constant(&self, id: ConstId) -> &str {
         self.context.names.constant(&self.uses.file, id)
     }
 
-    /// The storage that the caller gives for the result.
+    /// Returns the caller's memory for the result.
     fn result_storage(&self) -> Option<Expr> {
         let param = self.signature.params.get(self.function.params as usize)?;
         let pointer = !param.ty.is_array();
@@ -396,7 +398,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Returns true if a value has parts that share their memory.
+    /// Returns true if a value contains a union.
     fn has_union(&self, ty: &Type) -> bool {
         match ty {
             Type::Struct(id) => {
@@ -408,7 +410,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Notes the header of a type.
+    /// Records the header of a type.
     fn include_type(&mut self, ty: &Type) {
         match ty {
             Type::Struct(id) => {

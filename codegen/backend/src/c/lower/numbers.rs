@@ -12,7 +12,8 @@ use super::place::is_small;
 use super::word::narrowed;
 
 impl Lower<'_> {
-    /// `a op b` on two values of type `ty`; no shift, and no `^` of two `bool`s, which is a comparison.
+    /// Returns `a op b` for two values of type `ty`; not for shifts, nor for `^` of two `bool`s, which is a
+    /// comparison.
     pub(super) fn arithmetic(&mut self, op: BinaryOp, ty: &Type, a: Expr, b: Expr) -> Expr {
         let boolean = *ty == Type::BOOL;
         let symbol = match op {
@@ -35,7 +36,7 @@ impl Lower<'_> {
         narrowed(ty, Expr::binary(symbol, a, b))
     }
 
-    /// An operand of bits: what is above its type does not show, since the result is brought back to it.
+    /// Returns an operand of a bit operation. Bits above its type may remain, since the result is cast back.
     pub(super) fn bits(&mut self, operand: &Ir) -> Expr {
         if let (ExprKind::Literal(word), Some(int)) = (&operand.kind, operand.ty.as_int()) {
             return literal::bits(int, int.from_word(*word));
@@ -44,7 +45,7 @@ impl Lower<'_> {
         if is_bits(operand) { uncast(value, &operand.ty) } else { value }
     }
 
-    /// A shift by less than the width.
+    /// Returns a shift by less than the width.
     pub(super) fn shift(&mut self, op: BinaryOp, left: &Ir, right: &Ir) -> Expr {
         let int = left.ty.as_int().expect("the validator asks for integers");
         let value = self.word(left);
@@ -82,7 +83,7 @@ impl Lower<'_> {
         narrowed(&left.ty, Expr::binary(if left_shift { "<<" } else { ">>" }, value, count))
     }
 
-    /// Rust's `as`.
+    /// Returns the conversion by Rust's `as`.
     pub(super) fn cast(&mut self, operand: &Ir, to: &Type) -> Expr {
         let Type::Scalar(target) = to else { unreachable!("casts give scalars") };
         let same =
@@ -167,8 +168,9 @@ impl Lower<'_> {
         }
     }
 
-    /// A value that C holds as `from`, as another type. Where it is computed, a cast to a wider type, or to one of another
-    /// kind, would leave open in which of the two (MISRA C:2012, rule 10.8); one that rounds has a name, too.
+    /// Converts a value that C holds as `from` to another type. For the result of an operator, a cast to a wider type
+    /// or another category would leave open in which type C computes (MISRA C:2012, rule 10.8), so a helper converts
+    /// it; also if the conversion rounds.
     pub(super) fn converted(&mut self, from: Scalar, to: Scalar, value: Expr) -> Expr {
         let (kind, bits) = (category(from), width(from));
         let rounds = matches!(to, Scalar::Float(_));
@@ -178,18 +180,19 @@ impl Lower<'_> {
         Expr::cast(scalar_type(to), value)
     }
 
-    /// Converts an integer, as `converted` does.
+    /// Converts an integer like `converted`.
     pub(super) fn as_int(&mut self, from: Int, to: Int, value: Expr) -> Expr {
         self.converted(Scalar::Int(from), Scalar::Int(to), value)
     }
 
-    /// A value that C holds as `from`, as the unsigned bits of a signed type.
+    /// Converts a value that C holds as `from` to the unsigned type of a signed one.
     fn as_bits(&mut self, value: Expr, from: Int, int: Int) -> Expr {
         let same = !from.signed() && from.bits() == int.bits();
         if same { value } else { self.as_int(from, unsigned(int), value) }
     }
 
-    /// The number that goes to `f32` by way of an `f64`, where that holds it exactly: then one rounding gives the same.
+    /// Returns the number that is converted to `f32` through an `f64`, if the `f64` holds it exactly; one rounding
+    /// then gives the same.
     pub(super) fn without_double<'a>(&self, operand: &'a Ir, target: Scalar) -> Option<&'a Ir> {
         let ExprKind::Cast(inner) = &operand.kind else { return None };
         if target != Scalar::Float(Float::F32) || operand.ty != Type::F64 {
@@ -203,7 +206,7 @@ impl Lower<'_> {
         exact.then_some(inner)
     }
 
-    /// A `bool` in memory of the caller's: compilers believe that its byte is 0 or 1, and take it for the number.
+    /// Returns a `bool` in the caller's memory. Compilers assume that its byte is 0 or 1, and use it as the number.
     fn foreign_flag(&mut self, operand: &Ir) -> Option<Expr> {
         let ExprKind::Load(place) = &operand.kind else { return None };
         let lent = self.function.local(place.root).mode != Mode::Value;
@@ -211,7 +214,7 @@ impl Lower<'_> {
         flag.then(|| self.place(place))
     }
 
-    /// A function of scalars.
+    /// Returns an intrinsic function of scalars.
     pub(super) fn intrinsic(&mut self, intrinsic: Intrinsic, operands: &[Ir], ty: &Type) -> Expr {
         let of = &operands[0].ty;
         if let (Intrinsic::Variant, Type::Enum(id)) = (intrinsic, of) {
@@ -284,14 +287,14 @@ impl Lower<'_> {
         count
     }
 
-    /// A macro of `math.h` that says whether a float is of a kind, as a condition.
+    /// Returns a classification macro of `math.h` as a condition.
     fn classified(&mut self, name: &str, values: Vec<Expr>) -> Expr {
         self.uses.system.insert("math.h");
         let zero = literal::integer(Int::I32, 0);
         Expr::binary("!=", Expr::call(name.to_owned(), values), zero)
     }
 
-    /// Modulo 2^bits, through unsigned arithmetic.
+    /// Computes modulo 2^bits by unsigned arithmetic.
     fn wrapping(&mut self, op: &'static str, int: Int, operands: &[Ir]) -> Expr {
         let bits = self.wrapping_bits(op, int, operands);
         if int.signed() { self.helper(Helper::Wrap(int), vec![bits]) } else { bits }
@@ -315,7 +318,8 @@ impl Lower<'_> {
         if is_small(int) { Expr::cast(unsigned_type(int), result) } else { result }
     }
 
-    /// The bits of a signed value that unsigned arithmetic gives: who wants these needs no signed number of them.
+    /// Returns the bits of a signed value that unsigned arithmetic computes, without the conversion to the signed
+    /// type.
     fn unsigned_bits(&mut self, operand: &Ir) -> Option<Expr> {
         let int = operand.ty.as_int().filter(|int| int.signed())?;
         if super::range::never_reached(operand).is_some() {
@@ -337,14 +341,14 @@ impl Lower<'_> {
         }
     }
 
-    /// A function of `math.h`.
+    /// Returns a call of a function of `math.h`.
     pub(super) fn math(&mut self, name: &str, float: Float, values: Vec<Expr>) -> Expr {
         self.uses.system.insert("math.h");
         Expr::call(if float == Float::F32 { format!("{name}f") } else { name.to_owned() }, values)
     }
 }
 
-/// The operator of an intrinsic that computes modulo 2^bits.
+/// Returns the operator of an intrinsic that computes modulo 2^bits.
 fn wrapping_sign(intrinsic: Intrinsic) -> Option<&'static str> {
     match intrinsic {
         Intrinsic::WrappingAdd => Some("+"),
@@ -367,7 +371,7 @@ fn is_composite(value: &Expr) -> bool {
     }
 }
 
-/// Signed, unsigned and floating types are three kinds.
+/// Returns the category of a type: boolean, signed, unsigned or floating.
 fn category(scalar: Scalar) -> u8 {
     match scalar {
         Scalar::Bool => 0,

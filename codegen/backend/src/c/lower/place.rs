@@ -19,7 +19,7 @@ impl Lower<'_> {
         Some(value)
     }
 
-    /// A place as an lvalue.
+    /// Returns a place as an lvalue.
     pub(super) fn place(&mut self, place: &Place) -> Expr {
         let function = self.function;
         self.mentioned[place.root.index()] = true;
@@ -95,7 +95,7 @@ impl Lower<'_> {
         }
     }
 
-    /// An index: any integer does, so widening to `usize` and suffixes are left out.
+    /// Returns an index. Any integer type is valid, so conversions to `usize` and suffixes are omitted.
     pub(super) fn index(&mut self, index: &Ir) -> Expr {
         if let ExprKind::Literal(word) = index.kind {
             return Expr::name(word.to_string());
@@ -114,8 +114,8 @@ impl Lower<'_> {
         }
     }
 
-    /// Returns one of two indices that form one. A 64-bit index is cast to 32 bits beside a 32-bit one, since both are
-    /// within the matrix.
+    /// Returns one of two indices that are added. A 64-bit index is cast to 32 bits beside a 32-bit one, since both
+    /// are within the matrix.
     fn beside_index(&mut self, index: &Ir, other: &Ir) -> Expr {
         let is_long = |index: &Ir| {
             let long = index.ty.as_int().is_some_and(|int| int.bits() == 64);
@@ -127,7 +127,7 @@ impl Lower<'_> {
         if alone && flat { Expr::cast("uint32_t", value) } else { value }
     }
 
-    /// The value that is at an aggregate's place or in its constant.
+    /// Returns the place or the constant of an aggregate.
     pub(super) fn operand(&mut self, expr: &Ir) -> Expr {
         match &expr.kind {
             ExprKind::Load(place) => self.place(place),
@@ -153,7 +153,7 @@ impl Lower<'_> {
     }
 }
 
-/// The shape of a matrix type.
+/// Returns element type, rows and columns of a matrix type.
 pub(super) fn shape(ty: &Type) -> (Scalar, u32, u32) {
     match ty {
         Type::Matrix { element, rows, cols } => (*element, *rows, *cols),

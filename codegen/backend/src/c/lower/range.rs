@@ -10,12 +10,11 @@ use super::super::tree::Expr;
 use super::Lower;
 use bessemer_ir::effects::same_place;
 
-/// The largest value that a narrow expression may have, also on the way.
+/// Largest value of an expression computed in 32 bits, and of its parts.
 const LIMIT: i128 = 1 << 31;
 
 impl Lower<'_> {
-    /// The range of a `usize` expression that counters and constants bound, if C may compute it in
-    /// 32 bits.
+    /// Returns the range of a `usize` expression that counters and constants bound, if C may compute it in 32 bits.
     pub(super) fn range(&self, expr: &Ir) -> Option<(i128, i128)> {
         if expr.ty != Type::USIZE {
             return None;
@@ -48,7 +47,7 @@ impl Lower<'_> {
         (range.0 >= 0 && range.1 <= LIMIT).then_some(range)
     }
 
-    /// Returns the result of a comparison that the types alone decide: compilers warn about such comparisons.
+    /// Returns the result of a comparison that the types decide, since compilers warn about such comparisons.
     pub(super) fn decided(&self, op: CompareOp, left: &Ir, right: &Ir) -> Option<bool> {
         if matches!(op, CompareOp::Eq | CompareOp::Ne)
             && (bits_differ(left, right) || bits_differ(right, left))
@@ -68,7 +67,7 @@ impl Lower<'_> {
         }
     }
 
-    /// The values that an expression can have by its type; one for a literal.
+    /// Returns the range of an expression according to its type; of a literal, its value.
     pub(super) fn type_range(&self, expr: &Ir) -> Option<(i128, i128)> {
         let full = match &expr.ty {
             Type::Scalar(Scalar::Bool) => (0, 1),
@@ -118,7 +117,7 @@ impl Lower<'_> {
         Some((low.into(), high.into()))
     }
 
-    /// The range of a local that C holds in 32 bits.
+    /// Returns the range of a local that C holds in 32 bits.
     pub(super) fn counter(&self, place: &Place) -> Option<(i128, i128)> {
         let LocalId(root) = place.root;
         if place.steps.is_empty() { self.counters[root as usize] } else { None }
@@ -133,7 +132,8 @@ impl Lower<'_> {
         }
     }
 
-    /// An expression with a [`Lower::range`], in 32 bits; `bare`: as an index, of which a number alone needs no suffix.
+    /// Returns an expression with a [`Lower::range`] in 32 bits. With `bare` it is an index, and a literal needs no
+    /// suffix.
     pub(super) fn narrow(&mut self, expr: &Ir, bare: bool) -> Expr {
         match &expr.kind {
             ExprKind::Literal(word) if bare => Expr::name(word.to_string()),
@@ -182,7 +182,7 @@ impl Lower<'_> {
         matches!(expr.kind, ExprKind::Const(_)) && computed
     }
 
-    /// A size that fits into 32 bits, in 32 bits.
+    /// Returns a size in 32 bits.
     pub(super) fn size(&mut self, expr: &Ir) -> Expr {
         if self.range(expr).is_none() {
             return Expr::cast("uint32_t", self.word(expr));
@@ -191,7 +191,7 @@ impl Lower<'_> {
         if wide { Expr::cast("uint32_t", value) } else { value }
     }
 
-    /// Returns true if a narrow expression has 64 bits in C all the same, for what it is made of.
+    /// Returns true if C computes an expression in 64 bits, though its value fits into 32.
     pub(super) fn is_wide(&self, expr: &Ir) -> bool {
         match &expr.kind {
             ExprKind::Const(_) | ExprKind::Intrinsic(..) => true,
@@ -206,7 +206,7 @@ impl Lower<'_> {
     }
 }
 
-/// Returns true if an integer has no sign.
+/// Returns true for an unsigned integer.
 fn is_unsigned(value: &Ir) -> bool {
     value.ty.as_int().is_some_and(|int| !int.signed())
 }
@@ -216,7 +216,7 @@ fn is_long(value: &Ir) -> bool {
     value.ty.as_int().is_some_and(|int| int.bits() == 64)
 }
 
-/// The name of a wide literal that is the limit of a narrower type.
+/// Returns the macro for a 64-bit literal that equals the limit of a narrower type.
 pub(super) fn limit(expr: &Ir) -> Option<Expr> {
     let ExprKind::Literal(word) = expr.kind else { return None };
     let int = expr.ty.as_int().filter(|int| int.bits() == 64)?;
@@ -300,7 +300,7 @@ fn bits_differ(value: &Ir, constant: &Ir) -> bool {
     }
 }
 
-/// The operand that is the result, since the other changes nothing.
+/// Returns the operand that equals the result, since the other operand is neutral.
 fn unchanged<'e>(op: BinaryOp, left: &'e Ir, right: &'e Ir) -> Option<&'e Ir> {
     let (int, (a, b)) = (left.ty.as_int()?, (const_value(left), const_value(right)));
     let (by_left, by_right) = match op {
@@ -317,7 +317,7 @@ fn unchanged<'e>(op: BinaryOp, left: &'e Ir, right: &'e Ir) -> Option<&'e Ir> {
     (by_left.is_some() && a == by_left).then_some(right)
 }
 
-/// Returns true if two operands load one place.
+/// Returns true if two operands load the same place.
 fn same_load(left: &Ir, right: &Ir) -> bool {
     match (&left.kind, &right.kind) {
         (ExprKind::Load(one), ExprKind::Load(other)) => same_place(one, other),

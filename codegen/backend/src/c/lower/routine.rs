@@ -1,7 +1,7 @@
 //! Routines of linear algebra, each in nalgebra's order of operations.
 //!
-//! Small results are written out, a line per element; larger ones are loops. Element-wise routines
-//! that nest are one loop over all of them.
+//! Small results are written out, a line per element; larger ones are loops. Nested element-wise routines share one
+//! loop.
 
 use bessemer_ir::kernel::{DOTS_WRITTEN_OUT, WRITTEN_OUT};
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar, Type};
@@ -14,16 +14,16 @@ use super::Lower;
 use super::place::shape;
 use bessemer_ir::effects::reads_place;
 
-/// Up to so many elements an element-wise routine is written out.
+/// Largest number of elements for which an element-wise routine is written out.
 const ELEMENTS: u32 = 4;
-/// Up to so many elements of a product are computed before any is stored.
+/// Largest number of elements of a product that are all computed before one is stored.
 const BESIDE: u32 = 16;
-/// Up to so many elements a transposition is written out.
+/// Largest number of elements for which a transposition is written out.
 const MOVES: u32 = 16;
-/// Up to so many terms a scalar product is written out.
+/// Largest number of terms for which a scalar product is written out.
 const TERMS: u32 = 8;
 
-/// A matrix as it lies in memory, and whether its transpose is meant.
+/// A stored matrix, used as it is or transposed.
 #[derive(Clone)]
 struct Stored {
     layout: Layout,
@@ -33,25 +33,25 @@ struct Stored {
 }
 
 impl Stored {
-    /// The element in this row and column of what is meant.
+    /// Returns the element at a row and a column of the matrix, transposed if that is meant.
     fn at(&self, row: Expr, column: Expr) -> Expr {
         let (row, column) = if self.transposed { (column, row) } else { (row, column) };
         self.layout.at(self.matrix.clone(), self.shape, row, column)
     }
 
-    /// Returns true if elements lie in memory in the order of what is meant, and one index reaches each.
+    /// Returns true if one index addresses the elements in the order of their use.
     fn is_flat(&self) -> bool {
         self.layout.is_flat(self.shape)
             && (!self.transposed || self.shape.0 == 1 || self.shape.1 == 1)
     }
 }
 
-/// Element-wise routines as one expression over the elements.
+/// Nested element-wise routines as one expression per element.
 enum Fused {
     Matrix(Stored),
-    /// A column times a row.
+    /// Product of a column and a row.
     Outer(Stored, Stored),
-    /// One value for every element.
+    /// A scalar, equal for all elements.
     Scalar(Expr),
     Binary(BinaryOp, Box<Fused>, Box<Fused>),
     Neg(Box<Fused>),
@@ -60,7 +60,7 @@ enum Fused {
 /// Selection of an element.
 enum At<'e> {
     Fixed(u32, u32),
-    /// By its place in memory.
+    /// By its index in memory.
     Counted(&'e Expr),
     Cell(&'e Expr, &'e Expr),
 }
@@ -93,7 +93,7 @@ impl Lower<'_> {
         }
     }
 
-    /// The elements of a straight result by columns, and how a list shows them.
+    /// Returns the elements of a written-out result by columns, and the layout of their list.
     pub(super) fn straight(
         &mut self,
         routine: Routine,
@@ -147,7 +147,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Writes a routine's result to `dest`.
+    /// Emits the assignment of a routine's result to `dest`.
     pub(super) fn store_routine(
         &mut self,
         dest: Expr,
@@ -201,7 +201,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A loop over the elements, or two where they do not lie in one order.
+    /// Emits one loop over the elements, or two if the matrices differ in layout.
     fn store_each(&mut self, dest: &Expr, fused: &Fused, scalar: Scalar, shape: (u32, u32)) {
         let layout = self.context.names.layout;
         if fused.is_flat() && layout.is_flat(shape) {
@@ -276,7 +276,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A matrix, or the one whose transpose an operand is.
+    /// Returns a matrix operand; for a transposition, the original matrix.
     fn stored(&mut self, operand: &Ir) -> Stored {
         let (inner, transposed) = match &operand.kind {
             ExprKind::Routine(Routine::Transpose, list) => (&list[0], true),
@@ -321,7 +321,7 @@ impl Lower<'_> {
         }
     }
 
-    /// `a[r][0]*b[0][c] + a[r][1]*b[1][c] + …`: the first product, then the others in order.
+    /// Returns `a[r][0]*b[0][c] + a[r][1]*b[1][c] + …`, summed in this order.
     fn product_element(
         &mut self,
         scalar: Scalar,
@@ -420,7 +420,7 @@ impl Lower<'_> {
         });
     }
 
-    /// `a.dot(&b)`.
+    /// Returns `a.dot(&b)`.
     pub(super) fn dot_product(&mut self, a: &Ir, b: &Ir) -> Expr {
         let (scalar, rows, cols) = shape(&a.ty);
         let (left, right) = (self.operand(a), self.operand(b));
@@ -443,8 +443,8 @@ impl Lower<'_> {
         terms.fold(zero(float(scalar)), |sum, term| Expr::binary("+", sum, term))
     }
 
-    /// `a.norm_squared()`: the columns' products with themselves, summed from zero. A product of a
-    /// column with itself is never −0, so that the zero does not show.
+    /// Returns `a.norm_squared()`: the scalar products of the columns with themselves, summed from zero. These
+    /// products are never −0, so adding zero is not observable.
     pub(super) fn norm_squared(&mut self, a: &Ir) -> Expr {
         let (scalar, rows, cols) = shape(&a.ty);
         let matrix = self.operand(a);
@@ -458,7 +458,7 @@ impl Lower<'_> {
         self.helper(Helper::NormSquared(float(scalar)), vec![matrix, number(rows), number(cols)])
     }
 
-    /// The product of two columns.
+    /// Returns the scalar product of two columns.
     fn dot_columns(&mut self, float: Float, a: &Column, b: &Column) -> Expr {
         let rows = a.shape.0;
         if rows >= TERMS {
@@ -481,7 +481,7 @@ impl Lower<'_> {
         terms.fold(zero(float), |sum, term| Expr::binary("+", sum, term))
     }
 
-    /// A matrix by columns: itself, or a copy where it lies otherwise.
+    /// Returns a matrix by columns: itself, or a copy if its layout differs.
     fn columns(&mut self, matrix: Expr, scalar: Scalar, shape: (u32, u32)) -> Expr {
         let layout = self.context.names.layout;
         if layout.has_columns(shape) {
@@ -498,7 +498,7 @@ impl Lower<'_> {
         Expr::name(name)
     }
 
-    /// A copy of a column of a matrix whose columns do not lie together.
+    /// Returns a copy of a column whose elements are not adjacent.
     fn column(&mut self, matrix: &Expr, scalar: Scalar, shape: (u32, u32), index: &Expr) -> Expr {
         let layout = self.context.names.layout;
         let name = self.fresh("column");
@@ -516,7 +516,7 @@ impl Lower<'_> {
     }
 }
 
-/// nalgebra's order for two, three and four terms.
+/// Sums two, three or four terms in nalgebra's order.
 fn small_dot(terms: Vec<Expr>) -> Expr {
     let add = |a, b| Expr::binary("+", a, b);
     match <[Expr; 4]>::try_from(terms) {
@@ -526,7 +526,7 @@ fn small_dot(terms: Vec<Expr>) -> Expr {
 }
 
 impl Fused {
-    /// Returns true if all that it is made of lies in memory in one order.
+    /// Returns true if one index addresses all operands.
     fn is_flat(&self) -> bool {
         match self {
             Fused::Matrix(stored) => stored.is_flat(),
@@ -542,7 +542,7 @@ fn number(value: u32) -> Expr {
     Expr::name(value.to_string())
 }
 
-/// Returns true if a routine is a column times a row: one product an element.
+/// Returns true if a routine is the product of a column and a row, with one multiplication per element.
 fn is_outer(routine: Routine, operands: &[Ir]) -> bool {
     routine == Routine::Product && shape(&operands[0].ty).2 == 1
 }

@@ -1,4 +1,4 @@
-//! Statements, save loops and calls.
+//! Statements, except loops and calls.
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
@@ -14,11 +14,11 @@ use crate::passes::reached;
 use crate::uncopied::is_table;
 use bessemer_ir::effects::{calls, whole};
 
-/// Elements up to which an initialiser is shorter than what fills the rest.
+/// Largest number of elements for which an initialiser is shorter than a loop over the rest.
 const SHORT: u32 = 16;
 
 impl Lower<'_> {
-    /// Lowers the statements of a block into the open one; `tail`: the function ends after them.
+    /// Lowers the statements of a block into the current one; `tail` is true if the function ends after them.
     pub(super) fn block_into(&mut self, block: &Block, tail: bool) {
         for (index, stmt) in block.0.iter().enumerate() {
             if !stmt.comments.is_empty() {
@@ -77,7 +77,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A local of equal values, of which statements behind it may write some before they are seen.
+    /// Declares a local of equal values, some of which later statements overwrite before they are read.
     fn let_filled(&mut self, local: LocalId, value: &Ir, rest: &[IrStmt]) {
         let (module, ty) = (self.context.module, &self.function.local(local).ty);
         if filled(module, local, ty, rest) {
@@ -179,7 +179,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A size that stays as it began, in 32 bits.
+    /// Declares a size that is not assigned again, in 32 bits.
     fn let_narrow(&mut self, local: LocalId, value: &Ir, range: (i128, i128)) {
         let value = self.size(value);
         let name = self.bind(local);
@@ -187,7 +187,7 @@ impl Lower<'_> {
         self.declare(&Type::Scalar(Scalar::Int(Int::U32)), &name, Some(Init::Value(value)), true);
     }
 
-    /// A name for a part of what the function is lent, or of what it may read: `double *const gain = &work[36];`.
+    /// Declares a name for a part of borrowed or read-only memory: `double *const gain = &work[36];`.
     fn name_part(&mut self, local: LocalId, place: &Place, read_only: bool) {
         let part = self.place(place);
         let name = self.bind(local);
@@ -204,7 +204,7 @@ impl Lower<'_> {
         self.bindings[local.index()] = Some(super::Binding::new(name, !array));
     }
 
-    /// The local that is the result stands where the caller wants it.
+    /// Initialises the local that is the result, in the caller's memory.
     fn let_in_place(&mut self, local: LocalId, value: Option<&Ir>) {
         let name = self.signature.params[self.function.params as usize].name.clone();
         let dest = self.result_storage().expect("only aggregates are built in place");
@@ -215,7 +215,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Declares `name` with a value: with an initialiser where C has one for it.
+    /// Declares `name` with a value, by an initialiser if C has one for it.
     pub(super) fn define(&mut self, ty: &Type, name: &str, value: &Ir, constant: bool) {
         self.define_sized(ty, name, &[], value, constant);
     }
@@ -301,7 +301,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Ends the function with a status that is not OK.
+    /// Ends the function with a status other than OK.
     pub(super) fn fail(&mut self, status: Expr) {
         let names = &self.context.names.status;
         if let Some(hook) = &names.hook {
@@ -373,7 +373,7 @@ impl Lower<'_> {
         self.emit(StmtKind::Switch { scrutinee: value, arms: list });
     }
 
-    /// One value, and everything else.
+    /// Lowers a `match` on one value and all others to an `if`.
     fn match_as_if(&mut self, scrutinee: &Ir, value: i128, arms: [&Block; 2], tail: bool) {
         let label = Ir::literal(value as u64, scrutinee.ty.clone(), scrutinee.span);
         let decided = self.decided(CompareOp::Eq, scrutinee, &label);
@@ -393,7 +393,7 @@ impl Lower<'_> {
         self.emit(StmtKind::If { condition, then, otherwise });
     }
 
-    /// A `switch` takes `break` for itself; where an arm leaves a loop, the match becomes `if`s.
+    /// Lowers a `match` in which an arm leaves a loop to `if`s, since `break` in a `switch` leaves the `switch`.
     fn match_as_ifs(
         &mut self,
         scrutinee: &Ir,
@@ -430,7 +430,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Returns true if the value could change while the arms are tried or run.
+    /// Returns true if the value could change while the arms are tested or run.
     fn is_assigned(&self, expr: &Ir) -> bool {
         match &expr.kind {
             ExprKind::Load(place) => self.usage.assigned[place.root.index()],
@@ -443,7 +443,7 @@ impl Lower<'_> {
     }
 }
 
-/// Returns true if a value can be read again without cost or harm.
+/// Returns true if reading a value again has no cost and no effect.
 pub(super) fn is_simple(value: &Expr) -> bool {
     match value {
         Expr::Name(_) => true,
@@ -454,7 +454,7 @@ pub(super) fn is_simple(value: &Expr) -> bool {
     }
 }
 
-/// Returns true if a block leaves the loop around it.
+/// Returns true if a block leaves its enclosing loop.
 fn breaks(block: &Block) -> bool {
     block.0.iter().any(|stmt| match &stmt.kind {
         IrKind::Break => true,

@@ -1,11 +1,11 @@
-//! Locals that nothing in the C reads: a comparison that the types decide, a part that only checks needed.
+//! Handles locals that the C does not read, because types decide a comparison or only a removed check needed them.
 //!
-//! `(void)name;` follows the declaration of such a one. What does no more than copy a place that is read elsewhere
-//! goes, and with it the only mention, and so does a list of literals; what has another value stays, for it may call.
+//! `(void)name;` follows the declaration of such a local. A local that only copies a place which is read elsewhere,
+//! or a list of literals, is removed. Any other value remains, since it may contain a call.
 
 use crate::c::tree::{Expr, Init, Step, Stmt, StmtKind, plain};
 
-/// Puts `(void)name;` behind the declarations of these names, and takes out the copies that nothing reads.
+/// Inserts `(void)name;` after the declarations of these names, and removes copies that nothing reads.
 pub(super) fn quiet(body: &mut Vec<Stmt>, names: &[String]) {
     if !names.is_empty() {
         say(body, names);
@@ -53,7 +53,7 @@ fn drop_copy(block: &mut Vec<Stmt>, body: &[Stmt]) -> bool {
     block.iter_mut().flat_map(|stmt| inner_mut(&mut stmt.kind)).any(|block| drop_copy(block, body))
 }
 
-/// The variable of which an expression is a part, if it is no more than that.
+/// Returns the variable of which an expression is a part, without index or pointer arithmetic.
 fn root(place: &Expr) -> Option<&str> {
     match place {
         Expr::Name(name) => Some(name),
@@ -62,7 +62,7 @@ fn root(place: &Expr) -> Option<&str> {
     }
 }
 
-/// Returns true if an initialiser has literals alone.
+/// Returns true if an initialiser contains only literals.
 fn is_constant(init: &Init) -> bool {
     match init {
         Init::List { items, .. } => items.iter().all(|(_, item)| is_constant(item)),
@@ -75,7 +75,7 @@ fn is_constant(init: &Init) -> bool {
     }
 }
 
-/// The blocks in a statement.
+/// Returns the blocks in a statement.
 fn inner(kind: &StmtKind) -> Vec<&Vec<Stmt>> {
     match kind {
         StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
@@ -132,7 +132,7 @@ fn reads(body: &[Stmt], name: &str) -> usize {
     body.iter().map(|stmt| of_statement(&stmt.kind, name) + inner_reads(stmt)).sum()
 }
 
-/// Reads in a statement but for the blocks in it.
+/// Returns the number of reads in a statement, without its blocks.
 fn of_statement(kind: &StmtKind, name: &str) -> usize {
     let of = |expr: &Expr| of_expression(expr, name);
     match kind {
@@ -154,7 +154,7 @@ fn of_statement(kind: &StmtKind, name: &str) -> usize {
     }
 }
 
-/// Reads on the way to a place that is written: of indices and pointers.
+/// Returns the number of reads in the indices and pointers of a written place.
 fn of_written(place: &Expr, name: &str) -> usize {
     match place {
         Expr::Name(_) => 0,

@@ -1,9 +1,9 @@
-//! Handles an enum that comes from outside and holds none of its variants.
+//! Handles enums from outside that hold no valid variant.
 //!
-//! Where a proof rests on it ([`Intrinsic::Variant`](bessemer_ir::Intrinsic::Variant)), the last variant represents it.
-//! One that returns a status says so before it does anything; one that is claimed to be infallible has no way to,
-//! and takes the last arm of a `match`. Looked at are enums that are passed, by themselves or as fields of
-//! structs; not the elements of arrays, and not payloads.
+//! If a proof needs a valid variant ([`Intrinsic::Variant`](bessemer_ir::Intrinsic::Variant)), the last variant
+//! replaces an invalid one. An entry point that returns a status tests its enums first and reports the fault. An
+//! infallible one cannot, and takes the last arm of a `match`. Tested are enums that are arguments or fields of
+//! struct arguments, not elements of arrays or payloads.
 
 use bessemer_ir::{EnumId, Expr as Ir, Fault, Form, Owner, Role, Type};
 
@@ -12,7 +12,7 @@ use super::super::tree::{Expr, StmtKind, SwitchArm};
 use super::{Lower, bound};
 
 impl Lower<'_> {
-    /// An enum, or its last variant where it holds none.
+    /// Returns an enum, or its last variant if its value is invalid.
     pub(super) fn variant(&mut self, operand: &Ir, id: EnumId) -> Expr {
         let item = &self.context.module.enums[id.index()];
         let names = self.context.names.enums[id.index()].variants.clone();

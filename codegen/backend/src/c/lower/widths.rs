@@ -1,7 +1,7 @@
-//! Finds the operations of a function in double and of 64 bits: small processors have no instructions for them.
+//! Finds a function's operations in double and in 64 bits, for which small processors have no instructions.
 //!
-//! Each counts once, however often it runs; calls do not. What C computes in 32 bits all the same, and what compilers compute, does not
-//! count; nor does a conversion between integers, which makes no more than another word.
+//! Each operation counts once, however often it runs; calls do not count. Operations that C computes in 32 bits, or
+//! that compilers compute, do not count; nor do conversions between integers, which add at most a word.
 
 use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::{Expr as Ir, ExprKind, Float, Scalar, Span, Stmt, StmtKind, Type};
@@ -11,7 +11,7 @@ use super::Lower;
 use super::range::const_value;
 
 impl Lower<'_> {
-    /// The operations of the function, once it is lowered.
+    /// Returns the wide operations of the function after its lowering.
     pub(super) fn wide(&self) -> Vec<Wide> {
         let mut found = Found { lower: self, wide: Vec::new() };
         found.block(&self.function.body);

@@ -1,7 +1,7 @@
 //! Expressions of one word.
 //!
-//! Invariant: what [`Lower::word`] returns has exactly the C type of its IR type, save for literals
-//! and for comparisons, which C makes `int`.
+//! Invariant: a result of [`Lower::word`] has exactly the C type of its IR type, except for literals and for
+//! comparisons, which are `int` in C.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, ConstId, Expr as Ir, ExprKind, Int, LogicOp, Routine, Scalar, Type,
@@ -16,7 +16,7 @@ use super::bits::{is_raised, is_widened, masked, uncast};
 use super::place::is_small;
 
 impl Lower<'_> {
-    /// The value of an expression of one word.
+    /// Returns an expression of one word.
     pub(super) fn word(&mut self, expr: &Ir) -> Expr {
         if self.counts(expr) && self.range(expr).is_some() {
             let narrow = self.narrow(expr, false);
@@ -118,7 +118,7 @@ impl Lower<'_> {
         self.arithmetic(op, &left.ty, a, b)
     }
 
-    /// A value where C converts it by itself to what its type is there: a counter needs no cast to 64 bits.
+    /// Returns a value where C converts it implicitly to its type: a 32-bit counter needs no cast to 64 bits.
     pub(super) fn given(&mut self, expr: &Ir) -> Expr {
         match &expr.kind {
             ExprKind::Load(place) if self.counter(place).is_some() => self.place(place),
@@ -126,7 +126,7 @@ impl Lower<'_> {
         }
     }
 
-    /// Returns true if the author writes a literal in base sixteen; a digit says the same in both.
+    /// Returns true if the author wrote a literal in hexadecimal; a single digit is the same in both bases.
     fn is_hexadecimal(&self, expr: &Ir, word: u64) -> bool {
         word >= 10 && self.context.module.hexadecimal.contains(&(expr.span, word))
     }
@@ -203,7 +203,7 @@ impl Lower<'_> {
     }
 }
 
-/// The negation of a condition: `isnan(x) == 0` for `isnan(x) != 0`.
+/// Returns the negation of a C condition: `isnan(x) == 0` for `isnan(x) != 0`.
 fn not(condition: Expr) -> Expr {
     match condition {
         Expr::Binary("!=", left, right) => Expr::Binary("==", left, right),
@@ -211,7 +211,7 @@ fn not(condition: Expr) -> Expr {
     }
 }
 
-/// A value that C promoted to `int`, back in its type.
+/// Casts a value that C promoted to `int` back to its type.
 pub(super) fn narrowed(ty: &Type, value: Expr) -> Expr {
     match ty.as_int() {
         Some(int) if super::place::is_small(int) => {
@@ -257,7 +257,7 @@ fn has_negation(condition: &Ir) -> bool {
     }
 }
 
-/// A `bool` as a number, without the mask that it follows: gcc takes `~(uint8_t)((uint8_t)flag & 1U)` for a slip.
+/// Returns a `bool` as a number, without a redundant mask: gcc warns of `~(uint8_t)((uint8_t)flag & 1U)`.
 fn of_bool(operand: &Ir) -> Option<&Ir> {
     match &operand.kind {
         ExprKind::Cast(from) if from.ty == Type::BOOL => Some(operand),

@@ -1,13 +1,13 @@
 //! Cholesky's factorisation and the solves with it.
 //!
-//! Each element sees nalgebra's operations in nalgebra's order: the columns on its left ascending, each as
-//! `a_ij - l_jk * l_ik`, then the division by the root of its column's diagonal.
+//! Each element undergoes nalgebra's operations in nalgebra's order: the columns on its left in ascending order, each
+//! as `a_ij - l_jk * l_ik`, then the division by the root of its column's diagonal.
 //!
-//! A factor in place of the matrix, or beside it: a small one is then read from where the matrix lies and written once, since a
-//! copy in wide vectors that is read by narrow ones is waited for.
+//! The factor replaces the matrix, or is written beside it. A small factor beside it is read from the matrix and
+//! written once: a copy by wide vectors would stall the narrow loads that read it.
 //!
-//! Small matrices are written out ([`written_out`]), larger ones go in tiles of four by four ([`tiles`]), which take less from
-//! eight rows on where there are vectors and from ten on where there are none; in loops where there is no room for either.
+//! Small matrices are written out ([`written_out`]). Larger ones use tiles of four by four ([`tiles`]), which are
+//! faster from eight rows on with vectors and from ten on without. If neither fits the code size, loops are used.
 
 mod tiles;
 mod written_out;
@@ -16,17 +16,17 @@ use bessemer_ir::{Kernel, KernelRoutine};
 
 use super::Source;
 
-/// From this size on, a factorisation goes in tiles; and where there are vectors, from the other one.
+/// Smallest size for which a factorisation uses tiles; the second is with vectors.
 const TILES: u32 = 10;
 const TILES_OF_VECTORS: u32 = 8;
 
-/// Bytes of code of a factorisation in tiles.
+/// Code size of a factorisation in tiles, bytes.
 const TILED_BYTES: u32 = 1536;
 
-/// Up to this size, the substitutions gain by being written out.
+/// Largest size for which the substitutions are written out.
 pub(super) const SUBSTITUTIONS: u32 = 20;
 
-/// The C of a factorisation in so many bytes of code.
+/// Returns the C of a factorisation that fits into `code_bytes`.
 pub(super) fn factor(kernel: &Kernel, size: u32, code_bytes: u32) -> Source {
     match size {
         TILES_OF_VECTORS..TILES if factor_bytes(size) <= code_bytes => {
@@ -38,17 +38,17 @@ pub(super) fn factor(kernel: &Kernel, size: u32, code_bytes: u32) -> Source {
     }
 }
 
-/// The C of a factorisation in loops.
+/// Returns the C of a factorisation in loops.
 pub(super) fn loops(kernel: &Kernel) -> Source {
     tiles::loops(kernel, kernel.dims[0])
 }
 
-/// Returns true if the matrix stays, and the factor is the result.
+/// Returns true if the factor is the result and the matrix is unchanged.
 fn is_beside(kernel: &Kernel) -> bool {
     kernel.routine == KernelRoutine::CholeskyLower
 }
 
-/// Code that fills the result if there is no factor.
+/// Code that fills the result with NaN if there is no factor.
 const SPOIL: &str = "\
 /* There is no factor: NaN in the lower triangle. */
 static bool spoil($real *a)
@@ -62,7 +62,7 @@ static bool spoil($real *a)
 }
 ";
 
-/// The function that leaves it; of a factor beside the matrix nothing more is said.
+/// Returns the function for a matrix without a factor. If the factor is the result, it returns nothing.
 fn spoil(kernel: &Kernel) -> String {
     match is_beside(kernel) {
         true => SPOIL.replace("bool", "void").replace("    return false;\n", ""),
@@ -70,7 +70,7 @@ fn spoil(kernel: &Kernel) -> String {
     }
 }
 
-/// The C of the solves with its factor, written out.
+/// Returns the C of the solves with a factor, written out.
 pub(super) fn solve(kernel: &Kernel, size: u32, columns: u32) -> Source {
     written_out::solve(kernel, size, columns)
 }
@@ -81,7 +81,7 @@ fn factor_bytes(size: u32) -> u32 {
     2 * size * size * size + 22 * size * size
 }
 
-/// The code of the substitutions: a load and a multiplication each way for an element.
+/// Returns the code size of the substitutions, bytes: a load and a multiplication per element and direction.
 pub(super) fn solve_bytes(size: u32) -> u32 {
     12 * size * size + 80
 }

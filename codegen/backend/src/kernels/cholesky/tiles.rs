@@ -1,4 +1,5 @@
-//! Factors in tiles of four by four, in place or on a copy: the columns that are left over by fours come first.
+//! Cholesky factors in tiles of four by four, in place or on a copy. The columns that remain after division by four
+//! come first.
 
 use std::fmt::Write as _;
 
@@ -13,7 +14,7 @@ const BODY: &str = include_str!("factor.c");
 
 const COPY: &str = "(void)memcpy(result, a, $all * sizeof(*result));\n";
 
-/// The columns that are left over by fours, one by one.
+/// Code for the first columns, one by one.
 const FIRST: &str = "\
 for (uint32_t column = 0U; column < $first; column++) {
     $real *const below = &$l[$n * column];
@@ -34,7 +35,7 @@ for (uint32_t column = 0U; column < $first; column++) {
 }
 ";
 
-/// Four rows of a column are a vector, two, or numbers.
+/// Returns the definitions by which four rows of a column are one vector, two vectors, or four numbers.
 fn targets(element: Float) -> String {
     let target = |macro_name: &str, lanes: u32| {
         format!(
@@ -47,7 +48,7 @@ fn targets(element: Float) -> String {
     }
 }
 
-/// The C of a factorisation.
+/// Returns the C of a factorisation.
 pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     let before = format!("#if defined(LANES)\n{VECTORS}#else\n{}#endif\n\n{}", numbers(n), top(n));
     source(kernel, n, &before, &body(kernel, n))
@@ -96,7 +97,7 @@ fn body(kernel: &Kernel, n: u32) -> String {
     [copy, first, BODY].concat()
 }
 
-/// Every column as the first ones are.
+/// Returns the factorisation in loops: every column is processed like the first ones.
 pub(super) fn loops(kernel: &Kernel, n: u32) -> Source {
     let values = all_values(kernel, n, n);
     let copy = if is_beside(kernel) { COPY } else { "" };
@@ -109,7 +110,7 @@ pub(super) fn loops(kernel: &Kernel, n: u32) -> Source {
     }
 }
 
-/// The tile below the diagonal, number by number.
+/// Returns the code of a tile below the diagonal in scalars.
 fn numbers(n: u32) -> String {
     let mut text = String::from(HEAD);
     for column in 0..4 {
@@ -156,7 +157,7 @@ static void take($real *tile, const $real *rows, const $real *columns, uint32_t 
 {
 ";
 
-/// The tile of the diagonal, of which the lower triangle counts.
+/// Returns the code of a tile on the diagonal, of which the lower triangle is used.
 fn top(n: u32) -> String {
     let mut text = String::from(
         "/* Factors a tile of the diagonal. */\nstatic inline bool factor_top($real *top)\n{\n",

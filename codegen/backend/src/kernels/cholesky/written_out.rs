@@ -1,4 +1,4 @@
-//! Small factors, written out: a column stays in registers until it is done.
+//! Small Cholesky factors, written out. A column remains in registers until it is finished.
 
 use std::fmt::Write as _;
 
@@ -12,7 +12,7 @@ const POSITIVE: &str = "\
 /* Roots of magnitudes, of what is positive anyway: compilers for ARM then keep no call for what is negative. */
 ";
 
-/// Every column: the ones on its left, the root, the division.
+/// Returns the factorisation: for every column, the columns on its left, the root, the division.
 pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     let (in_header, beside) = (stands_in_header(kernel), is_beside(kernel));
     let mut text = if in_header { POSITIVE.to_owned() } else { String::new() };
@@ -71,7 +71,7 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     }
 }
 
-/// Both substitutions, for each right-hand side in registers.
+/// Returns both substitutions, with each right-hand side in registers.
 pub(super) fn solve(kernel: &Kernel, n: u32, columns: u32) -> Source {
     let mut text = String::new();
     for row in 0..n {

@@ -1,4 +1,4 @@
-//! Inverse and determinant of the smallest matrices: written out, by minors.
+//! Inverse and determinant of matrices with two and three rows, written out by minors.
 
 use bessemer_ir::{Float, Kernel};
 
@@ -14,7 +14,7 @@ a[0] = $one / a[0];
 return true;
 ";
 
-/// All four elements in one vector, where there is one so wide.
+/// Code for a 2×2 matrix in one vector, for targets with a vector that wide.
 const TWO: &str = "\
 typedef $real matrix_t __attribute__((vector_size(4 * $bytes), aligned($bytes), may_alias));
 const matrix_t m = *(const matrix_t *)a;
@@ -61,8 +61,9 @@ const $real minor_13 = m21 * m32 - m31 * m22;
 const $real determinant = m11 * minor_11 - m12 * minor_12 + m13 * minor_13;
 ";
 
-/// All but the last element at once, each of two products of the nine elements. In `f64` that takes 0.7 of the time where the matrix
-/// has lain in memory, and 1.2 of it where a product has just been stored there: eight numbers wait for what was stored by twos.
+/// Code that computes eight of the nine elements at once, each as the difference of two products. In `f64` it takes
+/// 0.7 of the time for a matrix that has been in memory, but 1.2 for one that a product has just stored: loads of
+/// eight numbers wait for stores of two.
 const EIGHT_OF_THREE: &str = "\
 /* All elements but the last at once, each of two products. */
 typedef $real eight_t __attribute__((vector_size(8 * $bytes), aligned($bytes), may_alias));
@@ -98,7 +99,7 @@ a[8] = (m11 * m22 - m21 * m12) / determinant;
 return true;
 ";
 
-/// The condition under which there are vectors and what shuffles them.
+/// Returns the condition that the target has these vectors and that the compiler can shuffle them.
 pub(super) fn vectors(needed: &str) -> String {
     vectors_if(&format!("defined({needed})"))
 }

@@ -1,23 +1,23 @@
-//! The inverse of four rows: sixteen cofactors, each a sum of six products in nalgebra's order.
+//! Inverse of a 4×4 matrix: sixteen cofactors, each a sum of six products in nalgebra's order.
 //!
-//! Where there are vectors the cofactors of some columns go at once, as many as a vector has lanes for: each lane is a cofactor,
-//! and takes its three elements of each of the three rows without its own. By the sign that the first factor of each
-//! product gets, all of them are one formula: of -p + q the order is that of q - p.
+//! With vectors, the cofactors of several columns are computed at once, as many as a vector has lanes. Each lane is a
+//! cofactor, and takes its three elements of each of the three other rows. The sign of the first factor in each
+//! product makes all of them one formula: `-p + q` has the same order as `q - p`.
 
 use std::fmt::Write as _;
 
 use bessemer_ir::Float;
 use bessemer_ir::kernel::{COFACTORS, Products};
 
-/// The rows as vectors of four, and what goes by them.
+/// Code for rows in vectors of four, and for the cofactors from them.
 const OF_FOUR: &str = include_str!("rows_of_four.c");
 const IN_FOURS: &str = include_str!("inverse_of_four.c");
 
-/// For the cofactors of each column, the three other rows.
+/// Other three rows for the cofactors of each column.
 const ROWS: [(&str, [usize; 4]); 3] =
     [("top", [1, 0, 0, 0]), ("mid", [2, 2, 1, 1]), ("low", [3, 3, 3, 2])];
 
-/// The elements of a row that the lanes of a column take.
+/// Elements of a row that the lanes of a column use.
 const ELEMENTS: [(&str, [usize; 4]); 3] =
     [("a", [1, 0, 0, 0]), ("b", [2, 2, 1, 1]), ("c", [3, 3, 3, 2])];
 
@@ -30,7 +30,7 @@ if (determinant == $zero) {
 const $real reciprocal = $one / determinant;
 ";
 
-/// The template of the body, each form behind the macro of what it needs.
+/// Returns the template of the body; each variant follows the macro of the target that it needs.
 pub(super) fn four(element: Float) -> String {
     let fours = || format!("{OF_FOUR}{IN_FOURS}");
     let forms = match element {
@@ -47,7 +47,7 @@ pub(super) fn four(element: Float) -> String {
     text + "#else\n" + &by_numbers() + "#endif\n"
 }
 
-/// The whole matrix in one vector or two.
+/// Returns the variant with the whole matrix in one or two vectors.
 fn wide(lanes: usize) -> String {
     let mut text = lanes_type(lanes);
     text += &loads(lanes);
@@ -71,8 +71,8 @@ fn wide(lanes: usize) -> String {
     text + &end(lanes, term)
 }
 
-/// Two columns in each vector of eight, with AVX2: rows beside each other first, of which elements are then taken without
-/// leaving a half.
+/// Returns the variant with two columns in each vector of eight, for AVX2. It first places rows side by side, so that
+/// later shuffles stay within halves.
 fn in_pairs() -> String {
     const LANES: usize = 8;
     let mut text = lanes_type(LANES) + &loads(LANES) + &signs(LANES);
@@ -100,7 +100,7 @@ const HOW: &str = "\
 Cofactors at once: each is a sum of products of the three rows without an own one, and each lane takes its three
    elements of a row. The signs go to the first factors: all that follows is as it would be without.";
 
-/// The columns of the cofactors of a block.
+/// Returns the columns of the cofactors in a block.
 fn columns(block: usize, lanes: usize) -> std::ops::Range<usize> {
     lanes / 4 * block..lanes / 4 * (block + 1)
 }
@@ -123,7 +123,7 @@ fn loads(lanes: usize) -> String {
     sources(lanes).into_iter().take(16 / lanes).enumerate().map(load).collect()
 }
 
-/// The factor of those that come first in their products.
+/// Returns the sign factor of the elements that come first in their products.
 fn sign(row: &str) -> &'static str {
     if row == "top" { " * signs" } else { "" }
 }
@@ -156,7 +156,7 @@ fn cofactors(block: usize) -> String {
     )
 }
 
-/// The determinant, of these terms, and the division by it.
+/// Returns the determinant as a sum of these terms, and the division by it.
 fn end(lanes: usize, term: impl Fn(usize) -> String) -> String {
     let terms: Vec<String> = (0..4).map(term).collect();
     let mut text = format!(
@@ -171,7 +171,7 @@ fn end(lanes: usize, term: impl Fn(usize) -> String) -> String {
     text + "return true;\n"
 }
 
-/// Number by number.
+/// Returns the variant with scalars.
 fn by_numbers() -> String {
     let mut text: String =
         (0..16).map(|index| format!("const $real m{index} = a[{index}];\n")).collect();
@@ -189,7 +189,7 @@ fn by_numbers() -> String {
     text + "return true;\n"
 }
 
-/// Six products, two on each line.
+/// Returns a sum of six products, two on each line.
 fn sum(products: &Products) -> String {
     let mut text = String::new();
     for (index, (sign, [x, y, z])) in products.iter().enumerate() {

@@ -7,7 +7,7 @@ use crate::kernels::{Source, declarations};
 
 use super::buffers;
 
-/// Finds the pivot of step `k` in `$a`.
+/// Code that finds the pivot of step `k` in `$a`.
 const PIVOT: &str = "\
 uint32_t pivot = k;
 $real largest = $abs($a[k + $n * k]);
@@ -21,7 +21,7 @@ for (uint32_t row = k + 1U; row < $n; row++) {
 const $real diagonal = $a[pivot + $n * k];
 ";
 
-/// Exchanges the rows `k` and `pivot` of `$matrix`.
+/// Code that exchanges the rows `k` and `pivot` of `$matrix`.
 const SWAP: &str = "\
 for (uint32_t column = 0U; column < $columns; column++) {
     const $real moved = $matrix[k + $n * column];
@@ -30,7 +30,7 @@ for (uint32_t column = 0U; column < $columns; column++) {
 }
 ";
 
-/// Takes row `k`, with multipliers, from the rows below.
+/// Code that subtracts multiples of row `k` from the rows below.
 const ELIMINATE: &str = "\
 const $real reciprocal = $one / diagonal;
 for (uint32_t row = k + 1U; row < $n; row++) {
@@ -44,7 +44,7 @@ for (uint32_t column = k + 1U; column < $n; column++) {
 }
 ";
 
-/// Takes the known values of step `k` from `$b`, downwards.
+/// Code that subtracts the known values of step `k` from `$b`, downwards.
 const FORWARD: &str = "\
 for (uint32_t column = 0U; column < $columns; column++) {
     const $real factor = -$b[k + $n * column];
@@ -54,7 +54,7 @@ for (uint32_t column = 0U; column < $columns; column++) {
 }
 ";
 
-/// Solves for `$b` by U, from the last row upwards.
+/// Code that solves for `$b` by U, from the last row upwards.
 const BACKWARD: &str = "\
 for (uint32_t column = 0U; column < $columns; column++) {
     for (uint32_t k = $n; k-- > 0U;) {
@@ -94,12 +94,12 @@ for (uint32_t column = 0U; column < $n; column++) {
 }
 ";
 
-/// `head {`, the inner lines one level further in, `}`.
+/// Returns `head {`, the indented inner lines, and `}`.
 fn block(head: &str, inner: &[&str]) -> String {
     format!("{head} {{\n{}}}\n", indented(&inner.concat()))
 }
 
-/// In place, or in a copy of `a` that stays as it is.
+/// Returns the C of a solve, in place, or with `keeps` in a copy of `a`.
 pub(super) fn solve(kernel: &Kernel, size: u32, columns: u32, keeps: bool) -> Source {
     let (factors, before, fail) = match keeps {
         true => ("factors", declarations(&buffers(kernel)) + COPY, SPOIL_B.to_owned()),

@@ -1,4 +1,4 @@
-//! Kernels as plain loops in nalgebra's order: short, portable, the reference for faster ones.
+//! Kernels as plain loops in nalgebra's order: short, portable, and the reference for faster variants.
 
 mod inverse;
 mod inverse_of_four;
@@ -11,7 +11,7 @@ use bessemer_ir::{Int, Kernel, KernelRoutine, Scalar};
 
 use super::{Buffer, Source};
 
-/// The C of a kernel.
+/// Returns the C of a kernel.
 pub(super) fn source(kernel: &Kernel) -> Source {
     match (kernel.routine, kernel.dims.as_slice()) {
         (
@@ -34,7 +34,7 @@ pub(super) fn source(kernel: &Kernel) -> Source {
     }
 }
 
-/// A source without what it says for compilers that have vectors: what is left is one way, in C99.
+/// Returns a source without its code for compilers with vectors; one variant in C99 remains.
 pub(super) fn alone(source: Source) -> Source {
     let text = |text: &str| {
         let (mut left, mut beside) = (String::new(), false);
@@ -52,7 +52,7 @@ pub(super) fn alone(source: Source) -> Source {
     Source { before: text(&source.before), body: text(&source.body), ..source }
 }
 
-/// The memory that a kernel works with.
+/// Returns the working memory of a kernel.
 pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
     let element = Scalar::Float(kernel.element);
     let factors = |size: u32| Buffer {

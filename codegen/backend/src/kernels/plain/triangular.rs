@@ -1,7 +1,7 @@
-//! Solving with triangular matrices.
+//! Solves with triangular matrices.
 //!
-//! A matrix is solved with by columns: a value that is known is taken from the rows still open. Its
-//! transpose is solved with by rows: what is known is taken away as one scalar product.
+//! With the matrix itself the solve is by columns: each known value is subtracted from the remaining rows. With its
+//! transpose it is by rows: one scalar product subtracts all known values.
 
 use bessemer_ir::{Float, Kernel};
 
@@ -53,7 +53,7 @@ for (uint32_t k = 0U; k < $n; k++) {
 }
 ";
 
-/// The steps, for each column of `b`.
+/// Returns a loop of these steps over the columns of `b`.
 fn of_columns(steps: &[&str]) -> String {
     let inner = format!("$real *const x = &b[$n * column];\n{}", steps.concat());
     format!("for (uint32_t column = 0U; column < $columns; column++) {{\n{}}}\n", indented(&inner))

@@ -1,49 +1,49 @@
 //! Blocks of a product: bands of rows, each cut into blocks of columns.
 //!
-//! The instructions of a block are counted: a vector of rows and a number in each lane is loaded once for each term, and a
-//! product and a sum follow for each pair. Three vectors by three columns, or two by five, are best with 16 registers; the
-//! last band may have fewer vectors, and the last block of a band fewer columns. A single row below whole vectors goes
-//! by numbers, which need not be spread.
+//! The best shape is found by counting instructions. For each term a block loads each vector of rows and broadcasts
+//! each number once; a multiplication and an addition follow for each pair. With 16 registers, three vectors by three
+//! columns or two by five are best. The last band may have fewer vectors, and the last block fewer columns. A single
+//! row after whole vectors uses scalars, which need no broadcast.
 
 use super::Sizes;
 use super::target::Target;
 
-/// Vectors below one another, and columns side by side, in a block, at most.
+/// Largest number of vectors one below another, and of columns side by side, in a block.
 pub(super) const MOST: u32 = 8;
 
-/// Up to so many terms a block's loop over them is written out, if there is room.
+/// Largest number of terms for which a block's loop over them is written out.
 pub(super) const WRITTEN_OUT: u32 = 20;
 
-/// Terms of a turn of the loop, where all of them are too many.
+/// Numbers of terms per pass of the loop, if not all are written out.
 const TURNS: [u32; 4] = [8, 4, 2, 1];
 
-/// Instructions of a turn beside its terms, and of a block beside its turns.
+/// Instructions of a pass in addition to its terms, and of a block in addition to its passes.
 const TURN: u32 = 3;
 const BLOCK: u32 = 5;
 
-/// Bytes of an instruction on vectors of x86-64, about.
+/// Approximate size of a vector instruction of x86-64, bytes.
 const INSTRUCTION: u32 = 6;
 
-/// A band: vectors of rows below one another, and columns of its blocks.
+/// A band: number of vectors of rows, and number of columns in its blocks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Band {
     pub down: u32,
     pub across: u32,
 }
 
-/// The bands of a product.
+/// Bands of a product.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bands {
     pub first: Band,
-    /// The last, if it is another.
+    /// Last band, if it differs.
     pub last: Option<Band>,
-    /// Columns at a time of a last row that fills no vector, where it goes by numbers.
+    /// Columns at a time for a last row in scalars; none if there is no such row.
     pub alone: Option<u32>,
-    /// Terms of a turn of the loop over them.
+    /// Terms per pass of the loop.
     pub terms: u32,
 }
 
-/// The bands that take the fewest instructions with so many lanes, and how many quarters of instructions those are.
+/// Returns the bands with the fewest instructions for this number of lanes, and these instructions in quarters.
 pub(super) fn best(
     target: &Target,
     lanes: u32,
@@ -91,7 +91,8 @@ struct Costs<'a> {
 }
 
 impl Costs<'_> {
-    /// The best band of so many vectors, and its quarters of instructions; none if it fits into no registers.
+    /// Returns the best band with this number of vectors, and its instructions in quarters; none if registers do not
+    /// suffice.
     fn band(&self, down: u32) -> Option<(u32, Band)> {
         let columns = self.sizes.columns;
         // Beside the sums: the rows of a term, a number, a product.
@@ -108,21 +109,21 @@ impl Costs<'_> {
         if down == 0 { None } else { bands.min_by_key(|(cost, _)| *cost) }
     }
 
-    /// Quarters of instructions of a block.
+    /// Returns the instructions of a block, in quarters.
     fn block(&self, down: u32, across: u32) -> u32 {
         let inner = self.sizes.inner;
         let turns = if inner <= WRITTEN_OUT { 0 } else { inner / TURNS[1] };
         inner * self.term(down, across) + 4 * (turns * TURN + BLOCK)
     }
 
-    /// Quarters of instructions of a term of a block.
+    /// Returns the instructions of one term of a block, in quarters.
     fn term(&self, down: u32, across: u32) -> u32 {
         // A vector of numbers that lie apart: a load for each.
         let load = if self.sizes.left.0 == 1 { 4 } else { 4 * self.lanes };
         load * down + self.target.spread * across + 4 * self.target.step * down * across
     }
 
-    /// Quarters of instructions of the last row by numbers.
+    /// Returns the instructions of the last row in scalars, in quarters.
     fn alone(&self) -> u32 {
         let Sizes { inner, columns, .. } = self.sizes;
         4 * (inner * (self.target.step * columns + columns.div_ceil(self.target.registers)) + BLOCK)

@@ -1,8 +1,9 @@
-//! Columns of a product side by side, where a multiplication overwrites an operand and numbers are dear to spread: SSE2.
+//! Products of several columns side by side, for SSE2, where a multiplication overwrites an operand and broadcasts
+//! are expensive.
 //!
-//! A vector of rows is loaded once for all of the columns, and so the last of them may overwrite it: for v vectors of
-//! rows and c columns a term takes 3 v c + 1 instructions and the loads of its numbers, where a column at a time takes 3 v + 1
-//! for each. There are registers for it up to three vectors of rows, or four and two columns.
+//! Each vector of rows is loaded once for all columns, so the last column may overwrite it. For v vectors of rows and
+//! c columns a term takes 3 v c + 1 instructions and the loads of its numbers; one column at a time takes 3 v + 1 for
+//! each. Registers suffice for three vectors of rows, or for four and two columns.
 
 use bessemer_ir::Float;
 
@@ -17,10 +18,10 @@ for (uint32_t column = 0U; column < $whole; column += $beside) {
 }
 ";
 
-/// The columns that are left.
+/// Code for the remaining columns.
 const LEFT: &str = "columns_beside(a, &b[$inner * $whole], &result[$rows * $whole], $left);\n";
 
-/// The terms that are left, whose numbers fill no vector.
+/// Code for the remaining terms, whose numbers fill no vector.
 const REST: &str = "\
 #pragma GCC unroll 4
     for (uint32_t k = $inner - $inner % NUMBERS_AT_ONCE; k < $inner; k++) {
@@ -33,7 +34,7 @@ const REST: &str = "\
     }
 ";
 
-/// A product goes to its sum; of `f64`, gcc copies less if the product has a register of its own.
+/// Code that adds a product to its sum. For `f64`, gcc copies less if the product has its own register.
 const PRODUCTS: [&str; 2] = [
     "            lanes_t product = rows[vector] * number;
             IN_ITS_REGISTER(product);
@@ -43,10 +44,10 @@ const PRODUCTS: [&str; 2] = [
 ",
 ];
 
-/// Columns side by side, at most.
+/// Largest number of columns side by side.
 const MOST: u32 = 3;
 
-/// Up to so many numbers of the right factor the loop over the columns is unrolled.
+/// Largest number of elements of the right factor for which the loop over columns is unrolled.
 const UNROLLED: u32 = 64;
 
 /// Returns the number of columns that fit into registers beside `down` vectors of rows.
@@ -61,7 +62,7 @@ pub(super) fn most(element: Float, down: u32, columns: u32, registers: u32) -> u
     (2..=most).rev().find(fits).unwrap_or(1)
 }
 
-/// The functions, and the calls of them.
+/// Returns the functions and the calls of them.
 pub(super) fn source(element: Float, sizes: Sizes, beside: u32) -> (String, String) {
     let together = 16 / bytes(element);
     let left = sizes.columns % beside;
@@ -86,7 +87,7 @@ pub(super) fn source(element: Float, sizes: Sizes, beside: u32) -> (String, Stri
     (fill(FUNCTIONS, &functions), unrolled + &fill(&text, &calls))
 }
 
-/// The cases of which number of a vector is spread.
+/// Returns the cases that select which element of a vector is broadcast.
 fn cases(element: Float) -> String {
     let cases: &[&str] = match element {
         Float::F64 => &["0, 1, 0, 1", "2, 3, 2, 3"],

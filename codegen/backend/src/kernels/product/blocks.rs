@@ -1,4 +1,4 @@
-//! The C of a product that goes by blocks: as much of it as its targets' bands need.
+//! C of a product in blocks, with only the parts that its targets' bands need.
 
 use super::Sizes;
 use super::bands::{self, Band, Bands};
@@ -12,7 +12,7 @@ const LAST_ROW: &str = include_str!("last_row.c");
 const ROWS: &str = include_str!("rows.c");
 const LAST_NUMBER: &str = include_str!("last_number.c");
 
-/// The terms of a block, all written out.
+/// Code of a block's terms, all written out.
 const TERMS: &str = "\
 #pragma GCC unroll 32
     for (uint32_t k = 1U; k < $inner; k++) {
@@ -20,7 +20,7 @@ const TERMS: &str = "\
     }
 ";
 
-/// So many at a time, and before them what is left of them.
+/// Code of a loop over a constant number of terms, and of the remaining terms before it.
 const TURNS: &str = "    \
     for (uint32_t k = FIRST_TERMS; k < $inner; k += TERMS) {
 #pragma GCC unroll 32
@@ -36,10 +36,10 @@ const FIRST_TERMS: &str = "\
     }
 ";
 
-/// The blocks where a band has all rows.
+/// Code of the blocks if one band has all rows.
 const ONE_BAND: &str = "band(a, b, result, COLUMNS, VECTORS$share);\n";
 
-/// The last row, where it goes by numbers.
+/// Code of the last row in scalars.
 const GIVE_LAST_ROW: &str = "\
 for (uint32_t column = $begin_alone; column < $columns; column += $apart_alone) {
     const uint32_t first = (column + LAST_ROW_COLUMNS <= $columns) ? column : $columns - LAST_ROW_COLUMNS;
@@ -48,7 +48,7 @@ for (uint32_t column = $begin_alone; column < $columns; column += $apart_alone) 
 ";
 const GIVE_LAST_NUMBER: &str = "result[$rows - 1U] = last_number(&a[$bottom], b);\n";
 
-/// The columns that are left beside the blocks of a band.
+/// Code of the columns that remain after the blocks of a band.
 const LEFT: &str = "    \
     const uint32_t left = $columns % columns;
     const uint32_t whole = $columns - left;
@@ -63,20 +63,20 @@ const BESIDE: &str = "    \
 #[derive(Clone, Copy)]
 pub(super) struct Blocks {
     sizes: Sizes,
-    /// True if a last band is another.
+    /// True if a last band differs.
     last: bool,
-    /// True if a last row goes by numbers.
+    /// True if a last row uses scalars.
     alone: bool,
-    /// True if terms go in turns, and some before them.
+    /// True if a loop over terms needs some terms before it.
     turns: bool,
     first_terms: bool,
-    /// True if columns are left beside the blocks.
+    /// True if columns remain after the blocks.
     left: bool,
     /// Columns of the widest block.
     widest: u32,
     /// True if a band has all rows.
     one_band: bool,
-    /// Terms that a loop over them may have written out.
+    /// Number of terms that a pass may have written out.
     terms: u32,
 }
 
@@ -197,7 +197,7 @@ impl Blocks {
         body
     }
 
-    /// The values of the text: where bands end, as numbers, or as macros where targets differ.
+    /// Returns the template's values: the ends of bands, as numbers, or as macros if targets differ.
     pub fn values(&self) -> [(&'static str, String); 5] {
         let rows = format!("{}U", self.sizes.rows);
         let banded = if self.alone { "BANDED".to_owned() } else { rows.clone() };
@@ -231,7 +231,7 @@ impl Blocks {
     }
 }
 
-/// The terms before the turns, the first among them.
+/// Returns the number of terms before the loop, including the first.
 fn first_terms(sizes: Sizes, bands: &Bands) -> u32 {
     1 + sizes.inner.saturating_sub(1) % bands.terms
 }

@@ -1,10 +1,10 @@
 //! Products of matrices in blocks: a part of the result stays in registers.
 //!
-//! Each element of the result starts as its first product and takes the others in the order of k, as
-//! nalgebra's does; a block only decides which elements go side by side.
+//! Each element of the result starts as its first product and adds the others in the order of k, as in nalgebra; a
+//! block only decides which elements are computed together.
 //!
-//! [`vectors`] has the blocks of targets with vectors, as [`bands`] plans them, [`numbers`] those of all others; [`small`]
-//! the products that are in their header.
+//! [`vectors`] has the blocks for targets with vectors, as [`bands`] plans them, and [`numbers`] those for all
+//! others. [`small`] has the products that are inline in their header.
 
 mod bands;
 mod beside;
@@ -20,23 +20,23 @@ use super::text::indented;
 use super::threads::Work;
 use super::{Mode, Source, Tuning, fast};
 
-/// From this size on, in each dimension, threads are worth their start.
+/// Smallest size, in each dimension, for which threads are used.
 const THREADED: u32 = 64;
 
-/// Rows of the result, terms of an element, columns of the result; and how far apart what follows lies.
+/// Rows of the result, terms of an element, columns of the result, and strides of the factors.
 #[derive(Clone, Copy)]
 struct Sizes {
     rows: u32,
     inner: u32,
     columns: u32,
-    /// From a row of the left factor to the next, and from a term to the next.
+    /// Strides of the left factor: from a row to the next, and from a term to the next.
     left: (u32, u32),
-    /// From a term to the next in the right factor, and from a column to the next.
+    /// Strides of the right factor: from a term to the next, and from a column to the next.
     right: (u32, u32),
 }
 
 impl Sizes {
-    /// The sizes of a product of these dimensions, of factors as they lie in memory.
+    /// Returns the sizes of a product of these dimensions, with the factors' layout.
     fn new(routine: KernelRoutine, rows: u32, inner: u32, columns: u32) -> Sizes {
         let left = match routine {
             KernelRoutine::TrProduct => (inner, 1),
@@ -50,14 +50,14 @@ impl Sizes {
     }
 }
 
-/// Returns true if a product is written out, and is in its header.
+/// Returns true if a product is written out and inline in its header.
 pub(super) fn is_small(kernel: &Kernel) -> bool {
     use KernelRoutine::{Product, ProductTr, TrProduct};
     matches!(kernel.routine, Product | ProductTr | TrProduct)
         && kernel.dims.iter().all(|dim| (2..=small::LARGEST).contains(dim))
 }
 
-/// The C type of an element.
+/// Returns the C type of an element.
 fn real(element: Float) -> &'static str {
     match element {
         Float::F64 => "double",
@@ -65,7 +65,7 @@ fn real(element: Float) -> &'static str {
     }
 }
 
-/// An index: what lies so far apart times its counter.
+/// Returns an index: a stride times its counter.
 fn times(stride: u32, counter: &str) -> String {
     match stride {
         1 => counter.to_owned(),
@@ -73,7 +73,7 @@ fn times(stride: u32, counter: &str) -> String {
     }
 }
 
-/// The C of a product in so many bytes of code, if they are enough for blocks.
+/// Returns the C of a product in blocks; none if `tuning` has too little code size.
 pub(super) fn source(
     kernel: &Kernel,
     (rows, inner, columns): (u32, u32, u32),

@@ -1,4 +1,4 @@
-//! Tiles of single numbers, in plain C99: for targets with 32 registers, as ARM's VFPv3, and for those with 16.
+//! Tiles of scalars, in plain C99: for targets with 32 registers, such as ARM's VFPv3, and for those with 16.
 
 use std::fmt::Write as _;
 
@@ -14,7 +14,7 @@ enum Registers {
 }
 
 impl Registers {
-    /// Rows and columns of the tiles that are tried: their sums, and what these are made of, stay in registers.
+    /// Returns the tried shapes of tiles, rows by columns, whose sums and operands stay in registers.
     fn shapes(self) -> &'static [(u32, u32)] {
         match self {
             Registers::ThirtyTwo => &[(4, 4), (3, 6), (6, 3), (4, 5), (5, 4)],
@@ -22,7 +22,8 @@ impl Registers {
         }
     }
 
-    /// Bytes of an instruction of ARM, and what represents one in x86-64, where a multiplication overwrites an operand.
+    /// Returns the size of an instruction: of ARM, or an average of x86-64, where a multiplication overwrites an
+    /// operand, bytes.
     fn bytes(self) -> u32 {
         match self {
             Registers::ThirtyTwo => 4,
@@ -41,10 +42,10 @@ fn has_sixteen(element: Float) -> &'static str {
     }
 }
 
-/// Bytes of code up to which the loop over k is unrolled, of four for an instruction.
+/// Largest code size for which the loop over k is unrolled, bytes, at four bytes per instruction.
 const BUDGET: u32 = 2048;
 
-/// The functions of the tiles, and the calls of them; all, or a share of their columns.
+/// Returns the functions of the tiles and the calls of them, for all columns or a thread's share.
 pub(super) fn source(
     element: Float,
     sizes: Sizes,
@@ -115,11 +116,11 @@ fn tiles_of(element: Float, sizes: Sizes, plan: &Plan, shares: bool) -> (String,
 #[derive(PartialEq)]
 struct Plan {
     shape: (u32, u32),
-    /// True if the loop over k is.
+    /// True if the loop over k is unrolled.
     unrolled: bool,
 }
 
-/// The tile that takes the fewest instructions in so many bytes of code, if there is one.
+/// Returns the tile with the fewest instructions that fits into the code size, if there is one.
 fn plan(sizes: Sizes, code_bytes: u32, registers: Registers) -> Option<Plan> {
     let step = |(height, width): (u32, u32)| height * width + height + width;
     // The first products and the stores, and the call, are beside the steps.
@@ -149,7 +150,7 @@ fn plan(sizes: Sizes, code_bytes: u32, registers: Registers) -> Option<Plan> {
     registers.shapes().iter().copied().filter_map(plan).min_by_key(cost)
 }
 
-/// The shapes that occur, each once.
+/// Returns the shapes that occur, without duplicates.
 fn shapes(sizes: Sizes, shape: (u32, u32)) -> Vec<(u32, u32)> {
     let mut shapes = Vec::new();
     for (_, width, _) in parts(sizes.columns, shape.1) {
@@ -162,7 +163,7 @@ fn shapes(sizes: Sizes, shape: (u32, u32)) -> Vec<(u32, u32)> {
     shapes
 }
 
-/// An index: the known parts as one number, then each loop's counter times its stride.
+/// Returns an index: the constant parts as one number, then each loop's counter times its stride.
 fn place(parts: &[(u32, u32, Option<&str>)]) -> String {
     let known = |&(stride, start, counter): &(u32, u32, Option<&str>)| match counter {
         Some(_) => 0,
@@ -199,7 +200,7 @@ fn parts(count: u32, tile: u32) -> Vec<(u32, u32, bool)> {
     parts
 }
 
-/// A tile of the result: so many rows by so many columns.
+/// Returns the function of a tile of the result.
 fn tile(real: &str, (height, width): (u32, u32), sizes: Sizes, unrolled: bool) -> String {
     let Sizes { rows, inner, left, right, .. } = sizes;
     let mut text = format!(

@@ -1,7 +1,8 @@
-//! Products of up to four rows, terms and columns, written out: they are in their header, so that they cost no call.
+//! Products with up to four rows, terms and columns, written out and inline in their header, so that they need no
+//! call.
 //!
-//! The left factor stays in registers, as vectors of rows; where a vector of the target has room for two columns of the
-//! result, it holds both. The last vector of rows may overlap the one before: elements are then computed twice, to
+//! The left factor stays in registers, as vectors of rows. If a vector of the target has room for two columns of the
+//! result, it holds both. The last vector of rows may overlap the one before; elements are then computed twice, to
 //! the same bits.
 
 use std::fmt::Write as _;
@@ -11,23 +12,22 @@ use bessemer_ir::Float;
 use super::{Sizes, real};
 use crate::kernels::text::{bytes, vectors_if};
 
-/// The largest size.
+/// Largest size.
 pub(super) const LARGEST: u32 = 4;
 
-/// Vectors of x86-64: what says that they are there, and their bytes. The widest first; those of 64 bytes took 1.7 times as
-/// long.
+/// Vectors of x86-64, the widest first: condition and bytes. Vectors of 64 bytes took 1.7 times as long.
 const TARGETS: [(&str, u32); 2] = [("defined(__AVX__)", 32), ("defined(__SSE2__)", 16)];
 
 /// Contents of a vector.
 #[derive(Clone, Copy, PartialEq)]
 enum Plan {
-    /// So many rows of a column.
+    /// A number of rows of one column.
     Rows(u32),
-    /// A column and the next.
+    /// A whole column and the next one.
     TwoColumns,
 }
 
-/// The body of a product.
+/// Returns the body of a product.
 pub(super) fn source(element: Float, sizes: Sizes) -> String {
     let mut text = String::new();
     let mut kept: Vec<(&str, Plan)> = Vec::new();
@@ -72,7 +72,7 @@ fn vector(element: Float, name: &str, lanes: u32) -> String {
     )
 }
 
-/// `first`, then the others in order, each a step of its own.
+/// Returns the sum of terms in order, added one by one.
 fn sum(terms: u32, term: impl Fn(u32) -> String) -> String {
     let terms: Vec<String> = (0..terms).map(term).collect();
     let together = terms.iter().map(String::len).sum::<usize>() < 80;
@@ -132,7 +132,7 @@ fn shuffle(ty: &str, column: u32, [w, x, y, z]: [u32; 4]) -> String {
     format!("({ty})__builtin_shufflevector(b{column}, b{column}, {w}, {x}, {y}, {z})")
 }
 
-/// Four rows: a vector is a column of the result and the next.
+/// Returns the variant for four rows, with two columns of the result in a vector.
 fn two_columns(element: Float, sizes: Sizes) -> String {
     let mut text = vector(element, "column_t", 4) + &vector(element, "columns_t", 8);
     text += "/* A column of the left factor, once for each of the two. */\n";
@@ -158,10 +158,12 @@ fn two_columns(element: Float, sizes: Sizes) -> String {
     text
 }
 
-/// Single numbers: the first products, then the others in order, and the result when no operand is needed any more.
+/// Returns the variant with scalars: the first products, then the others in order; the result is stored when no
+/// operand is needed any more.
 ///
-/// A sum in one expression would be shorter, but compilers then load operands again, as registers run out: products of four
-/// by four took a tenth more instructions on a Cortex-A9, and on a Cortex-M4F, where doubles are in software, a quarter.
+/// A sum in one expression would be shorter, but compilers then load operands again when registers run out. Products
+/// of four by four took a tenth more instructions on a Cortex-A9, and a quarter more on a Cortex-M4F, where doubles
+/// are in software.
 fn plain(element: Float, sizes: Sizes) -> String {
     let Sizes { rows, inner, columns, left, right } = sizes;
     let real = real(element);

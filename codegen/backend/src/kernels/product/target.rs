@@ -1,4 +1,4 @@
-//! The kinds of vectors that products are written for.
+//! Kinds of vectors for which products have variants.
 
 /// A kind of vectors.
 pub(super) struct Target {
@@ -6,28 +6,28 @@ pub(super) struct Target {
     pub condition: &'static str,
     /// Further comment on the target.
     pub text: &'static str,
-    /// True if they are for `f32` alone.
+    /// True if the vectors are for `f32` only.
     pub single: bool,
-    /// Bytes of the widest.
+    /// Width of the widest vector, bytes.
     pub widest: u32,
     /// Number of registers.
     pub registers: u32,
-    /// Instructions to multiply and add.
+    /// Instructions of a multiplication and an addition.
     pub step: u32,
-    /// Quarters of an instruction to have a number in each lane.
+    /// Instructions of a broadcast, in quarters.
     pub spread: u32,
-    /// Bytes of code that a loop over terms may take; more of them written out take no less time.
+    /// Largest code size of a loop over terms, bytes; more unrolling gains nothing.
     pub room: u32,
     /// True if a row that fills no vector uses scalars. They must multiply from memory, since without spare registers
     /// another vector is slower.
     pub alone: bool,
 }
 
-/// The widest first. Those of 64 bytes cross a line of the cache wherever a column does not begin at one; on a processor
-/// whose units are as wide (Zen 5) they take 0.4 to 0.8 of the time of those of 32 from 8 rows on all the same. A last row by
-/// numbers takes 1.15 times as long there as one more vector, and a loop over four terms no longer than all written
-/// out. NEON flushes subnormals to zero, so it is there for those only who say that
-/// they do not mind; its multiplication with addition rounds twice, as C's.
+/// Targets, the widest vectors first. Vectors of 64 bytes cross a cache line unless a column begins at one. Still, on
+/// a processor with units that wide (Zen 5) they take 0.4 to 0.8 of the time of 32 bytes, from 8 rows on. There a
+/// last row in scalars takes 1.15 times as long as another vector, and a loop over four terms no longer than all
+/// written out. NEON flushes subnormals to zero, so it is used only on request; its multiply-add rounds twice, as C's
+/// does.
 pub(super) const TARGETS: [Target; 4] = [
     Target {
         condition: "defined(__AVX512F__)",

@@ -1,7 +1,7 @@
-//! Blocks of vectors of rows by columns, where gcc or clang have vectors.
+//! Products in blocks of vectors of rows by columns, for gcc and clang targets with vectors.
 //!
-//! The last vector, and the last band of rows, may overlap the one before: elements are then computed twice, to the same
-//! bits. [`bands`](super::bands) says which blocks there are.
+//! The last vector, and the last band of rows, may overlap the one before; elements are then computed twice, to the
+//! same bits. [`bands`](super::bands) plans the blocks.
 
 use bessemer_ir::Float;
 
@@ -19,9 +19,9 @@ const HOLD: &str = "#define IN_ITS_REGISTER(value) __asm__(\"\" : \"+v\"(value))
 /// Variants of a product for a target.
 #[derive(Clone, Copy, PartialEq)]
 enum Form {
-    /// The left factor stays in registers.
+    /// Left factor held in registers.
     Held,
-    /// A part of a column at a time, or so many columns side by side, with numbers spread from vectors of them.
+    /// One part of a column, or this number of columns side by side, with numbers broadcast from vectors.
     Columns(u32),
     /// Blocks.
     Blocks(Bands),
@@ -39,16 +39,16 @@ impl Form {
 /// Plan of a product for a target.
 #[derive(Clone, Copy, PartialEq)]
 struct Plan {
-    /// Numbers of a vector.
+    /// Number of lanes of a vector.
     lanes: u32,
-    /// Vectors below one another.
+    /// Number of vectors one below another.
     down: u32,
     form: Form,
 }
 
 const COMMON: &str = include_str!("common.c");
 
-/// The rows of a band, for what goes through them.
+/// Code that defines the rows of a band.
 const HEIGHT: &str = "\
 /* The rows of a band. */
 #define HEIGHT ((LANES * VECTORS < $rows) ? LANES * VECTORS : $rows)
@@ -89,24 +89,27 @@ const COLUMNS: &str = include_str!("columns.c");
 const IN_ITS_REGISTER: &str = include_str!("in_its_register.c");
 const HELD: &str = include_str!("held.c");
 
-/// Up to so many terms a column's loop over them is unrolled.
+/// Largest number of terms for which a column's loop over them is unrolled.
 const COLUMN_UNROLLED: u32 = 20;
 
-/// From so many terms on, an unrolled column has so many sums, and compilers load so many rows ahead, that registers run out.
+/// Smallest number of terms for which an unrolled column orders its loads. Compilers would load so many rows ahead
+/// that registers run out.
 const IN_TURN_FROM: u32 = 12;
 
-/// Hides that the address is the one of the terms before, so that no row is loaded before its term.
+/// Code that hides the equality of an address with the previous terms' from the compiler. So no row is loaded before
+/// its term.
 const IN_TURN: &str = r#"        /* Rows wait for their terms: loaded ahead, they would take registers from the sums. */
         __asm__("" : "+r"(a));
 "#;
 
-/// Up to so many numbers of the right factor the loop over the columns of a held left one is unrolled.
+/// Largest number of elements of the right factor for which the loop over the columns is unrolled, with the left
+/// factor in registers.
 const HELD_UNROLLED: u32 = 64;
 
-/// Vectors below one another in a part of a column, at most.
+/// Largest number of vectors one below another in a part of a column.
 const COLUMN_DOWN: u32 = 10;
 
-/// A term of a last row of a column that fills no vector.
+/// Code of a term for the last row of a column, which fills no vector.
 const ADD_LAST: &str = "\
 /* A term of the last row, which fills no vector. The number is needed no more: its register takes the sum. */
 static inline $real add_last(const $real sum, const $real *row, const lanes_t number)
@@ -126,7 +129,7 @@ const LAST_TERM: &str =
 const LAST_FIRST: &str = "    $real last = a[$bottom] * number[0];\n";
 const LAST_STORED: &str = "    result[$bottom] = last;\n";
 
-/// A column that is no part.
+/// Code of a column in one part.
 const WHOLE_COLUMNS: &str = "\
 for (uint32_t column = $first_column; column < $columns; $next_column) {
     column_part(a, &b[$inner * column], &result[$rows * column]);
@@ -208,7 +211,7 @@ pub(super) fn source(
     Some((fill(&before, &values), fill(&body, &values)))
 }
 
-/// A comment on what the targets define.
+/// Returns a comment on the macros that the targets define.
 fn words(targets: &str) -> String {
     let used = WORDS.iter().filter(|(word, _)| targets.contains(&format!("#define {word}")));
     format!("{} */\n", used.map(|(_, meaning)| *meaning).collect::<String>())
@@ -237,12 +240,12 @@ fn branch(target: &Target, element: Float, plan: Plan, mode: Mode, blocks: &Bloc
     )
 }
 
-/// A number of the right factor in each lane.
+/// Returns a vector with a number of the right factor in each lane.
 fn alike(k: u32, lanes: u32) -> String {
     format!("(lanes_t){{{}}}", vec![format!("b[{k}]"); lanes as usize].join(", "))
 }
 
-/// The part of a column, with the steps of its groups of terms; and whether a last row goes by numbers.
+/// Returns the code of a part of a column, with groups of terms; with `last_row` in scalars if it fills no vector.
 fn column(element: Float, inner: u32, last_row: bool) -> String {
     let spread = |k: u32| {
         let places = match element {
@@ -335,7 +338,7 @@ fn values(element: Float, sizes: Sizes, shares: bool) -> Vec<(&'static str, Stri
     values
 }
 
-/// A vector of rows of the left factor, of a term.
+/// Returns a vector of rows of the left factor for a term.
 fn rows_of(sizes: Sizes, term: Option<&str>) -> String {
     let at = times(sizes.left.0, "OFFSET(vector)");
     let at = match term {
@@ -375,7 +378,7 @@ fn plan(target: &Target, element: Float, sizes: Sizes, tuning: &Tuning) -> Optio
     best(target, element, sizes, tuning.code_bytes)
 }
 
-/// The bands that take the fewest instructions.
+/// Returns the plan with the bands that need the fewest instructions.
 fn best(target: &Target, element: Float, sizes: Sizes, code_bytes: u32) -> Option<Plan> {
     let widths = [64, 32, 16].into_iter().filter(|width| *width <= target.widest);
     let lanes = widths.map(|width| width / bytes(element)).filter(|lanes| *lanes <= sizes.rows);
@@ -390,7 +393,7 @@ fn best(target: &Target, element: Float, sizes: Sizes, code_bytes: u32) -> Optio
 pub(super) mod tests {
     use super::{TARGETS, Target};
 
-    /// AVX-512, and AVX.
+    /// Returns the targets AVX-512 and AVX.
     pub fn avx() -> [Target; 2] {
         let [wide, avx, _, _] = TARGETS;
         [wide, avx]

@@ -1,15 +1,15 @@
-//! Elimination by rows in vectors, where gcc or clang have them: a solve or an inverse of 5 to 20 rows on x86-64.
+//! Elimination by rows in vectors, for gcc and clang on x86-64: a solve or an inverse with 5 to 20 rows.
 //!
-//! The matrix is brought into rows of whole vectors. A step takes the row of its pivot times a multiplier from every
-//! row below it, and looks for the next pivot on the way. A solve carries its right-hand side along, so that nothing of
-//! L is kept. An inverse carries the identity along, its columns in the order of the pivots, in the lanes where the
-//! matrix has become zero: each step is whole rows, and no lane is idle. The order of each element is nalgebra's: steps
-//! ascending, then back from the last.
+//! The matrix is copied to rows of whole vectors. A step subtracts multiples of its pivot's row from every row below,
+//! and finds the next pivot meanwhile. A solve processes its right-hand side along with the rows, so nothing of L is
+//! kept. An inverse processes the identity along with the rows; its columns are in the order of the pivots, in the
+//! lanes where the matrix has become zero, so each step uses whole rows and no lane is idle. Each element has
+//! nalgebra's order: steps ascending, then back from the last.
 //!
-//! The products that are left out, zeros of the identity times multipliers, are zero only if the multipliers are finite. One that is
-//! not leaves its trace in the result; then the form of the other targets, which is in the same file, does it again.
+//! The omitted products, zeros of the identity times multipliers, are zero only if the multipliers are finite.
+//! Otherwise the result shows it, and the variant of the other targets, in the same file, computes it again.
 //!
-//! Absent: ARM, where exact arithmetic is the VFP's.
+//! Not for ARM, where exact arithmetic is the VFP's.
 
 use std::fmt::Write as _;
 
@@ -18,29 +18,29 @@ use bessemer_ir::{Kernel, KernelRoutine};
 use super::text::{bytes, fill, indented, values, vectors_if};
 use super::{Buffer, Source, are_lent};
 
-/// The smallest budget of code with which it is used. The budget is the Cortex-A9's; on x86-64 rows take up to five
-/// times as much (bench/results/kernels.md).
+/// Smallest code size, bytes, for which it is used. The size counts the Cortex-A9's instructions; on x86-64, rows
+/// take up to five times as much (bench/results/kernels.md).
 pub(super) const BUDGET: u32 = 4 * 1024;
 
-/// From here on tiles take fewer steps from memory to memory.
+/// Largest size; for greater ones tiles need fewer memory accesses.
 const LARGEST_SIZE: u32 = 20;
 
-/// Up to this size every step is written out: a processor guesses wrongly when loops as short as these end.
+/// Returns true if every step is written out, since processors mispredict the ends of loops this short.
 fn is_written_out(kernel: &Kernel) -> bool {
     kernel.dims[0] <= if kernel.routine == KernelRoutine::Inverse { 9 } else { 12 }
 }
 
-/// The vectors of x86-64, the widest first: the macro that says that they are there, and their bytes.
+/// Vectors of x86-64, the widest first: macro and bytes.
 const VECTORS: [(&str, u32); 3] = [("__AVX512F__", 64), ("__AVX__", 32), ("__SSE2__", 16)];
 
 const ROW: &str = include_str!("row.c");
 const SOLVE: &str = include_str!("solve.c");
 const INVERSE: &str = include_str!("inverse.c");
 
-/// The smallest and odd ones, and the others.
+/// Code that copies the matrix to rows: for the smallest and odd sizes, and for the others.
 const GIVE: [&str; 2] = [include_str!("give_numbers.c"), include_str!("give_squares.c")];
 
-/// Returns true if a kernel gains by it.
+/// Returns true if a kernel is faster by rows.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Solve, &[size, 1]) | (KernelRoutine::Inverse, &[size]) => {
@@ -50,31 +50,31 @@ pub(super) fn fits(kernel: &Kernel) -> bool {
     }
 }
 
-/// Numbers from a row to the next.
+/// Returns the stride of rows, in numbers.
 fn pitch(size: u32) -> u32 {
     size.next_multiple_of(4)
 }
 
-/// The targets: their macros, and numbers in a vector that rows are whole ones of.
+/// Returns the usable targets: their macros, and the lanes of their vectors, of which rows are a multiple.
 fn targets(kernel: &Kernel) -> impl Iterator<Item = (&'static str, u32)> {
     let (element, pitch) = (bytes(kernel.element), pitch(kernel.dims[0]));
     let lanes = move |(name, vector)| (name, vector / element);
     VECTORS.into_iter().map(lanes).filter(move |(_, lanes)| pitch.is_multiple_of(*lanes))
 }
 
-/// Numbers that the rows take, with what it takes to begin at a vector.
+/// Returns the size of the rows in numbers, including the alignment to a vector.
 pub(super) fn numbers(kernel: &Kernel) -> u32 {
     let widest = targets(kernel).map(|(_, lanes)| lanes).max().unwrap_or_default();
     let size = kernel.dims[0];
     size * pitch(size) + widest
 }
 
-/// Bytes of the rows where no memory is lent: on x86-64, some hundred.
+/// Returns the size of the rows in local memory, bytes; on x86-64 some hundred.
 pub(super) fn local_bytes(kernel: &Kernel) -> u64 {
     u64::from(numbers(kernel) * bytes(kernel.element))
 }
 
-/// The kernel of the other targets, and this one before it.
+/// Returns the kernel by rows, followed by the variant of the other targets.
 pub(super) fn source(kernel: &Kernel, other: Source, buffers: &[Buffer]) -> Source {
     let own = match kernel.routine {
         KernelRoutine::Inverse => ROW.to_owned() + "\n" + INVERSE,
@@ -148,7 +148,7 @@ fn rows(kernel: &Kernel, buffers: &[Buffer]) -> String {
     fill(&place, &all_values(kernel))
 }
 
-/// `#if` for each target, and its lanes.
+/// Returns the `#if` for each target, with its lanes.
 fn choice(kernel: &Kernel) -> String {
     let mut text = String::new();
     for (index, (name, lanes)) in targets(kernel).enumerate() {
@@ -189,7 +189,7 @@ fn all_values(kernel: &Kernel) -> Vec<(&'static str, String)> {
     all
 }
 
-/// The steps of the elimination; small ones know where they are, so that their loops are written out.
+/// Returns the steps of the elimination; for small sizes each is written out with constant indices.
 fn steps(kernel: &Kernel) -> String {
     let size = kernel.dims[0];
     let with = if kernel.routine == KernelRoutine::Inverse { "order" } else { "b" };
@@ -205,7 +205,7 @@ fn steps(kernel: &Kernel) -> String {
     indented(&text)
 }
 
-/// Back by U, from the last row upwards.
+/// Returns the back substitution by U, from the last row upwards.
 fn upwards(kernel: &Kernel) -> String {
     let size = kernel.dims[0];
     let mut text = String::new();

@@ -1,11 +1,11 @@
-//! A row of a panel, as each target holds it.
+//! Representation of a panel's row on each target.
 
 use bessemer_ir::Float;
 
 use crate::kernels::Mode;
 use crate::kernels::text::{FUSED, bytes, fill, fused, numbers, vectors_if};
 
-/// The vectors of x86-64, the widest first: the macro that says that they are there, and their bytes.
+/// Vectors of x86-64, the widest first: macro and bytes.
 const VECTORS: [(&str, u32); 3] = [("__AVX512F__", 64), ("__AVX__", 32), ("__SSE2__", 16)];
 
 const LANES: &str = include_str!("lanes.c");
@@ -17,13 +17,13 @@ const MINUS: &str = "\
 #endif
 ";
 
-/// The vectors that are worth while: a panel, of two vectors, is no wider than the matrix.
+/// Returns the usable vectors: a panel has two of them, and is not wider than the matrix.
 fn vectors(element: Float, columns: u32) -> impl Iterator<Item = (&'static str, u32)> {
     let fits = move |&(_, vector): &(&str, u32)| 2 * vector / bytes(element) <= columns;
     VECTORS.into_iter().filter(fits)
 }
 
-/// Columns of the widest panel on any target.
+/// Returns the columns of the widest panel on any target.
 pub fn widest(element: Float, columns: u32) -> u32 {
     vectors(element, columns)
         .map(|(_, vector)| 2 * vector / bytes(element))
@@ -32,25 +32,26 @@ pub fn widest(element: Float, columns: u32) -> u32 {
         .max(4)
 }
 
-/// Numbers of a cache line.
+/// Returns the numbers in a cache line.
 pub fn line(element: Float) -> u32 {
     64 / bytes(element)
 }
 
-/// Bytes of the vectors with which rows that stay where they are take less time: AVX's.
+/// Width of the vectors for which rows in place are faster, bytes: AVX's.
 const ORDERED: u32 = 32;
 
-/// Columns of a panel there.
+/// Returns the columns of a panel with rows in place.
 pub fn ordered_width(element: Float) -> u32 {
     2 * ORDERED / bytes(element)
 }
 
-/// Rows that go through a column side by side there: four vectors.
+/// Returns the rows that are processed together in a column with rows in place: four vectors.
 pub fn ordered_group(element: Float) -> u32 {
     4 * ORDERED / bytes(element)
 }
 
-/// Types and operations of rows, for every target; `ordered` if the kernel has a form whose rows stay where they are.
+/// Returns types and operations of rows, for every target; `ordered` is true if the kernel has a variant with rows in
+/// place.
 pub fn text(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
     let mut values = numbers(element);
     let targets = targets(element, columns, mode, ordered);
@@ -78,7 +79,7 @@ pub fn text(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
     fill(&fill(LANES, &values), &numbers(element))
 }
 
-/// `#if` for each target, and what it has.
+/// Returns the `#if` for each target, with its definitions.
 fn targets(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
     let mut branches: Vec<(String, String)> = Vec::new();
     for (macro_name, vector) in vectors(element, columns) {

@@ -8,7 +8,7 @@ use crate::kernels::text::{fill, indented, values, without};
 use crate::kernels::threads::{Own, Work};
 use crate::kernels::{Buffer, Mode, Source, declarations, fast};
 
-/// The smallest matrix that gains by tiles.
+/// Smallest matrix that is faster in tiles.
 pub const SMALLEST: u32 = 5;
 
 const SQUARES: &str = include_str!("squares.c");
@@ -25,14 +25,14 @@ const INVERSE: &str = include_str!("inverse.c");
 const INVERT_PANELS: &str = include_str!("invert_panels.c");
 const SHARE_SIDES: &str = include_str!("share_sides.c");
 
-/// From this size on, threads are worth their start.
+/// Smallest size for which threads are used.
 const THREADED: u32 = 48;
-/// And from so many right-hand sides.
+/// Smallest number of right-hand sides for which threads are used.
 const THREADED_SIDES: u32 = 8;
 
 const ONE_THREAD: &str = "invert_panels(tiles, a, order, finite, panel, 0U, 1U);\n";
 
-/// A thread's own panel.
+/// Private panel of a thread.
 const OWN_PANEL: Own<'static> = Own {
     ty: "$real *",
     name: "panel",
@@ -114,22 +114,23 @@ const SPOIL: &str = "    for (uint32_t index = 0U; index < SIZE * SIZE; index++)
     }
 ";
 
-/// Columns that a panel of vectors may have: none, if the matrix goes by rows where there are vectors.
+/// Returns the columns that a panel of vectors may have: none if the matrix is processed by rows where there are
+/// vectors.
 fn room(kernel: &Kernel) -> u32 {
     if by_rows::fits(kernel) { 0 } else { rows(kernel.dims[0]) }
 }
 
-/// Numbers to begin on a cache line, where there are vectors.
+/// Returns the numbers for the alignment to a cache line, where there are vectors.
 fn spare(kernel: &Kernel) -> u32 {
     if by_rows::fits(kernel) { 0 } else { lanes::line(kernel.element) }
 }
 
-/// Columns in whole panels, on the target that needs the most.
+/// Returns the columns in whole panels, for the target with the widest.
 fn columns(kernel: &Kernel) -> u32 {
     rows(kernel.dims[0]).next_multiple_of(lanes::widest(kernel.element, room(kernel)))
 }
 
-/// Numbers of a panel, and of what is beside it.
+/// Returns the numbers of a panel, and of the rows beside it.
 fn panel(kernel: &Kernel) -> u32 {
     let numbers = (rows(kernel.dims[0]) + 4) * lanes::widest(kernel.element, room(kernel));
     match ordered::fits(kernel) {
@@ -176,7 +177,8 @@ pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
     buffers
 }
 
-/// Solves for one right-hand side, or for panels of them; where `a` is lent for it, it becomes the factors.
+/// Returns the C of a solve for one right-hand side, or for panels of them; if `a` is working memory, it becomes the
+/// factors.
 pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32, mode: Mode) -> Source {
     let edges = usize::from(!size.is_multiple_of(4));
     let (parts, substitute) = match sides {
@@ -205,13 +207,13 @@ pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32, mode: Mode) -> Sourc
     assemble(kernel, (size, sides), &parts, &body, mode)
 }
 
-/// A template with some of its names replaced.
+/// Returns a template with two of its names replaced.
 fn with(template: &str, values: [(&str, &str); 2]) -> String {
     let values = values.map(|(name, value)| (name, value.to_owned()));
     fill(template, &values)
 }
 
-/// Inverts: right-hand sides in the order of the pivots.
+/// Returns the C of an inverse: right-hand sides in the order of the pivots.
 pub(super) fn inverse(kernel: &Kernel, size: u32, mode: Mode) -> Source {
     let edges = usize::from(!size.is_multiple_of(4));
     let mut parts = vec![PANELS, GIVE_COLUMNS[edges], INVERT_PANELS];
@@ -224,7 +226,7 @@ pub(super) fn inverse(kernel: &Kernel, size: u32, mode: Mode) -> Source {
     assemble(kernel, (size, size), &parts, &body, mode)
 }
 
-/// The head with the sizes, the rows of the targets, elimination, the rest, and the body.
+/// Returns the complete source: sizes, the rows of the targets, elimination, the rest, and the body.
 fn assemble(
     kernel: &Kernel,
     (size, sides): (u32, u32),
@@ -273,7 +275,8 @@ fn assemble(
     Source { before, body, math: true, string: true, ..Source::default() }
 }
 
-/// The template with the registers of a tile, `$r0_` to `$r15_`: such as a function need not keep for its caller.
+/// Returns the template with names for the registers of a tile, `$r0_` to `$r15_`; a function need not save these for
+/// its caller.
 fn registers(template: &str, element: Float) -> String {
     let (bank, first, constraint) = match element {
         Float::F64 => ("d", 16, "w"),

@@ -1,15 +1,15 @@
-//! Kernels in tiles: fast, and exact in order.
+//! Kernels in tiles: fast, with the exact order of operations.
 //!
-//! The matrix goes through panels of columns, from left to right ("left-looking", Golub and Van Loan,
-//! *Matrix Computations*, chapter 3). A tile, four rows of a panel, is loaded once, goes through every
-//! column on its left in their order, and is stored once: each element sees nalgebra's operations in
-//! nalgebra's order, whatever the width of a panel.
+//! The matrix is processed in panels of columns, from left to right ("left-looking", Golub and Van Loan, *Matrix
+//! Computations*, chapter 3). A tile, four rows of a panel, is loaded once, processed with every column on its left
+//! in order, and stored once. So each element undergoes nalgebra's operations in nalgebra's order, for any width of a
+//! panel.
 //!
-//! One text serves all targets: [`lanes`] says what a row of a panel is (two vectors of the target, or
-//! four numbers), and the rest of the templates, C files beside this one, says what happens to rows.
-//! Where it pays, [`ordered`] has another text, whose rows stay where they are.
+//! One text serves all targets: [`lanes`] defines a row of a panel (two vectors of the target, or four numbers), and
+//! the templates, C files in this folder, define the operations on rows. Where it is faster, [`ordered`] has another
+//! text, which leaves the rows in place.
 //!
-//! Absent: loops over k across lanes, fused operations, anything that would round differently.
+//! Not used: loops over k across lanes, fused operations, or anything that would round differently.
 
 mod lanes;
 mod lu;
@@ -19,15 +19,15 @@ use bessemer_ir::{Kernel, KernelRoutine};
 
 use super::{Buffer, Mode, Source};
 
-/// Bytes of code that a solve or an inverse takes, on a target of four bytes an instruction.
+/// Code size of a solve or an inverse, bytes, on a target with four bytes per instruction.
 pub(super) const BYTES: u32 = 5 * 1024;
 
-/// Rows in whole tiles.
+/// Returns the rows, rounded up to whole tiles.
 fn rows(size: u32) -> u32 {
     size.next_multiple_of(4)
 }
 
-/// Returns true if a kernel gains by tiles.
+/// Returns true if a kernel is faster in tiles.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     let factored = matches!(
         kernel.routine,
@@ -36,7 +36,7 @@ pub(super) fn fits(kernel: &Kernel) -> bool {
     factored && kernel.dims[0] >= lu::SMALLEST
 }
 
-/// The C of a kernel.
+/// Returns the C of a kernel.
 pub(super) fn source(kernel: &Kernel, mode: Mode) -> Source {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Inverse, &[size]) => lu::inverse(kernel, size, mode),
@@ -44,7 +44,7 @@ pub(super) fn source(kernel: &Kernel, mode: Mode) -> Source {
     }
 }
 
-/// The memory that a kernel in tiles works with.
+/// Returns the working memory of a kernel in tiles.
 pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
     lu::buffers(kernel, kernel.dims[0], kernel.routine == KernelRoutine::Inverse)
 }

@@ -9,13 +9,12 @@ use super::super::text::{fill, values};
 use super::super::{Buffer, Source, declarations};
 use super::{COPY, FIND_PIVOT, PIVOTS_WRITTEN_OUT, buffers, compare};
 
-/// Returns true if a kernel is such a solve, and gains: exchanges that are known to be needed take fewer steps below
-/// this.
+/// Returns true if a kernel is such a solve and faster so; for smaller sizes, recorded exchanges need fewer steps.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     kernel.routine == KernelRoutine::Solve && kernel.dims[0] >= 7 && kernel.dims[1] == 1
 }
 
-/// Returns true if it has room, if with loops on the way back.
+/// Returns true if it fits into the code size, possibly with loops for the back substitution.
 pub(super) fn has_room(kernel: &Kernel, code_bytes: u32) -> bool {
     let loops = !kernel.dims[0].is_multiple_of(4);
     bytes(kernel) <= code_bytes || loops && bytes(kernel) - way_back(kernel.dims[0]) <= code_bytes
@@ -32,7 +31,7 @@ fn bytes(kernel: &Kernel) -> u32 {
     if kernel.element == Float::F32 { all + all / 11 } else { all }
 }
 
-/// The part of the way back, less what loops take.
+/// Returns the code size of the back substitution, less the size of loops for it.
 fn way_back(size: u32) -> u32 {
     let size = size.min(1000);
     (4 * size * (size - 1)).saturating_sub(100)
@@ -52,7 +51,7 @@ static void substitute(const $real *a, const $real *b, $real *x)
 }
 ";
 
-/// The matrix and the right-hand side.
+/// Returns the buffer for the matrix and the right-hand side.
 pub(super) fn buffer(factors: Buffer) -> Buffer {
     let n = factors.len.isqrt();
     Buffer { len: n * (n + 1), holds: "The matrix and the right-hand side.", ..factors }
@@ -70,7 +69,7 @@ substitute(factors, &factors[$all], b);
 return true;
 ";
 
-/// The C of the kernel.
+/// Returns the C of the kernel.
 pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
     let n = kernel.dims[0];
     let values = values(kernel.element, &[("n", n), ("all", n * n)]);
@@ -86,7 +85,7 @@ pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
     }
 }
 
-/// Every step.
+/// Returns every step of the elimination.
 fn eliminate(n: u32) -> String {
     let mut text = String::from(
         "/* Eliminates below the diagonal, step by step, the right-hand side, the last column, along with it: U stays. The\n   \
@@ -100,7 +99,7 @@ fn eliminate(n: u32) -> String {
     text
 }
 
-/// A step: the pivot, the multipliers, and what is on the right.
+/// Writes a step: the pivot, the multipliers, and the columns on the right.
 fn step(text: &mut String, n: u32, k: u32) {
     let (column, diagonal) = (n * k, n * k + k);
     // Writing to a string cannot fail.
@@ -132,7 +131,7 @@ fn step(text: &mut String, n: u32, k: u32) {
     put("        }\n    }".into());
 }
 
-/// Back by U, in registers.
+/// Returns the back substitution by U, in registers.
 fn substitute(n: u32) -> String {
     let mut text = String::from(
         "/* Solves upwards by U. */\nstatic void substitute(const $real *a, const $real *b, $real *x)\n{\n",

@@ -1,10 +1,10 @@
 //! Elimination written out, for small sizes: the multipliers of a step stay in registers.
 //!
-//! Each step takes its multipliers times an element from every column on its right, so that an element
-//! is loaded and stored once a step and the multipliers not at all; a right-hand side is solved for in
-//! registers. The order of each element is nalgebra's: steps ascending, then back from the last.
+//! Each step subtracts its multipliers times an element from every column on its right. So an element is loaded and
+//! stored once per step, the multipliers never, and a right-hand side is solved in registers. Each element has
+//! nalgebra's order: steps ascending, then back from the last.
 //!
-//! Absent: vectors. At these sizes they cost more in preparation than they save.
+//! No vectors: at these sizes their preparation costs more than they save.
 
 mod carried;
 
@@ -15,10 +15,10 @@ use bessemer_ir::{Int, Kernel, KernelRoutine, Scalar};
 use super::text::{fill, values};
 use super::{Buffer, Source, declarations};
 
-/// Up to this size the search of a pivot and the exchange of rows are written out too.
+/// Largest size for which the search of a pivot and the exchange of rows are written out too.
 const PIVOTS_WRITTEN_OUT: u32 = 9;
 
-/// Returns true if a kernel gains by being written out.
+/// Returns true if a kernel is faster written out.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, _]) => size > 1,
@@ -28,7 +28,8 @@ pub(super) fn fits(kernel: &Kernel) -> bool {
     }
 }
 
-/// Returns true if a kernel has room: with its substitutions written out, or one right-hand side with loops for them.
+/// Returns true if a kernel fits into the code size: with its substitutions written out, or with loops for one
+/// right-hand side.
 pub(super) fn has_room(kernel: &Kernel, code_bytes: u32) -> bool {
     let size = kernel.dims[0];
     if carried::fits(kernel) {
@@ -38,11 +39,11 @@ pub(super) fn has_room(kernel: &Kernel, code_bytes: u32) -> bool {
     bytes(size) <= code_bytes || loops && bytes(size) - substitution_bytes(size) <= code_bytes
 }
 
-/// The code of elimination and of one right-hand side, four bytes an instruction; the estimate is high by a
-/// few parts in a hundred.
+/// Returns the code size of elimination and of one right-hand side, four bytes per instruction. The estimate is some
+/// per cent too high.
 fn bytes(size: u32) -> u32 {
-    /// For a multiplier and its step, both substitutions among it; and to find the pivot and to exchange rows,
-    /// where these are written out.
+    /// Instructions for a multiplier and its step including both substitutions; the second also finds the pivot and
+    /// exchanges rows, written out.
     const INSTRUCTIONS: [u32; 2] = [16, 28];
     let written_out = usize::from(size <= PIVOTS_WRITTEN_OUT);
     // More than any budget: nothing of that size is written out.
@@ -50,14 +51,14 @@ fn bytes(size: u32) -> u32 {
     2 * INSTRUCTIONS[written_out] * size * (size - 1) + 400
 }
 
-/// The part of the substitutions, less what loops take.
+/// Returns the code size of the substitutions, less the size of loops for them.
 fn substitution_bytes(size: u32) -> u32 {
     let size = size.min(1000);
     (8 * size * (size - 1)).saturating_sub(200)
 }
 
-/// Largest size at which gcc must not vectorise. Vectors would load what single stores have just written, for which a
-/// processor waits. Measured: 2.6 to 3.7 times as long.
+/// Largest size at which gcc must not vectorise. Its vectors would load numbers that single stores have just written,
+/// and wait for them. Measured: 2.6 to 3.7 times as long.
 const SCALAR: u32 = 4;
 const NO_VECTORS: &str = "\
 /* Vectors would wait for the single numbers that have just been stored. */
@@ -66,8 +67,7 @@ const NO_VECTORS: &str = "\
 #endif
 ";
 
-/// Size in bytes from which the copy of the matrix is aligned to a cache line, up to the largest size without rows of
-/// vectors.
+/// Size of the matrix, bytes, from which its copy is aligned to a cache line; larger sizes use rows of vectors.
 const LINE: u64 = 64;
 const IN_ONE_LINE: &str = "\
 /* A copy in vectors of 64 bytes: where these crossed a line of the cache, what is read of them would wait for it. */
@@ -188,7 +188,7 @@ for (uint32_t k = 0U; k < $n; k++) {
 return true;
 ";
 
-/// The memory that it works with.
+/// Returns the working memory.
 pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
     let size = kernel.dims[0];
     let pivots = Buffer {
@@ -217,7 +217,7 @@ pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
     }
 }
 
-/// The C of a kernel.
+/// Returns the C of a kernel.
 pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
     if carried::fits(kernel) {
         return carried::source(kernel, code_bytes);
@@ -260,7 +260,7 @@ pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
     }
 }
 
-/// Every step of the elimination.
+/// Returns every step of the elimination.
 fn factor(n: u32) -> String {
     let mut text = String::from(
         "/* Eliminates below the diagonal, step by step: U stays above, the multipliers below. The pivot is the\n   \
@@ -273,7 +273,7 @@ fn factor(n: u32) -> String {
     text + "    return true;\n}\n"
 }
 
-/// A step: the pivot, the exchange, the multipliers, and the columns on the right.
+/// Writes a step: the pivot, the exchange, the multipliers, and the columns on the right.
 fn step(text: &mut String, n: u32, k: u32) {
     let diagonal = n * k + k;
     let column = n * k;
@@ -309,7 +309,7 @@ fn step(text: &mut String, n: u32, k: u32) {
     put("    }".into());
 }
 
-/// The pivot of a step, and the exchange of its row.
+/// Writes the search of a step's pivot, and the exchange of its row.
 fn find_pivot(put: &mut impl FnMut(String), n: u32, k: u32) {
     let column = n * k;
     if n > PIVOTS_WRITTEN_OUT {
@@ -337,7 +337,7 @@ fn find_pivot(put: &mut impl FnMut(String), n: u32, k: u32) {
     put("        }".into());
 }
 
-/// The search of a pivot, number by number.
+/// Writes the search of a pivot with a comparison for each row.
 fn compare(put: &mut impl FnMut(String), n: u32, k: u32) {
     let (diagonal, column) = (n * k + k, n * k);
     put(format!("        uint32_t pivot = {k}U;"));
@@ -351,7 +351,7 @@ fn compare(put: &mut impl FnMut(String), n: u32, k: u32) {
     }
 }
 
-/// Both substitutions of one right-hand side, in registers.
+/// Returns both substitutions of one right-hand side, in registers.
 fn substitute(n: u32) -> String {
     let mut text = String::from(
         "/* Solves for one right-hand side: down by L, then up by U. */\n\

@@ -1,7 +1,7 @@
 //! Consequences of a condition that is true, or false.
 //!
-//! The meaning: the executions of the state in which the condition has that truth are kept, others may go. A condition
-//! is assumed only behind its evaluation, so that it did not fault.
+//! Meaning: executions of the state in which the condition has that truth are kept; others may be dropped. A
+//! condition is assumed only after its evaluation, so it did not fault.
 
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Span, Type, UnaryOp};
 
@@ -12,7 +12,7 @@ use super::state::{State, key};
 use bessemer_ir::used::Rule;
 
 impl<'m> State<'m> {
-    /// Returns true if `condition` surely holds.
+    /// Returns true if `condition` certainly holds.
     pub(crate) fn proves(&self, condition: &Expr) -> bool {
         if Rule::Interval.told(self.range(condition) == Interval::one(1)) {
             return true;
@@ -35,7 +35,7 @@ impl<'m> State<'m> {
         Rule::Relation.told(self.relations.give(condition, |it| self.fails(it)))
     }
 
-    /// Returns true if `condition` surely does not hold.
+    /// Returns true if `condition` certainly does not hold.
     fn fails(&self, condition: &Expr) -> bool {
         self.range(condition) == Interval::one(0)
     }
@@ -47,7 +47,7 @@ impl<'m> State<'m> {
         state
     }
 
-    /// From here on `condition` is `truth`.
+    /// Narrows the state to executions in which `condition` is `truth`.
     pub(crate) fn assume(&mut self, condition: &Expr, truth: bool) {
         match &condition.kind {
             ExprKind::Unary(UnaryOp::Not, x) => self.assume(x, !truth),
@@ -83,7 +83,8 @@ impl<'m> State<'m> {
         self.relations.learn(&fact);
     }
 
-    /// A number below the smaller of two integers is below each; the larger of two is below what each is below.
+    /// Narrows operands of a minimum or maximum. A number below the smaller of two is below each; if the larger of
+    /// two is below a number, each is.
     fn assume_of_each(&mut self, op: CompareOp, a: &Expr, b: &Expr) {
         let (lower, upper, op) = match op {
             CompareOp::Lt | CompareOp::Le => (a, b, op),
@@ -133,7 +134,7 @@ impl<'m> State<'m> {
         }
     }
 
-    /// From here on the value of `expr` lies within `interval`.
+    /// Narrows the value of `expr` to `interval`.
     pub(crate) fn bound(&mut self, expr: &Expr, interval: Interval) {
         match &expr.kind {
             ExprKind::Load(place) => {
@@ -168,7 +169,7 @@ impl<'m> State<'m> {
         }
     }
 
-    /// From here on `x`, as a number of type `to`, lies within `interval`.
+    /// Narrows `x`, converted to type `to`, to `interval`.
     fn bound_number(&mut self, x: &Expr, interval: Interval, to: &Type) {
         let (Some(range), Some(all)) = (self.all(&x.ty).map(|_| self.range(x)), self.all(to))
         else {
@@ -194,7 +195,8 @@ impl<'m> State<'m> {
         }
     }
 
-    /// In the arm of a `match` for `values`; `rest`: which also represents whatever is none of them.
+    /// Narrows the scrutinee in the arm of a `match` for `values`. With `rest`, the arm also takes values that are no
+    /// variant.
     pub(crate) fn select(&mut self, scrutinee: &Expr, values: &[i128], rest: bool) {
         let stray = self.stray(&scrutinee.ty).filter(|_| rest);
         let ones = values.iter().copied().chain(stray).map(Interval::one);
@@ -204,7 +206,7 @@ impl<'m> State<'m> {
         }
     }
 
-    /// In the last arm of a `match`, where `values` do not occur.
+    /// Narrows the scrutinee in the last arm of a `match`, where `values` do not occur.
     pub(crate) fn exclude(&mut self, scrutinee: &Expr, mut values: Vec<i128>) {
         Rule::Rest.used();
         values.sort_unstable();

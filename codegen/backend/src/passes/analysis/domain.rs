@@ -1,8 +1,8 @@
 //! Intervals of integers: the lattice.
 //!
-//! The meaning of an interval is the set of the integers in it. It is never empty: code that nothing reaches is known
-//! by its statements, not by its values. The order is inclusion, [`Interval::join`] the least interval that holds both.
-//! Nothing here knows the width of a type, so that every function can be tried on all values of a narrow one.
+//! An interval means the set of its integers. It is never empty; unreachable code is known by its statements, not by
+//! its values. The order is inclusion; [`Interval::join`] is the least interval that contains both. Nothing here
+//! depends on the width of a type, so each function can be tested on all values of a narrow one.
 
 use bessemer_ir::Int;
 
@@ -16,7 +16,7 @@ pub(crate) struct Interval {
 impl Interval {
     pub(crate) const BOOL: Interval = Interval { low: 0, high: 1 };
 
-    /// From one bound to the other, in whichever order they come.
+    /// Returns the interval between two bounds, in either order.
     pub(crate) fn new(a: i128, b: i128) -> Interval {
         Interval { low: a.min(b), high: a.max(b) }
     }
@@ -41,13 +41,13 @@ impl Interval {
         (self.low == self.high).then_some(self.low)
     }
 
-    /// The least interval that holds both.
+    /// Returns the least interval that contains both.
     pub(crate) fn join(self, other: Interval) -> Interval {
         Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// The intersection. If it is empty, the code is unreachable: then the bound of `self` that is nearest, so that
-    /// knowing more of the operands never means knowing less of the result.
+    /// Returns the intersection. If it is empty, the code is unreachable, and the result is the nearest bound of
+    /// `self`. So more knowledge of operands never yields less knowledge of the result.
     pub(crate) fn meet(self, other: Interval) -> Interval {
         Interval {
             low: other.low.clamp(self.low, self.high),
@@ -55,7 +55,7 @@ impl Interval {
         }
     }
 
-    /// The interval without a value that is known not to occur.
+    /// Returns the interval without a value that does not occur.
     pub(crate) fn without(self, value: i128) -> Interval {
         if self.low == self.high {
             self

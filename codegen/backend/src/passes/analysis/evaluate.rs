@@ -1,6 +1,6 @@
-//! The interval, or the constant float, of an expression's value.
+//! Evaluates expressions to intervals, or to constant floats.
 //!
-//! The meaning: in every execution of the state in which the expression does not fault, its value lies in the interval.
+//! Meaning: in every execution of the state in which the expression does not fault, its value is in the interval.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Float, Intrinsic, LogicOp, Scalar, Type, UnaryOp,
@@ -11,7 +11,7 @@ use super::known::{BROUGHT, Known};
 use super::state::{Key, State, key};
 
 impl State<'_> {
-    /// The range of an integer, `bool` or enum; of anything else, nothing useful.
+    /// Returns the range of an integer, `bool` or enum; meaningless for other types.
     pub(crate) fn range(&self, expr: &Expr) -> Interval {
         let all = self.all(&expr.ty).unwrap_or(Interval::new(i128::MIN, i128::MAX));
         self.result(expr, all)
@@ -53,7 +53,7 @@ impl State<'_> {
         }
     }
 
-    /// The interval at a key.
+    /// Returns the interval at a key.
     fn at(&self, key: &Key) -> Option<Interval> {
         match self.known.get(key)? {
             Known::Within(interval) => Some(*interval),
@@ -61,13 +61,14 @@ impl State<'_> {
         }
     }
 
-    /// The interval of the variant that represents an enum: its own, if it is a variant.
+    /// Returns the interval of an enum after its normalisation: its own variant, or the one that replaces an invalid
+    /// one.
     fn brought(&self, x: &Expr) -> Interval {
         let range = self.range(x);
         brought_key(x).and_then(|key| self.at(&key)).map_or(range, |known| range.meet(known))
     }
 
-    /// The numbers of a word type: an enum has those of its variants, if it is one of them.
+    /// Returns the numbers of a word type; for an enum, the numbers of its variants if it is one of them.
     pub(super) fn number(&self, expr: &Expr) -> Option<Interval> {
         self.all(&expr.ty)?;
         let range = self.range(expr);
@@ -103,7 +104,7 @@ impl State<'_> {
         }))
     }
 
-    /// The value of a float expression where it is constant; never a NaN.
+    /// Returns the value of a constant float expression; never a NaN.
     fn float(&self, expr: &Expr) -> Option<f64> {
         let float = expr.ty.as_float()?;
         let value = match &expr.kind {
@@ -125,7 +126,7 @@ impl State<'_> {
         (!value.is_nan()).then_some(value)
     }
 
-    /// The interval or the float of a value.
+    /// Returns the interval or the float of a value.
     pub(crate) fn value(&self, expr: &Expr) -> Option<Known> {
         match self.all(&expr.ty) {
             Some(_) => Some(Known::Within(self.range(expr))),
@@ -134,7 +135,7 @@ impl State<'_> {
     }
 }
 
-/// The key of what the enum at a place is brought to.
+/// Returns the key of the normalised enum at a place.
 pub(super) fn brought_key(x: &Expr) -> Option<Key> {
     let ExprKind::Load(place) = &x.kind else { return None };
     let (root, mut fields) = key(place)?;
@@ -142,7 +143,7 @@ pub(super) fn brought_key(x: &Expr) -> Option<Key> {
     Some((root, fields))
 }
 
-/// Returns true if intervals of a type decide a comparison: variants are reported apart, but not ordered, by their indices.
+/// Returns true if intervals of a type decide a comparison. Indices of variants decide equality, but not order.
 pub(super) fn is_ordered(op: CompareOp, ty: &Type) -> bool {
     !matches!(ty, Type::Enum(_)) || matches!(op, CompareOp::Eq | CompareOp::Ne)
 }
@@ -161,7 +162,7 @@ fn round(float: Float, value: f64) -> f64 {
     }
 }
 
-/// In double precision; rounding the result to single gives what single precision gives.
+/// Computes in double precision; rounding the result to single gives the single-precision result.
 fn operate(op: BinaryOp, a: f64, b: f64) -> Option<f64> {
     match op {
         BinaryOp::Add => Some(a + b),

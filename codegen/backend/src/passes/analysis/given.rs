@@ -1,7 +1,7 @@
-//! Words that a loop only gives values: all that its body writes to one lies within an interval, whatever the word held. So it
-//! lies within that and what it was before, at the head of each pass and behind the loop.
+//! Words to which a loop only assigns values in an interval, whatever the word held before. So at the head of each
+//! pass and after the loop, the word is in that interval or has its initial value.
 //!
-//! Must not know: what else a loop keeps ([`loops`](super::loops)).
+//! Must not know: what else a loop preserves ([`loops`](super::loops)).
 
 use bessemer_ir::Place;
 
@@ -14,7 +14,8 @@ use bessemer_ir::effects::overlap;
 use bessemer_ir::used::Rule;
 
 impl Loop<'_> {
-    /// The words that it only gives values, of which something is known before; those that it counts up are known better.
+    /// Returns such words with their intervals, if something is known about them before; except counted ones, of
+    /// which more is known.
     pub(super) fn given(&self, before: &State, counted: &[Counted]) -> Vec<(Key, Known)> {
         let counts = |key: &Key| counted.iter().any(|it| it.key().as_ref() == Some(key));
         let written = |place: &Place| self.written.iter().any(|it| overlap(place, it));

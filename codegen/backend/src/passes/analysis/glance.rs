@@ -11,17 +11,17 @@ use bessemer_ir::{Expr, ExprKind, LocalId, LogicOp, Place, Step};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Glance {
     operands: u64,
-    /// A bit for each root that is read; roots share bits modulo 64.
+    /// Set of roots that are read, one bit for each root modulo 64.
     pub(crate) roots: u64,
 }
 
-/// The bit of a root.
+/// Returns the bit of a root.
 pub(crate) fn bit(root: LocalId) -> u64 {
     1 << (root.0 % 64)
 }
 
 impl Glance {
-    /// The fingerprint of a condition in the normal form of [`relations`](super::relations).
+    /// Returns the fingerprint of a condition in the normal form of [`relations`](super::relations).
     pub(crate) fn of(condition: &Expr) -> Glance {
         let mut last = condition;
         while let ExprKind::Logic(LogicOp::Or, _, rest) = &last.kind {

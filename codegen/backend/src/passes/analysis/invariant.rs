@@ -1,7 +1,7 @@
-//! Invariants of loops without a counter: what each pass keeps.
+//! Invariants of loops without a counter: facts that each pass preserves.
 //!
-//! From what is known before, passes are followed ([`walk`](super::walk)) until nothing new comes; a bound that moves on
-//! the way is given up. One pass more then gives back what every pass shows again.
+//! Passes are followed ([`walk`](super::walk)) from the state before, until nothing changes; a bound that changes is
+//! dropped. One more pass then restores the bounds that every pass establishes again.
 
 use bessemer_ir::ExprKind;
 
@@ -12,7 +12,7 @@ use super::walk::again;
 use bessemer_ir::effects::whole;
 
 impl Loop<'_> {
-    /// The invariant: it holds before the first pass, and each pass that begins with it ends with it.
+    /// Returns the invariant: it holds before the first pass, and each pass that begins with it ends with it.
     pub(super) fn invariant<'m>(&self, before: &State<'m>) -> State<'m> {
         let mut before = before.clone();
         if let ExprKind::Load(place) = &self.counter.kind {
@@ -33,7 +33,7 @@ impl Loop<'_> {
 }
 
 impl State<'_> {
-    /// Gives up each bound and each relation that `next` does not keep; whether that was none.
+    /// Drops each bound and each relation that `next` does not preserve; returns true if there was none.
     fn widen(&mut self, next: &State) -> bool {
         let (words, relations) = (self.known.len(), self.relations.len());
         let mut kept = true;

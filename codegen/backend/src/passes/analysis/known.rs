@@ -1,25 +1,25 @@
 //! Facts about one word, and about the words in a value.
 //!
-//! It must not know where the word is, nor how it came to be known.
+//! Must not know: the place of the word, or the origin of a fact.
 
 use super::domain::Interval;
 
-/// In a [`Key`](super::state::Key), this marks not a field but the variant that represents the enum there.
+/// Pseudo-field of a [`Key`](super::state::Key) that denotes the normalised variant of the enum.
 pub(super) const BROUGHT: u32 = u32::MAX;
 
-/// Knowledge of the word at a place.
+/// Fact about the word at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Known {
-    /// It lies within.
+    /// The word is in the interval.
     Within(Interval),
-    /// It is this float; not a NaN.
+    /// The word is this float, and not a NaN.
     Float(f64),
 }
 
-/// The words in a value that are known, each with the fields that lead to it.
+/// Facts about the words in a value, each with the fields that lead to it.
 pub(crate) type Parts = Vec<(Vec<u32>, Known)>;
 
-/// The part that is the value itself: there is one if the value is a word, and its number is known.
+/// Returns the fact about the value itself, if it is a word.
 pub(crate) fn the_whole(parts: &Parts) -> Option<Known> {
     parts.iter().find(|(at, _)| at.is_empty()).map(|(_, known)| *known)
 }

@@ -1,14 +1,15 @@
-//! Loops: what is known at the head of a pass, and behind the loop.
+//! Loops: the facts at the head of a pass, and after the loop.
 //!
-//! The head is reached before the first pass and again after each, so what is known there must hold both times.
+//! The head is reached before the first pass and after each pass, so a fact must hold both times.
 //!
-//! * Nothing is known of what the body writes, save what is shown here.
-//! * **A counter** (`for`): its bounds do not change while the loop runs, and in the body it lies between them.
-//! * **A local that only counts up**: all that the body writes to it adds a literal. Each pass adds at most the sum
-//!   along one path, a loop within it that times its passes; so at the head of pass `k` that times `k` was added.
-//! * **A word that is only given** values: [`given`](super::given).
-//! * **A loop that its body ends** has no counter, and its bounds move: an [`invariant`](super::invariant) is looked
-//!   for instead.
+//! * Nothing is known about places that the body writes, except:
+//! * **A counter** (`for`): its bounds do not change during the loop, and in the body it lies between them.
+//! * **A local that only counts up**: every write in the body adds a literal. Each pass adds at most the sum along
+//!   one path, where an inner loop counts with its number of passes; so at the head of pass `k` at most `k` times that
+//!   was added.
+//! * **A word with assigned values only**: [`given`](super::given).
+//! * **A loop that its body ends** has no counter, and its bounds change: an [`invariant`](super::invariant) is
+//!   computed instead.
 
 use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Stmt, StmtKind};
 
@@ -18,25 +19,25 @@ use super::state::{self, Key, State};
 use bessemer_ir::effects::{lent, overlap, whole, writes};
 use bessemer_ir::used::Rule;
 
-/// A `for` that is about to be entered.
+/// A `for` loop before its first pass.
 pub(crate) struct Loop<'a> {
-    /// The variable, as a value.
+    /// Counter variable, as a value.
     pub(crate) counter: &'a Expr,
     pub(crate) from: &'a Expr,
     pub(crate) to: &'a Expr,
     pub(crate) inclusive: bool,
-    /// True if its body ends it, so that nothing counts its passes.
+    /// True if the body ends the loop, so that its passes are not counted.
     pub(crate) ended: bool,
-    /// The places that the body writes.
+    /// Places that the body writes.
     pub(crate) written: &'a [Place],
     pub(crate) body: &'a Block,
 }
 
-/// A local that only counts up, as it is before the loop.
+/// A local that only counts up, with its value before the loop.
 pub(super) struct Counted {
     local: Expr,
     before: Interval,
-    /// The most that a pass adds.
+    /// Largest sum that a pass adds.
     more: i128,
 }
 
@@ -48,7 +49,7 @@ impl Counted {
         }
     }
 
-    /// Makes known what it is at most after so many passes.
+    /// Records its upper bound after this number of passes.
     fn bound(&self, passes: i128, state: &mut State) {
         Rule::Counted.used();
         let high = self.before.high.saturating_add(self.more.saturating_mul(passes));
@@ -57,7 +58,7 @@ impl Counted {
 }
 
 impl Loop<'_> {
-    /// Makes `state` that of the head of a pass, and gives the one behind the loop.
+    /// Changes `state` to the state at the head of a pass, and returns the state after the loop.
     pub(crate) fn enter<'m>(&self, state: &mut State<'m>) -> State<'m> {
         if self.ended {
             let behind = self.behind(state);
@@ -77,7 +78,7 @@ impl Loop<'_> {
         behind
     }
 
-    /// The state behind the loop.
+    /// Returns the state after the loop.
     pub(super) fn behind<'m>(&self, before: &State<'m>) -> State<'m> {
         match self.ended {
             true => self.beyond(before, &[], &[]),
@@ -102,7 +103,8 @@ impl Loop<'_> {
         behind
     }
 
-    /// Makes `state` that of the head of a pass of which the counter is known, and nothing that the body writes.
+    /// Changes `state` to the state at the head of a pass, with the counter's range and without facts about written
+    /// places.
     pub(super) fn head(&self, state: &mut State) {
         let ranges = (state.range(self.from), state.range(self.to));
         self.forget(state);
@@ -121,7 +123,7 @@ impl Loop<'_> {
         state.forget(self.written);
     }
 
-    /// The locals that it only counts up, of which something is known before.
+    /// Returns the locals that the loop only counts up, if something is known about them before.
     fn counted(&self, before: &State) -> Vec<Counted> {
         let mut head = before.clone();
         self.forget(&mut head);
@@ -144,7 +146,7 @@ fn passes((from, to): (Interval, Interval), inclusive: bool) -> i128 {
     to.high.saturating_sub(from.low).saturating_add(i128::from(inclusive)).max(0)
 }
 
-/// The most that statements add to a local, if they do nothing else to it.
+/// Returns the largest sum that statements add to a local; none if they write it otherwise.
 fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<i128> {
     let of_block = |block: &Block| increase(&block.0, local, state);
     let mut sum = 0i128;
@@ -175,12 +177,12 @@ fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<i128> {
     Some(sum)
 }
 
-/// Returns true if the calls in an expression leave a local as it is.
+/// Returns true if the calls in an expression do not write a local.
 fn is_left(expr: &Expr, local: LocalId) -> bool {
     !lent(expr).iter().any(|place| place.root == local)
 }
 
-/// `k` of `local = local + k`.
+/// Returns `k` of `local = local + k`.
 fn added(place: &Place, value: &Expr) -> Option<i128> {
     let ExprKind::Binary(BinaryOp::Add, a, b) = &value.kind else { return None };
     let (ExprKind::Load(from), ExprKind::Literal(word)) = (&a.kind, &b.kind) else { return None };

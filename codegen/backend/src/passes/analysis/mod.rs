@@ -1,25 +1,27 @@
-//! The value analysis: abstract interpretation with intervals and a few relations.
+//! Value analysis: abstract interpretation with intervals and some relations.
 //!
-//! A *state* of an execution says which word each place holds. A [`State`] represents a set of them, its meaning:
-//! * an interval of a place ([`domain`]): the word there lies within;
-//! * a float of a place: the word there is that float, and no NaN;
-//! * a relation ([`relations`]): the condition, evaluated there, gives true.
+//! A *state* of an execution is the word at each place. A [`State`] represents the set of states that satisfy its
+//! facts:
 //!
-//! A state belongs to the meaning if all of these hold of it. Every function here keeps the one invariant: **each
-//! execution that reaches a point without a fault is in the meaning of what is known at that point.**
-//! * [`evaluate`] and [`transfer`]: the value of an expression lies in what is computed for it;
-//! * [`State::assign`], [`State::forget`]: what may have been written is no longer known;
-//! * [`results`]: what a call gives lies in what its function was seen to return;
-//! * [`assume`]: a condition narrows the state only where it decides that the code runs (a branch, a check before);
-//! * [`State::join`]: the meaning holds that of both sides;
-//! * [`loops`]: what is known at the head of a loop holds before its first pass, and again after each pass that
-//!   begins there;
-//! * [`walk`]: the same rules along statements, for a look ahead at the body of a loop.
+//! * an interval of a place ([`domain`]): the word is in it;
+//! * a float of a place: the word is that float, and no NaN;
+//! * a relation ([`relations`]): the condition, evaluated in the state, is true.
 //!
-//! Enums and `bool`s come from outside, too, where any byte can represent one. So an enum of `n` variants has `n + 1`
-//! values here, the indices of its variants and one for whatever is none of them ([`State::stray`]).
+//! Every function here preserves one invariant: **each execution that reaches a point without a fault satisfies the
+//! facts at that point.**
 //!
-//! Must not know: which checks are written (`faults` asks), how statements are rewritten, C.
+//! * [`evaluate`] and [`transfer`]: the value of an expression is in the computed interval;
+//! * [`State::assign`], [`State::forget`]: facts about written places are dropped;
+//! * [`results`]: the result of a call is in the intervals of its function's summary;
+//! * [`assume`]: a condition narrows the state only where it holds (in a branch, after a check);
+//! * [`State::join`]: the result includes both operands' states;
+//! * [`loops`]: facts at the head of a loop hold before its first pass, and after each pass that begins with them;
+//! * [`walk`]: the same rules along statements, to look ahead at a loop's body.
+//!
+//! Enums and `bool`s may come from outside, where they can be any byte. So an enum of `n` variants has `n + 1` values
+//! here: the indices of its variants, and one for every invalid value ([`State::stray`]).
+//!
+//! Must not know: which checks are emitted (`faults` queries the analysis), how statements are rewritten, C.
 
 mod assume;
 mod domain;

@@ -1,8 +1,8 @@
-//! Relations: conditions that hold, and what follows from them.
+//! Relations: conditions that hold, and their consequences.
 //!
-//! The meaning: each condition, evaluated in the state, gives true and does not fault. So a condition is dropped when a
-//! place that it reads is written, and what follows is what any state that satisfies it satisfies, too. Conditions
-//! are kept in one form ([`upright`]), so that what is meant the same looks the same.
+//! Meaning: each condition, evaluated in the state, is true and does not fault. So a condition is dropped when a
+//! place that it reads is written. A consequence holds in every state that satisfies the condition. Conditions are
+//! stored in a normal form ([`upright`]), so that equivalent ones look equal.
 
 use std::collections::HashSet;
 use std::rc::Rc;
@@ -13,19 +13,19 @@ use super::glance::{Glance, bit};
 use crate::passes::places::erased;
 use bessemer_ir::effects::reads;
 
-/// A condition that holds, and its fingerprint.
+/// A condition that holds, with its fingerprint.
 #[derive(Clone)]
 struct Relation {
     condition: Rc<Expr>,
     glance: Glance,
 }
 
-/// The conditions that hold.
+/// Conditions that hold.
 #[derive(Clone, Default)]
 pub(super) struct Relations(Vec<Relation>);
 
 impl Relations {
-    /// From here on `condition` holds.
+    /// Adds a condition.
     pub(super) fn learn(&mut self, condition: &Expr) {
         let condition = Rc::new(upright(erased(condition)));
         let glance = Glance::of(&condition);
@@ -37,13 +37,13 @@ impl Relations {
         self.0.len()
     }
 
-    /// Forgets the conditions that read one of `written`.
+    /// Drops the conditions that read one of `written`.
     pub(super) fn forget(&mut self, written: &[Place]) {
         let roots = written.iter().fold(0, |roots, place| roots | bit(place.root));
         self.0.retain(|it| it.glance.roots & roots == 0 || !reads(&it.condition, written));
     }
 
-    /// Keeps those that hold here and in `other`.
+    /// Keeps the conditions that hold here and in `other`.
     pub(super) fn join(&mut self, other: &Relations) {
         let shared: HashSet<*const Expr> =
             other.0.iter().map(|it| Rc::as_ptr(&it.condition)).collect();
@@ -54,7 +54,8 @@ impl Relations {
         });
     }
 
-    /// Returns true if `condition` follows from one that holds; `fails`: conditions that certainly do not.
+    /// Returns true if `condition` follows from one that holds. `fails` returns true for conditions that certainly do
+    /// not hold.
     pub(super) fn give(&self, condition: &Expr, fails: impl Fn(&Expr) -> bool) -> bool {
         let condition = upright(erased(condition));
         let glance = Glance::of(&condition);
@@ -121,7 +122,7 @@ fn gives(known: &Expr, condition: &Expr, fails: &impl Fn(&Expr) -> bool) -> bool
     }
 }
 
-/// Returns true if one condition, as [`upright`] leaves it, holds wherever the other does.
+/// Returns true if a condition implies another; both are in normal form.
 fn implies(fact: &Expr, condition: &Expr) -> bool {
     let (ExprKind::Compare(known, x, y), ExprKind::Compare(op, a, b)) =
         (&fact.kind, &condition.kind)
@@ -137,7 +138,7 @@ fn implies(fact: &Expr, condition: &Expr) -> bool {
     }
 }
 
-/// By how much `max(length, n) - n` falls short of the length, where there is anything below it.
+/// Returns how much less than the length `max(length, n) - n` is, where any index is below it.
 fn short_of(end: &Expr, length: &Expr) -> Option<u64> {
     let ExprKind::Binary(BinaryOp::Sub, most, short) = &end.kind else { return None };
     let ExprKind::Intrinsic(Intrinsic::Max, operands) = &most.kind else { return None };
@@ -150,8 +151,8 @@ fn short_of(end: &Expr, length: &Expr) -> Option<u64> {
     }
 }
 
-/// Comparisons, also those of a disjunction, written with `<`, `<=`, `==` and `!=` only, and without
-/// the `1` that tells `<` from `<=`.
+/// Returns a condition in normal form: comparisons use only `<`, `<=`, `==` and `!=`, and no `+ 1` that could change
+/// `<` to `<=`.
 fn upright(expr: Expr) -> Expr {
     let Expr { kind, ty, span } = expr;
     let kind = match kind {
@@ -167,7 +168,7 @@ fn upright(expr: Expr) -> Expr {
     Expr { kind, ty, span }
 }
 
-/// `a < b`; of `a < b + 1` it is `a <= b`.
+/// Returns `a < b`, or `a <= c` if `b` is `c + 1`.
 fn below(a: Expr, b: Expr) -> ExprKind {
     match one_less(&b, BinaryOp::Add) {
         Some(b) => ExprKind::Compare(CompareOp::Le, Box::new(a), Box::new(b)),
@@ -175,7 +176,7 @@ fn below(a: Expr, b: Expr) -> ExprKind {
     }
 }
 
-/// `a <= b`; of `a <= b - 1` and `a + 1 <= b` it is `a < b`.
+/// Returns `a <= b`; or `a < c` if `b` is `c - 1`, or `c < b` if `a` is `c + 1`.
 fn at_most(a: Expr, b: Expr) -> ExprKind {
     let (less, more) = (one_less(&a, BinaryOp::Add), one_less(&b, BinaryOp::Sub));
     let (op, a, b) = match (less, more) {
@@ -186,7 +187,7 @@ fn at_most(a: Expr, b: Expr) -> ExprKind {
     ExprKind::Compare(op, Box::new(a), Box::new(b))
 }
 
-/// `x` of `x + 1` (or `x - 1`), which are integers that did not overflow.
+/// Returns `x` of an integer `x + 1` (or `x - 1`), which did not overflow.
 fn one_less(expr: &Expr, op: BinaryOp) -> Option<Expr> {
     match &expr.kind {
         ExprKind::Binary(found, x, one) if *found == op && expr.ty.as_int().is_some() => {

@@ -1,11 +1,11 @@
-//! Function summaries: intervals of the numbers in a function's result, which its callers use.
+//! Function summaries: intervals of the numbers in a function's result, for its callers.
 //!
-//! The meaning: in every execution of the function that returns without a fault, whatever its arguments, each number that is
-//! listed lies in its interval. So an index that one function chooses needs no check where another one uses it. Callees stand
-//! before their callers, so that each is known where it is called.
+//! Meaning: in every execution of the function that returns without a fault, for any arguments, each listed number is
+//! in its interval. So an index that one function computes needs no check where another uses it. Callees precede
+//! their callers, so each summary is known at its calls.
 //!
-//! Of a body that is not the one that runs nothing is listed: what an external function returns is the firmware's, and a
-//! kernel's body is none. What `math.h` may represent gives floats, of which no interval is kept.
+//! A function whose body does not run has no summary: an external function belongs to the firmware, and a kernel has
+//! no IR body. Functions that `math.h` may replace return floats, which have no intervals.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use super::domain::Interval;
 use super::known::{BROUGHT, Known, Parts};
 use bessemer_ir::used::Rule;
 
-/// Numbers in the result of a function, each with the fields that lead to it.
+/// Intervals of the numbers in a function's result, each with the fields that lead to it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Results(BTreeMap<Vec<u32>, Interval>);
 
@@ -28,7 +28,7 @@ impl Results {
         Results(parts.into_iter().filter_map(number).collect())
     }
 
-    /// With another value that may be returned instead.
+    /// Returns the summary of both results, of which either may be returned.
     pub(crate) fn or(mut self, other: &Results) -> Results {
         self.0.retain(|at, interval| {
             let other = other.0.get(at).copied();
@@ -37,12 +37,12 @@ impl Results {
         self
     }
 
-    /// The number at some fields.
+    /// Returns the interval of the number at some fields.
     pub(super) fn at(&self, fields: &[u32]) -> Option<Interval> {
         self.0.get(fields).copied().inspect(|_| Rule::Returned.used())
     }
 
-    /// All of them, as what is known of a value.
+    /// Returns all intervals, as facts about a value.
     pub(super) fn all(&self) -> impl Iterator<Item = (&[u32], Known)> {
         let all = self.0.iter().inspect(|_| Rule::Returned.used());
         all.map(|(at, interval)| (at.as_slice(), Known::Within(*interval)))

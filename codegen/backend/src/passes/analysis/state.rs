@@ -1,4 +1,4 @@
-//! The state: what is known of places, and the relations between them; writes, and where paths meet.
+//! The state: facts about places, and relations between them; with writes, and joins of paths.
 
 use std::collections::BTreeMap;
 
@@ -10,22 +10,23 @@ use super::relations::Relations;
 use super::results::Results;
 use bessemer_ir::effects::{overlap, whole};
 
-/// A local and the fields into it; [`BROUGHT`](super::known::BROUGHT) behind them: what an enum there is brought to.
+/// A local and the fields into it. With [`BROUGHT`](super::known::BROUGHT) at the end, it is the normalised enum
+/// there.
 pub(super) type Key = (LocalId, Vec<u32>);
 
-/// Knowledge at a point of a function.
+/// Facts at a point of a function.
 #[derive(Clone)]
 pub(crate) struct State<'m> {
     pub(super) module: &'m Module,
-    /// The summaries of the functions before this one.
+    /// Summaries of the functions before this one.
     pub(super) results: &'m [Results],
     pub(super) known: BTreeMap<Key, Known>,
     pub(super) relations: Relations,
-    /// True if nothing is concluded: an operation then gives no more than the range of its type.
+    /// True if nothing is concluded; each operation then has the full range of its type.
     pub(super) blind: bool,
 }
 
-/// The key of a place that is reached by fields alone; an element of an array has none.
+/// Returns the key of a place with fields only; an element of an array has none.
 pub(super) fn key(place: &Place) -> Option<Key> {
     let fields = place.steps.iter().map(|step| match step {
         Step::Field(field) => Some(*field),
@@ -39,7 +40,7 @@ pub(super) fn place_of((root, fields): &Key) -> Place {
 }
 
 impl<'m> State<'m> {
-    /// Nothing is known: every execution is in the meaning.
+    /// Returns the state without facts, which every execution satisfies.
     pub(crate) fn new(module: &'m Module) -> State<'m> {
         let (known, relations) = (BTreeMap::new(), Relations::default());
         State { module, results: &[], known, relations, blind: false }
@@ -50,12 +51,12 @@ impl<'m> State<'m> {
         State { results, ..State::new(module) }
     }
 
-    /// Nothing is known, and nothing is concluded: every number may have each value of its type.
+    /// Returns a state without facts that also concludes nothing: every number may have each value of its type.
     pub(crate) fn blind(module: &'m Module) -> State<'m> {
         State { blind: true, ..State::new(module) }
     }
 
-    /// All values of a word type; floats have no interval.
+    /// Returns the range of a word type; floats have none.
     pub(crate) fn all(&self, ty: &Type) -> Option<Interval> {
         match ty {
             Type::Scalar(Scalar::Bool) => Some(Interval::BOOL),
@@ -65,24 +66,24 @@ impl<'m> State<'m> {
         }
     }
 
-    /// The index that represents a stray enum, which is none of its variants: one more than the last.
+    /// Returns the value that represents an invalid enum: one more than its last index.
     pub(super) fn stray(&self, ty: &Type) -> Option<i128> {
         let Type::Enum(id) = ty else { return None };
         Some(self.module.enums.get(id.index())?.variants.len() as i128)
     }
 
-    /// The values of a type that are meant to be: those of an enum are its variants.
+    /// Returns the valid values of a type; for an enum, its variants.
     pub(super) fn meant(&self, ty: &Type) -> Option<Interval> {
         let all = self.all(ty)?;
         Some(self.stray(ty).map_or(all, |stray| all.without(stray)))
     }
 
-    /// Returns true if an expression is an enum that may be none of its variants.
+    /// Returns true if an expression is an enum that may be invalid.
     pub(crate) fn may_stray(&self, expr: &Expr) -> bool {
         self.stray(&expr.ty).is_some_and(|stray| self.range(expr).contains(stray))
     }
 
-    /// Forgets everything that depends on the places `written`.
+    /// Drops the facts that depend on the places `written`.
     pub(crate) fn forget(&mut self, written: &[Place]) {
         for written in written {
             let (first, next) = (written.root, LocalId(written.root.0.saturating_add(1)));
@@ -127,12 +128,12 @@ impl<'m> State<'m> {
         }
     }
 
-    /// The numbers in what a call gives.
+    /// Returns the summary of a callee.
     pub(super) fn returned(&self, callee: FunctionId) -> Option<&'m Results> {
         self.results.get(callee.index())
     }
 
-    /// Records at `place` the value that is written there, as far as anything is known of it.
+    /// Records the facts about a value at the place to which it is written.
     pub(crate) fn assign(&mut self, place: &Place, value: Parts) {
         self.forget(std::slice::from_ref(place));
         if let Some((root, fields)) = key(place) {
@@ -142,7 +143,7 @@ impl<'m> State<'m> {
         }
     }
 
-    /// Keeps what is known here and in `other`.
+    /// Keeps the facts that hold here and in `other`.
     pub(crate) fn join(&mut self, other: &State<'m>) {
         self.known.retain(|key, known| match (*known, other.known.get(key)) {
             (Known::Within(a), Some(Known::Within(b))) => {
@@ -155,7 +156,7 @@ impl<'m> State<'m> {
         self.relations.join(&other.relations);
     }
 
-    /// Goes on after branches, with what is known at the end of each that reaches its end.
+    /// Continues after branches, with the join of those that reach their end.
     pub(crate) fn after(&mut self, ends: Vec<(State<'m>, bool)>) {
         let reached = ends.into_iter().filter(|(_, diverges)| !diverges).map(|(state, _)| state);
         if let Some(joined) = joined(reached) {
@@ -164,7 +165,7 @@ impl<'m> State<'m> {
     }
 }
 
-/// The state where several paths meet; nothing if there are none.
+/// Returns the state where several paths meet; none if there are none.
 pub(super) fn joined<'m>(paths: impl IntoIterator<Item = State<'m>>) -> Option<State<'m>> {
     paths.into_iter().reduce(|mut a, b| {
         a.join(&b);

@@ -1,8 +1,7 @@
 //! Transfer functions: the interval of an operation's result, from the intervals of its operands.
 //!
-//! The meaning: whatever operands lie in the intervals, the result lies in the interval that is given, if the operation
-//! does not fault. `all` are the values of the type, whatever its width.
-//! Bounds that leave `i128` saturate, which no 64-bit type can tell from the truth.
+//! Meaning: for any operands in the intervals, the result is in the returned interval, unless the operation faults.
+//! `all` is the range of the type. Bounds beyond `i128` saturate, which makes no difference for types of 64 bits.
 
 use bessemer_ir::{BinaryOp, CompareOp, Intrinsic};
 
@@ -97,13 +96,13 @@ impl Interval {
         Interval { low, high: self.magnitude() }
     }
 
-    /// `!x` in a type whose values are `all`.
+    /// Returns the interval of `!x` in a type with range `all`.
     pub(crate) fn not(self, all: Interval) -> Interval {
         let total = all.low + all.high;
         Interval { low: total - self.high, high: total - self.low }
     }
 
-    /// The sum, the difference or the product, whatever the type; of other operators, everything.
+    /// Returns the interval of the mathematical sum, difference or product; for other operators, everything.
     pub(crate) fn exact(self, op: BinaryOp, other: Interval) -> Interval {
         match op {
             BinaryOp::Add => self.add(other),
@@ -113,7 +112,7 @@ impl Interval {
         }
     }
 
-    /// The result of an operator in a type whose values are `all`.
+    /// Returns the interval of an operator's result in a type with range `all`.
     pub(crate) fn binary(self, op: BinaryOp, other: Interval, all: Interval) -> Interval {
         let result = match op {
             BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul => self.exact(op, other),
@@ -127,7 +126,7 @@ impl Interval {
         all.meet(result)
     }
 
-    /// The result of a comparison.
+    /// Returns the interval of a comparison.
     pub(crate) fn compare(self, op: CompareOp, other: Interval) -> Interval {
         let known = match op {
             CompareOp::Lt if self.high < other.low => Some(true),
@@ -152,7 +151,7 @@ impl Interval {
         }
     }
 
-    /// The result of an intrinsic on integers in a type whose values are `all`.
+    /// Returns the interval of an integer intrinsic in a type with range `all`.
     pub(crate) fn intrinsic(which: Intrinsic, args: &[Interval], all: Interval) -> Interval {
         let wrapped = |exact: Interval| if exact.within(all) { exact } else { all };
         match (which, args) {

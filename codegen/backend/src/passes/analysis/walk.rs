@@ -1,9 +1,8 @@
-//! Statements, one after another: what is known at the end of a pass, if it was known where the pass began.
+//! Walks along statements: the facts at the end of a pass, from the facts at its beginning.
 //!
-//! Invariant: each execution of the statements that starts in the state, and does not fault, is in the meaning of what
-//! is given for the point where it comes out, and what a local is given on the way lies in what is reported that. Nothing
-//! is rewritten, and nothing said of checks; conditions that call are not assumed, since to ask again could give another
-//! answer.
+//! Invariant: each execution that starts in the state and does not fault satisfies the returned facts at its end; and
+//! each value assigned to a local on the way is in the interval reported for it. No statement is rewritten, and no
+//! check is reported. Conditions with calls are not assumed, since a second call may return another value.
 
 use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Module, Place, Stmt, StmtKind};
 
@@ -13,7 +12,8 @@ use super::loops::Loop;
 use super::state::{State, joined};
 use bessemer_ir::effects::{calls, lent, whole, writes};
 
-/// The state where the next pass begins, by the end of the body or a `continue`; nothing if none does.
+/// Returns the state at the beginning of the next pass, after the end of the body or a `continue`; none if no path
+/// leads there.
 pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
     let mut walk = Walk { continued: Vec::new(), held: None, writes: None };
     let end = walk.block(body, head);
@@ -33,7 +33,8 @@ pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>
     walk.held.into_iter().flatten().map(shown).collect()
 }
 
-/// Each place that the statements of a body write, with the known words of its new value. A place that is lent to a call has none.
+/// Returns each place that the statements of a body write, with the facts about its new value. A place that a call
+/// borrows has none.
 pub(super) fn written_in(body: &Block, head: State) -> Vec<(Place, Parts)> {
     let mut walk = Walk { continued: Vec::new(), held: None, writes: Some(Vec::new()) };
     walk.block(body, head);
@@ -49,21 +50,21 @@ enum Held {
 }
 
 struct Walk<'m> {
-    /// The states at each `continue`.
+    /// States at each `continue`.
     continued: Vec<State<'m>>,
     /// Values assigned to each local, if requested: then the bodies of loops are analysed, too.
     held: Option<Vec<Held>>,
-    /// The places that are written, with the known words of each value, where a caller asks: the bodies of loops are followed then, too.
+    /// Written places with the facts about each value, if requested; then the bodies of loops are analysed, too.
     writes: Option<Vec<(Place, Parts)>>,
 }
 
 impl<'m> Walk<'m> {
-    /// The state at the end; nothing if no path leads there.
+    /// Returns the state at the end; none if no path leads there.
     fn block(&mut self, block: &Block, state: State<'m>) -> Option<State<'m>> {
         block.0.iter().try_fold(state, |state, stmt| self.stmt(stmt, state))
     }
 
-    /// A local is given a value.
+    /// Records a value assigned to a local.
     fn given(&mut self, local: LocalId, value: Option<Known>) {
         let Some(held) = self.held.as_mut().and_then(|held| held.get_mut(local.index())) else {
             return;
@@ -75,17 +76,18 @@ impl<'m> Walk<'m> {
         };
     }
 
-    /// Notes that a place is given a value.
+    /// Records a value written to a place.
     fn wrote(&mut self, place: &Place, value: &Parts) {
         self.writes.iter_mut().for_each(|all| all.push((place.clone(), value.clone())));
     }
 
-    /// Notes that a place may be given anything.
+    /// Records that places may get any value.
     fn lent(&mut self, places: &[Place]) {
         places.iter().for_each(|place| self.wrote(place, &Vec::new()));
     }
 
-    /// The known words of the value of an expression; none if it calls. The state forgets the places that it lends.
+    /// Returns the facts about an expression's value; none if it has a call. Drops the facts about places that it
+    /// borrows mutably.
     fn evaluated(&mut self, expr: &Expr, state: &mut State) -> Parts {
         let (value, written) =
             (if calls(expr) { Vec::new() } else { state.parts(expr) }, lent(expr));

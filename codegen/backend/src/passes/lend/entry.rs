@@ -1,7 +1,8 @@
-//! The struct that an entry point is lent.
+//! Work struct of an entry point.
 //!
-//! It has a field for each row. Where that takes a tenth more than what is alive at once, temporaries of which none
-//! meets one of another group share their memory group by group: the struct is a union of them then.
+//! It has a field for each row. If that needs a tenth more memory than the values that are alive at once, and the
+//! temporaries form groups that are never alive together, the groups share memory: the struct is then a union of
+//! them.
 
 use bessemer_ir::{
     Field, Form, Function, Given, LocalId, Module, Owner, Place, Span, Step, Struct, StructId, Type,
@@ -11,15 +12,15 @@ use super::lives::{Life, What};
 use super::row::{Row, noun};
 use super::rows::{self, Laid};
 
-/// The memory that an entry point is lent.
+/// Layout of an entry point's work struct.
 pub(super) struct Plan {
-    /// The rows, group by group; one group: a struct, several: a union of groups.
+    /// Rows by group: one group is a struct, several are a union of structs.
     groups: Vec<Vec<Row>>,
     /// Row and offset of each temporary.
     pub laid: Vec<Laid>,
 }
 
-/// Lays out what an entry point needs; `size`: bytes of a value.
+/// Computes the layout of an entry point's temporaries; `size` returns the bytes of a value.
 pub(super) fn plan(lives: &[Life], size: &dyn Fn(&Type) -> u64) -> Plan {
     let bytes = |rows: &[Row]| rows.iter().map(|row| size(&row.ty())).sum::<u64>();
     let (rows, laid) = rows::lay(lives);
@@ -44,7 +45,7 @@ pub(super) fn plan(lives: &[Life], size: &dyn Fn(&Type) -> u64) -> Plan {
     Plan { groups: groups.into_iter().map(|(rows, ..)| rows).collect(), laid: all }
 }
 
-/// Groups of temporaries of which none meets one of another.
+/// Partitions temporaries into groups, such that no temporary is alive together with one of another group.
 fn apart(lives: &[Life]) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (at, life) in lives.iter().enumerate() {
@@ -58,7 +59,7 @@ fn apart(lives: &[Life]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Merges groups of equal elements: they share their memory as it is.
+/// Merges groups of equal element types, since they can share rows.
 fn merged(lives: &[Life], groups: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
     let elements = |group: &[usize]| {
         let mut all: Vec<&Type> = Vec::new();
@@ -88,7 +89,7 @@ fn merged(lives: &[Life], groups: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
 const ENTRY_MEMORY: &str =
     "Working memory of its entry point; the contents are undefined between calls.";
 
-/// The structs, those that are needed first; and for each row, the steps that lead to it and its type.
+/// Returns the structs, inner ones first; and for each row, the steps to it and its type.
 pub(super) fn structs(
     module: &Module,
     function: &Function,
@@ -156,13 +157,13 @@ pub(super) fn structs(
     (list, at)
 }
 
-/// The place of a row in the struct that `work` lends.
+/// Returns the place of a row in the work struct.
 pub(super) fn place(laid: &Laid, at: &[(Vec<Step>, Type)], work: LocalId) -> Place {
     let (steps, ty) = at[laid.row].clone();
     Place { root: work, steps, ty, span: Default::default() }
 }
 
-/// The name of a row: that of its content, if this is one thing.
+/// Returns the name of a row: the name of its content if this is one value.
 fn name_of(module: &Module, function: &Function, what: &[What], row: &Row) -> String {
     match what {
         [What::Local(id)] => function.local(*id).name.clone(),
@@ -184,7 +185,7 @@ fn fresh(wanted: &str, taken: &mut Vec<String>) -> String {
     name
 }
 
-/// A struct of the compiler's: memory that is lent.
+/// Returns a generated struct of working memory.
 pub(super) fn record(
     (name, module, span): (String, String, Span),
     docs: Vec<String>,

@@ -1,9 +1,9 @@
-//! Lifetimes of temporaries, and their overlap.
+//! Lifetimes of temporaries, and their overlaps.
 //!
-//! Statements are counted in the order in which they stand. A temporary lives from the first that mentions it to
-//! the last, and through the whole of each loop that stands between its declaration and a mention: it may carry
-//! something from one pass to the next, and C reads the bounds of a loop in each pass. What a call is lent lives in the statement of the call. So two lives that
-//! meet in no statement are never alive together, whatever path is run.
+//! Statements are numbered in textual order. A temporary lives from the first statement that mentions it to the last.
+//! If a loop is between its declaration and a mention, it lives through the whole loop: it may carry a value between
+//! passes, and C reads the bounds of a loop in each pass. Memory for a call lives in the call's statement. So two
+//! lives without a common statement are never alive together, on any path.
 
 use std::collections::BTreeMap;
 
@@ -12,12 +12,12 @@ use bessemer_ir::{Expr, ExprKind, Function, FunctionId, LocalId, Place, Stmt, St
 
 use super::row::{Need, Row};
 
-/// The values that need memory.
+/// Values that need memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum What {
     /// A large local.
     Local(LocalId),
-    /// A row that a call is lent.
+    /// A row that a call needs.
     Call {
         /// Index of the call in the function, in order of evaluation.
         call: usize,
@@ -28,7 +28,7 @@ pub(super) enum What {
     },
 }
 
-/// A temporary, and when it is alive.
+/// A temporary and its lifetime.
 #[derive(Clone, Debug)]
 pub(super) struct Life {
     pub what: What,
@@ -67,7 +67,7 @@ impl Life {
         large.iter().filter_map(local).chain(walk.calls).collect()
     }
 
-    /// Returns true if both are alive in some statement. What different calls are lent never is.
+    /// Returns true if both are alive in some statement. Memory for different calls never is.
     pub fn meets(&self, other: &Life) -> bool {
         match (self.what, other.what) {
             (What::Call { call: one, .. }, What::Call { call: other, .. }) => one == other,
@@ -76,18 +76,18 @@ impl Life {
     }
 }
 
-/// A loop around what is being looked at.
+/// A loop around the present statement.
 struct Loop {
     first: usize,
     mentioned: Vec<LocalId>,
 }
 
 struct Walk<'n> {
-    /// The statement.
+    /// Index of the statement.
     at: usize,
     /// Position of each local's declaration.
     declared: Vec<usize>,
-    /// The first statement that mentions it, and the last.
+    /// First and last statement that mentions each local.
     seen: Vec<Option<(usize, usize)>>,
     loops: Vec<Loop>,
     calls: Vec<Life>,
@@ -105,7 +105,7 @@ impl Walk<'_> {
         }
     }
 
-    /// A place is read or written; what its root is a name for is, too.
+    /// Records the use of a place, and of the place of which its root is an alias.
     fn named(&mut self, place: &Place) {
         self.mention(place.root);
         if let Some(of) = self.names.get(&place.root) {

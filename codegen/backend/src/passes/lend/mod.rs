@@ -1,16 +1,16 @@
-//! Large temporaries become the caller's, laid out by their lives.
+//! Moves large temporaries to the caller's memory, laid out by their lifetimes.
 //!
-//! Precondition: a valid, explicit module. Postcondition: no local of more than [`LARGEST`] bytes is left, save one
-//! that is built where the caller wants the result, a name for what lies elsewhere, and a table that is only read. Memory for the others is lent:
+//! Precondition: a valid, explicit module. Postcondition: no local has more than [`LARGEST`] bytes, except one that
+//! is built in the caller's result, an alias of a place, and a constant table. The others use memory of the caller:
 //!
-//! * a function takes, of each type that its temporaries are made of, so many elements in a row, as its last
-//!   parameters; an entry point takes one struct of its own, whose content means nothing between calls;
-//! * a large local becomes a name for its part of that (a `let` of mode `RefMut`);
-//! * two that are never alive together have the same memory, and so have what is lent to calls: see [`lives`] for
-//!   when they are, and [`rows`] for where they lie.
+//! * a function has, as its last parameters, a row of elements for each element type of its temporaries; an entry
+//!   point has one work struct, whose content has no meaning between calls;
+//! * a large local becomes an alias of its part of this memory (a `let` of mode `RefMut`);
+//! * two that are never alive together share memory, and so does memory for calls: [`lives`] computes lifetimes,
+//!   [`rows`] positions.
 //!
-//! The lives are looked at statement by statement, a loop as one where something outlives a pass. What it must not
-//! know: how the C of any of it looks.
+//! Lifetimes are computed by statements; a loop counts as one statement if a value outlives a pass. Must not know:
+//! the C text.
 
 mod entry;
 mod lives;
@@ -33,11 +33,11 @@ use lives::Life;
 use row::{Need, Row, noun};
 use rows::Laid;
 
-/// Bytes that a local may take on the stack.
+/// Largest size of a local on the stack, bytes.
 pub const LARGEST: u64 = 256;
 
-/// Lends large temporaries from the caller; what kernels need follows from how they are made. `flat`: in C, matrices are
-/// arrays of numbers.
+/// Moves large temporaries to callers' memory; `tuning` determines the memory of kernels. `flat`: matrices are arrays
+/// of scalars in the C.
 pub fn lend(mut module: Module, tuning: &Tuning, flat: bool) -> Module {
     let mut needs: Vec<Need> = Vec::new();
     for (index, fallible) in fallible(&module).into_iter().enumerate() {
@@ -53,7 +53,7 @@ pub fn lend(mut module: Module, tuning: &Tuning, flat: bool) -> Module {
     module
 }
 
-/// Takes the large temporaries out of a function; what it is lent for them.
+/// Moves the large temporaries of a function, and returns the memory that it needs.
 fn lend_body(
     module: &mut Module,
     index: usize,
@@ -98,7 +98,7 @@ fn lend_body(
     need
 }
 
-/// Lends a function a struct of its own.
+/// Adds a parameter for a function's work struct.
 fn lend_struct(module: &mut Module, index: usize, definition: Struct) -> (LocalId, Need) {
     let work = StructId(module.structs.len() as u32);
     module.structs.push(definition);
@@ -106,7 +106,7 @@ fn lend_struct(module: &mut Module, index: usize, definition: Struct) -> (LocalI
     (take(&mut module.functions[index], "work".into(), row.ty()), vec![row])
 }
 
-/// Gives a function another parameter, the last one; the locals behind it move by one.
+/// Adds a last parameter to a function; the handles of later locals increase by one.
 fn take(function: &mut Function, name: String, ty: Type) -> LocalId {
     let parameter = LocalId(function.params);
     let local = Local { name, ty, mode: Mode::RefMut, span: function.span };
@@ -115,7 +115,7 @@ fn take(function: &mut Function, name: String, ty: Type) -> LocalId {
     parameter
 }
 
-/// The names of the rows that a function is lent.
+/// Returns the names of the rows that a function needs.
 fn row_names(module: &Module, need: &[Row]) -> Vec<String> {
     match need {
         [_] => vec!["work".into()],
@@ -123,7 +123,7 @@ fn row_names(module: &Module, need: &[Row]) -> Vec<String> {
     }
 }
 
-/// Bytes of a value in C, without padding.
+/// Returns the bytes of a value in C, without padding.
 fn bytes(module: &Module, ty: &Type) -> u64 {
     match ty {
         Type::Unit | Type::Slice(_) => 0,
@@ -154,7 +154,7 @@ fn scalar_bytes(scalar: Scalar) -> u64 {
     }
 }
 
-/// The locals that are too large for the stack, in the order of their declaration.
+/// Returns the locals that are too large for the stack, in the order of their declarations.
 fn large_locals(
     module: &Module,
     function: &Function,
@@ -202,7 +202,7 @@ impl Visit for Uses<'_> {
     }
 }
 
-/// The work of a kernel that needs more memory than a function may take for itself.
+/// Returns the work struct of a kernel; none if its buffers fit on the stack.
 fn scratch(kernel: &Kernel, tuning: &Tuning) -> Option<Struct> {
     let name = kernel.name();
     let lent = kernels::lent(kernel, tuning);

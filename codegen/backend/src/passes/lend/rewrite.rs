@@ -1,7 +1,7 @@
-//! Gives each large local a name for its memory, and each call what it is lent.
+//! Makes each large local an alias of its memory, and passes memory to each call.
 //!
-//! A declaration becomes the name, with the first value assigned behind it, so that what is alive begins where its
-//! author declared it.
+//! A declaration becomes the alias, followed by the assignment of the first value, so the lifetime begins at the
+//! author's declaration.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use super::lives::{Life, What};
 use super::row::Row;
 use super::rows::Laid;
 
-/// Rewrites a function that was given `taken` parameters; `row` tells where a row is.
+/// Rewrites a function with `taken` additional parameters; `row` returns the place of a row.
 pub(super) fn rewrite(
     function: &mut Function,
     taken: u32,
@@ -44,7 +44,7 @@ pub(super) fn rewrite(
     rewrite.block(&mut function.body);
 }
 
-/// The part of a row that begins so far from its start.
+/// Returns the part of a row at an offset.
 fn part(mut row: Place, offset: u32, ty: &Type, own: &Row) -> Place {
     if row.ty == *ty {
         return row;
@@ -57,12 +57,12 @@ fn part(mut row: Place, offset: u32, ty: &Type, own: &Row) -> Place {
 }
 
 struct Rewrite {
-    /// The first parameter that the function was given.
+    /// First additional parameter of the function.
     first: u32,
     taken: u32,
     /// Place of each large local.
     locals: BTreeMap<LocalId, Place>,
-    /// The memory that each call is lent.
+    /// Memory that each call receives.
     calls: BTreeMap<usize, Vec<Place>>,
     /// Number of calls so far.
     call: usize,

@@ -1,8 +1,8 @@
-//! Memory as rows of elements.
+//! Working memory as rows of elements.
 
 use bessemer_ir::{Module, Scalar, Type};
 
-/// Elements of one type, one behind the other.
+/// Elements of one type, one after another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Row {
     pub element: Type,
@@ -10,7 +10,7 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// The parts of a value; `flat`: matrices are arrays of numbers.
+    /// Returns the elements of a value; `flat`: matrices are arrays of scalars.
     pub fn of(ty: &Type, flat: bool) -> Row {
         match ty {
             Type::Matrix { rows, cols, .. } if !flat && *rows > 1 && *cols > 1 => {
@@ -24,7 +24,7 @@ impl Row {
         }
     }
 
-    /// The type of the whole.
+    /// Returns the type of the whole row.
     pub fn ty(&self) -> Type {
         match (&self.element, self.len) {
             // A struct is lent as itself.
@@ -34,10 +34,10 @@ impl Row {
     }
 }
 
-/// The rows that a function is lent, in the order of its last parameters.
+/// Rows that a function needs, in the order of its last parameters.
 pub(super) type Need = Vec<Row>;
 
-/// The name of a type's elements.
+/// Returns a plural noun for a type's elements.
 pub(super) fn noun(module: &Module, element: &Type) -> String {
     match element {
         Type::Scalar(Scalar::Bool) => "flags".into(),
@@ -54,7 +54,7 @@ pub(super) fn noun(module: &Module, element: &Type) -> String {
     }
 }
 
-/// `record_of_it` for `RecordOfIt`.
+/// Converts `RecordOfIt` to `record_of_it`.
 fn snake(name: &str) -> String {
     let mut text = String::new();
     for letter in name.chars() {

@@ -1,6 +1,6 @@
-//! Layout of temporaries: elements of one type form a row, a part of which belongs to each.
+//! Layout of temporaries in rows: elements of one type form a row, and each temporary has a part of one.
 //!
-//! Invariant: two temporaries that meet share no element.
+//! Invariant: two temporaries that are alive together share no element.
 
 use super::lives::Life;
 use super::row::Row;
@@ -10,11 +10,11 @@ use super::row::Row;
 pub(super) struct Laid {
     /// Index of the row.
     pub row: usize,
-    /// Elements before it.
+    /// Number of elements before it.
     pub offset: u32,
 }
 
-/// Lays temporaries out in as few elements as a simple rule finds; the rows, and where each lies.
+/// Returns rows with few elements, found by a greedy rule, and the location of each temporary.
 pub(super) fn lay(lives: &[Life]) -> (Vec<Row>, Vec<Laid>) {
     let mut rows: Vec<Row> = Vec::new();
     let mut laid = vec![Laid { row: 0, offset: 0 }; lives.len()];
@@ -40,7 +40,7 @@ pub(super) fn lay(lives: &[Life]) -> (Vec<Row>, Vec<Laid>) {
     (rows, laid)
 }
 
-/// Each as near to the beginning as those before it leave room; where, and how much it takes in all.
+/// Places each temporary as near to the beginning as the placed ones allow; returns the offsets and the total length.
 fn first_fit(lives: &[Life], order: &[usize]) -> (Vec<u32>, u32) {
     let mut offsets: Vec<u32> = Vec::new();
     let mut all = 0;

@@ -1,4 +1,4 @@
-//! Facts about symbols at a point, what follows from them, and formulas.
+//! Facts about symbols at a point, their consequences, and formulas.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -8,15 +8,15 @@ use super::linear::{Linear, Symbol};
 use crate::passes::persistent::Map;
 use bessemer_ir::used::Rule;
 
-/// The least and the greatest value.
+/// Least and greatest value.
 pub(super) type Bounds = (i128, i128);
 
-/// A statement about symbols; negation is at the leaves alone.
+/// A statement about symbols; only its leaves are negated.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Formula {
-    /// The form is 0 or more.
+    /// The form is at least 0.
     Natural(Linear),
-    /// A symbol that is 0 or 1 is 1, or is not.
+    /// The symbol, which is 0 or 1, is 1; or with `false`, is 0.
     Is(Symbol, bool),
     All(Vec<Formula>),
     Any(Vec<Formula>),
@@ -44,7 +44,7 @@ const CASES: u32 = 2;
 /// Largest number of attempts for a goal.
 const ATTEMPTS: u32 = 3000;
 
-/// The facts at a point.
+/// Facts at a point.
 #[derive(Clone, Default)]
 pub(super) struct Knowledge {
     bounds: Map<Bounds>,
@@ -57,12 +57,12 @@ pub(super) struct Knowledge {
 }
 
 impl Knowledge {
-    /// The bounds of a symbol, which has these by its type.
+    /// Returns the bounds of a symbol, at least as narrow as those of its type.
     pub(super) fn of(&self, symbol: Symbol, all: &[Bounds]) -> Bounds {
         self.bounds.get(symbol.0).copied().unwrap_or(all[symbol.0 as usize])
     }
 
-    /// The least value of a form by the bounds of its symbols.
+    /// Returns the least value of a form by the bounds of its symbols.
     fn plain(&self, form: &Linear, all: &[Bounds]) -> i128 {
         form.parts.iter().fold(form.constant, |sum, (symbol, factor)| {
             let (low, high) = self.of(*symbol, all);
@@ -70,7 +70,7 @@ impl Knowledge {
         })
     }
 
-    /// The least and the greatest value of a form by the bounds of its symbols.
+    /// Returns the least and the greatest value of a form by the bounds of its symbols.
     pub(super) fn range(&self, form: &Linear, all: &[Bounds]) -> Bounds {
         (self.plain(form, all), -self.plain(&form.below(), all) - 1)
     }
@@ -84,7 +84,7 @@ impl Knowledge {
         }
     }
 
-    /// From here on the form is 0 or more.
+    /// Adds the fact that the form is at least 0.
     fn natural(&mut self, form: &Linear, all: &[Bounds]) {
         if let Some(number) = form.as_number() {
             self.dead |= number < 0;
@@ -107,7 +107,7 @@ impl Knowledge {
         }
     }
 
-    /// From here on a formula is true.
+    /// Adds the fact that a formula is true.
     pub(super) fn assume(&mut self, formula: &Formula, all: &[Bounds]) {
         match formula {
             Formula::Natural(form) => self.natural(form, all),
@@ -135,7 +135,7 @@ impl Knowledge {
         knowledge
     }
 
-    /// Returns true if a formula is surely true.
+    /// Returns true if the facts prove a formula.
     pub(super) fn shows(&self, formula: &Formula, all: &[Bounds]) -> bool {
         self.follows(formula, all, CASES)
     }
@@ -166,13 +166,13 @@ impl Knowledge {
         }
     }
 
-    /// Returns true if a form is 0 or more, after known ones are subtracted.
+    /// Returns true if a form is at least 0, proved by subtracting known forms.
     fn reaches(&self, goal: &Linear, steps: u32, all: &[Bounds], left: &Cell<u32>) -> bool {
         self.plain(goal, all) >= 0
             || Rule::Forms.told(self.least(goal, steps, Some(0), all, left) >= 0)
     }
 
-    /// The least value of a form, as far as subtracting known ones shows it; no further than `enough`.
+    /// Returns a lower bound of a form, found by subtracting known forms; the search stops at `enough`.
     fn least(
         &self,
         goal: &Linear,
@@ -204,7 +204,7 @@ impl Knowledge {
         best
     }
 
-    /// The least and the greatest value of a form, as far as they show.
+    /// Returns the closest provable bounds of a form.
     pub(super) fn closest(&self, form: &Linear, all: &[Bounds]) -> Bounds {
         let least = |form: &Linear| self.least(form, STEPS, None, all, &Cell::new(ATTEMPTS));
         (least(form), -least(&form.below()) - 1)
@@ -222,7 +222,7 @@ impl Knowledge {
         })
     }
 
-    /// Keeps the facts that hold on both paths; `forms` and `clauses` of one that follow from the other stay.
+    /// Keeps the facts that hold on both paths: also `forms` and `clauses` of one that follow from the other.
     pub(super) fn join(&mut self, other: &Knowledge, all: &[Bounds]) {
         if other.dead {
             return;

@@ -1,20 +1,20 @@
-//! Linear forms over symbols, with whole coefficients.
+//! Linear forms over symbols, with integer coefficients.
 //!
-//! Invariant: no factor is 0, and symbols are in order, so that equal forms look the same. Numbers are so small
-//! ([`LARGEST`], [`STEEPEST`], and the bounds of symbols) that no bound of a form comes near the ends of `i128`.
+//! Invariant: no factor is 0, and symbols are in order, so equal forms look equal. Numbers are limited ([`LARGEST`],
+//! [`STEEPEST`], and the bounds of symbols), so that no bound of a form overflows `i128`.
 
-/// The largest constant.
+/// Largest constant.
 const LARGEST: i128 = 1 << 100;
-/// The largest factor.
+/// Largest factor.
 const STEEPEST: i128 = 1 << 40;
-/// Every symbol lies between this and its opposite.
+/// Largest absolute value of a symbol.
 pub(super) const FURTHEST: i128 = 1 << 70;
 
-/// One number of an execution.
+/// A number in an execution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) struct Symbol(pub(super) u32);
 
-/// `constant + Σ factor · symbol`.
+/// The form `constant + Σ factor · symbol`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Linear {
     pub(super) constant: i128,
@@ -30,7 +30,7 @@ impl Linear {
         Linear { constant: 0, parts: vec![(symbol, 1)] }
     }
 
-    /// The number, if it has no symbols.
+    /// Returns the number of a form without symbols.
     pub(super) fn as_number(&self) -> Option<i128> {
         self.parts.is_empty().then_some(self.constant)
     }
@@ -39,7 +39,7 @@ impl Linear {
         self.parts.iter().find(|(it, _)| *it == symbol).map_or(0, |(_, factor)| *factor)
     }
 
-    /// `self + by · other`.
+    /// Returns `self + by · other`; none if a limit is exceeded.
     pub(super) fn plus(&self, by: i128, other: &Linear) -> Option<Linear> {
         let constant = self.constant.checked_add(by.checked_mul(other.constant)?)?;
         let mut parts = self.parts.clone();
@@ -66,7 +66,7 @@ impl Linear {
         Linear::number(0).plus(by, self)
     }
 
-    /// The negation: a form that is 0 or more where this one is below 0.
+    /// Returns the negation: a form that is at least 0 where this one is below 0.
     pub(super) fn below(&self) -> Linear {
         let parts = self.parts.iter().map(|(symbol, factor)| (*symbol, -factor)).collect();
         Linear { constant: -self.constant - 1, parts }

@@ -1,21 +1,21 @@
-//! The verifier of F3: that no operation of explicit IR faults by itself.
+//! Verifier of F3: no operation of explicit IR faults by itself.
 //!
-//! It shares nothing with the analysis that left the checks out: no facts, no conditions, no rules. It looks at
-//! **values**, not at places. Each value that is computed is a *linear form* over *symbols*, `3 + 2 a - b`, and a
-//! symbol represents one number in one execution, for ever. So what is known of symbols never has to be forgotten; a
-//! write changes only which value a place holds.
+//! It shares neither facts nor conditions nor rules with the analysis that removed the checks. It reasons about
+//! **values**, not places. Each computed value is a *linear form* over *symbols*, such as `3 + 2 a - b`. A symbol is
+//! one number in one execution, and never changes, so facts about symbols need not be dropped; a write only changes
+//! which value a place holds.
 //!
-//! The meaning of a [`Knowledge`](knowledge::Knowledge): in every execution that is at this point, each symbol lies
-//! within its bounds, each form in `forms` is 0 or more, and one alternative of each clause is true.
-//! A goal `form >= 0` is shown by arithmetic alone: bounds of its symbols, after forms that are known to be 0 or more
-//! are subtracted; or from each alternative of a clause.
+//! A [`Knowledge`](knowledge::Knowledge) means: in every execution at this point, each symbol is within its bounds,
+//! each form in `forms` is at least 0, and one alternative of each clause is true. A goal `form >= 0` is proved by
+//! arithmetic: by the bounds of its symbols after subtracting forms that are known to be at least 0; or from each
+//! alternative of a clause.
 //!
-//! The condition of an operation is stated in exact numbers ([`values`]): a sum lies within its type, an index is 0 or more
-//! and less than the length. A loop ([`walk`]) is looked at twice: bounds are *guessed* from a pass, and kept if a pass
-//! that begins with them ends with them. What a call gives lies within what its function, which precedes, was seen
-//! to return; of an external one nothing is known.
+//! The condition of an operation is stated in exact numbers ([`values`]): a sum is within its type, an index is at
+//! least 0 and less than the length. A loop ([`walk`]) is analysed twice: bounds are *guessed* from a pass, and kept
+//! if a pass that begins with them ends with them. The result of a call is within its function's summary, which is
+//! known since callees precede callers; nothing is known of an external function's result.
 //!
-//! Must not know: which checks could have been left out, `analysis`, `faults`.
+//! Must not know: which checks could have been removed, `analysis`, `faults`.
 
 mod facts;
 mod knowledge;
@@ -32,8 +32,8 @@ use super::sites::Site;
 
 pub(super) use returns::Returns;
 
-/// The operations of a function that may fault, as far as this shows, and what it returns. The functions before it return
-/// what is `shown` of them.
+/// Returns the operations of a function that may fault according to this proof, and its summary. `shown` are the
+/// summaries of the functions before it.
 pub(super) fn open(
     module: &Module,
     function: &Function,

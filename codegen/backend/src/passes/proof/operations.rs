@@ -1,7 +1,7 @@
-//! Preconditions of operations on numbers, and the values that they give.
+//! Preconditions of numeric operations, and their results.
 //!
-//! The meaning: where what is needed holds, the operation does not fault, and its result is the exact one or, of an
-//! operation that wraps, differs from it by a multiple of its type's size.
+//! Meaning: if the precondition holds, the operation does not fault. Its result is exact or, for a wrapping
+//! operation, differs from the exact one by a multiple of 2^bits.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, EnumId, Expr, Float, Int, Intrinsic, Scalar, Type, UnaryOp,
@@ -153,7 +153,7 @@ impl Values<'_> {
         }
     }
 
-    /// The number of a variant, by its index; what is none may have any.
+    /// Returns the number of a variant from its index; an invalid one may have any number.
     fn variant_number(
         &mut self,
         point: &mut Point,
@@ -291,7 +291,7 @@ impl Values<'_> {
         Some(Value::Number(Linear::symbol(symbol)))
     }
 
-    /// The product lies within its type: by its value, by its bounds, or as it was checked by division.
+    /// Requires that the product is within its type: by its form, by its bounds, or by a check with a division.
     fn need_product(
         &mut self,
         point: &Point,
@@ -338,7 +338,7 @@ impl Values<'_> {
         }
     }
 
-    /// The divisor is not 0; of signed numbers the least is not divided by -1.
+    /// Requires that the divisor is not 0, and for signed numbers that the least is not divided by -1.
     fn need_quotient(&mut self, point: &Point, (x, y): (&Linear, &Linear), int: Int, site: Site) {
         let not =
             |form: &Linear, number: i128| ordered(CompareOp::Ne, form, &Linear::number(number));
@@ -467,7 +467,7 @@ fn product(p: Bounds, q: Bounds) -> Bounds {
     (all.into_iter().min().unwrap_or(i128::MIN), all.into_iter().max().unwrap_or(i128::MAX))
 }
 
-/// The bounds of an operation that does not fault, from those of its operands.
+/// Returns the bounds of an operation that does not fault, from the bounds of its operands.
 fn operation(op: BinaryOp, p: Bounds, q: Bounds, all: Bounds) -> Bounds {
     let natural = p.0 >= 0 && q.0 >= 0;
     let furthest = p.0.abs().max(p.1.abs());

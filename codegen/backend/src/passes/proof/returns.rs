@@ -1,11 +1,11 @@
-//! Function summaries of the verifier: bounds of the numbers in a function's result, and whether two calls give the same.
+//! Function summaries of the verifier: bounds of the numbers in a result, and true if equal calls give equal results.
 //!
-//! The meaning: in every execution of the function that returns, whatever its arguments, each number that is listed lies
-//! within its bounds. A body that is not the one that runs lists nothing: an external function's, which the firmware brings,
-//! and a kernel's, which is none. What `math.h` may represent (`c/library.rs`) gives floats, which are not listed.
+//! Meaning: in every execution of the function that returns, for any arguments, each listed number is within its
+//! bounds. A function whose body does not run lists nothing: an external function belongs to the firmware, and a
+//! kernel has no body. Functions that `math.h` may replace (`c/library.rs`) return floats, which are not listed.
 //!
-//! A function is steady if it calls nothing of the firmware's, at no remove: called again with the same arguments, it gives
-//! the same while nothing is written.
+//! A function is steady if it does not call the firmware, directly or indirectly: a second call with the same
+//! arguments has the same result if nothing was written in between.
 
 use std::collections::BTreeMap;
 
@@ -14,10 +14,10 @@ use bessemer_ir::{ExprKind, Function, Type};
 
 use super::knowledge::Bounds;
 
-/// Bounds of the numbers in a result, each with the fields that lead to it. A truth that is one or the other is 1 or 0.
+/// Bounds of the numbers in a result, each with the fields that lead to it. A `bool` is 1 or 0.
 pub(super) type Numbers = BTreeMap<Vec<u32>, Bounds>;
 
-/// The summary of a function.
+/// Summary of a function.
 #[derive(Clone, Debug, Default)]
 pub struct Returns {
     pub(super) numbers: Numbers,
@@ -27,7 +27,7 @@ pub struct Returns {
 }
 
 impl Returns {
-    /// Returns the summary of a function that returns such numbers, with the summaries of those before it.
+    /// Returns the summary of a function with these returned numbers; `shown` are the summaries before it.
     pub(super) fn of(function: &Function, numbers: Option<Numbers>, shown: &[Returns]) -> Returns {
         let own = function.attributes.external.is_none();
         let unsteady = |id: usize| !shown.get(id).is_some_and(|it| it.steady);
@@ -41,7 +41,7 @@ impl Returns {
     }
 }
 
-/// The bounds that hold both of the results seen before and of `now`.
+/// Returns the bounds that include the earlier results and `now`.
 pub(super) fn with(before: Option<Numbers>, now: Numbers) -> Numbers {
     let Some(mut before) = before else { return now };
     before.retain(|at, held| {

@@ -1,7 +1,8 @@
-//! Values of expressions, and what their operations need.
+//! Values of expressions, and preconditions of their operations.
 //!
-//! The meaning: in an execution at the point, in which nothing has faulted yet, the expression has this value. What an
-//! operation needs is reported before its value is made; behind it, it has not faulted, so its result is the exact one.
+//! Meaning: in an execution at the point without a fault so far, the expression has this value. A precondition is
+//! reported before the operation's value is computed; afterwards the operation has not faulted, so its result is
+//! exact.
 
 use std::collections::HashMap;
 
@@ -18,32 +19,32 @@ use crate::passes::persistent::Map;
 use crate::passes::sites::Site;
 use bessemer_ir::used::Rule;
 
-/// The value of a word.
+/// Value of a word.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Value {
-    /// An integer, or the index of a variant; of an enum that is none, the number of its variants.
+    /// An integer, or the index of a variant; for an invalid enum, the number of its variants.
     Number(Linear),
     Truth(Formula),
-    /// A float: its bits if they are known, widened to double precision.
+    /// A float, with its bits, widened to double, if they are known.
     Float(Symbol, Option<u64>),
 }
 
-/// The key of a symbol: the same operation on the same values gives the same symbol (value numbering).
+/// Key of a symbol: equal operations on equal values have the same symbol (value numbering).
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Origin {
     Float(u64),
     Unary(UnaryOp, Type),
     Binary(BinaryOp, Type),
-    /// The exact product, whatever its type.
+    /// Exact product, for any type.
     Product,
     Compare(CompareOp),
     Cast(Type),
     Intrinsic(Intrinsic, Type),
-    /// A call of a function without effects, as it is written, while nothing is written.
+    /// Call of a function without effects, with the version of memory at which it is evaluated.
     Call(String, u32),
 }
 
-/// A step into a value, its indices as values.
+/// A step into a value, with indices as values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum At {
     Field(u32),
@@ -51,7 +52,7 @@ pub(super) enum At {
 }
 
 impl At {
-    /// The field, where it is one.
+    /// Returns the field, if it is one.
     pub(super) fn field(&self) -> Option<u32> {
         match self {
             At::Field(field) => Some(*field),
@@ -60,20 +61,20 @@ impl At {
     }
 }
 
-/// The words in a value that are known, each with the fields that lead to it.
+/// Known words in a value, each with the steps to it.
 pub(super) type Parts = Vec<(Vec<At>, Value)>;
 
-/// The part that is the value itself: there is one if the value is a word, and its number is known.
+/// Returns the part that is the value itself, if it is a word.
 pub(super) fn the_whole(parts: &Parts) -> Option<&Value> {
     parts.iter().find(|(at, _)| at.is_empty()).map(|(_, value)| value)
 }
 
-/// The truth that has these bounds, if it is one or the other.
+/// Returns the truth value with these bounds, if they are equal.
 fn truth_of((low, high): &Bounds) -> Option<Formula> {
     (low == high).then(|| Formula::constant(*low != 0))
 }
 
-/// The steps to a place that fields alone lead to.
+/// Returns the steps to a place with fields only.
 pub(super) fn fields_of(place: &Place) -> Option<Vec<At>> {
     let field = |step: &Step| match step {
         Step::Field(field) => Some(At::Field(*field)),
@@ -82,7 +83,7 @@ pub(super) fn fields_of(place: &Place) -> Option<Vec<At>> {
     place.steps.iter().map(field).collect()
 }
 
-/// The value that each place holds, and what is known of it.
+/// Values of places at a point, with the facts about them.
 #[derive(Clone, Default)]
 pub(super) struct Point {
     pub(super) knowledge: Knowledge,
@@ -91,19 +92,19 @@ pub(super) struct Point {
     pub(super) version: u32,
 }
 
-/// The symbols of a function.
+/// Symbols of a function.
 pub(super) struct Values<'m> {
     pub(super) module: &'m Module,
     pub(super) function: &'m Function,
-    /// The summaries of the functions before this one.
+    /// Summaries of the functions before this one.
     pub(super) shown: &'m [Returns],
-    /// The bounds of each symbol by its type.
+    /// Bounds of each symbol by its type.
     pub(super) all: Vec<Bounds>,
     origins: HashMap<(Origin, Vec<Value>), Symbol>,
     pub(super) versions: u32,
-    /// The operations that may fault.
+    /// Operations that may fault.
     pub(super) open: Vec<Site>,
-    /// True if that is reported later.
+    /// True if these are not reported now, but later.
     pub(super) quiet: bool,
 }
 
@@ -121,13 +122,13 @@ impl<'m> Values<'m> {
         Values { module, function, shown, all, origins, versions: 0, open, quiet: false }
     }
 
-    /// The summary of a function; an empty one if it does not precede this one.
+    /// Returns the summary of a function; an empty one if it does not precede this one.
     pub(super) fn returned(&self, callee: FunctionId) -> &'m Returns {
         static NOTHING: Returns = Returns { numbers: Numbers::new(), steady: false, never: false };
         self.shown.get(callee.index()).unwrap_or(&NOTHING)
     }
 
-    /// A symbol of which nothing is known but its bounds.
+    /// Returns a new symbol with these bounds.
     pub(super) fn fresh(&mut self, bounds: Bounds) -> Symbol {
         self.all.push((bounds.0.max(-FURTHEST), bounds.1.min(FURTHEST)));
         Symbol(self.all.len() as u32 - 1)
@@ -151,7 +152,7 @@ impl<'m> Values<'m> {
         self.module.enums[id.index()].variants.len() as i128
     }
 
-    /// A value of a type of which nothing is known.
+    /// Returns an unknown value of a type.
     pub(super) fn unknown(&mut self, ty: &Type) -> Option<Value> {
         Some(match ty {
             Type::Scalar(Scalar::Int(int)) => {
@@ -167,7 +168,7 @@ impl<'m> Values<'m> {
         })
     }
 
-    /// The result of an operation of which only the type is known: the same symbol for the same operands.
+    /// Returns the result of an operation of which only the type is known: the same symbol for equal operands.
     pub(super) fn opaque(&mut self, origin: Origin, of: Vec<Value>, ty: &Type) -> Option<Value> {
         Some(match ty {
             Type::Scalar(Scalar::Int(int)) => {
@@ -185,7 +186,7 @@ impl<'m> Values<'m> {
         })
     }
 
-    /// Tells of a place where what is needed does not show.
+    /// Reports an operation whose precondition is not proved.
     pub(super) fn need(&mut self, point: &Point, needed: &Formula, site: Site) {
         if !self.quiet && !Rule::Shown.told(point.knowledge.shows(needed, &self.all)) {
             self.open.push(site);
@@ -215,7 +216,7 @@ impl<'m> Values<'m> {
         point.knowledge.range(form, &self.all)
     }
 
-    /// The number, also where only its bounds tell.
+    /// Returns the number of a form, also if only its bounds determine it.
     pub(super) fn single(&self, point: &Point, form: &Linear) -> Option<i128> {
         let (low, high) = self.range(point, form);
         (low == high).then_some(low)
@@ -235,7 +236,7 @@ impl<'m> Values<'m> {
         }
     }
 
-    /// The words that are known in what a call gives.
+    /// Returns the known words in a call's result.
     pub(super) fn given(&mut self, callee: FunctionId, ty: &Type) -> Parts {
         let mut parts = Parts::new();
         for (fields, bounds) in &self.returned(callee).numbers {
@@ -255,7 +256,7 @@ impl<'m> Values<'m> {
         parts
     }
 
-    /// The bounds of the numbers in a value that fields alone lead to; of a truth, if it is one or the other.
+    /// Returns the bounds of the numbers in a value, as far as fields lead to them.
     pub(super) fn numbers(&self, point: &Point, parts: &Parts) -> Numbers {
         let number = |(at, value): &(Vec<At>, Value)| {
             let fields: Option<Vec<u32>> = at.iter().map(At::field).collect();
@@ -271,7 +272,7 @@ impl<'m> Values<'m> {
         parts.iter().filter_map(number).collect()
     }
 
-    /// The value of an expression; nothing of what has parts. Its operands are looked at from left to right.
+    /// Returns the value of an expression; none for an aggregate. Operands are evaluated left to right.
     pub(super) fn value(&mut self, point: &mut Point, expr: &Expr) -> Option<Value> {
         match &expr.kind {
             ExprKind::Literal(word) => self.literal(&expr.ty, *word),
@@ -367,7 +368,7 @@ impl<'m> Values<'m> {
         Value::Float(symbol, (!value.is_nan()).then_some(bits))
     }
 
-    /// An expression without effects has the same value until something is written.
+    /// Returns the value of a call. A call without effects has the same value until the next write.
     pub(super) fn call(&mut self, point: &Point, id: FunctionId, expr: &Expr) -> Option<Value> {
         let callee = &self.module.functions[id.index()];
         let reads = callee.parameters().iter().all(|it| it.mode != bessemer_ir::Mode::RefMut);
@@ -400,7 +401,7 @@ impl<'m> Values<'m> {
         })
     }
 
-    /// The steps of a place, and what its indices need.
+    /// Returns the steps of a place, and reports the preconditions of its indices.
     pub(super) fn steps(&mut self, point: &mut Point, place: &Place) -> Vec<At> {
         let mut container = Some(self.function.local(place.root).ty.clone());
         let mut all = Vec::new();
@@ -489,7 +490,7 @@ impl<'m> Values<'m> {
     }
 }
 
-/// The type behind a step; nothing behind the start of a part, which is lent as it is.
+/// Returns the type after a step; none after the beginning of a slice.
 pub(super) fn step_type(module: &Module, container: &Type, step: &Step) -> Option<Type> {
     Some(match (container, step) {
         (Type::Struct(id), Step::Field(field)) => {
@@ -503,7 +504,7 @@ pub(super) fn step_type(module: &Module, container: &Type, step: &Step) -> Optio
     })
 }
 
-/// An expression without at its place. One of which a span is left only equals fewer others.
+/// Returns an expression without spans, for comparisons. A missed span only makes equal expressions look different.
 fn without_spans(expr: &Expr) -> Expr {
     struct Erase;
     impl VisitMut for Erase {
@@ -521,7 +522,7 @@ fn without_spans(expr: &Expr) -> Expr {
     expr
 }
 
-/// The statement that a form lies within bounds.
+/// Returns the formula that a form is within bounds.
 pub(super) fn within(form: &Linear, (low, high): Bounds) -> Option<Formula> {
     let low = low.max(-FURTHEST);
     let high = high.min(FURTHEST);
@@ -530,7 +531,7 @@ pub(super) fn within(form: &Linear, (low, high): Bounds) -> Option<Formula> {
     Some(Formula::All(vec![Formula::Natural(above), Formula::Natural(below)]))
 }
 
-/// A comparison of two forms.
+/// Returns the formula of a comparison of two forms.
 pub(super) fn ordered(op: CompareOp, a: &Linear, b: &Linear) -> Option<Formula> {
     let natural = |form: Option<Linear>| form.map(Formula::Natural);
     let at_most = |a: &Linear, b: &Linear| natural(b.minus(a));
@@ -544,7 +545,7 @@ pub(super) fn ordered(op: CompareOp, a: &Linear, b: &Linear) -> Option<Formula> 
     })
 }
 
-/// The operands of `a && b && c`, the first one last: one is looked at where all before it are true.
+/// Returns the operands of `a && b && c`, the first one last; each is evaluated if all before it are true.
 fn operands(op: LogicOp, mut expr: &Expr) -> Vec<&Expr> {
     let mut operands = Vec::new();
     while let ExprKind::Logic(found, left, right) = &expr.kind

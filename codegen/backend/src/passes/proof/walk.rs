@@ -1,15 +1,14 @@
-//! Statements, one after another, and loops.
+//! Walk along statements and loops.
 //!
-//! * A write changes which value a place holds; places that may be the same memory hold something new.
-//! * Where paths meet, a place holds a new symbol that equals on each path what it held there.
-//! * A number that is returned lies within the bounds that are noted of it: each body is followed once in which what is noted
-//!   counts, whatever was tried before.
-//! * A counter lies between the values that the bounds had when the loop began.
-//! * What a counted loop changes moves by so much in a pass, whatever it was before: by that times the passes at most
-//!   in all of them.
-//! * Of what a loop changes otherwise bounds are guessed: those from before, then those with what a pass ends with. One that
-//!   is not kept is given up, until a pass that begins within all of them ends within all of them. Behind a counted loop it
-//!   lies within what it was before, or at the end of a pass, or where the loop is left.
+//! * A write changes the value of a place; places that may overlap it get unknown values.
+//! * Where paths meet, a place gets a new symbol that equals its value on each path.
+//! * A returned number is within the recorded bounds: each body is walked once with recording, after any trials.
+//! * A counter is between the values of the bounds at the beginning of the loop.
+//! * A local that a counted loop moves by a bounded amount per pass moves by at most that times the number of passes.
+//! * For other changed locals, bounds are guessed: first the initial ones, then joined with those at the end of a
+//!   pass. A bound that is not preserved is dropped, until a pass that begins within all of them ends within them.
+//!   After a counted loop, the local is within its initial bounds, its bounds at the end of a pass, or where the loop
+//!   is left.
 
 use std::rc::Rc;
 
@@ -26,17 +25,17 @@ use super::written::{Target, apart, by_expr, by_stmts};
 use crate::passes::sites::Site;
 use bessemer_ir::used::Rule;
 
-/// The most that a pass may move a number for it to be followed.
+/// Largest movement in a pass that is tracked.
 const FAST: i128 = 1 << 32;
 
-/// Within so many trials of loops around it nothing is guessed of a loop: each level would take as many times as long.
+/// Largest nesting of trials in which bounds are guessed, since each level multiplies the time.
 const TRIALS: u32 = 2;
 
-/// Bounds of a word of a local that a loop changes.
+/// Guessed bounds of a local's word that a loop changes.
 struct Guess {
     local: LocalId,
     at: Vec<At>,
-    /// Those from before, those that are held to be kept, and those of its type.
+    /// Initial bounds, guessed bounds, and bounds of its type.
     start: Bounds,
     now: Bounds,
     widest: Bounds,
@@ -53,7 +52,7 @@ pub(super) struct Walk<'m> {
     held: Option<Vec<Option<Bounds>>>,
     /// Nesting of the trials in progress.
     trials: u32,
-    /// The numbers in what was returned so far.
+    /// Bounds of the returned numbers so far.
     returned: Option<Numbers>,
 }
 
@@ -74,7 +73,7 @@ impl<'m> Walk<'m> {
         (self.values.open, returns)
     }
 
-    /// The numbers that each local is given.
+    /// Returns the numbers that are assigned to each local.
     pub(super) fn held(mut self) -> Vec<Option<Bounds>> {
         let function = self.function;
         self.held = Some(vec![None; function.locals.len()]);
@@ -82,7 +81,7 @@ impl<'m> Walk<'m> {
         self.held.unwrap_or_default()
     }
 
-    /// A local is given a value; in a trial, of which nothing has to be true yet, nothing is noted.
+    /// Records a value assigned to a local; not in a trial, whose facts need not be true.
     fn given(&mut self, point: &Point, local: LocalId, value: Option<&Value>) {
         let Some(held) = self.held.as_mut().filter(|_| !self.values.quiet) else { return };
         let (low, high) = match value {
@@ -93,7 +92,7 @@ impl<'m> Walk<'m> {
         *held = (held.0.min(low), held.1.max(high));
     }
 
-    /// The point behind a block; nothing where no path leads there.
+    /// Returns the point after a block; none if no path leads there.
     fn block(&mut self, block: &Block, point: Point) -> Option<Point> {
         block.0.iter().try_fold(point, |point, stmt| {
             self.stmt(stmt, point).filter(|point| !point.knowledge.dead)
@@ -218,14 +217,14 @@ impl<'m> Walk<'m> {
         }
     }
 
-    /// The value of an expression; behind it, what it lent may hold anything.
+    /// Returns the value of an expression; places that it borrows mutably become unknown.
     fn evaluated(&mut self, expr: &Expr, point: &mut Point) -> Option<Value> {
         let value = self.values.value(point, expr);
         self.forget(point, &by_expr(expr));
         value
     }
 
-    /// From here on the value is one of these, or none of the variants of `rest`.
+    /// Adds the fact that a value is one of `numbers`, or an invalid value of the enum `rest`.
     fn one_of(&mut self, point: &mut Point, value: &Linear, numbers: &[i128], rest: Option<&Type>) {
         let stray = match rest {
             Some(Type::Enum(id)) => {
@@ -243,7 +242,7 @@ impl<'m> Walk<'m> {
         }
     }
 
-    /// From here on a condition, which was evaluated, has this truth.
+    /// Adds the fact that an evaluated condition has this truth.
     fn assume(&mut self, point: &mut Point, condition: &Expr, truth: bool) {
         match &condition.kind {
             ExprKind::Unary(UnaryOp::Not, inner) => self.assume(point, inner, !truth),
@@ -261,7 +260,7 @@ impl<'m> Walk<'m> {
         }
     }
 
-    /// A target is written.
+    /// Writes a target.
     fn write(&mut self, point: &mut Point, target: &Target, value: Parts) {
         point.version = self.values.next_version();
         let held = point.places.change(target.local.0);
@@ -277,7 +276,7 @@ impl<'m> Walk<'m> {
         points.into_iter().reduce(|a, b| self.join(a, b))
     }
 
-    /// The point where two paths meet.
+    /// Returns the point where two paths meet.
     fn join(&mut self, mut a: Point, mut b: Point) -> Point {
         if a.knowledge.dead || b.knowledge.dead {
             return if a.knowledge.dead { b } else { a };
@@ -325,7 +324,8 @@ impl<'m> Walk<'m> {
         Some(Value::Number(form))
     }
 
-    /// Follows the body of a loop: the point where another pass begins, and those where it is left.
+    /// Walks through the body of a loop; returns the point where another pass begins, and the points where the loop
+    /// is left.
     fn pass(&mut self, body: &Block, head: Point) -> (Option<Point>, Vec<Point>) {
         self.loops.push((Vec::new(), Vec::new()));
         let end = self.block(body, head);
@@ -343,7 +343,7 @@ impl<'m> Walk<'m> {
         ends
     }
 
-    /// Looks at a loop; the point behind it.
+    /// Walks through a loop, and returns the point after it.
     fn repeat(&mut self, kind: &StmtKind, mut before: Point) -> Point {
         let StmtKind::For { variable, from, to, inclusive, reversed, ended, body, .. } = kind
         else {
@@ -446,7 +446,7 @@ impl<'m> Walk<'m> {
         }
     }
 
-    /// The locals that a pass moves by no more than so much either way, what they hold before, and by how much.
+    /// Returns the locals that a pass moves by a bounded amount, with their initial values and that amount.
     fn moved(
         &mut self,
         before: &Point,
@@ -499,7 +499,7 @@ impl<'m> Walk<'m> {
         found
     }
 
-    /// The words that a loop writes and of which something is known before, but for locals that are followed otherwise.
+    /// Returns initial guesses for the words that a loop writes, except locals that are tracked otherwise.
     fn guesses(&mut self, before: &Point, written: &[Target], moving: &[LocalId]) -> Vec<Guess> {
         let mut guesses: Vec<Guess> = Vec::new();
         if self.trials >= TRIALS {
@@ -530,7 +530,7 @@ impl<'m> Walk<'m> {
         guesses
     }
 
-    /// The head of a loop with bounds that each pass keeps, and these.
+    /// Returns the head of a loop with bounds that each pass preserves, and these bounds.
     fn guessed(
         &mut self,
         empty: &Point,

@@ -1,10 +1,11 @@
-//! The places that statements and expressions may write, as the proof sees them.
+//! Places that statements and expressions may write, as the proof computes them.
 //!
-//! The meaning: in each execution, all memory that changes lies in one of the targets. An index that is no literal may
-//! be any, as may a row and a column; what is given the value that it has is written, too.
+//! Meaning: in each execution, all memory that changes is in one of the targets. A non-literal index may be any, as
+//! may a row and a column; assigning an equal value counts as a write, too.
 //!
-//! Invariant: total over the forms of the IR, so that a new form does not compile until it is answered for here. Must not
-//! know: `effects`, `bessemer_ir::visit`, nor anything else that the analysis asks: a fault there must not deceive both.
+//! Invariant: exhaustive over the forms of the IR, so a new form does not compile until it is handled here. Must not
+//! know: `effects`, `bessemer_ir::visit`, or other code that the analysis uses, since an error there must not affect
+//! both.
 
 use bessemer_ir::{Argument, Block, Expr, ExprKind, LocalId, Place, Step, Stmt, StmtKind};
 
@@ -33,20 +34,20 @@ impl Target {
     }
 }
 
-/// The places that statements may write, including the locals that they declare.
+/// Returns the places that statements may write, including the locals that they declare.
 pub(crate) fn by_stmts<'a>(stmts: impl IntoIterator<Item = &'a Stmt>) -> Vec<Target> {
     let mut targets = Vec::new();
     stmts.into_iter().for_each(|stmt| by_stmt(stmt, &mut targets));
     targets
 }
 
-/// The places that an expression may write: those that it lends to calls.
+/// Returns the places that an expression may write: those that it borrows mutably for calls.
 pub(super) fn by_expr(expr: &Expr) -> Vec<Target> {
     let lent = named(expr).into_iter().filter(|(_, lent)| *lent);
     lent.map(|(place, _)| Target::of(place)).collect()
 }
 
-/// Returns true if an expression reads or lends what is in one of the targets.
+/// Returns true if an expression reads or borrows memory of one of the targets.
 pub(crate) fn touches(expr: &Expr, targets: &[Target]) -> bool {
     let named: Vec<Target> = named(expr).into_iter().map(|(place, _)| Target::of(place)).collect();
     named.iter().any(|named| targets.iter().any(|target| target.meets(named)))
@@ -86,7 +87,7 @@ fn by_stmt(stmt: &Stmt, targets: &mut Vec<Target>) {
     blocks.into_iter().flat_map(|block| &block.0).for_each(|stmt| by_stmt(stmt, targets));
 }
 
-/// All places that an expression names, those of indices among them, and whether it lends them to a call that may write.
+/// Returns all places in an expression, also in its indices, each with true if a call borrows it mutably.
 fn named(expr: &Expr) -> Vec<(&Place, bool)> {
     let (mut found, mut open) = (Vec::new(), vec![expr]);
     while let Some(expr) = open.pop() {
@@ -130,7 +131,7 @@ fn indices(place: &Place) -> Vec<&Expr> {
     place.steps.iter().flat_map(of).collect()
 }
 
-/// A step of which only fields and literals are reported apart.
+/// Returns a step in which only fields and literal indices are distinguished.
 fn plain(step: &Step) -> At {
     let literal = |index: &Expr| match (&index.kind, index.ty.as_int()) {
         (ExprKind::Literal(word), Some(int)) => Some(Linear::number(int.from_word(*word))),
@@ -143,7 +144,7 @@ fn plain(step: &Step) -> At {
     }
 }
 
-/// Returns true if two steps surely lead to different parts.
+/// Returns true if two steps certainly lead to different parts.
 pub(super) fn apart(a: &At, b: &At) -> bool {
     match (a, b) {
         (At::Field(a), At::Field(b)) => a != b,

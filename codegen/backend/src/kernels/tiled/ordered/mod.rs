@@ -1,14 +1,14 @@
-//! Large solves and inverses whose rows stay where they are: on x86-64 with AVX.
+//! Large solves and inverses that leave the rows in place, for x86-64 with AVX.
 //!
-//! An order says which row each pivot took, so that nothing on the left of a panel is exchanged; multipliers are read
-//! from all rows of a tile at once. A panel is factored by columns: each loses those on its left when its turn comes, and gives
-//! the largest of its magnitudes, the next pivot, on the way. A single right-hand side is a column more; those of
-//! an inverse go through panels of their own, two at a time, whose divisions by U's diagonal wait side by side.
+//! A permutation records the row of each pivot, so no rows on the left of a panel are exchanged; multipliers are read
+//! from all rows of a tile at once. A panel is factored by columns: each subtracts those on its left, and finds the
+//! largest of its magnitudes, the next pivot, meanwhile. A single right-hand side is an additional column. Those of
+//! an inverse are processed in panels of their own, two at a time, so that the divisions by U's diagonal overlap.
 //!
-//! The order of each element is that of the tiles, and what is in the same file for the other targets.
+//! Each element has the order of the tiles, which are in the same file for the other targets.
 //!
-//! Absent: SSE2, with which it takes the same time as tiles; AVX-512; ARM; several right-hand sides, and solves that give
-//! factors back.
+//! Not for SSE2, where it takes the same time as tiles; AVX-512; ARM; several right-hand sides; and solves that
+//! return the factors.
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 
@@ -24,10 +24,10 @@ const INVERT: &str = include_str!("invert.c");
 const SOLVE: &str = include_str!("solve.c");
 const INVERSE: &str = include_str!("inverse.c");
 
-/// The fewest bytes of a row with which it pays: below, what it does beside the tiles takes longer than exchanges did.
+/// Smallest size of a row for which it is faster than tiles, bytes.
 const SMALLEST: u32 = 512;
 
-/// Returns true if a kernel has this form.
+/// Returns true if a kernel has this variant.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Solve, &[size, 1]) | (KernelRoutine::Inverse, &[size]) => {
@@ -37,7 +37,7 @@ pub(super) fn fits(kernel: &Kernel) -> bool {
     }
 }
 
-/// Numbers of the panel, and of what is beside it.
+/// Returns the numbers of the panel, and of the memory beside it.
 pub(super) fn numbers(kernel: &Kernel) -> u32 {
     let (rows, width) = (super::rows(kernel.dims[0]), lanes::ordered_width(kernel.element));
     let group = lanes::ordered_group(kernel.element);
@@ -50,7 +50,7 @@ pub(super) fn numbers(kernel: &Kernel) -> u32 {
     }
 }
 
-/// Numbers of the two orders of the rows.
+/// Returns the numbers of the two permutations of the rows.
 pub(super) fn orders(size: u32) -> u32 {
     2 * super::rows(size)
 }
@@ -71,7 +71,7 @@ pub(super) fn text(kernel: &Kernel, mode: Mode, own: Own<'static>) -> String {
     completed(&format!("{all}\n{rest}").replace("$over", over), kernel, mode)
 }
 
-/// The body of the kernel.
+/// Returns the body of the kernel.
 pub(super) fn body(kernel: &Kernel, mode: Mode, own: Own<'static>) -> String {
     let body = match kernel.routine {
         KernelRoutine::Solve => SOLVE.to_owned(),
@@ -80,7 +80,7 @@ pub(super) fn body(kernel: &Kernel, mode: Mode, own: Own<'static>) -> String {
     completed(&body, kernel, mode)
 }
 
-/// A template with the branches alone that a kernel has: for last rows that are no four, and for the fast mode.
+/// Returns a template with only the branches that a kernel needs: for a remainder of rows, and for the fast mode.
 fn completed(text: &str, kernel: &Kernel, mode: Mode) -> String {
     let text = decided(text, "EDGE", !kernel.dims[0].is_multiple_of(4));
     decided(&text, "FAST", mode == Mode::Fast)
