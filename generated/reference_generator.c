@@ -71,18 +71,28 @@ void reference_generator_step(reference_generator_t *self, const course_t *cours
     self->airborne = self->airborne || estimate->position[2] > GROUND_CLEARANCE;
     target_idle(&reference->target);
     reference->target.grounded = !self->airborne;
-    if (self->phase == PHASE_READY || self->phase == PHASE_OVER || self->phase == PHASE_HOLD) {
-    } else if (self->phase == PHASE_TAKE_OFF) {
+    switch (self->phase) {
+    case PHASE_TAKE_OFF:
         reference->target.take_off = true;
-    } else if (self->phase == PHASE_FLIGHT && orders->mode == RECEIVER_MODE_MANUAL) {
-        reference_generator_follow_sticks(self, course, orders, estimate, &reference->target);
-    } else if (self->phase == PHASE_FLIGHT) {
-        trajectory_at(&orders->trajectory, self->time, &self->wanted);
-    } else {
+        break;
+    case PHASE_FLIGHT:
+        if (orders->mode == RECEIVER_MODE_MANUAL) {
+            reference_generator_follow_sticks(self, course, orders, estimate, &reference->target);
+        } else {
+            trajectory_at(&orders->trajectory, self->time, &self->wanted);
+        }
+        break;
+    case PHASE_LANDING:
         /* (3.20): descends from the last height setpoint, continuing below the ground. */
         self->landing += course->period;
         reference->target.land = true;
         reference->target.velocity[2] = -course->landing_rate;
+        break;
+    case PHASE_READY:
+    case PHASE_OVER:
+    case PHASE_HOLD:
+    default:
+        break;
     }
     reference->target.position[0] = self->wanted.position[0];
     reference->target.position[1] = self->wanted.position[1];
@@ -128,21 +138,47 @@ static void reference_generator_change_phase(reference_generator_t *self, const 
     const bool link_lost = orders->watched && orders->silence > course->landing_timeout;
     const bool land = orders->land || degraded || link_lost;
     const bool off = estimate->position[2] > 0.5 * self->wanted.position[2];
-    const phase_t same = self->phase;
-    if (same == PHASE_READY && (orders->take_off && !land)) {
-        self->phase = PHASE_TAKE_OFF;
-    } else if ((same == PHASE_TAKE_OFF || same == PHASE_FLIGHT || same == PHASE_HOLD) && land) {
-        self->phase = PHASE_LANDING;
-    } else if (same == PHASE_FLIGHT && alone) {
-        self->phase = PHASE_HOLD;
-    } else if (same == PHASE_HOLD && !alone) {
-        self->phase = PHASE_FLIGHT;
-    } else if (same == PHASE_TAKE_OFF && (self->time >= course->takeoff_duration || off)) {
-        self->phase = PHASE_FLIGHT;
-    } else if (same == PHASE_LANDING && landed) {
-        self->phase = PHASE_OVER;
-    } else {
-        /* Nothing. */
+    switch (self->phase) {
+    case PHASE_READY:
+        if (orders->take_off && !land) {
+            self->phase = PHASE_TAKE_OFF;
+        }
+        break;
+    case PHASE_TAKE_OFF:
+        if (land) {
+            self->phase = PHASE_LANDING;
+        } else if (self->time >= course->takeoff_duration || off) {
+            self->phase = PHASE_FLIGHT;
+        } else {
+            /* Nothing. */
+        }
+        break;
+    case PHASE_FLIGHT:
+        if (land) {
+            self->phase = PHASE_LANDING;
+        } else if (alone) {
+            self->phase = PHASE_HOLD;
+        } else {
+            /* Nothing. */
+        }
+        break;
+    case PHASE_LANDING:
+        if (landed) {
+            self->phase = PHASE_OVER;
+        }
+        break;
+    case PHASE_OVER:
+        break;
+    case PHASE_HOLD:
+    default:
+        if (land) {
+            self->phase = PHASE_LANDING;
+        } else if (!alone) {
+            self->phase = PHASE_FLIGHT;
+        } else {
+            /* Nothing. */
+        }
+        break;
     }
 }
 

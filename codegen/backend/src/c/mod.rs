@@ -10,6 +10,7 @@
 mod analysis;
 mod asked;
 mod assemble;
+mod choices;
 mod const_names;
 mod context;
 mod described;

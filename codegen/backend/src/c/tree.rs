@@ -90,6 +90,50 @@ impl Expr {
         }
     }
 
+    /// Returns its direct operands.
+    pub fn operands(&self) -> Vec<&Expr> {
+        match self {
+            Expr::Name(_) => Vec::new(),
+            Expr::Unary(_, of)
+            | Expr::Cast(_, of)
+            | Expr::Member(of, _)
+            | Expr::Arrow(of, _)
+            | Expr::Postfix(of, _) => vec![of],
+            Expr::Binary(_, left, right) | Expr::Index(left, right) => vec![left, right],
+            Expr::Conditional(condition, left, right) => vec![condition, left, right],
+            Expr::Call(_, arguments) => arguments.iter().collect(),
+        }
+    }
+
+    /// Counts the mentions of a variable.
+    pub fn mentions(&self, name: &str) -> usize {
+        match self {
+            Expr::Name(it) => usize::from(it == name),
+            other => other.operands().into_iter().map(|operand| operand.mentions(name)).sum(),
+        }
+    }
+
+    /// Replaces each mention of a variable by a value.
+    pub fn replace(&mut self, name: &str, value: &Expr) {
+        match self {
+            Expr::Name(it) if it == name => *self = value.clone(),
+            Expr::Name(_) => {}
+            Expr::Unary(_, of)
+            | Expr::Cast(_, of)
+            | Expr::Member(of, _)
+            | Expr::Arrow(of, _)
+            | Expr::Postfix(of, _) => of.replace(name, value),
+            Expr::Binary(_, left, right) | Expr::Index(left, right) => {
+                left.replace(name, value);
+                right.replace(name, value);
+            }
+            Expr::Conditional(condition, left, right) => {
+                [condition, left, right].into_iter().for_each(|it| it.replace(name, value));
+            }
+            Expr::Call(_, arguments) => arguments.iter_mut().for_each(|it| it.replace(name, value)),
+        }
+    }
+
     /// Returns the precedence; a greater one binds tighter.
     pub fn precedence(&self) -> u8 {
         match self {
@@ -246,6 +290,32 @@ pub enum StmtKind {
     Verbatim(String),
 }
 
+impl StmtKind {
+    /// Returns the blocks in the statement.
+    pub fn blocks(&self) -> Vec<&Vec<Stmt>> {
+        match self {
+            StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
+            StmtKind::Switch { arms, .. } => arms.iter().map(|arm| &arm.body).collect(),
+            StmtKind::For { body, .. } | StmtKind::While { body, .. } | StmtKind::Block(body) => {
+                vec![body]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Returns the blocks in the statement, for changes.
+    pub fn blocks_mut(&mut self) -> Vec<&mut Vec<Stmt>> {
+        match self {
+            StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
+            StmtKind::Switch { arms, .. } => arms.iter_mut().map(|arm| &mut arm.body).collect(),
+            StmtKind::For { body, .. } | StmtKind::While { body, .. } | StmtKind::Block(body) => {
+                vec![body]
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
 /// Third part of a `for`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
@@ -398,7 +468,23 @@ pub fn plain(kind: StmtKind) -> Stmt {
     Stmt { kind, origin: None }
 }
 
-/// Returns true if a text is an unsigned literal of `int` or `unsigned int`.
+/// The assignment that an operator has: `+=` of `+`.
+pub fn compound(op: &str) -> Option<&'static str> {
+    Some(match op {
+        "+" => "+=",
+        "-" => "-=",
+        "*" => "*=",
+        "/" => "/=",
+        "&" => "&=",
+        "|" => "|=",
+        "^" => "^=",
+        "<<" => "<<=",
+        ">>" => ">>=",
+        _ => return None,
+    })
+}
+
+/// Returns true if a text is a literal without a sign, of `int` or `unsigned int`.
 fn is_counted(text: &str) -> bool {
     let digits = text.trim_end_matches('U');
     let hexadecimal = digits.strip_prefix("0x");

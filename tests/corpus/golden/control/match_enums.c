@@ -23,16 +23,38 @@ match_enums_phase_t sequence_step(sequence_t *self, double height, bool land)
     self->ticks = (uint16_t)((uint32_t)self->ticks + 1U);
     match_enums_phase_t next;
     const match_enums_phase_t same = self->phase;
-    if (same == MATCH_ENUMS_PHASE_GROUND && !land) {
-        next = MATCH_ENUMS_PHASE_CLIMB;
-    } else if (same == MATCH_ENUMS_PHASE_CLIMB && height > 10.0) {
-        next = MATCH_ENUMS_PHASE_CRUISE;
-    } else if ((same == MATCH_ENUMS_PHASE_CLIMB || same == MATCH_ENUMS_PHASE_CRUISE) && land) {
-        next = MATCH_ENUMS_PHASE_LANDING;
-    } else if (same == MATCH_ENUMS_PHASE_LANDING && height < 0.05) {
-        next = MATCH_ENUMS_PHASE_GROUND;
-    } else {
-        next = same;
+    switch (same) {
+    case MATCH_ENUMS_PHASE_GROUND:
+        if (!land) {
+            next = MATCH_ENUMS_PHASE_CLIMB;
+        } else {
+            next = same;
+        }
+        break;
+    case MATCH_ENUMS_PHASE_CLIMB:
+        if (height > 10.0) {
+            next = MATCH_ENUMS_PHASE_CRUISE;
+        } else if (land) {
+            next = MATCH_ENUMS_PHASE_LANDING;
+        } else {
+            next = same;
+        }
+        break;
+    case MATCH_ENUMS_PHASE_CRUISE:
+        if (land) {
+            next = MATCH_ENUMS_PHASE_LANDING;
+        } else {
+            next = same;
+        }
+        break;
+    case MATCH_ENUMS_PHASE_LANDING:
+    default:
+        if (height < 0.05) {
+            next = MATCH_ENUMS_PHASE_GROUND;
+        } else {
+            next = same;
+        }
+        break;
     }
     if (next != self->phase) {
         self->ticks = 0U;

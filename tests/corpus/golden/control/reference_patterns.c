@@ -4,15 +4,23 @@
 
 double valve_advance(valve_t *self)
 {
-    if (self->order.tag == REFERENCE_PATTERNS_ORDER_TAG_HOLD) {
-    } else if (self->order.tag == REFERENCE_PATTERNS_ORDER_TAG_OPEN) {
+    switch (self->order.tag) {
+    case REFERENCE_PATTERNS_ORDER_TAG_HOLD:
+        break;
+    case REFERENCE_PATTERNS_ORDER_TAG_OPEN: {
         const double to = self->order.as.open.to;
         self->order.as.open.ramp[0] += 0.5;
         self->open = min_f64(self->open + self->order.as.open.ramp[0], to);
-    } else if (self->order.tag == REFERENCE_PATTERNS_ORDER_TAG_PULSE && self->order.as.pulse > 0U) {
-        self->order.as.pulse = (uint16_t)(self->order.as.pulse - 1U);
-    } else {
-        self->order.tag = REFERENCE_PATTERNS_ORDER_TAG_HOLD;
+        break;
+    }
+    case REFERENCE_PATTERNS_ORDER_TAG_PULSE:
+    default:
+        if (self->order.as.pulse > 0U) {
+            self->order.as.pulse = (uint16_t)(self->order.as.pulse - 1U);
+        } else {
+            self->order.tag = REFERENCE_PATTERNS_ORDER_TAG_HOLD;
+        }
+        break;
     }
     return self->open;
 }

@@ -59,31 +59,37 @@ void pump_control_init(pump_control_t *self)
 
 bool pump_control_step(pump_control_t *self, const pump_inputs_t *inputs)
 {
-    if (self->state.tag == PUMP_STATE_TAG_LOCKED_OUT && (inputs->acknowledge && !inputs->demand)) {
-        self->state.tag = PUMP_STATE_TAG_OFF;
-    } else if (self->state.tag == PUMP_STATE_TAG_LOCKED_OUT) {
-        self->state.tag = PUMP_STATE_TAG_LOCKED_OUT;
+    if (self->state.tag == PUMP_STATE_TAG_LOCKED_OUT) {
+        if (inputs->acknowledge && !inputs->demand) {
+            self->state.tag = PUMP_STATE_TAG_OFF;
+        }
     } else if (!inputs->demand) {
         self->state.tag = PUMP_STATE_TAG_OFF;
-    } else if (self->state.tag == PUMP_STATE_TAG_OFF) {
-        self->state.tag = PUMP_STATE_TAG_PRIMING;
-        self->state.as.priming.left = PRIMING_MS;
-    } else if (self->state.tag == PUMP_STATE_TAG_PRIMING && self->state.as.priming.left == 0U) {
-        self->state.tag = PUMP_STATE_TAG_RUNNING;
-        self->state.as.running.dry = 0U;
-    } else if (self->state.tag == PUMP_STATE_TAG_PRIMING) {
-        const uint16_t left = self->state.as.priming.left;
-        self->state.tag = PUMP_STATE_TAG_PRIMING;
-        self->state.as.priming.left = saturating_sub_u16(left, 1U);
-    } else if (self->state.tag == PUMP_STATE_TAG_RUNNING && inputs->flow) {
-        self->state.tag = PUMP_STATE_TAG_RUNNING;
-        self->state.as.running.dry = 0U;
-    } else if (self->state.tag == PUMP_STATE_TAG_RUNNING && self->state.as.running.dry >= DRY_MS) {
-        self->state.tag = PUMP_STATE_TAG_LOCKED_OUT;
     } else {
-        const uint16_t dry = self->state.as.running.dry;
-        self->state.tag = PUMP_STATE_TAG_RUNNING;
-        self->state.as.running.dry = saturating_add_u16(dry, 1U);
+        switch (self->state.tag) {
+        case PUMP_STATE_TAG_OFF:
+            self->state.tag = PUMP_STATE_TAG_PRIMING;
+            self->state.as.priming.left = PRIMING_MS;
+            break;
+        case PUMP_STATE_TAG_PRIMING:
+            if (self->state.as.priming.left == 0U) {
+                self->state.tag = PUMP_STATE_TAG_RUNNING;
+                self->state.as.running.dry = 0U;
+            } else {
+                self->state.as.priming.left = saturating_sub_u16(self->state.as.priming.left, 1U);
+            }
+            break;
+        case PUMP_STATE_TAG_RUNNING:
+        default:
+            if (inputs->flow) {
+                self->state.as.running.dry = 0U;
+            } else if (self->state.as.running.dry >= DRY_MS) {
+                self->state.tag = PUMP_STATE_TAG_LOCKED_OUT;
+            } else {
+                self->state.as.running.dry = saturating_add_u16(self->state.as.running.dry, 1U);
+            }
+            break;
+        }
     }
     return self->state.tag == PUMP_STATE_TAG_PRIMING || self->state.tag == PUMP_STATE_TAG_RUNNING;
 }

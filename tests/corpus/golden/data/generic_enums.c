@@ -22,16 +22,25 @@ float generic_enums_middle(const received_f32_t *low, const received_f32_t *high
 
 void generic_enums_aged(const received_f64_t *last, received_f64_t *received)
 {
-    if (last->tag == RECEIVED_F64_TAG_NEW) {
+    switch (last->tag) {
+    case RECEIVED_F64_TAG_NEW:
         received->tag = RECEIVED_F64_TAG_AGAIN;
         received->as.again.value = last->as.new_;
         received->as.again.age = 1U;
-    } else if (last->tag == RECEIVED_F64_TAG_AGAIN && last->as.again.age < 5U) {
-        received->tag = RECEIVED_F64_TAG_AGAIN;
-        received->as.again.value = last->as.again.value;
-        received->as.again.age = last->as.again.age + 1U;
-    } else {
+        break;
+    case RECEIVED_F64_TAG_AGAIN:
+        if (last->as.again.age < 5U) {
+            received->tag = RECEIVED_F64_TAG_AGAIN;
+            received->as.again.value = last->as.again.value;
+            received->as.again.age = last->as.again.age + 1U;
+        } else {
+            received->tag = RECEIVED_F64_TAG_NOTHING;
+        }
+        break;
+    case RECEIVED_F64_TAG_NOTHING:
+    default:
         received->tag = RECEIVED_F64_TAG_NOTHING;
+        break;
     }
 }
 

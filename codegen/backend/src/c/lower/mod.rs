@@ -21,7 +21,7 @@ mod place;
 mod range;
 mod routine;
 mod stmt;
-mod unused;
+pub(super) mod unused;
 mod variants;
 mod widths;
 mod word;
@@ -34,13 +34,16 @@ use bessemer_ir::{
 };
 
 use super::analysis::Usage;
+use super::choices::Enumerators;
 use super::context::{Context, Uses};
 use super::helpers::Helper;
 use super::layout::{Enums, size_of};
 use super::names::local_name;
 use super::signature::{Returned, Signature};
 use super::spelling::unique;
-use super::tree::{Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, plain};
+use super::tree::{
+    Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, compound, plain,
+};
 use super::wide::Wide;
 use crate::built;
 use crate::uncopied::uncopied;
@@ -277,6 +280,8 @@ impl<'a> Lower<'a> {
             }
         }
         unused::quiet(&mut self.out, &names);
+        let enums = self.context.names.enums.iter().map(|names| names.variants.as_slice());
+        Enumerators::new(enums).rewrite(&mut self.out);
     }
 
     fn is_fallible(&self) -> bool {
@@ -437,19 +442,4 @@ impl<'a> Lower<'a> {
 fn bound(binding: &Binding) -> Expr {
     let name = Expr::name(&binding.name);
     if binding.pointer { Expr::unary("*", name) } else { name }
-}
-
-fn compound(op: &str) -> Option<&'static str> {
-    Some(match op {
-        "+" => "+=",
-        "-" => "-=",
-        "*" => "*=",
-        "/" => "/=",
-        "&" => "&=",
-        "|" => "|=",
-        "^" => "^=",
-        "<<" => "<<=",
-        ">>" => ">>=",
-        _ => return None,
-    })
 }

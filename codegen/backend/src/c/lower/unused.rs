@@ -23,7 +23,7 @@ fn say(body: &mut Vec<Stmt>, names: &[String]) {
             index += 1;
             body.insert(index, plain(StmtKind::Expr(Expr::cast("void", name))));
         }
-        inner_mut(&mut body[index].kind).into_iter().for_each(|block| say(block, names));
+        body[index].kind.blocks_mut().into_iter().for_each(|block| say(block, names));
         index += 1;
     }
 }
@@ -50,7 +50,7 @@ fn drop_copy(block: &mut Vec<Stmt>, body: &[Stmt]) -> bool {
         block.drain(at..at + 2);
         return true;
     }
-    block.iter_mut().flat_map(|stmt| inner_mut(&mut stmt.kind)).any(|block| drop_copy(block, body))
+    block.iter_mut().flat_map(|stmt| stmt.kind.blocks_mut()).any(|block| drop_copy(block, body))
 }
 
 /// Returns the variable of which an expression is a part, without index or pointer arithmetic.
@@ -75,38 +75,15 @@ fn is_constant(init: &Init) -> bool {
     }
 }
 
-/// Returns the blocks in a statement.
-fn inner(kind: &StmtKind) -> Vec<&Vec<Stmt>> {
-    match kind {
-        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
-        StmtKind::Switch { arms, .. } => arms.iter().map(|arm| &arm.body).collect(),
-        StmtKind::For { body, .. } | StmtKind::While { body, .. } | StmtKind::Block(body) => {
-            vec![body]
-        }
-        _ => Vec::new(),
-    }
-}
-
-fn inner_mut(kind: &mut StmtKind) -> Vec<&mut Vec<Stmt>> {
-    match kind {
-        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
-        StmtKind::Switch { arms, .. } => arms.iter_mut().map(|arm| &mut arm.body).collect(),
-        StmtKind::For { body, .. } | StmtKind::While { body, .. } | StmtKind::Block(body) => {
-            vec![body]
-        }
-        _ => Vec::new(),
-    }
-}
-
 /// Returns true if a variable of this name is read or written.
-fn names(body: &[Stmt], name: &str) -> bool {
+pub(in crate::c) fn names(body: &[Stmt], name: &str) -> bool {
     body.iter().any(|stmt| {
         let written = match &stmt.kind {
-            StmtKind::Assign(place, ..) | StmtKind::Build(place, ..) => of_expression(place, name),
+            StmtKind::Assign(place, ..) | StmtKind::Build(place, ..) => place.mentions(name),
             _ => 0,
         };
         written + of_statement(&stmt.kind, name) > 0
-            || inner(&stmt.kind).into_iter().any(|block| names(block, name))
+            || stmt.kind.blocks().into_iter().any(|block| names(block, name))
     })
 }
 
@@ -118,7 +95,7 @@ fn declarations(body: &[Stmt], name: &str) -> usize {
             StmtKind::For { init: (declarator, _), .. } => declarator.name == name,
             _ => false,
         };
-        let inner = inner(&stmt.kind).into_iter().map(|block| declarations(block, name));
+        let inner = stmt.kind.blocks().into_iter().map(|block| declarations(block, name));
         usize::from(own) + inner.sum::<usize>()
     };
     body.iter().map(count).sum()
@@ -127,14 +104,14 @@ fn declarations(body: &[Stmt], name: &str) -> usize {
 /// Returns the number of reads of the variable; a write to it, or to a part of it, is none.
 fn reads(body: &[Stmt], name: &str) -> usize {
     let inner_reads = |stmt: &Stmt| -> usize {
-        inner(&stmt.kind).into_iter().map(|block| reads(block, name)).sum()
+        stmt.kind.blocks().into_iter().map(|block| reads(block, name)).sum()
     };
     body.iter().map(|stmt| of_statement(&stmt.kind, name) + inner_reads(stmt)).sum()
 }
 
 /// Returns the number of reads in a statement, without its blocks.
 fn of_statement(kind: &StmtKind, name: &str) -> usize {
-    let of = |expr: &Expr| of_expression(expr, name);
+    let of = |expr: &Expr| expr.mentions(name);
     match kind {
         StmtKind::Declare(_, Some(init)) => of_init(init, name),
         StmtKind::Expr(value) | StmtKind::Return(Some(value)) => of(value),
@@ -159,29 +136,14 @@ fn of_written(place: &Expr, name: &str) -> usize {
     match place {
         Expr::Name(_) => 0,
         Expr::Member(of, _) => of_written(of, name),
-        Expr::Index(of, index) => of_written(of, name) + of_expression(index, name),
-        _ => of_expression(place, name),
+        Expr::Index(of, index) => of_written(of, name) + index.mentions(name),
+        _ => place.mentions(name),
     }
 }
 
 fn of_init(init: &Init, name: &str) -> usize {
     match init {
-        Init::Value(value) => of_expression(value, name),
+        Init::Value(value) => value.mentions(name),
         Init::List { items, .. } => items.iter().map(|(_, item)| of_init(item, name)).sum(),
-    }
-}
-
-fn of_expression(expr: &Expr, name: &str) -> usize {
-    let of = |expr: &Expr| of_expression(expr, name);
-    match expr {
-        Expr::Name(it) => usize::from(it == name),
-        Expr::Unary(_, of_it)
-        | Expr::Cast(_, of_it)
-        | Expr::Member(of_it, _)
-        | Expr::Arrow(of_it, _)
-        | Expr::Postfix(of_it, _) => of(of_it),
-        Expr::Binary(_, left, right) | Expr::Index(left, right) => of(left) + of(right),
-        Expr::Conditional(condition, left, right) => of(condition) + of(left) + of(right),
-        Expr::Call(_, arguments) => arguments.iter().map(of).sum(),
     }
 }

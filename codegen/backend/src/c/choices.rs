@@ -1,0 +1,512 @@
+//! Choices by an enum: a chain of `if` that compares one place becomes a `switch`.
+//!
+//! From C tree to C tree, where the branches stand in their final form. A case is a state; the tests that the chain makes
+//! besides become `if` inside. What a case knows is not assigned again, and no `if` begins with an empty branch.
+//!
+//! Invariants:
+//! - conditions have no effect (the lowering puts calls that write into statements), so between two of a chain the place
+//!   keeps its value, and those that compare a different variant can be left out;
+//! - a branch is written down once, unless it is a single plain statement;
+//! - the case of the last variant carries `default:`, as in every other `switch`;
+//! - the result for each variant stays.
+//!
+//! What it must not know: the IR, and types other than the names of their enumerators.
+
+use std::collections::BTreeMap;
+
+use super::lower::unused::names;
+use super::tree::{Expr, Init, Origin, Stmt, StmtKind, SwitchArm, compound};
+
+/// Variants from which an enum's chain of comparisons reads better as a `switch`.
+const SEVERAL: usize = 3;
+
+/// Nodes of a test that may be written down in several cases.
+const SHORT: usize = 9;
+
+/// Enumerators of a module: the enum and the position of each.
+pub struct Enumerators<'n> {
+    enums: Vec<&'n [String]>,
+    positions: BTreeMap<&'n str, (usize, usize)>,
+}
+
+impl<'n> Enumerators<'n> {
+    /// Collects the enumerators of these enums.
+    pub fn new(enums: impl Iterator<Item = &'n [String]>) -> Enumerators<'n> {
+        let enums: Vec<&[String]> = enums.collect();
+        let mut positions = BTreeMap::new();
+        for (id, names) in enums.iter().enumerate() {
+            positions.extend(names.iter().enumerate().map(|(at, name)| (name.as_str(), (id, at))));
+        }
+        Enumerators { enums, positions }
+    }
+
+    /// Rewrites the choices of a function's body.
+    pub fn rewrite(&self, body: &mut Vec<Stmt>) {
+        for mut stmt in std::mem::take(body) {
+            if matches!(stmt.kind, StmtKind::If { .. }) {
+                let (mut links, mut rest) = chain(stmt);
+                links.iter_mut().for_each(|link| self.rewrite(&mut link.body));
+                self.rewrite(&mut rest);
+                body.extend(self.chosen(&links, rest, &mut Excluded::new()));
+                continue;
+            }
+            stmt.kind.blocks_mut().into_iter().for_each(|block| self.rewrite(block));
+            if let StmtKind::Switch { scrutinee, arms } = &mut stmt.kind {
+                arms.iter_mut().for_each(|arm| self.drop_known(scrutinee, arm));
+            }
+            body.push(stmt);
+        }
+        while let Some(at) = (1..body.len()).find(|at| self.names_scrutinee(body, *at)) {
+            self.inline_scrutinee(body, at);
+        }
+    }
+
+    /// Returns true if the statement before a `switch` only names what it selects by, for nothing else.
+    fn names_scrutinee(&self, body: &[Stmt], at: usize) -> bool {
+        let (
+            StmtKind::Declare(declarator, Some(Init::Value(value))),
+            StmtKind::Switch { scrutinee, arms },
+        ) = (&body[at - 1].kind, &body[at].kind)
+        else {
+            return false;
+        };
+        let name = &declarator.name;
+        let elsewhere =
+            names(&body[at + 1..], name) || arms.iter().any(|arm| names(&arm.body, name));
+        is_place(value) && *scrutinee == Expr::name(name) && !elsewhere
+    }
+
+    fn inline_scrutinee(&self, body: &mut Vec<Stmt>, at: usize) {
+        let name = body.remove(at - 1);
+        if let (
+            StmtKind::Declare(_, Some(Init::Value(value))),
+            StmtKind::Switch { scrutinee, arms },
+        ) = (name.kind, &mut body[at - 1].kind)
+        {
+            arms.iter_mut().for_each(|arm| self.drop_known(&value, arm));
+            *scrutinee = value;
+        }
+    }
+
+    /// Returns the statements of a chain; `excluded` are the variants that a place cannot have any more.
+    fn chosen(&self, links: &[Link], rest: Vec<Stmt>, excluded: &mut Excluded) -> Vec<Stmt> {
+        let Some((first, others)) = links.split_first() else { return rest };
+        let tests: Vec<Test> = links.iter().map_while(|link| self.test(&link.condition)).collect();
+        let alike = tests.iter().take_while(|test| test.compares_like(&tests[0])).count();
+        let mut length = alike;
+        while length > 1 {
+            let behind = Behind { links: &links[length..], rest: &rest };
+            match self.cases(&links[..length], &tests[..length], &behind, excluded) {
+                Ok(cases) => {
+                    let closed = tests[..length].iter().filter(|test| test.guard.is_none());
+                    closed.for_each(|test| test.exclude(excluded));
+                    let rest = self.chosen(&links[length..], rest, excluded);
+                    return vec![self.written(cases, &tests[0], rest, first.origin)];
+                }
+                Err(fewer) => length = fewer,
+            }
+        }
+        if let Some(test) = tests.first().filter(|test| test.guard.is_none()) {
+            test.exclude(excluded);
+        }
+        vec![first.followed_by(self.chosen(others, rest, excluded))]
+    }
+
+    /// Sorts links that compare one place into cases; an error is the number of links to try next.
+    fn cases(
+        &self,
+        links: &[Link],
+        tests: &[Test],
+        behind: &Behind,
+        excluded: &Excluded,
+    ) -> Result<Cases, usize> {
+        let fewer = links.len() - 1;
+        let (mut groups, mut others): (Vec<Group>, Vec<usize>) = Default::default();
+        for at in 0..self.enums[tests[0].id].len() {
+            if excluded.iter().any(|(place, known)| *place == tests[0].of && *known == at) {
+                continue;
+            }
+            let matching = (0..links.len()).filter(|link| tests[*link].variants.contains(&at));
+            let (mut taken, mut falls) = (Vec::new(), true);
+            for link in matching {
+                taken.push(link);
+                falls = tests[link].guard.is_some();
+                if !falls {
+                    break;
+                }
+            }
+            match groups.iter_mut().find(|group| group.links == taken) {
+                _ if taken.is_empty() => others.push(at),
+                Some(group) => group.variants.push(at),
+                None => groups.push(Group { variants: vec![at], links: taken, falls }),
+            }
+        }
+        let reads_better = match &groups[..] {
+            [] => false,
+            // One state alone: its comparison stands before what else is tested.
+            [group] => group.links.len() > 1,
+            _ => self.enums[tests[0].id].len() >= SEVERAL,
+        };
+        let switch = groups.len() > 1;
+        if !reads_better || switch && links.iter().any(|it| it.body.iter().any(leaves_loop)) {
+            return Err(fewer);
+        }
+        for (index, link) in links.iter().enumerate() {
+            let uses = groups.iter().filter(|group| group.links.contains(&index)).count();
+            let guard = tests[index].guard.as_ref().map_or(0, size);
+            if uses == 0 || uses > 1 && (guard > SHORT || !is_short(&link.body)) {
+                return Err(index.min(fewer));
+            }
+        }
+        let falling = groups.iter().filter(|group| group.falls).count();
+        let otherwise = usize::from(!switch || !others.is_empty());
+        let moves = switch && falling + otherwise > 0;
+        if falling + otherwise > 1 && !behind.is_short() || moves && behind.leaves_loop() {
+            return Err(fewer);
+        }
+        let case = |group: Group| {
+            let branch = |link: &usize| (tests[*link].guard.clone(), links[*link].clone());
+            Case {
+                branches: group.links.iter().map(branch).collect(),
+                variants: group.variants,
+                falls: group.falls,
+            }
+        };
+        Ok(Cases { cases: groups.into_iter().map(case).collect(), others })
+    }
+
+    /// Writes cases down; `rest` is what happens where none of them is met.
+    fn written(
+        &self,
+        Cases { mut cases, others }: Cases,
+        test: &Test,
+        rest: Vec<Stmt>,
+        origin: Option<Origin>,
+    ) -> Stmt {
+        let label = |at: &usize| Expr::name(&self.enums[test.id][*at]);
+        if cases.len() == 1 {
+            let case = cases.remove(0);
+            let equal = |at| Expr::binary("==", test.of.clone(), label(at));
+            let condition = case.variants.iter().map(equal).reduce(|a, b| Expr::binary("||", a, b));
+            let only = matches!(case.variants[..], [_]).then(|| label(&case.variants[0]));
+            let mut then = case.body(&rest);
+            if let Some(label) = only {
+                drop_known(&mut then, &test.of, &label);
+            }
+            let condition = condition.unwrap_or_else(|| Expr::name("true"));
+            return Stmt { kind: choice(condition, then, rest), origin };
+        }
+        let mut arms: Vec<(Vec<usize>, Vec<Stmt>)> = Vec::new();
+        for case in cases {
+            let body = case.body(&rest);
+            arms.push((case.variants, body));
+        }
+        if !others.is_empty() {
+            arms.push((others, rest));
+        }
+        // The last variant is in the last case, which represents what is none of them.
+        arms.sort_by_key(|(variants, _)| variants.last().copied());
+        let count = arms.len();
+        let arm = |(index, (variants, body)): (usize, (Vec<usize>, Vec<Stmt>))| {
+            let labels = variants.iter().map(label).collect();
+            let mut arm = SwitchArm { labels, default: index + 1 == count, body };
+            self.drop_known(&test.of, &mut arm);
+            arm
+        };
+        let arms = arms.into_iter().enumerate().map(arm).collect();
+        Stmt { kind: StmtKind::Switch { scrutinee: test.of.clone(), arms }, origin }
+    }
+
+    /// Removes assignments of what the label of a case says.
+    fn drop_known(&self, place: &Expr, arm: &mut SwitchArm) {
+        if let [label @ Expr::Name(name)] = &arm.labels[..]
+            && self.positions.contains_key(name.as_str())
+            && is_place(place)
+        {
+            drop_known(&mut arm.body, place, &label.clone());
+        }
+    }
+
+    /// Returns the comparison with which a condition begins.
+    fn test(&self, condition: &Expr) -> Option<Test> {
+        match condition {
+            Expr::Binary("==", of, label) if is_place(of) => {
+                let Expr::Name(label) = &**label else { return None };
+                let (id, at) = *self.positions.get(label.as_str())?;
+                Some(Test { of: (**of).clone(), id, variants: vec![at], guard: None })
+            }
+            Expr::Binary("&&", first, second) => {
+                let mut test = self.test(first)?;
+                test.guard = Some(match test.guard {
+                    None => (**second).clone(),
+                    Some(guard) => Expr::binary("&&", guard, (**second).clone()),
+                });
+                Some(test)
+            }
+            Expr::Binary("||", first, second) => {
+                let (mut test, other) = (self.test(first)?, self.test(second)?);
+                let plain = test.guard.is_none() && other.guard.is_none();
+                test.variants.extend(&other.variants);
+                (plain && other.compares_like(&test)).then_some(test)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Variants that places cannot have, by the comparisons before.
+type Excluded = Vec<(Expr, usize)>;
+
+/// A comparison of a place with variants, and what a condition tests besides.
+struct Test {
+    of: Expr,
+    id: usize,
+    variants: Vec<usize>,
+    guard: Option<Expr>,
+}
+
+impl Test {
+    fn compares_like(&self, other: &Test) -> bool {
+        self.of == other.of && self.id == other.id
+    }
+
+    fn exclude(&self, excluded: &mut Excluded) {
+        excluded.extend(self.variants.iter().map(|at| (self.of.clone(), *at)));
+    }
+}
+
+/// An `if` of a chain.
+#[derive(Clone)]
+struct Link {
+    condition: Expr,
+    body: Vec<Stmt>,
+    origin: Option<Origin>,
+}
+
+impl Link {
+    fn followed_by(&self, otherwise: Vec<Stmt>) -> Stmt {
+        let kind = choice(self.condition.clone(), self.body.clone(), otherwise);
+        Stmt { kind, origin: self.origin }
+    }
+}
+
+/// The part of a chain behind the links that become cases.
+struct Behind<'c> {
+    links: &'c [Link],
+    rest: &'c [Stmt],
+}
+
+impl Behind<'_> {
+    fn is_short(&self) -> bool {
+        self.links.is_empty() && is_short(self.rest)
+    }
+
+    fn leaves_loop(&self) -> bool {
+        let bodies = self.links.iter().flat_map(|link| &link.body);
+        bodies.chain(self.rest).any(leaves_loop)
+    }
+}
+
+/// Variants that meet the same links, by their positions.
+struct Group {
+    variants: Vec<usize>,
+    links: Vec<usize>,
+    /// True if no link may hold, so that what is behind them follows.
+    falls: bool,
+}
+
+/// A case: its variants and branches, each with the test that is left of its condition.
+struct Case {
+    variants: Vec<usize>,
+    branches: Vec<(Option<Expr>, Link)>,
+    falls: bool,
+}
+
+impl Case {
+    fn body(&self, rest: &[Stmt]) -> Vec<Stmt> {
+        let rest = if self.falls { rest.to_vec() } else { Vec::new() };
+        self.branches.iter().rev().fold(rest, |otherwise, (guard, link)| match guard {
+            None => link.body.clone(),
+            Some(guard) => {
+                let kind = choice(guard.clone(), link.body.clone(), otherwise);
+                vec![Stmt { kind, origin: link.origin }]
+            }
+        })
+    }
+}
+
+/// All cases, and the variants that meet none of them.
+struct Cases {
+    cases: Vec<Case>,
+    others: Vec<usize>,
+}
+
+/// Takes an `if` apart into the links of its chain and its last branch.
+fn chain(stmt: Stmt) -> (Vec<Link>, Vec<Stmt>) {
+    let (mut links, mut rest) = (Vec::new(), vec![stmt]);
+    while let [Stmt { kind: StmtKind::If { .. }, .. }] = &rest[..]
+        && let Some(Stmt { kind: StmtKind::If { condition, then, otherwise }, origin }) = rest.pop()
+    {
+        links.push(Link { condition, body: then, origin });
+        rest = otherwise;
+    }
+    (links, rest)
+}
+
+/// Returns an `if` that does not begin with an empty branch.
+fn choice(condition: Expr, then: Vec<Stmt>, otherwise: Vec<Stmt>) -> StmtKind {
+    match then.is_empty() && !otherwise.is_empty() {
+        true => StmtKind::If { condition: not(condition), then: otherwise, otherwise: then },
+        false => StmtKind::If { condition, then, otherwise },
+    }
+}
+
+/// Returns the opposite of a condition.
+fn not(condition: Expr) -> Expr {
+    match condition {
+        Expr::Unary("!", operand) => *operand,
+        Expr::Binary("==", a, b) => Expr::Binary("!=", a, b),
+        Expr::Binary("!=", a, b) => Expr::Binary("==", a, b),
+        Expr::Binary("||", a, b) if turns(&a) && turns(&b) => Expr::binary("&&", not(*a), not(*b)),
+        Expr::Binary("&&", a, b) if turns(&a) && turns(&b) => Expr::binary("||", not(*a), not(*b)),
+        other => Expr::unary("!", other),
+    }
+}
+
+/// Returns true if the opposite of a condition is no longer than it.
+fn turns(condition: &Expr) -> bool {
+    match condition {
+        Expr::Unary("!", _) | Expr::Binary("==" | "!=", ..) => true,
+        Expr::Binary("||" | "&&", a, b) => turns(a) && turns(b),
+        _ => false,
+    }
+}
+
+/// Returns true if an expression is a variable or a field, which reading does not change.
+fn is_place(expr: &Expr) -> bool {
+    match expr {
+        Expr::Name(_) => true,
+        Expr::Member(of, _) | Expr::Arrow(of, _) | Expr::Unary("*", of) => is_place(of),
+        _ => false,
+    }
+}
+
+/// Returns true if a branch is one plain statement at most.
+fn is_short(body: &[Stmt]) -> bool {
+    let plain = |stmt: &Stmt| {
+        matches!(stmt.kind, StmtKind::Assign(..) | StmtKind::Expr(_) | StmtKind::Return(_))
+    };
+    body.len() < 2 && body.iter().all(plain)
+}
+
+/// Returns the number of nodes of an expression.
+fn size(expr: &Expr) -> usize {
+    1 + expr.operands().into_iter().map(size).sum::<usize>()
+}
+
+/// Returns true if a statement ends a loop around it, which it could not from within a `switch`.
+fn leaves_loop(stmt: &Stmt) -> bool {
+    match &stmt.kind {
+        StmtKind::Break => true,
+        StmtKind::If { then, otherwise, .. } => then.iter().chain(otherwise).any(leaves_loop),
+        StmtKind::Block(body) => body.iter().any(leaves_loop),
+        _ => false,
+    }
+}
+
+/// Removes assignments of `label` to `place`, which holds it where the statements begin. Returns true if the place holds
+/// it behind them, too, as far as is seen.
+fn drop_known(body: &mut Vec<Stmt>, place: &Expr, label: &Expr) -> bool {
+    let mut at = 0;
+    while at < body.len() {
+        let keeps = match &mut body[at].kind {
+            StmtKind::Comment(_) => true,
+            StmtKind::Declare(_, None) => true,
+            StmtKind::Declare(_, Some(init)) => !init_calls(init),
+            StmtKind::Assign(to, "=", value) if to == place && value == label => {
+                body.remove(at);
+                put_back(body, at);
+                continue;
+            }
+            StmtKind::Assign(to, _, value) => !calls(value) && are_apart(to, place),
+            StmtKind::If { condition, then, otherwise } if !calls(condition) => {
+                let kept = drop_known(then, place, label);
+                drop_known(otherwise, place, label) && kept
+            }
+            _ => false,
+        };
+        if let StmtKind::If { condition, then, otherwise } = &mut body[at].kind
+            && then.is_empty()
+        {
+            let taken = std::mem::take(otherwise);
+            let condition = std::mem::replace(condition, Expr::name("false"));
+            body[at].kind = choice(condition, Vec::new(), taken);
+        }
+        if !keeps {
+            return false;
+        }
+        at += 1;
+    }
+    true
+}
+
+/// Joins `const t = x;`, the statement before `at`, with `x = f(t);` if nothing else reads it.
+fn put_back(body: &mut Vec<Stmt>, at: usize) {
+    let Some(before) = at.checked_sub(1) else { return };
+    let (StmtKind::Declare(declarator, Some(Init::Value(value))), Some(next)) =
+        (&body[before].kind, body.get(at))
+    else {
+        return;
+    };
+    let StmtKind::Assign(to, "=", computed) = &next.kind else { return };
+    let name = declarator.name.as_str();
+    let alone = computed.mentions(name) == 1 && !names(&body[at + 1..], name);
+    if to != value || !is_place(to) || !alone {
+        return;
+    }
+    let (to, mut computed) = (to.clone(), computed.clone());
+    computed.replace(name, value);
+    let joined = match computed {
+        Expr::Binary(op, left, right) if *left == to && compound(op).is_some() => {
+            StmtKind::Assign(to, compound(op).unwrap_or("="), *right)
+        }
+        other => StmtKind::Assign(to, "=", other),
+    };
+    body[at].kind = joined;
+    body.remove(before);
+}
+
+/// Returns true if writing one place leaves the other as it is: they part at a field.
+fn are_apart(a: &Expr, b: &Expr) -> bool {
+    let (a, b) = (path(a), path(b));
+    a.iter().zip(&b).find(|(a, b)| a != b).is_some_and(|(a, b)| match (a, b) {
+        (Expr::Member(x, _) | Expr::Arrow(x, _), Expr::Member(y, _) | Expr::Arrow(y, _)) => x == y,
+        _ => false,
+    })
+}
+
+/// Returns the places around a place, from its variable on.
+fn path(place: &Expr) -> Vec<&Expr> {
+    let mut list = match place {
+        Expr::Member(of, _) | Expr::Arrow(of, _) | Expr::Index(of, _) | Expr::Unary(_, of) => {
+            path(of)
+        }
+        _ => Vec::new(),
+    };
+    list.push(place);
+    list
+}
+
+fn calls(expr: &Expr) -> bool {
+    matches!(expr, Expr::Call(..) | Expr::Postfix(..)) || expr.operands().into_iter().any(calls)
+}
+
+fn init_calls(init: &Init) -> bool {
+    match init {
+        Init::Value(value) => calls(value),
+        Init::List { items, .. } => items.iter().any(|(_, item)| init_calls(item)),
+    }
+}
+
+#[cfg(test)]
+mod tests;
