@@ -7,7 +7,7 @@ use std::thread;
 use bessemer_codegen::generate::{self, Error, Job};
 use bessemer_frontend::diagnostic::Level;
 use bessemer_tests::root;
-use bessemer_tests::workspace::Workspace;
+use bessemer_tests::workspace::{Files, Workspace};
 
 const MODEL: &str = "//! One law.
 #![no_std]
@@ -118,6 +118,26 @@ fn a_package_of_which_nothing_becomes_c_says_why() {
     let [told] = &said.diagnostics[..] else { panic!("{said}") };
     assert_eq!((told.level, told.line), (Level::Error, 6), "{said}");
     assert!(told.help.contains("pub type LagF32 = Lag<f32>;"), "{said}");
+}
+
+/// A library may have another name than its package: its modules' paths, by which the author's own functions are known, begin with that.
+#[test]
+fn a_library_of_another_name_than_its_package_becomes_the_same_c() {
+    let workspace = Workspace::with_source(MODEL).expect("a workspace");
+    let as_usual = workspace.generate_anew("1").expect("generated");
+    let path = workspace.folder().join("Cargo.toml");
+    let manifest = fs::read_to_string(&path).expect("a manifest");
+    let renamed = manifest.replace("[lib]\n", "[lib]\nname = \"flight_software\"\n");
+    assert_ne!(renamed, manifest);
+    fs::write(&path, renamed).expect("a manifest");
+    let text = |files: &Files, name: &str| files.get(name).map(|it| it.replace(name, "NAME"));
+    fs::remove_dir_all(workspace.job().output).expect("the C of the package before");
+    let other = workspace.generate_anew("1").expect("generated");
+    let [usual, other] = [(&as_usual, "models.c"), (&other, "flight_software.c")]
+        .map(|(files, name)| text(files, name).unwrap_or_else(|| panic!("{:?}", files.keys())));
+    let same =
+        |text: &str| text.replace("flight_software", "models").replace("FLIGHT_SOFTWARE", "MODELS");
+    assert_eq!(same(&usual), same(&other));
 }
 
 /// Cargo builds the DSL once for all workspaces that link to it. What it was built by may be gone when the next one uses

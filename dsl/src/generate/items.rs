@@ -119,7 +119,9 @@ pub fn number<T: Plain + ScalarType>(name: &str, value: T) -> (String, Argument)
 /// Items of other crates are part of it as far as they are used.
 pub fn package(name: &str, library: &str, license: &str) -> String {
     let mut builder = Builder::default();
-    builder.package.name = name.to_owned();
+    // The paths of its modules begin with the library's name, which its manifest may choose.
+    let is_named_so = name.replace('-', "_") == library;
+    builder.package.name = if is_named_so { name } else { library }.to_owned();
     builder.package.license = license.to_owned();
     let mut items: Vec<&Registered> = inventory::iter::<Registered>.into_iter().collect();
     // The linker's order differs from build to build; the author's does not.
