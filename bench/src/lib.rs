@@ -11,6 +11,7 @@
 //! | [`onboard`] | what a control period of the onboard software takes on the Cortex-A9 |
 //! | [`accuracy_points`] | the elementary functions on the points of their accuracy, on every leg |
 //! | [`threads`] | what a second thread brings to large kernels |
+//! | [`crates`] | which crates of the field become C with attributes and imports alone |
 //! | [`equality`] | the elementary functions on millions of points, on every leg |
 //!
 //! [`count`] counts instructions on the emulated Cortex-A9.
@@ -19,6 +20,7 @@
 pub mod accuracy_points;
 pub mod check_cost;
 pub mod count;
+pub mod crates;
 pub mod elementary;
 pub mod equality;
 pub mod generation;

@@ -5,6 +5,7 @@
 use std::fs;
 use std::path::PathBuf;
 
+use bench::crates::page;
 use bench::kernels::machine::{A9, HOST_V3};
 use bench::kernels::reasons::{Reasons, unsettled};
 use bench::kernels::results::Results;
@@ -44,6 +45,19 @@ fn the_report_says_what_the_json_has() {
         let found = fs::read_to_string(file(name)).expect("it is committed");
         assert!(found == text, "{name} is stale: UPDATE_DOCS=1 cargo test -p bench --test stored");
     }
+}
+
+#[test]
+fn the_page_of_crates_says_what_the_json_has() {
+    let text = page::text().expect("results are committed");
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(page::path(), &text).expect("docs is there");
+    }
+    let found = fs::read_to_string(page::path()).expect("it is committed");
+    assert!(
+        found == text,
+        "docs/crates.md is stale: UPDATE_DOCS=1 cargo test -p bench --test stored"
+    );
 }
 
 fn reasons() -> Reasons {

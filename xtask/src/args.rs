@@ -53,6 +53,8 @@ pub enum Task {
     Doctor(Doctor),
     /// Measure the generated C against its peers
     Bench(Bench),
+    /// Make C of crates of other authors, and compare the bits
+    Crates(Crates),
     /// Make searchable pages of the book, by mdBook, into target/book/
     Book,
     /// The simulation's commands: `sim`, `identify`, `campaign`
@@ -251,6 +253,26 @@ pub struct Bench {
     pub install: bool,
 }
 
+/// Arguments of `crates`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  cargo xtask crates                  Try all twenty, and write bench/results/crates.json and docs/crates.md
+  cargo xtask crates pid --verbose    Only this one, with all errors
+  cargo xtask crates pid --dry        Write nothing
+
+cargo fetches the sources by exact version into target/crates/, and finds the attributes in bench/crates/. Needs gcc.")]
+pub struct Crates {
+    /// Only these crates; the others keep their previous results
+    pub names: Vec<String>,
+    /// Print all errors of a crate that does not become C
+    #[arg(long)]
+    pub verbose: bool,
+    /// Write nothing
+    #[arg(long)]
+    pub dry: bool,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -306,6 +328,10 @@ mod tests {
         assert!(matches!(parse(&["doctor", "--json"]), Ok(Task::Doctor(Doctor { json: true }))));
         assert!(matches!(parse(&["bench", "--quick"]), Ok(Task::Bench(Bench { quick: true, .. }))));
         assert!(matches!(parse(&["book"]), Ok(Task::Book)));
+        assert!(matches!(
+            parse(&["crates", "pid", "--dry"]),
+            Ok(Task::Crates(Crates { dry: true, .. }))
+        ));
         assert!(matches!(parse(&["sim"]), Ok(Task::Simulation(_))));
         assert!(matches!(parse(&["sim", "hover", "--c"]), Ok(Task::Simulation(_))));
         assert!(matches!(parse(&["fly", "--headless"]), Ok(Task::Ground(_))));

@@ -1,8 +1,8 @@
-//! `cargo xtask bench`: sees to the tools, then hands over to the program of the `bench` crate.
+//! `cargo xtask bench` and `crates`: see to the tools, then hand over to the programs of the `bench` crate.
 //!
 //! What it must not know: what is measured.
 
-use crate::args::Bench;
+use crate::args::{Bench, Crates};
 use crate::error::{Error, Outcome};
 use crate::install::Plan;
 use crate::stages::Progress;
@@ -28,7 +28,7 @@ fn needs(only: Option<&str>) -> &'static [Need] {
 /// [`Error::Missing`] without `--install`; with it, what went wrong while installing; [`Error::Spawn`] if cargo
 /// does not start.
 pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome, Error> {
-    prepare(wanted, machine)?;
+    prepare(needs(wanted.only.as_deref()), wanted.install, machine)?;
     let mut command = project::cargo(root, &["run", "--quiet", "--package", "bench", "--"]);
     if wanted.quick {
         command.arg("--quick");
@@ -52,14 +52,28 @@ pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome
     Ok(if status.success() { Outcome::Good } else { Outcome::Bad })
 }
 
-fn prepare(wanted: &Bench, machine: &dyn Machine) -> Result<(), Error> {
-    let needs = needs(wanted.only.as_deref());
+/// Tries the crates of the field.
+///
+/// # Errors
+/// [`Error::Missing`] without gcc, [`Error::Spawn`] if cargo does not start.
+pub fn crates(root: &Path, wanted: &Crates, machine: &dyn Machine) -> Result<Outcome, Error> {
+    prepare(&[Need::Host], false, machine)?;
+    let run = ["run", "--quiet", "--package", "bench", "--bin", "crates", "--"];
+    let mut command = project::cargo(root, &run);
+    command.args(&wanted.names);
+    command.args(wanted.verbose.then_some("--verbose"));
+    command.args(wanted.dry.then_some("--dry"));
+    let status = stages::attached(&mut command)?;
+    Ok(if status.success() { Outcome::Good } else { Outcome::Bad })
+}
+
+fn prepare(needs: &[Need], install: bool, machine: &dyn Machine) -> Result<(), Error> {
     let missing = lacking(machine, needs);
     if missing.is_empty() {
         return Ok(());
     }
     let plan = Plan::of(&missing, machine);
-    let Some(plan) = plan.as_ref().filter(|_| wanted.install) else {
+    let Some(plan) = plan.as_ref().filter(|_| install) else {
         return Err(Error::Missing { tools: names(&missing), line: plan.map(|plan| plan.line()) });
     };
     plan.carry_out(&missing, &mut Progress::default())?;

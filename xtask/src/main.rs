@@ -31,6 +31,7 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
         Task::Fuzz(wanted) => fuzz::run(&root, wanted),
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
         Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),
+        Task::Crates(wanted) => bench::crates(&root, wanted, &ThisMachine),
         Task::Book => book::run(&root, &ThisMachine),
         Task::Simulation(_) => {
             hand_over::run(&root, "sim-program", &[], std::env::args_os().skip(1))
