@@ -11,29 +11,32 @@
 //! Must not know: why lowering made a local; the tree; C, which does not order operands (the passes take care of
 //! that).
 
+mod checks;
 mod known;
 mod put;
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::visit::{Access, Visit, Walk};
 use bessemer_ir::{
     Argument, BinaryOp, Block, Expr, ExprKind, Function, Intrinsic, Local, LocalId, Mode, Module,
     Place, Scalar, Step, Stmt, StmtKind, Type, UnaryOp,
 };
+use checks::Index;
 use known::Known;
 
-/// Substitutes those temporaries of `made` that are only read and whose removal does not change the program.
+/// Substitutes those temporaries of `made` that are only read and whose removal does not change the program. Removes checks
+/// of indices that a use of the index repeats.
 ///
 /// Other locals may get new handles; parameters keep theirs.
 ///
 /// Precondition: the function is valid in `module`; no parameter is in `made`, and no local is an alias of a place.
 /// Postcondition: it is valid, and equivalent.
 pub fn fuse(module: &Module, function: &mut Function, made: &HashSet<LocalId>) {
-    let gone = gone(module, &function.locals, made, &function.body);
-    if gone.contains(&true) {
-        put::put(&mut function.body, &gone, false);
-        put::close_ranks(function, &gone);
+    let decided = decided(module, &function.locals, made, &function.body);
+    if decided.is_any() {
+        put::put(&mut function.body, &decided, false);
+        put::close_ranks(function, &decided.gone);
     }
 }
 
@@ -44,24 +47,35 @@ pub(crate) fn view(
     made: &HashSet<LocalId>,
     body: &Block,
 ) -> Block {
-    let (gone, mut body) = (gone(module, locals, made, body), body.clone());
-    if gone.contains(&true) {
-        put::put(&mut body, &gone, true);
+    let (decided, mut body) = (decided(module, locals, made, body), body.clone());
+    if decided.is_any() {
+        put::put(&mut body, &decided, true);
     }
     body
 }
 
-/// Returns true for each local that is to be substituted.
-fn gone(module: &Module, locals: &[Local], made: &HashSet<LocalId>, body: &Block) -> Vec<bool> {
-    if made.is_empty() {
-        return Vec::new();
+/// Locals to be substituted and checks to be removed.
+struct Decided {
+    /// True for each local that its value replaces.
+    gone: Vec<bool>,
+    /// True for each check that a use repeats, from the last check to the first.
+    repeated: Vec<bool>,
+}
+
+impl Decided {
+    fn is_any(&self) -> bool {
+        self.gone.contains(&true) || self.repeated.contains(&true)
     }
-    let mut known =
-        Known::new((0..locals.len() as u32).map(|at| made.contains(&LocalId(at))).collect());
+}
+
+/// Decides what goes.
+fn decided(module: &Module, locals: &[Local], made: &HashSet<LocalId>, body: &Block) -> Decided {
+    let may_go = (0..locals.len() as u32).map(|at| made.contains(&LocalId(at))).collect();
+    let mut known = Known::new(module, locals, may_go);
     known.block(body);
     let mut backwards = Backwards::new(module, locals, known);
     backwards.block(body);
-    backwards.gone
+    Decided { gone: backwards.gone, repeated: backwards.repeated }
 }
 
 /// Position in the evaluation; a later one is larger.
@@ -91,7 +105,7 @@ struct Reads {
 struct Backwards<'f> {
     module: &'f Module,
     locals: &'f [Local],
-    known: Known,
+    known: Known<'f>,
     gone: Vec<bool>,
     reads: Vec<Reads>,
     /// Moment of the next read of each local.
@@ -103,6 +117,10 @@ struct Backwards<'f> {
     ends: Moment,
     /// Moment of the next write that the caller sees.
     shows: Moment,
+    /// Moment and block of the next unconditional use of an index.
+    indexed: HashMap<Index, (Moment, u32)>,
+    /// True for each check that a use repeats, from the last check to the first.
+    repeated: Vec<bool>,
     now: Moment,
     block: u32,
     blocks: u32,
@@ -124,7 +142,7 @@ struct Effects {
 }
 
 impl<'f> Backwards<'f> {
-    fn new(module: &'f Module, locals: &'f [Local], known: Known) -> Self {
+    fn new(module: &'f Module, locals: &'f [Local], known: Known<'f>) -> Self {
         let (count, never) = (locals.len(), Moment::MAX);
         let unread = Reads {
             count: 0,
@@ -148,6 +166,8 @@ impl<'f> Backwards<'f> {
             misses: never,
             ends: never,
             shows: never,
+            indexed: HashMap::new(),
+            repeated: Vec::new(),
             now: never - 1,
             block: 0,
             blocks: 0,
@@ -208,6 +228,12 @@ impl<'f> Backwards<'f> {
                 self.named_only = false;
             }
             StmtKind::Check { condition, .. } => {
+                let repeated = checks::index_check(&stmt.kind).and_then(|it| self.repeated(it));
+                self.repeated.push(repeated.is_some());
+                if let Some(used) = repeated {
+                    earlier(&mut self.misses, used);
+                    return;
+                }
                 self.may_end();
                 // It has no effect and no fault of its own.
                 self.conditional = true;
@@ -281,13 +307,29 @@ impl<'f> Backwards<'f> {
         }
     }
 
+    /// Returns the moment of an index' use before which nothing else ends the function or is visible.
+    fn repeated(&self, index: Index) -> Option<Moment> {
+        let (used, block) = *self.indexed.get(&index)?;
+        let repeated = block == self.block
+            && self.ends > used
+            && self.shows > used
+            && self.written[index.0.index()] > used;
+        repeated.then_some(used)
+    }
+
     /// Records the steps to a place: for each step its indices, then the bounds check.
     fn steps(&mut self, place: &Place) {
-        let misses = self.misses(place);
-        for (step, misses) in place.steps.iter().zip(misses).rev() {
-            if misses {
+        let doubtful = self.doubtful(place);
+        for (step, doubtful) in place.steps.iter().zip(doubtful).rev() {
+            if !doubtful.is_empty() {
                 self.now -= 1;
-                earlier(&mut self.misses, self.now);
+                if !self.known.are_checked(&doubtful) {
+                    earlier(&mut self.misses, self.now);
+                }
+                if !self.conditional {
+                    let used = (self.now, self.block);
+                    self.indexed.extend(doubtful.into_iter().flatten().map(|it| (it, used)));
+                }
             }
             match step {
                 Step::Field(_) => {}
@@ -306,18 +348,14 @@ impl<'f> Backwards<'f> {
         }
     }
 
-    /// Returns, for each step to a place, true if its index may be out of range; a literal seldom is.
-    fn misses(&self, place: &Place) -> Vec<bool> {
-        if is_plain(place) {
-            return vec![false; place.steps.len()];
-        }
-        let mut ty = Some(self.locals[place.root.index()].ty.clone());
-        let misses = place.steps.iter().map(|step| {
-            let there = ty.as_ref().is_some_and(|ty| is_there(ty, step));
-            ty = ty.as_ref().and_then(|ty| self.module.step_type(ty, step));
-            !there
-        });
-        misses.collect()
+    /// Returns the indices of each step that may be out of range.
+    fn doubtful(&self, place: &Place) -> Vec<Vec<Option<Index>>> {
+        checks::doubtful(self.module, self.locals, place)
+    }
+
+    /// Returns true if an index of a place may be out of range.
+    fn misses(&self, place: &Place) -> bool {
+        self.doubtful(place).iter().any(|it| !self.known.are_checked(it))
     }
 
     fn may_end(&mut self) {
@@ -438,7 +476,7 @@ impl<'f> Backwards<'f> {
     fn effects(&self, value: &Expr) -> Effects {
         let mut effects = Effects::default();
         value.each_place(|place, access| {
-            effects.misses |= self.misses(place).contains(&true);
+            effects.misses |= self.misses(place);
             effects.reads.push(place.root);
             if access != Access::Read {
                 effects.writes.push(place.root);
@@ -457,27 +495,6 @@ fn earlier(known: &mut Moment, now: Moment) {
 /// Returns true if a place has only fields as steps.
 fn is_plain(place: &Place) -> bool {
     place.steps.iter().all(|step| matches!(step, Step::Field(_)))
-}
-
-/// Returns true if a value of type `ty` certainly has the part to which a step leads.
-fn is_there(ty: &Type, step: &Step) -> bool {
-    let below = |index: &Expr, len: u32| match (&index.kind, index.ty.as_int()) {
-        (ExprKind::Literal(word), Some(int)) => {
-            (0..i128::from(len)).contains(&int.from_word(*word))
-        }
-        _ => false,
-    };
-    match (step, ty) {
-        (Step::Field(_), _) => true,
-        (Step::Index(index) | Step::From(index), Type::Array { len, .. }) => below(index, *len),
-        (Step::Index(index) | Step::From(index), Type::Matrix { rows, cols, .. }) => {
-            below(index, rows.saturating_mul(*cols))
-        }
-        (Step::Element(row, column), Type::Matrix { rows, cols, .. }) => {
-            below(row, *rows) && below(column, *cols)
-        }
-        _ => false,
-    }
 }
 
 /// Returns true if an operation itself may fault.

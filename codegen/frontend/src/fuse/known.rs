@@ -2,14 +2,21 @@
 //!
 //! Must not know: what makes a temporary go.
 
-use bessemer_ir::visit::{Access, Visit, walk_expr, walk_place, walk_stmt};
-use bessemer_ir::{Expr, LocalId, Place, Stmt, StmtKind};
+use std::collections::HashSet;
 
-/// Counts uses, parts, widths and loops of temporaries.
-pub(super) struct Known {
+use bessemer_ir::visit::{Access, Visit, walk_block, walk_expr, walk_place, walk_stmt};
+use bessemer_ir::{Block, Expr, Local, LocalId, Module, Place, Stmt, StmtKind};
+
+use super::checks::{Index, doubtful, index_check};
+
+/// Counts uses, parts, widths, loops and checks of temporaries.
+pub(super) struct Known<'f> {
+    module: &'f Module,
+    locals: &'f [Local],
     /// Marks the locals that `fuse` may substitute: temporaries of the compiler, declared with a value, and only
     /// read.
     pub may_go: Vec<bool>,
+    /// Counts uses without those in checks of indices, which may be removed.
     pub uses: Vec<u32>,
     /// Marks the locals of which single parts are read.
     pub parts: Vec<bool>,
@@ -19,12 +26,22 @@ pub(super) struct Known {
     pub depth: Vec<usize>,
     loops: usize,
     steps: u64,
+    in_check: bool,
+    /// Indices checked so far in the enclosing blocks, in `order` of their checks.
+    checked: HashSet<Index>,
+    order: Vec<Index>,
+    /// Indices that any check names.
+    asserted: HashSet<Index>,
+    /// Indices with a use that no check precedes.
+    unchecked: HashSet<Index>,
 }
 
-impl Known {
-    pub fn new(may_go: Vec<bool>) -> Known {
+impl<'f> Known<'f> {
+    pub fn new(module: &'f Module, locals: &'f [Local], may_go: Vec<bool>) -> Self {
         let count = may_go.len();
         Known {
+            module,
+            locals,
             may_go,
             uses: vec![0; count],
             parts: vec![false; count],
@@ -32,6 +49,11 @@ impl Known {
             depth: vec![0; count],
             loops: 0,
             steps: 0,
+            in_check: false,
+            checked: HashSet::new(),
+            order: Vec::new(),
+            asserted: HashSet::new(),
+            unchecked: HashSet::new(),
         }
     }
 
@@ -40,9 +62,25 @@ impl Known {
     pub fn room(&self, local: LocalId) -> u64 {
         if self.uses[local.index()] == 1 { self.width[local.index()] } else { 0 }
     }
+
+    /// Returns true if a check precedes each use of these indices.
+    pub fn are_checked(&self, indices: &[Option<Index>]) -> bool {
+        let is_checked = |it: &Index| {
+            self.may_go[it.0.index()] && self.asserted.contains(it) && !self.unchecked.contains(it)
+        };
+        indices.iter().all(|it| it.as_ref().is_some_and(is_checked))
+    }
 }
 
-impl Visit for Known {
+impl Visit for Known<'_> {
+    fn block(&mut self, block: &Block) {
+        let around = self.order.len();
+        walk_block(self, block);
+        for index in self.order.drain(around..) {
+            self.checked.remove(&index);
+        }
+    }
+
     fn stmt(&mut self, stmt: &Stmt) {
         match &stmt.kind {
             StmtKind::Let { local, value } => {
@@ -57,7 +95,15 @@ impl Visit for Known {
                 walk_stmt(self, stmt);
                 self.loops -= 1;
             }
-            _ => walk_stmt(self, stmt),
+            kind => {
+                let check = index_check(kind);
+                self.in_check = check.is_some();
+                walk_stmt(self, stmt);
+                self.in_check = false;
+                let new = check.filter(|it| self.checked.insert(*it));
+                self.order.extend(new);
+                self.asserted.extend(check);
+            }
         }
     }
 
@@ -68,9 +114,15 @@ impl Visit for Known {
 
     fn place(&mut self, place: &Place, access: Access) {
         let at = place.root.index();
-        self.uses[at] += 1;
+        self.uses[at] += u32::from(!self.in_check);
         self.steps += 4 + self.room(place.root);
         self.may_go[at] &= access == Access::Read;
+        let doubtful = doubtful(self.module, self.locals, place).into_iter().flatten().flatten();
+        for index in doubtful.filter(|it| self.may_go[it.0.index()]) {
+            if !self.checked.contains(&index) {
+                self.unchecked.insert(index);
+            }
+        }
         self.parts[at] |= !place.steps.is_empty();
         walk_place(self, place);
     }

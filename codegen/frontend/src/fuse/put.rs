@@ -7,10 +7,14 @@ use bessemer_ir::visit::{
 };
 use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Place, Stmt, StmtKind};
 
-/// Substitutes the values of the locals in `gone` where they are read. With `blanks`, an empty statement replaces
-/// each declaration, so that indices of statements stay.
-pub(super) fn put(body: &mut Block, gone: &[bool], blanks: bool) {
-    Put { gone, values: vec![None; gone.len()], blanks }.block(body);
+use super::Decided;
+
+/// Substitutes the values of the locals that go where they are read, and removes checks. With `blanks`, an empty statement
+/// replaces each declaration and check, so that indices of statements stay.
+pub(super) fn put(body: &mut Block, decided: &Decided, blanks: bool) {
+    let Decided { gone, repeated } = decided;
+    let values = vec![None; gone.len()];
+    Put { gone, values, checks: repeated.iter().rev(), blanks }.block(body);
 }
 
 /// Removes the substituted locals from the table and renumbers the others.
@@ -30,6 +34,8 @@ pub(super) fn close_ranks(function: &mut Function, gone: &[bool]) {
 struct Put<'g> {
     gone: &'g [bool],
     values: Vec<Option<Expr>>,
+    /// True for each check to come that goes.
+    checks: std::iter::Rev<std::slice::Iter<'g, bool>>,
     blanks: bool,
 }
 
@@ -37,20 +43,26 @@ impl VisitMut for Put<'_> {
     fn block(&mut self, block: &mut Block) {
         let mut comments = Vec::new();
         for mut stmt in std::mem::take(&mut block.0) {
-            walk_stmt_mut(self, &mut stmt);
+            let check = matches!(stmt.kind, StmtKind::Check { .. });
+            let repeated = check && self.checks.next() == Some(&true);
+            if !repeated {
+                walk_stmt_mut(self, &mut stmt);
+            }
             comments.append(&mut stmt.comments);
             match stmt.kind {
                 StmtKind::Let { local, value } if self.gone[local.index()] => {
                     self.values[local.index()] = value;
-                    if self.blanks {
-                        let nothing = StmtKind::Expr(Expr::bool(true, stmt.span));
-                        block.0.push(Stmt::new(nothing, stmt.span));
-                    }
                 }
+                _ if repeated => {}
                 kind => {
                     let comments = std::mem::take(&mut comments);
                     block.0.push(Stmt { kind, span: stmt.span, comments });
+                    continue;
                 }
+            }
+            if self.blanks {
+                let nothing = StmtKind::Expr(Expr::bool(true, stmt.span));
+                block.0.push(Stmt::new(nothing, stmt.span));
             }
         }
     }

@@ -46,24 +46,27 @@ impl Lowering<'_, '_> {
         Ok(done)
     }
 
-    /// Holds the indices of `place` that later statements could change.
+    /// Computes and checks the indices of `place` before the statements to come.
     pub(super) fn settle_place(&mut self, place: &mut Place, later: &[Stmt]) {
-        self.settle_all(indices_mut(place).map(|index| (index, words::INDEX)), later);
+        if !later.is_empty() {
+            self.fix(place);
+        }
     }
 
-    /// Holds the arguments so far that later statements could change.
+    /// Computes the arguments so far, and checks their places, before the statements to come.
     pub(super) fn settle_arguments(&mut self, passed: &mut [Argument], later: &[Stmt]) {
-        let mut values = Vec::new();
+        if later.is_empty() {
+            return;
+        }
         for argument in passed {
             match value_of(argument) {
                 // A slice is never a local. What it shows stays while it is borrowed; where it begins may not.
                 Ok(Expr { kind: ExprKind::Load(place), ty: Type::Slice(_), .. }) | Err(place) => {
-                    values.extend(indices_mut(place).map(|index| (index, words::INDEX)));
+                    self.fix(place);
                 }
-                Ok(value) => values.push((value, words::ARGUMENT)),
+                Ok(value) => self.atomize(words::ARGUMENT, value),
             }
         }
-        self.settle_all(values, later);
     }
 
     /// Holds the values so far, in order, before later statements.

@@ -1,22 +1,29 @@
-//! Holds every operand in a temporary of its own, in the order of evaluation, as the plainest lowering would.
+//! Holds every operand in a temporary of its own, in the order of evaluation, and checks every index there, as the plainest
+//! lowering would.
 
 use std::collections::HashSet;
 
 use bessemer_ir::effects;
 use bessemer_ir::visit::{VisitMut, walk_block_mut, walk_expr_mut};
 use bessemer_ir::{
-    Argument, Block, Expr, ExprKind, Function, Local, LocalId, Mode, Place, Stmt, StmtKind,
+    Argument, Block, CompareOp, Expr, ExprKind, Fault, Function, Local, LocalId, Mode, Module,
+    Place, Step, Stmt, StmtKind, Type,
 };
 
 /// The function with its operands held, and the temporaries; those of a statement that `keep` takes stay.
-pub fn held(function: &Function, keep: &mut dyn FnMut() -> bool) -> (Function, HashSet<LocalId>) {
-    let mut hold = Hold { locals: function.locals.clone(), out: Vec::new(), keep };
+pub fn held(
+    module: &Module,
+    function: &Function,
+    keep: &mut dyn FnMut() -> bool,
+) -> (Function, HashSet<LocalId>) {
+    let mut hold = Hold { module, locals: function.locals.clone(), out: Vec::new(), keep };
     let body = hold.block(&function.body);
     let made = (function.locals.len()..hold.locals.len()).map(|at| LocalId(at as u32)).collect();
     (Function { body, locals: hold.locals, ..function.clone() }, made)
 }
 
 struct Hold<'k> {
+    module: &'k Module,
     locals: Vec<Local>,
     out: Vec<Stmt>,
     keep: &'k mut dyn FnMut() -> bool,
@@ -40,7 +47,7 @@ impl Hold<'_> {
             }
             StmtKind::Assign { place, value } => {
                 let value = self.value(value);
-                StmtKind::Assign { place: self.place(place), value }
+                StmtKind::Assign { place: self.place(place).0, value }
             }
             StmtKind::Expr(value) => StmtKind::Expr(self.value(value)),
             StmtKind::If { condition, then, otherwise } => StmtKind::If {
@@ -84,7 +91,7 @@ impl Hold<'_> {
     fn value(&mut self, expr: &Expr) -> Expr {
         let kind = match &expr.kind {
             ExprKind::Literal(_) | ExprKind::Const(_) => return expr.clone(),
-            ExprKind::Load(place) => ExprKind::Load(self.place(place)),
+            ExprKind::Load(place) => ExprKind::Load(self.place(place).0),
             ExprKind::Unary(op, x) => ExprKind::Unary(*op, self.boxed(x)),
             ExprKind::Cast(x) => ExprKind::Cast(self.boxed(x)),
             ExprKind::Splat(x) => ExprKind::Splat(self.boxed(x)),
@@ -103,13 +110,15 @@ impl Hold<'_> {
                     _ if stays => argument.clone(),
                     Argument::Value(value) => Argument::Value(self.value(value)),
                     Argument::Ref(Expr { kind: ExprKind::Load(place), .. }) => {
-                        stays = !place.steps.is_empty();
-                        Argument::Ref(self.place(place).load())
+                        let (place, checked) = self.place(place);
+                        stays = !checked;
+                        Argument::Ref(place.load())
                     }
                     Argument::Ref(value) => Argument::Ref(self.value(value)),
                     Argument::RefMut(place) => {
-                        stays = !place.steps.is_empty();
-                        Argument::RefMut(self.place(place))
+                        let (place, checked) = self.place(place);
+                        stays = !checked;
+                        Argument::RefMut(place)
                     }
                 });
                 ExprKind::Call(*callee, arguments.collect())
@@ -136,14 +145,44 @@ impl Hold<'_> {
         all.iter().map(|expr| self.value(expr)).collect()
     }
 
-    /// Holds the indices of the first step that has any: whether they are beyond the end shows before those of the next.
-    fn place(&mut self, place: &Place) -> Place {
+    /// Holds and checks the indices of a place. Those of a slice show whether they are beyond the end where the place is
+    /// used, so what comes behind them is not held; returns false then.
+    fn place(&mut self, place: &Place) -> (Place, bool) {
         let mut place = place.clone();
-        let mut steps = place.steps.iter_mut();
-        if let Some(step) = steps.find(|step| step.indices().next().is_some()) {
+        let mut ty = self.locals[place.root.index()].ty.clone();
+        let mut checked = true;
+        for step in &mut place.steps {
+            if !checked {
+                break;
+            }
             step.indices_mut().for_each(|index| *index = self.value(index));
+            let lengths = match (&*step, &ty) {
+                (Step::Field(_), _) => Vec::new(),
+                (Step::Index(_), Type::Array { len, .. }) => vec![*len],
+                (Step::Index(_), Type::Matrix { rows, cols, .. }) => vec![rows * cols],
+                (Step::Element(..), Type::Matrix { rows, cols, .. }) => vec![*rows, *cols],
+                _ => {
+                    checked = false;
+                    break;
+                }
+            };
+            for (index, len) in step.indices().zip(lengths) {
+                match index.kind {
+                    ExprKind::Literal(word) if word < u64::from(len) => continue,
+                    ExprKind::Literal(_) => {
+                        checked = false;
+                        continue;
+                    }
+                    _ => {}
+                }
+                let len = Expr::literal_like(u64::from(len), index);
+                let condition = Expr::compare(CompareOp::Lt, index.clone(), len);
+                let kind = StmtKind::Check { condition, fault: Fault::Index };
+                self.out.push(Stmt::new(kind, index.span));
+            }
+            ty = self.module.step_type(&ty, step).expect("the type of a part");
         }
-        place
+        (place, checked)
     }
 }
 

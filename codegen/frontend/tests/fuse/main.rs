@@ -158,6 +158,37 @@ fn what_is_lent_stays_what_it_is_during_the_call() {
 }
 
 #[test]
+fn a_check_goes_where_the_use_of_its_index_repeats_it() {
+    let check = "check n < 4u8 else index;";
+    // Between the check and the use: what neither ends the function nor shows.
+    for between in ["", "m = 0u8;", "let t: u8 = a[m];", "m = t1;"] {
+        let found = of(&format!("let t1: u8 = x; {check} {between} return a[n];"));
+        assert!(!found.contains("check"), "{between}: {found}");
+    }
+    for kept in ["x = 0u8;", "m = m + 1u8;", "n = 0u8;", "if m == 0u8 { return 9u8; }"] {
+        let found = of(&format!("{check} {kept} return a[n];"));
+        assert!(found.contains(check), "{kept}: {found}");
+    }
+    // Where the use is skipped, or has another length, the check stays.
+    for kept in [
+        "if m == 0u8 { return a[n]; } return m;",
+        "let both: bool = m == 0u8 && a[n] == 0u8; return m;",
+        "return m;",
+        "return a[m];",
+    ] {
+        let found = of(&format!("{check} {kept}"));
+        assert!(found.contains(check), "{kept}: {found}");
+    }
+    assert!(of("check n < 3u8 else index; return a[n];").contains("check"));
+    // The places of arguments are there before a later argument faults.
+    assert_eq!(
+        of("let t0: u8 = n & 3u8; check t0 < 4u8 else index; let t1: u8 = m + 1u8; \
+            return add(&mut a[t0], &t1);"),
+        "return add(&mut a[n & 3u8], &m + 1u8);"
+    );
+}
+
+#[test]
 fn what_nobody_reads_goes_unless_it_does_something() {
     assert_eq!(of("let t: u8 = n & 1u8; return m;"), "return m;");
     let stays = |body: &str| assert_eq!(of(body), body);
@@ -211,7 +242,7 @@ fn compare(seed: u64, shuffled: bool, count: &mut Count) {
     let (mut held, mut fused) = (plain.clone(), plain.clone());
     for at in 0..plain.functions.len() {
         let item = &plain.functions[at];
-        let (mut function, made) = hold::held(item, &mut || random.chance(often));
+        let (mut function, made) = hold::held(&plain, item, &mut || random.chance(often));
         if shuffled {
             hold::shuffle(&mut function, &made, &mut || random.chance(50));
         }

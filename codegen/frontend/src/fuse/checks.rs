@@ -1,0 +1,70 @@
+//! Finds checks of an index that a use of the index repeats.
+//!
+//! Lowering checks an index where Rust looks at a place. Where the place is used before anything else shows, the check that
+//! each use implies suffices.
+//!
+//! Must not know: why lowering checks an index.
+
+use bessemer_ir::{
+    CompareOp, Expr, ExprKind, Fault, Local, LocalId, Module, Place, Step, StmtKind, Type,
+};
+
+/// An index that is a local, and the length that it has to be below.
+pub(super) type Index = (LocalId, u32);
+
+/// Returns the local and the length of a check that the local is an index below that length.
+pub(super) fn index_check(stmt: &StmtKind) -> Option<Index> {
+    let StmtKind::Check { condition, fault: Fault::Index } = stmt else { return None };
+    let ExprKind::Compare(CompareOp::Lt, index, len) = &condition.kind else { return None };
+    match len.kind {
+        ExprKind::Literal(len) => Some((local(index)?, u32::try_from(len).ok()?)),
+        _ => None,
+    }
+}
+
+/// Returns the local that a value is.
+fn local(value: &Expr) -> Option<LocalId> {
+    match &value.kind {
+        ExprKind::Load(place) if place.steps.is_empty() => Some(place.root),
+        _ => None,
+    }
+}
+
+/// Returns the indices of each step that may be out of range by the type of the place; none for an index that
+/// is no local.
+pub(super) fn doubtful(
+    module: &Module,
+    locals: &[Local],
+    place: &Place,
+) -> Vec<Vec<Option<Index>>> {
+    let mut ty = Some(locals[place.root.index()].ty.clone());
+    let doubtful = place.steps.iter().map(|step| {
+        let lengths = match (step, &ty) {
+            (Step::Element(..), Some(Type::Matrix { rows, cols, .. })) => vec![*rows, *cols],
+            (_, Some(Type::Array { len, .. })) => vec![*len],
+            (_, Some(Type::Matrix { rows, cols, .. })) => vec![rows.saturating_mul(*cols)],
+            _ => Vec::new(),
+        };
+        let lengths = lengths.into_iter().map(Some).chain(std::iter::repeat(None));
+        let indices = step.indices().zip(lengths).filter(|(index, len)| !is_below(index, *len));
+        let indices = indices.map(|(index, len)| match step {
+            // A slice may begin at the end.
+            Step::From(_) => None,
+            _ => Some((local(index)?, len?)),
+        });
+        let indices = indices.collect();
+        ty = ty.as_ref().and_then(|ty| module.step_type(ty, step));
+        indices
+    });
+    doubtful.collect()
+}
+
+/// Returns whether an index is a literal below a length.
+fn is_below(index: &Expr, len: Option<u32>) -> bool {
+    match (&index.kind, index.ty.as_int(), len) {
+        (ExprKind::Literal(word), Some(int), Some(len)) => {
+            (0..i128::from(len)).contains(&int.from_word(*word))
+        }
+        _ => false,
+    }
+}
