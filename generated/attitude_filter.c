@@ -123,13 +123,13 @@ static void attitude_filter_advance(const orientation_t *orientation, const doub
         0.0, 0.0, 0.0, 0.0, 0.0, 1.0
     };
     (void)memcpy(advance, advance_value, sizeof(double[36]));
-    advance[6] = -period * along * lean / c2;
-    advance[6 * 2] = period * across / c2;
+    advance[0 + 6 * 1] = -period * along * lean / c2;
+    advance[0 + 6 * 2] = period * across / c2;
     advance[1 + 6 * 2] = period * along;
-    advance[2 + 6] = -period * along / (c2 * c2);
+    advance[2 + 6 * 1] = -period * along / (c2 * c2);
     advance[2 + 6 * 2] += period * across * lean;
-    advance[6 * 3] = period * orientation->c3 / c2;
-    advance[6 * 4] = period * orientation->s3 / c2;
+    advance[0 + 6 * 3] = period * orientation->c3 / c2;
+    advance[0 + 6 * 4] = period * orientation->s3 / c2;
     advance[1 + 6 * 3] = -period * orientation->s3;
     advance[1 + 6 * 4] = period * orientation->c3;
     advance[2 + 6 * 3] = period * orientation->c3 * lean;

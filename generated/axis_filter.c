@@ -52,8 +52,8 @@ void axis_filter_predict(axis_filter_t *self, double acceleration, double period
 
 void axis_filter_inflate(axis_filter_t *self)
 {
-    self->covariance[0] += 0.25;
-    self->covariance[1 + 3] += 0.25;
+    self->covariance[0 + 3 * 0] += 0.25;
+    self->covariance[1 + 3 * 1] += 0.25;
 }
 
 bool axis_filter_correct(axis_filter_t *self, const double row[3], double measured, double variance,
@@ -62,11 +62,11 @@ bool axis_filter_correct(axis_filter_t *self, const double row[3], double measur
     const double innovation = measured
         - (row[0] * self->state[0] + row[1] * self->state[1] + row[2] * self->state[2]);
     const double spread[3] = {
-        self->covariance[0] * row[0] + self->covariance[3] * row[1]
-            + self->covariance[3 * 2] * row[2],
-        self->covariance[1] * row[0] + self->covariance[1 + 3] * row[1]
+        self->covariance[0 + 3 * 0] * row[0] + self->covariance[0 + 3 * 1] * row[1]
+            + self->covariance[0 + 3 * 2] * row[2],
+        self->covariance[1 + 3 * 0] * row[0] + self->covariance[1 + 3 * 1] * row[1]
             + self->covariance[1 + 3 * 2] * row[2],
-        self->covariance[2] * row[0] + self->covariance[2 + 3] * row[1]
+        self->covariance[2 + 3 * 0] * row[0] + self->covariance[2 + 3 * 1] * row[1]
             + self->covariance[2 + 3 * 2] * row[2]
     };
     const double expected = row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2] + variance;

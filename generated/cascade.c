@@ -59,11 +59,11 @@ void cascade_step(cascade_t *self, const parameters_t *parameters, const estimat
     attitude_step(&self->attitude, parameters, error, error_rate, target->grounded, turn);
     double torque_rate_matrix[9];
     orientation_rate_matrix(&orientation, torque_rate_matrix);
-    wrench->torque[0] = torque_rate_matrix[0] * turn[0] + torque_rate_matrix[3] * turn[1]
-        + torque_rate_matrix[3 * 2] * turn[2];
-    wrench->torque[1] = torque_rate_matrix[1] * turn[0] + torque_rate_matrix[1 + 3] * turn[1]
-        + torque_rate_matrix[1 + 3 * 2] * turn[2];
-    wrench->torque[2] = torque_rate_matrix[2] * turn[0] + torque_rate_matrix[2 + 3] * turn[1]
-        + torque_rate_matrix[2 + 3 * 2] * turn[2];
+    wrench->torque[0] = torque_rate_matrix[0 + 3 * 0] * turn[0]
+        + torque_rate_matrix[0 + 3 * 1] * turn[1] + torque_rate_matrix[0 + 3 * 2] * turn[2];
+    wrench->torque[1] = torque_rate_matrix[1 + 3 * 0] * turn[0]
+        + torque_rate_matrix[1 + 3 * 1] * turn[1] + torque_rate_matrix[1 + 3 * 2] * turn[2];
+    wrench->torque[2] = torque_rate_matrix[2 + 3 * 0] * turn[0]
+        + torque_rate_matrix[2 + 3 * 1] * turn[1] + torque_rate_matrix[2 + 3 * 2] * turn[2];
     wrench->thrust = thrust;
 }

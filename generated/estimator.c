@@ -298,11 +298,11 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors, doubl
     double push_rotation[9];
     orientation_rotation(&orientation, push_rotation);
     const double push_product[3] = {
-        push_rotation[0] * self->force[0] + push_rotation[3] * self->force[1]
-            + push_rotation[3 * 2] * self->force[2],
-        push_rotation[1] * self->force[0] + push_rotation[1 + 3] * self->force[1]
+        push_rotation[0 + 3 * 0] * self->force[0] + push_rotation[0 + 3 * 1] * self->force[1]
+            + push_rotation[0 + 3 * 2] * self->force[2],
+        push_rotation[1 + 3 * 0] * self->force[0] + push_rotation[1 + 3 * 1] * self->force[1]
             + push_rotation[1 + 3 * 2] * self->force[2],
-        push_rotation[2] * self->force[0] + push_rotation[2 + 3] * self->force[1]
+        push_rotation[2 + 3 * 0] * self->force[0] + push_rotation[2 + 3 * 1] * self->force[1]
             + push_rotation[2 + 3 * 2] * self->force[2]
     };
     const double push_vector[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
@@ -483,20 +483,20 @@ static bool estimator_correct_velocity(estimator_t *self, const sensors_t *senso
     double believed_velocity[3];
     estimator_velocity(self, believed_velocity);
     const double believed[3] = {
-        rotation[0] * believed_velocity[0] + rotation[1] * believed_velocity[1]
-            + rotation[2] * believed_velocity[2],
-        rotation[3] * believed_velocity[0] + rotation[1 + 3] * believed_velocity[1]
-            + rotation[2 + 3] * believed_velocity[2],
-        rotation[3 * 2] * believed_velocity[0] + rotation[1 + 3 * 2] * believed_velocity[1]
+        rotation[0 + 3 * 0] * believed_velocity[0] + rotation[1 + 3 * 0] * believed_velocity[1]
+            + rotation[2 + 3 * 0] * believed_velocity[2],
+        rotation[0 + 3 * 1] * believed_velocity[0] + rotation[1 + 3 * 1] * believed_velocity[1]
+            + rotation[2 + 3 * 1] * believed_velocity[2],
+        rotation[0 + 3 * 2] * believed_velocity[0] + rotation[1 + 3 * 2] * believed_velocity[1]
             + rotation[2 + 3 * 2] * believed_velocity[2]
     };
     const double seen_vector[3] = {flow[0], flow[1], believed[2]};
     const double seen[3] = {
-        rotation[0] * seen_vector[0] + rotation[3] * seen_vector[1]
-            + rotation[3 * 2] * seen_vector[2],
-        rotation[1] * seen_vector[0] + rotation[1 + 3] * seen_vector[1]
+        rotation[0 + 3 * 0] * seen_vector[0] + rotation[0 + 3 * 1] * seen_vector[1]
+            + rotation[0 + 3 * 2] * seen_vector[2],
+        rotation[1 + 3 * 0] * seen_vector[0] + rotation[1 + 3 * 1] * seen_vector[1]
             + rotation[1 + 3 * 2] * seen_vector[2],
-        rotation[2] * seen_vector[0] + rotation[2 + 3] * seen_vector[1]
+        rotation[2 + 3 * 0] * seen_vector[0] + rotation[2 + 3 * 1] * seen_vector[1]
             + rotation[2 + 3 * 2] * seen_vector[2]
     };
     if (estimator_gyro_lost(self) && self->flow_age < FLOW_DIFFERENCE_TIME) {
@@ -593,7 +593,7 @@ static void estimator_velocity(const estimator_t *self, double result[3])
 void estimator_variances(const estimator_t *self, double variances[6])
 {
     for (uint32_t n = 0U; n < 3U; n++) {
-        variances[n] = self->axes[n].covariance[0];
+        variances[n] = self->axes[n].covariance[0 + 3 * 0];
         variances[n + 3U] = self->attitude.covariance[n + 6U * n];
     }
 }

@@ -58,8 +58,9 @@ void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
     double difference[9];
     tr_product_f64_3x3_3x3(wanted, rotation, difference);
     const double error[3] = {
-        0.5 * (difference[2 + 3] - difference[1 + 3 * 2]),
-        0.5 * (difference[3 * 2] - difference[2]), 0.5 * (difference[1] - difference[3])
+        0.5 * (difference[2 + 3 * 1] - difference[1 + 3 * 2]),
+        0.5 * (difference[0 + 3 * 2] - difference[2 + 3 * 0]),
+        0.5 * (difference[1 + 3 * 0] - difference[0 + 3 * 1])
     };
     const double error_rate_vector[3] = {0.0, 0.0, -target->yaw_rate};
     const double error_rate[3] = {
@@ -88,7 +89,7 @@ void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
         estimate->rates[2] * gyroscopic_product[0] - estimate->rates[0] * gyroscopic_product[2],
         estimate->rates[0] * gyroscopic_product[1] - estimate->rates[1] * gyroscopic_product[0]
     };
-    const double upwards[3] = {rotation[3 * 2], rotation[1 + 3 * 2], rotation[2 + 3 * 2]};
+    const double upwards[3] = {rotation[0 + 3 * 2], rotation[1 + 3 * 2], rotation[2 + 3 * 2]};
     wrench->torque[0] = inertia[0] * turn[0] + gyroscopic[0];
     wrench->torque[1] = inertia[1] * turn[1] + gyroscopic[1];
     wrench->torque[2] = inertia[2] * turn[2] + gyroscopic[2];

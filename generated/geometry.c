@@ -41,13 +41,13 @@ void orientation_rotation(const orientation_t *self, double result[9])
     const double c2 = self->c2;
     const double s3 = self->s3;
     const double c3 = self->c3;
-    result[0] = c2 * c3;
-    result[1] = s1 * s2 * c3 - c1 * s3;
-    result[2] = c1 * s2 * c3 + s1 * s3;
-    result[3] = c2 * s3;
-    result[1 + 3] = s1 * s2 * s3 + c1 * c3;
-    result[2 + 3] = c1 * s2 * s3 - s1 * c3;
-    result[3 * 2] = -s2;
+    result[0 + 3 * 0] = c2 * c3;
+    result[1 + 3 * 0] = s1 * s2 * c3 - c1 * s3;
+    result[2 + 3 * 0] = c1 * s2 * c3 + s1 * s3;
+    result[0 + 3 * 1] = c2 * s3;
+    result[1 + 3 * 1] = s1 * s2 * s3 + c1 * c3;
+    result[2 + 3 * 1] = c1 * s2 * s3 - s1 * c3;
+    result[0 + 3 * 2] = -s2;
     result[1 + 3 * 2] = s1 * c2;
     result[2 + 3 * 2] = c1 * c2;
 }
@@ -68,13 +68,13 @@ void orientation_upwards(const orientation_t *self, double result[3])
 
 void orientation_rate_matrix(const orientation_t *self, double result[9])
 {
-    result[0] = -self->c2 * self->c3;
-    result[1] = -self->c2 * self->s3;
-    result[2] = self->s2;
-    result[3] = self->s3;
-    result[1 + 3] = -self->c3;
-    result[2 + 3] = 0.0;
-    result[3 * 2] = 0.0;
+    result[0 + 3 * 0] = -self->c2 * self->c3;
+    result[1 + 3 * 0] = -self->c2 * self->s3;
+    result[2 + 3 * 0] = self->s2;
+    result[0 + 3 * 1] = self->s3;
+    result[1 + 3 * 1] = -self->c3;
+    result[2 + 3 * 1] = 0.0;
+    result[0 + 3 * 2] = 0.0;
     result[1 + 3 * 2] = 0.0;
     result[2 + 3 * 2] = -1.0;
 }

@@ -21,20 +21,23 @@ pub enum Layout {
     Array,
 }
 
-/// Returns `near + count * far` without neutral terms; unsigned, unless it is a literal.
+/// Returns `near + count * far`, unsigned unless both indices are literals. Literal indices keep their neutral terms: a
+/// reader sees row and column of every element alike. Otherwise those terms go.
 fn flat(near: Expr, count: u32, far: Expr) -> Expr {
     let is_number = |index: &Expr| matches!(index, Expr::Name(text) if text.bytes().all(|it| it.is_ascii_digit()));
-    let zero = Expr::name("0");
-    let counts = is_number(&near) && is_number(&far);
+    let count = Expr::name(count.to_string());
+    if is_number(&near) && is_number(&far) {
+        return Expr::binary("+", near, Expr::binary("*", count, far));
+    }
     let term = |index: Expr| match index {
-        Expr::Name(text) if !counts && is_number(&Expr::name(&text)) => Expr::Name(text + "U"),
+        Expr::Name(text) if is_number(&Expr::name(&text)) => Expr::Name(text + "U"),
         other => other,
     };
-    let count = || term(Expr::name(count.to_string()));
+    let zero = Expr::name("0");
     let start = match far {
         far if far == zero => None,
-        far if far == Expr::name("1") => Some(count()),
-        far => Some(Expr::binary("*", count(), term(far))),
+        far if far == Expr::name("1") => Some(term(count)),
+        far => Some(Expr::binary("*", term(count), term(far))),
     };
     match start {
         None => near,

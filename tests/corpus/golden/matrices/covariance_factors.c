@@ -25,19 +25,25 @@ void covariance_factors_composed(const double p[4], double result[4])
         double result_d_matrix[4];
         udu_f64_2_d_matrix(&factors.value, result_d_matrix);
         const double result_product[4] = {
-            factors.value.u[0] * result_d_matrix[0] + factors.value.u[2] * result_d_matrix[1],
-            factors.value.u[1] * result_d_matrix[0] + factors.value.u[1 + 2] * result_d_matrix[1],
-            factors.value.u[0] * result_d_matrix[2] + factors.value.u[2] * result_d_matrix[1 + 2],
-            factors.value.u[1] * result_d_matrix[2]
-                + factors.value.u[1 + 2] * result_d_matrix[1 + 2]
+            factors.value.u[0 + 2 * 0] * result_d_matrix[0 + 2 * 0]
+                + factors.value.u[0 + 2 * 1] * result_d_matrix[1 + 2 * 0],
+            factors.value.u[1 + 2 * 0] * result_d_matrix[0 + 2 * 0]
+                + factors.value.u[1 + 2 * 1] * result_d_matrix[1 + 2 * 0],
+            factors.value.u[0 + 2 * 0] * result_d_matrix[0 + 2 * 1]
+                + factors.value.u[0 + 2 * 1] * result_d_matrix[1 + 2 * 1],
+            factors.value.u[1 + 2 * 0] * result_d_matrix[0 + 2 * 1]
+                + factors.value.u[1 + 2 * 1] * result_d_matrix[1 + 2 * 1]
         };
         {
             const double product[4] = {
-                result_product[0] * factors.value.u[0] + result_product[2] * factors.value.u[2],
-                result_product[1] * factors.value.u[0] + result_product[1 + 2] * factors.value.u[2],
-                result_product[0] * factors.value.u[1] + result_product[2] * factors.value.u[1 + 2],
-                result_product[1] * factors.value.u[1]
-                    + result_product[1 + 2] * factors.value.u[1 + 2]
+                result_product[0 + 2 * 0] * factors.value.u[0 + 2 * 0]
+                    + result_product[0 + 2 * 1] * factors.value.u[0 + 2 * 1],
+                result_product[1 + 2 * 0] * factors.value.u[0 + 2 * 0]
+                    + result_product[1 + 2 * 1] * factors.value.u[0 + 2 * 1],
+                result_product[0 + 2 * 0] * factors.value.u[1 + 2 * 0]
+                    + result_product[0 + 2 * 1] * factors.value.u[1 + 2 * 1],
+                result_product[1 + 2 * 0] * factors.value.u[1 + 2 * 0]
+                    + result_product[1 + 2 * 1] * factors.value.u[1 + 2 * 1]
             };
             result[0] = product[0];
             result[1] = product[1];
@@ -59,21 +65,21 @@ void covariance_factors_gain(const double p[9], const double h[6], const double 
     ldl_factored_f64_2(s, &factors);
     if (factors.is_some) {
         const double result_b[6] = {
-            h[0] * p[0] + h[2] * p[1] + h[2 * 2] * p[2],
-            h[1] * p[0] + h[1 + 2] * p[1] + h[1 + 2 * 2] * p[2],
-            h[0] * p[3] + h[2] * p[1 + 3] + h[2 * 2] * p[2 + 3],
-            h[1] * p[3] + h[1 + 2] * p[1 + 3] + h[1 + 2 * 2] * p[2 + 3],
-            h[0] * p[3 * 2] + h[2] * p[1 + 3 * 2] + h[2 * 2] * p[2 + 3 * 2],
-            h[1] * p[3 * 2] + h[1 + 2] * p[1 + 3 * 2] + h[1 + 2 * 2] * p[2 + 3 * 2]
+            h[0 + 2 * 0] * p[0 + 3 * 0] + h[0 + 2 * 1] * p[1 + 3 * 0] + h[0 + 2 * 2] * p[2 + 3 * 0],
+            h[1 + 2 * 0] * p[0 + 3 * 0] + h[1 + 2 * 1] * p[1 + 3 * 0] + h[1 + 2 * 2] * p[2 + 3 * 0],
+            h[0 + 2 * 0] * p[0 + 3 * 1] + h[0 + 2 * 1] * p[1 + 3 * 1] + h[0 + 2 * 2] * p[2 + 3 * 1],
+            h[1 + 2 * 0] * p[0 + 3 * 1] + h[1 + 2 * 1] * p[1 + 3 * 1] + h[1 + 2 * 2] * p[2 + 3 * 1],
+            h[0 + 2 * 0] * p[0 + 3 * 2] + h[0 + 2 * 1] * p[1 + 3 * 2] + h[0 + 2 * 2] * p[2 + 3 * 2],
+            h[1 + 2 * 0] * p[0 + 3 * 2] + h[1 + 2 * 1] * p[1 + 3 * 2] + h[1 + 2 * 2] * p[2 + 3 * 2]
         };
         double result_solve_3[6];
         ldl_f64_2_solve_3(&factors.value, result_b, result_solve_3);
-        result[0] = result_solve_3[0];
-        result[1] = result_solve_3[2];
-        result[2] = result_solve_3[2 * 2];
-        result[3] = result_solve_3[1];
-        result[1 + 3] = result_solve_3[1 + 2];
-        result[2 + 3] = result_solve_3[1 + 2 * 2];
+        result[0 + 3 * 0] = result_solve_3[0 + 2 * 0];
+        result[1 + 3 * 0] = result_solve_3[0 + 2 * 1];
+        result[2 + 3 * 0] = result_solve_3[0 + 2 * 2];
+        result[0 + 3 * 1] = result_solve_3[1 + 2 * 0];
+        result[1 + 3 * 1] = result_solve_3[1 + 2 * 1];
+        result[2 + 3 * 1] = result_solve_3[1 + 2 * 2];
     } else {
         for (uint32_t i = 0U; i < 6U; i++) {
             result[i] = 0.0;

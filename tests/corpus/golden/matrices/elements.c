@@ -10,15 +10,15 @@ void elements_turn(double sine, double cosine, double matrix[9])
         0.0, 0.0, 1.0
     };
     (void)memcpy(matrix, turn, sizeof(double[9]));
-    matrix[0] = cosine;
-    matrix[3] = -sine;
-    matrix[1] = sine;
-    matrix[1 + 3] = cosine;
+    matrix[0 + 3 * 0] = cosine;
+    matrix[0 + 3 * 1] = -sine;
+    matrix[1 + 3 * 0] = sine;
+    matrix[1 + 3 * 1] = cosine;
 }
 
 double elements_angle(const double turn[9])
 {
-    return arctangent_atan2(turn[1], turn[0]);
+    return arctangent_atan2(turn[1 + 3 * 0], turn[0 + 3 * 0]);
 }
 
 void elements_reordered(const float v[3], float result[3])

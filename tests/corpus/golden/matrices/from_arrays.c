@@ -25,20 +25,20 @@ void from_arrays_window(const double samples[20], double result[20])
 
 void from_arrays_columns(const double columns[3][2], double result[6])
 {
-    result[0] = columns[0][0];
-    result[1] = columns[0][1];
-    result[2] = columns[1][0];
-    result[1 + 2] = columns[1][1];
-    result[2 * 2] = columns[2][0];
+    result[0 + 2 * 0] = columns[0][0];
+    result[1 + 2 * 0] = columns[0][1];
+    result[0 + 2 * 1] = columns[1][0];
+    result[1 + 2 * 1] = columns[1][1];
+    result[0 + 2 * 2] = columns[2][0];
     result[1 + 2 * 2] = columns[2][1];
 }
 
 void from_arrays_shear(float factor, pair_matrix2x2_f32_matrix1x2_f32_t *result)
 {
-    result->first[0] = 1.0F;
-    result->first[1] = 0.0F;
-    result->first[2] = factor;
-    result->first[1 + 2] = 1.0F;
+    result->first[0 + 2 * 0] = 1.0F;
+    result->first[1 + 2 * 0] = 0.0F;
+    result->first[0 + 2 * 1] = factor;
+    result->first[1 + 2 * 1] = 1.0F;
     result->second[0] = factor;
     result->second[1] = 2.0F;
 }
@@ -52,26 +52,26 @@ void from_arrays_beside(const double first[2], double gain,
     elements[1][0] = gain;
     elements[1][1] = gain;
     const double elements_2[2][2] = {{gain, 1.0}, {first[0], first[1]}};
-    result->first[0] = elements[0][0];
-    result->first[1] = elements[0][1];
-    result->first[2] = elements[1][0];
-    result->first[1 + 2] = elements[1][1];
-    result->second[0] = elements_2[0][0];
-    result->second[1] = elements_2[0][1];
-    result->second[2] = elements_2[1][0];
-    result->second[1 + 2] = elements_2[1][1];
+    result->first[0 + 2 * 0] = elements[0][0];
+    result->first[1 + 2 * 0] = elements[0][1];
+    result->first[0 + 2 * 1] = elements[1][0];
+    result->first[1 + 2 * 1] = elements[1][1];
+    result->second[0 + 2 * 0] = elements_2[0][0];
+    result->second[1 + 2 * 0] = elements_2[0][1];
+    result->second[0 + 2 * 1] = elements_2[1][0];
+    result->second[1 + 2 * 1] = elements_2[1][1];
 }
 
 void from_arrays_packed(const double covariance[9], const float rates[3],
     pair_f64x3x3_f32x3_t *result)
 {
-    result->first[0][0] = covariance[0];
-    result->first[0][1] = covariance[1];
-    result->first[0][2] = covariance[2];
-    result->first[1][0] = covariance[3];
-    result->first[1][1] = covariance[1 + 3];
-    result->first[1][2] = covariance[2 + 3];
-    result->first[2][0] = covariance[3 * 2];
+    result->first[0][0] = covariance[0 + 3 * 0];
+    result->first[0][1] = covariance[1 + 3 * 0];
+    result->first[0][2] = covariance[2 + 3 * 0];
+    result->first[1][0] = covariance[0 + 3 * 1];
+    result->first[1][1] = covariance[1 + 3 * 1];
+    result->first[1][2] = covariance[2 + 3 * 1];
+    result->first[2][0] = covariance[0 + 3 * 2];
     result->first[2][1] = covariance[1 + 3 * 2];
     result->first[2][2] = covariance[2 + 3 * 2];
     result->second[0] = rates[0];

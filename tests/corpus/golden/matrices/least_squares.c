@@ -14,10 +14,10 @@ void programs_matrices_least_squares_line(const double x[6], const double y[6],
     double right_q[12];
     qr_f64_6_2_q(&qr, right_q);
     const double right[2] = {
-        0.0 + right_q[0] * y[0] + right_q[1] * y[1] + right_q[2] * y[2] + right_q[3] * y[3]
-            + right_q[4] * y[4] + right_q[5] * y[5],
-        0.0 + right_q[6] * y[0] + right_q[1 + 6] * y[1] + right_q[2 + 6] * y[2]
-            + right_q[3 + 6] * y[3] + right_q[4 + 6] * y[4] + right_q[5 + 6] * y[5]
+        0.0 + right_q[0 + 6 * 0] * y[0] + right_q[1 + 6 * 0] * y[1] + right_q[2 + 6 * 0] * y[2]
+            + right_q[3 + 6 * 0] * y[3] + right_q[4 + 6 * 0] * y[4] + right_q[5 + 6 * 0] * y[5],
+        0.0 + right_q[0 + 6 * 1] * y[0] + right_q[1 + 6 * 1] * y[1] + right_q[2 + 6 * 1] * y[2]
+            + right_q[3 + 6 * 1] * y[3] + right_q[4 + 6 * 1] * y[4] + right_q[5 + 6 * 1] * y[5]
     };
     double result_a[4];
     qr_f64_6_2_r(&qr, result_a);

@@ -161,7 +161,7 @@ void lines_extremes(const float m[12], pair_option_usize_option_f32_t *result)
 
 void lines_other_names(double a[16], const double b[4], option_f64_t *result)
 {
-    double first[4] = {a[0], a[1], a[2], a[3]};
+    double first[4] = {a[0 + 4 * 0], a[1 + 4 * 0], a[2 + 4 * 0], a[3 + 4 * 0]};
     first[0] += b[0];
     first[1] += b[1];
     first[2] += b[2];
@@ -169,7 +169,7 @@ void lines_other_names(double a[16], const double b[4], option_f64_t *result)
     for (uint32_t row = 0U; row < 4U; row++) {
         a[row] = first[row];
     }
-    double other[4] = {a[0], a[1], a[2], a[3]};
+    double other[4] = {a[0 + 4 * 0], a[1 + 4 * 0], a[2 + 4 * 0], a[3 + 4 * 0]};
     other[0] += b[0];
     other[1] += b[1];
     other[2] += b[2];
@@ -178,7 +178,7 @@ void lines_other_names(double a[16], const double b[4], option_f64_t *result)
         a[row] = other[row];
     }
     if (b[0] > 0.0) {
-        double second[4] = {a[4], a[1 + 4], a[2 + 4], a[3 + 4]};
+        double second[4] = {a[0 + 4 * 1], a[1 + 4 * 1], a[2 + 4 * 1], a[3 + 4 * 1]};
         second[0] += b[0];
         second[1] += b[1];
         second[2] += b[2];
@@ -204,7 +204,7 @@ void lines_other_names(double a[16], const double b[4], option_f64_t *result)
             result->value = 0.0;
             return;
         }
-        a[2] = third_choice.value;
+        a[2 + 4 * 0] = third_choice.value;
         for (uint32_t i = 1U; i < 4U; i++) {
             a[2U + 4U * i] *= 0.5;
         }

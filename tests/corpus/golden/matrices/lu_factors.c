@@ -14,9 +14,9 @@ void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64
     }
     const double x[3] = {x_option.value[0], x_option.value[1], x_option.value[2]};
     const double residual_product[3] = {
-        a[0] * x[0] + a[3] * x[1] + a[3 * 2] * x[2],
-        a[1] * x[0] + a[1 + 3] * x[1] + a[1 + 3 * 2] * x[2],
-        a[2] * x[0] + a[2 + 3] * x[1] + a[2 + 3 * 2] * x[2]
+        a[0 + 3 * 0] * x[0] + a[0 + 3 * 1] * x[1] + a[0 + 3 * 2] * x[2],
+        a[1 + 3 * 0] * x[0] + a[1 + 3 * 1] * x[1] + a[1 + 3 * 2] * x[2],
+        a[2 + 3 * 0] * x[0] + a[2 + 3 * 1] * x[1] + a[2 + 3 * 2] * x[2]
     };
     const double residual[3] = {
         b[0] - residual_product[0],

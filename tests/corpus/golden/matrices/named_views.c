@@ -30,37 +30,37 @@ void named_views_advance(double state[6], const double acceleration[3], double p
 double named_views_changed(double covariance[16], const double noise[4], double least)
 {
     double block[4] = {
-        covariance[4 * 2], covariance[1 + 4 * 2],
-        covariance[4 * 3], covariance[1 + 4 * 3]
+        covariance[0 + 4 * 2], covariance[1 + 4 * 2],
+        covariance[0 + 4 * 3], covariance[1 + 4 * 3]
     };
-    block[0] += noise[0];
-    block[1] += noise[1];
-    block[2] += noise[2];
-    block[1 + 2] += noise[1 + 2];
+    block[0 + 2 * 0] += noise[0 + 2 * 0];
+    block[1 + 2 * 0] += noise[1 + 2 * 0];
+    block[0 + 2 * 1] += noise[0 + 2 * 1];
+    block[1 + 2 * 1] += noise[1 + 2 * 1];
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
             covariance[row + 4U * (column + 2U)] = block[row + 2U * column];
         }
     }
     double block_2[4] = {
-        covariance[4 * 2], covariance[1 + 4 * 2],
-        covariance[4 * 3], covariance[1 + 4 * 3]
+        covariance[0 + 4 * 2], covariance[1 + 4 * 2],
+        covariance[0 + 4 * 3], covariance[1 + 4 * 3]
     };
-    block_2[0] *= 2.0;
-    block_2[1] *= 2.0;
-    block_2[2] *= 2.0;
-    block_2[1 + 2] *= 2.0;
+    block_2[0 + 2 * 0] *= 2.0;
+    block_2[1 + 2 * 0] *= 2.0;
+    block_2[0 + 2 * 1] *= 2.0;
+    block_2[1 + 2 * 1] *= 2.0;
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
             covariance[row + 4U * (column + 2U)] = block_2[row + 2U * column];
         }
     }
-    if (covariance[4 * 2] < least) {
-        covariance[4 * 2] = least;
+    if (covariance[0 + 4 * 2] < least) {
+        covariance[0 + 4 * 2] = least;
     }
     const double result_a[4] = {
-        covariance[4 * 2], covariance[1 + 4 * 2],
-        covariance[4 * 3], covariance[1 + 4 * 3]
+        covariance[0 + 4 * 2], covariance[1 + 4 * 2],
+        covariance[0 + 4 * 3], covariance[1 + 4 * 3]
     };
     return parts_trace_f64_2(result_a);
 }
@@ -148,7 +148,7 @@ void named_views_scaled(double m[6], const double by[2])
 
 double named_views_by_methods(double m[9], const double v[3], const double a[4])
 {
-    double part[3] = {m[0], m[1], m[2]};
+    double part[3] = {m[0 + 3 * 0], m[1 + 3 * 0], m[2 + 3 * 0]};
     const double length = norms_normalize_mut_f64_3_1(part);
     for (uint32_t row = 0U; row < 3U; row++) {
         m[row] = part[row];
@@ -157,7 +157,7 @@ double named_views_by_methods(double m[9], const double v[3], const double a[4])
         m[i + 3U] += v[i];
     }
     double part_2[4] = {
-        m[1 + 3], m[2 + 3],
+        m[1 + 3 * 1], m[2 + 3 * 1],
         m[1 + 3 * 2], m[2 + 3 * 2]
     };
     blas_gemm_f64_2_2_2(part_2, 2.0, a, a, 0.5);
@@ -166,7 +166,7 @@ double named_views_by_methods(double m[9], const double v[3], const double a[4])
             m[row + 1U + 3U * (column + 1U)] = part_2[row + 2U * column];
         }
     }
-    m[2] = length;
+    m[2 + 3 * 0] = length;
     m[1 + 3 * 2] += v[0];
     for (uint32_t i = 0U; i < 3U; i++) {
         m[3U * i] *= 0.5;
@@ -226,7 +226,7 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
         }
     }
     self->noise[0] += 0.125;
-    self->covariance[4 * 3] = (double)count_value;
+    self->covariance[0 + 4 * 3] = (double)count_value;
     *count = count_value;
     return BESSEMER_STATUS_OK;
 }

@@ -9,6 +9,11 @@ void powers_of_matrices_ahead(const double a[4], uint32_t steps, double result[4
 
 void powers_of_matrices_transition(const double a[4], double time, double result[4])
 {
-    const double result_a[4] = {a[0] * time, a[1] * time, a[2] * time, a[1 + 2] * time};
+    const double result_a[4] = {
+        a[0 + 2 * 0] * time,
+        a[1 + 2 * 0] * time,
+        a[0 + 2 * 1] * time,
+        a[1 + 2 * 1] * time
+    };
     matrix_powers_exp_f64_2(result_a, result);
 }

@@ -6,8 +6,8 @@ void products_advanced(const double system[4], const double input[2], const doub
     double command, double result[2])
 {
     const double result_product[2] = {
-        system[0] * state[0] + system[2] * state[1],
-        system[1] * state[0] + system[1 + 2] * state[1]
+        system[0 + 2 * 0] * state[0] + system[0 + 2 * 1] * state[1],
+        system[1 + 2 * 0] * state[0] + system[1 + 2 * 1] * state[1]
     };
     result[0] = result_product[0] + input[0] * command;
     result[1] = result_product[1] + input[1] * command;

@@ -17,11 +17,11 @@ void mounting_init(mounting_t *self)
 
 void mounting_turned(const mounting_t *self, const double measured[3], double result[3])
 {
-    result[0] = self->rotation[0] * measured[0] + self->rotation[3] * measured[1]
-        + self->rotation[3 * 2] * measured[2];
-    result[1] = self->rotation[1] * measured[0] + self->rotation[1 + 3] * measured[1]
+    result[0] = self->rotation[0 + 3 * 0] * measured[0] + self->rotation[0 + 3 * 1] * measured[1]
+        + self->rotation[0 + 3 * 2] * measured[2];
+    result[1] = self->rotation[1 + 3 * 0] * measured[0] + self->rotation[1 + 3 * 1] * measured[1]
         + self->rotation[1 + 3 * 2] * measured[2];
-    result[2] = self->rotation[2] * measured[0] + self->rotation[2 + 3] * measured[1]
+    result[2] = self->rotation[2 + 3 * 0] * measured[0] + self->rotation[2 + 3 * 1] * measured[1]
         + self->rotation[2 + 3 * 2] * measured[2];
 }
 
@@ -58,27 +58,29 @@ void rotation_matrices_moved(const float m[9], const float v[3], const float p[3
     pair_vector3_f32_vector3_f32_t *result)
 {
     const float there_product[3] = {
-        m[0] * v[0] + m[3] * v[1] + m[3 * 2] * v[2],
-        m[1] * v[0] + m[1 + 3] * v[1] + m[1 + 3 * 2] * v[2],
-        m[2] * v[0] + m[2 + 3] * v[1] + m[2 + 3 * 2] * v[2]
+        m[0 + 3 * 0] * v[0] + m[0 + 3 * 1] * v[1] + m[0 + 3 * 2] * v[2],
+        m[1 + 3 * 0] * v[0] + m[1 + 3 * 1] * v[1] + m[1 + 3 * 2] * v[2],
+        m[2 + 3 * 0] * v[0] + m[2 + 3 * 1] * v[1] + m[2 + 3 * 2] * v[2]
     };
     const float there_product_2[3] = {
-        m[0] * v[0] + m[3] * v[1] + m[3 * 2] * v[2],
-        m[1] * v[0] + m[1 + 3] * v[1] + m[1 + 3 * 2] * v[2],
-        m[2] * v[0] + m[2 + 3] * v[1] + m[2 + 3 * 2] * v[2]
+        m[0 + 3 * 0] * v[0] + m[0 + 3 * 1] * v[1] + m[0 + 3 * 2] * v[2],
+        m[1 + 3 * 0] * v[0] + m[1 + 3 * 1] * v[1] + m[1 + 3 * 2] * v[2],
+        m[2 + 3 * 0] * v[0] + m[2 + 3 * 1] * v[1] + m[2 + 3 * 2] * v[2]
     };
     result->first[0] = there_product[0] + there_product_2[0];
     result->first[1] = there_product[1] + there_product_2[1];
     result->first[2] = there_product[2] + there_product_2[2];
     const float point_product[3] = {
-        m[0] * p[0] + m[3] * p[1] + m[3 * 2] * p[2],
-        m[1] * p[0] + m[1 + 3] * p[1] + m[1 + 3 * 2] * p[2],
-        m[2] * p[0] + m[2 + 3] * p[1] + m[2 + 3 * 2] * p[2]
+        m[0 + 3 * 0] * p[0] + m[0 + 3 * 1] * p[1] + m[0 + 3 * 2] * p[2],
+        m[1 + 3 * 0] * p[0] + m[1 + 3 * 1] * p[1] + m[1 + 3 * 2] * p[2],
+        m[2 + 3 * 0] * p[0] + m[2 + 3 * 1] * p[1] + m[2 + 3 * 2] * p[2]
     };
     const float point_product_2[3] = {
-        m[0] * result->first[0] + m[1] * result->first[1] + m[2] * result->first[2],
-        m[3] * result->first[0] + m[1 + 3] * result->first[1] + m[2 + 3] * result->first[2],
-        m[3 * 2] * result->first[0] + m[1 + 3 * 2] * result->first[1]
+        m[0 + 3 * 0] * result->first[0] + m[1 + 3 * 0] * result->first[1]
+            + m[2 + 3 * 0] * result->first[2],
+        m[0 + 3 * 1] * result->first[0] + m[1 + 3 * 1] * result->first[1]
+            + m[2 + 3 * 1] * result->first[2],
+        m[0 + 3 * 2] * result->first[0] + m[1 + 3 * 2] * result->first[1]
             + m[2 + 3 * 2] * result->first[2]
     };
     const float point[3] = {
@@ -86,9 +88,9 @@ void rotation_matrices_moved(const float m[9], const float v[3], const float p[3
         point_product[1] + point_product_2[1],
         point_product[2] + point_product_2[2]
     };
-    result->second[0] = m[0] * point[0] + m[1] * point[1] + m[2] * point[2];
-    result->second[1] = m[3] * point[0] + m[1 + 3] * point[1] + m[2 + 3] * point[2];
-    result->second[2] = m[3 * 2] * point[0] + m[1 + 3 * 2] * point[1] + m[2 + 3 * 2] * point[2];
+    result->second[0] = m[0 + 3 * 0] * point[0] + m[1 + 3 * 0] * point[1] + m[2 + 3 * 0] * point[2];
+    result->second[1] = m[0 + 3 * 1] * point[0] + m[1 + 3 * 1] * point[1] + m[2 + 3 * 1] * point[2];
+    result->second[2] = m[0 + 3 * 2] * point[0] + m[1 + 3 * 2] * point[1] + m[2 + 3 * 2] * point[2];
 }
 
 void rotation_matrices_covariance(const double m[9], const double p[9], double result[9])
@@ -101,7 +103,7 @@ void rotation_matrices_covariance(const double m[9], const double p[9], double r
 double rotation_matrices_raw(const double m[9])
 {
     const double *const rotation = m;
-    return rotation[2 + 3] + rotation[3 * 2];
+    return rotation[2 + 3 * 1] + rotation[0 + 3 * 2];
 }
 
 void rotation_matrices_plane(const double m[4], const double v[2], double result[2])
@@ -128,8 +130,11 @@ void rotation_matrices_plane(const double m[4], const double v[2], double result
         result[0] = v[0];
         result[1] = v[1];
     } else {
-        const double result_product[2] = {m[0] * v[0] + m[2] * v[1], m[1] * v[0] + m[1 + 2] * v[1]};
-        result[0] = m[0] * result_product[0] + m[1] * result_product[1];
-        result[1] = m[2] * result_product[0] + m[1 + 2] * result_product[1];
+        const double result_product[2] = {
+            m[0 + 2 * 0] * v[0] + m[0 + 2 * 1] * v[1],
+            m[1 + 2 * 0] * v[0] + m[1 + 2 * 1] * v[1]
+        };
+        result[0] = m[0 + 2 * 0] * result_product[0] + m[1 + 2 * 0] * result_product[1];
+        result[1] = m[0 + 2 * 1] * result_product[0] + m[1 + 2 * 1] * result_product[1];
     }
 }

@@ -11,13 +11,14 @@ void scalar_products_information(const double jacobian[6], double result[4])
 {
     {
         const double product[4] = {
-            jacobian[0] * jacobian[0] + jacobian[1] * jacobian[1] + jacobian[2] * jacobian[2],
-            jacobian[3] * jacobian[0] + jacobian[1 + 3] * jacobian[1]
-                + jacobian[2 + 3] * jacobian[2],
-            jacobian[0] * jacobian[3] + jacobian[1] * jacobian[1 + 3]
-                + jacobian[2] * jacobian[2 + 3],
-            jacobian[3] * jacobian[3] + jacobian[1 + 3] * jacobian[1 + 3]
-                + jacobian[2 + 3] * jacobian[2 + 3]
+            jacobian[0 + 3 * 0] * jacobian[0 + 3 * 0] + jacobian[1 + 3 * 0] * jacobian[1 + 3 * 0]
+                + jacobian[2 + 3 * 0] * jacobian[2 + 3 * 0],
+            jacobian[0 + 3 * 1] * jacobian[0 + 3 * 0] + jacobian[1 + 3 * 1] * jacobian[1 + 3 * 0]
+                + jacobian[2 + 3 * 1] * jacobian[2 + 3 * 0],
+            jacobian[0 + 3 * 0] * jacobian[0 + 3 * 1] + jacobian[1 + 3 * 0] * jacobian[1 + 3 * 1]
+                + jacobian[2 + 3 * 0] * jacobian[2 + 3 * 1],
+            jacobian[0 + 3 * 1] * jacobian[0 + 3 * 1] + jacobian[1 + 3 * 1] * jacobian[1 + 3 * 1]
+                + jacobian[2 + 3 * 1] * jacobian[2 + 3 * 1]
         };
         result[0] = product[0];
         result[1] = product[1];

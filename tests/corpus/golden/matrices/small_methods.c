@@ -5,9 +5,9 @@
 void small_methods_quadratic(const double v[3], const double a[9], triple_f64_f64_f64_t *result)
 {
     const double row[3] = {
-        v[0] * a[0] + v[1] * a[1] + v[2] * a[2],
-        v[0] * a[3] + v[1] * a[1 + 3] + v[2] * a[2 + 3],
-        v[0] * a[3 * 2] + v[1] * a[1 + 3 * 2] + v[2] * a[2 + 3 * 2]
+        v[0] * a[0 + 3 * 0] + v[1] * a[1 + 3 * 0] + v[2] * a[2 + 3 * 0],
+        v[0] * a[0 + 3 * 1] + v[1] * a[1 + 3 * 1] + v[2] * a[2 + 3 * 1],
+        v[0] * a[0 + 3 * 2] + v[1] * a[1 + 3 * 2] + v[2] * a[2 + 3 * 2]
     };
     const double vector[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
     const double result_a[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
@@ -35,10 +35,10 @@ void small_methods_squared(const double a[4], double result[4])
     const double copy[4] = {a[0], a[1], a[2], a[3]};
     {
         const double product[4] = {
-            copy[0] * copy[0] + copy[2] * copy[1],
-            copy[1] * copy[0] + copy[1 + 2] * copy[1],
-            copy[0] * copy[2] + copy[2] * copy[1 + 2],
-            copy[1] * copy[2] + copy[1 + 2] * copy[1 + 2]
+            copy[0 + 2 * 0] * copy[0 + 2 * 0] + copy[0 + 2 * 1] * copy[1 + 2 * 0],
+            copy[1 + 2 * 0] * copy[0 + 2 * 0] + copy[1 + 2 * 1] * copy[1 + 2 * 0],
+            copy[0 + 2 * 0] * copy[0 + 2 * 1] + copy[0 + 2 * 1] * copy[1 + 2 * 1],
+            copy[1 + 2 * 0] * copy[0 + 2 * 1] + copy[1 + 2 * 1] * copy[1 + 2 * 1]
         };
         result[0] = product[0];
         result[1] = product[1];

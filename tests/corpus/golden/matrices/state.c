@@ -18,8 +18,8 @@ void programs_matrices_state_tracker_step(programs_matrices_state_tracker_t *sel
         time, 1.0
     };
     const double predicted[2] = {
-        predicted_matrix[0] * self->state[0] + predicted_matrix[2] * self->state[1],
-        predicted_matrix[1] * self->state[0] + predicted_matrix[1 + 2] * self->state[1]
+        predicted_matrix[0 + 2 * 0] * self->state[0] + predicted_matrix[0 + 2 * 1] * self->state[1],
+        predicted_matrix[1 + 2 * 0] * self->state[0] + predicted_matrix[1 + 2 * 1] * self->state[1]
     };
     const double surprise = measured - predicted[0];
     self->state[0] = predicted[0] + self->gains[0] * surprise;

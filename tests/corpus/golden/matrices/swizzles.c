@@ -34,7 +34,7 @@ void swizzles_of_a_sum(const double a[4], const double b[4], double result[3])
 void swizzles_of_others(const int32_t a[2], const double m[9],
     pair_vector2_i32_vector2_f64_t *result)
 {
-    const double vector[3] = {m[3], m[1 + 3], m[2 + 3]};
+    const double vector[3] = {m[0 + 3 * 1], m[1 + 3 * 1], m[2 + 3 * 1]};
     result->first[0] = a[1];
     result->first[1] = a[0];
     result->second[0] = vector[0];

@@ -5,17 +5,25 @@
 void transposed_factors_advance(belief_t *belief, const double advance[4])
 {
     const double covariance_product[4] = {
-        advance[0] * belief->covariance[0] + advance[2] * belief->covariance[1],
-        advance[1] * belief->covariance[0] + advance[1 + 2] * belief->covariance[1],
-        advance[0] * belief->covariance[2] + advance[2] * belief->covariance[1 + 2],
-        advance[1] * belief->covariance[2] + advance[1 + 2] * belief->covariance[1 + 2]
+        advance[0 + 2 * 0] * belief->covariance[0 + 2 * 0]
+            + advance[0 + 2 * 1] * belief->covariance[1 + 2 * 0],
+        advance[1 + 2 * 0] * belief->covariance[0 + 2 * 0]
+            + advance[1 + 2 * 1] * belief->covariance[1 + 2 * 0],
+        advance[0 + 2 * 0] * belief->covariance[0 + 2 * 1]
+            + advance[0 + 2 * 1] * belief->covariance[1 + 2 * 1],
+        advance[1 + 2 * 0] * belief->covariance[0 + 2 * 1]
+            + advance[1 + 2 * 1] * belief->covariance[1 + 2 * 1]
     };
     {
         const double product[4] = {
-            covariance_product[0] * advance[0] + covariance_product[2] * advance[2],
-            covariance_product[1] * advance[0] + covariance_product[1 + 2] * advance[2],
-            covariance_product[0] * advance[1] + covariance_product[2] * advance[1 + 2],
-            covariance_product[1] * advance[1] + covariance_product[1 + 2] * advance[1 + 2]
+            covariance_product[0 + 2 * 0] * advance[0 + 2 * 0]
+                + covariance_product[0 + 2 * 1] * advance[0 + 2 * 1],
+            covariance_product[1 + 2 * 0] * advance[0 + 2 * 0]
+                + covariance_product[1 + 2 * 1] * advance[0 + 2 * 1],
+            covariance_product[0 + 2 * 0] * advance[1 + 2 * 0]
+                + covariance_product[0 + 2 * 1] * advance[1 + 2 * 1],
+            covariance_product[1 + 2 * 0] * advance[1 + 2 * 0]
+                + covariance_product[1 + 2 * 1] * advance[1 + 2 * 1]
         };
         belief->covariance[0] = product[0];
         belief->covariance[1] = product[1];
@@ -23,18 +31,18 @@ void transposed_factors_advance(belief_t *belief, const double advance[4])
         belief->covariance[3] = product[3];
     }
     const double covariance_next[4] = {
-        (belief->covariance[0] + belief->covariance[0]) * 0.5,
-        (belief->covariance[1] + belief->covariance[2]) * 0.5,
-        (belief->covariance[2] + belief->covariance[1]) * 0.5,
-        (belief->covariance[1 + 2] + belief->covariance[1 + 2]) * 0.5
+        (belief->covariance[0 + 2 * 0] + belief->covariance[0 + 2 * 0]) * 0.5,
+        (belief->covariance[1 + 2 * 0] + belief->covariance[0 + 2 * 1]) * 0.5,
+        (belief->covariance[0 + 2 * 1] + belief->covariance[1 + 2 * 0]) * 0.5,
+        (belief->covariance[1 + 2 * 1] + belief->covariance[1 + 2 * 1]) * 0.5
     };
     belief->covariance[0] = covariance_next[0];
     belief->covariance[1] = covariance_next[1];
     belief->covariance[2] = covariance_next[2];
     belief->covariance[3] = covariance_next[3];
     const double mean_next[2] = {
-        advance[0] * belief->mean[0] + advance[1] * belief->mean[1],
-        advance[2] * belief->mean[0] + advance[1 + 2] * belief->mean[1]
+        advance[0 + 2 * 0] * belief->mean[0] + advance[1 + 2 * 0] * belief->mean[1],
+        advance[0 + 2 * 1] * belief->mean[0] + advance[1 + 2 * 1] * belief->mean[1]
     };
     belief->mean[0] = mean_next[0];
     belief->mean[1] = mean_next[1];
@@ -72,15 +80,15 @@ void transposed_factors_oblongs(const float a[6], const float b[6],
 {
     {
         const float product[9] = {
-            a[0] * b[0] + a[1] * b[3],
-            a[2] * b[0] + a[1 + 2] * b[3],
-            a[2 * 2] * b[0] + a[1 + 2 * 2] * b[3],
-            a[0] * b[1] + a[1] * b[1 + 3],
-            a[2] * b[1] + a[1 + 2] * b[1 + 3],
-            a[2 * 2] * b[1] + a[1 + 2 * 2] * b[1 + 3],
-            a[0] * b[2] + a[1] * b[2 + 3],
-            a[2] * b[2] + a[1 + 2] * b[2 + 3],
-            a[2 * 2] * b[2] + a[1 + 2 * 2] * b[2 + 3]
+            a[0 + 2 * 0] * b[0 + 3 * 0] + a[1 + 2 * 0] * b[0 + 3 * 1],
+            a[0 + 2 * 1] * b[0 + 3 * 0] + a[1 + 2 * 1] * b[0 + 3 * 1],
+            a[0 + 2 * 2] * b[0 + 3 * 0] + a[1 + 2 * 2] * b[0 + 3 * 1],
+            a[0 + 2 * 0] * b[1 + 3 * 0] + a[1 + 2 * 0] * b[1 + 3 * 1],
+            a[0 + 2 * 1] * b[1 + 3 * 0] + a[1 + 2 * 1] * b[1 + 3 * 1],
+            a[0 + 2 * 2] * b[1 + 3 * 0] + a[1 + 2 * 2] * b[1 + 3 * 1],
+            a[0 + 2 * 0] * b[2 + 3 * 0] + a[1 + 2 * 0] * b[2 + 3 * 1],
+            a[0 + 2 * 1] * b[2 + 3 * 0] + a[1 + 2 * 1] * b[2 + 3 * 1],
+            a[0 + 2 * 2] * b[2 + 3 * 0] + a[1 + 2 * 2] * b[2 + 3 * 1]
         };
         result->first[0] = product[0];
         result->first[1] = product[1];
@@ -99,21 +107,21 @@ void transposed_factors_oblongs(const float a[6], const float b[6],
         }
     }
     const float result_product[4] = {
-        a[0] * a[0] + a[2] * a[2] + a[2 * 2] * a[2 * 2],
-        a[1] * a[0] + a[1 + 2] * a[2] + a[1 + 2 * 2] * a[2 * 2],
-        a[0] * a[1] + a[2] * a[1 + 2] + a[2 * 2] * a[1 + 2 * 2],
-        a[1] * a[1] + a[1 + 2] * a[1 + 2] + a[1 + 2 * 2] * a[1 + 2 * 2]
+        a[0 + 2 * 0] * a[0 + 2 * 0] + a[0 + 2 * 1] * a[0 + 2 * 1] + a[0 + 2 * 2] * a[0 + 2 * 2],
+        a[1 + 2 * 0] * a[0 + 2 * 0] + a[1 + 2 * 1] * a[0 + 2 * 1] + a[1 + 2 * 2] * a[0 + 2 * 2],
+        a[0 + 2 * 0] * a[1 + 2 * 0] + a[0 + 2 * 1] * a[1 + 2 * 1] + a[0 + 2 * 2] * a[1 + 2 * 2],
+        a[1 + 2 * 0] * a[1 + 2 * 0] + a[1 + 2 * 1] * a[1 + 2 * 1] + a[1 + 2 * 2] * a[1 + 2 * 2]
     };
     const float result_product_2[4] = {
-        b[0] * b[0] + b[1] * b[1] + b[2] * b[2],
-        b[3] * b[0] + b[1 + 3] * b[1] + b[2 + 3] * b[2],
-        b[0] * b[3] + b[1] * b[1 + 3] + b[2] * b[2 + 3],
-        b[3] * b[3] + b[1 + 3] * b[1 + 3] + b[2 + 3] * b[2 + 3]
+        b[0 + 3 * 0] * b[0 + 3 * 0] + b[1 + 3 * 0] * b[1 + 3 * 0] + b[2 + 3 * 0] * b[2 + 3 * 0],
+        b[0 + 3 * 1] * b[0 + 3 * 0] + b[1 + 3 * 1] * b[1 + 3 * 0] + b[2 + 3 * 1] * b[2 + 3 * 0],
+        b[0 + 3 * 0] * b[0 + 3 * 1] + b[1 + 3 * 0] * b[1 + 3 * 1] + b[2 + 3 * 0] * b[2 + 3 * 1],
+        b[0 + 3 * 1] * b[0 + 3 * 1] + b[1 + 3 * 1] * b[1 + 3 * 1] + b[2 + 3 * 1] * b[2 + 3 * 1]
     };
-    result->second[0] = result_product[0] + result_product_2[0] * 2.0F;
-    result->second[1] = result_product[1] + result_product_2[1] * 2.0F;
-    result->second[2] = result_product[2] + result_product_2[2] * 2.0F;
-    result->second[1 + 2] = result_product[1 + 2] + result_product_2[1 + 2] * 2.0F;
+    result->second[0 + 2 * 0] = result_product[0 + 2 * 0] + result_product_2[0 + 2 * 0] * 2.0F;
+    result->second[1 + 2 * 0] = result_product[1 + 2 * 0] + result_product_2[1 + 2 * 0] * 2.0F;
+    result->second[0 + 2 * 1] = result_product[0 + 2 * 1] + result_product_2[0 + 2 * 1] * 2.0F;
+    result->second[1 + 2 * 1] = result_product[1 + 2 * 1] + result_product_2[1 + 2 * 1] * 2.0F;
 }
 
 void transposed_factors_lines(const double a[4], const double b[4],

@@ -4,21 +4,21 @@
 
 double programs_matrices_views_along(const double axes[9])
 {
-    const double result_vector[3] = {axes[0], axes[1], axes[2]};
-    const double result_vector_2[3] = {axes[3], axes[1 + 3], axes[2 + 3]};
+    const double result_vector[3] = {axes[0 + 3 * 0], axes[1 + 3 * 0], axes[2 + 3 * 0]};
+    const double result_vector_2[3] = {axes[0 + 3 * 1], axes[1 + 3 * 1], axes[2 + 3 * 1]};
     return result_vector[0] * result_vector_2[0] + result_vector[1] * result_vector_2[1]
         + result_vector[2] * result_vector_2[2];
 }
 
 void programs_matrices_views_attitude(const double covariance[36], double result[9])
 {
-    result[0] = covariance[3 + 6 * 3];
-    result[1] = covariance[4 + 6 * 3];
-    result[2] = covariance[5 + 6 * 3];
-    result[3] = covariance[3 + 6 * 4];
-    result[1 + 3] = covariance[4 + 6 * 4];
-    result[2 + 3] = covariance[5 + 6 * 4];
-    result[3 * 2] = covariance[3 + 6 * 5];
+    result[0 + 3 * 0] = covariance[3 + 6 * 3];
+    result[1 + 3 * 0] = covariance[4 + 6 * 3];
+    result[2 + 3 * 0] = covariance[5 + 6 * 3];
+    result[0 + 3 * 1] = covariance[3 + 6 * 4];
+    result[1 + 3 * 1] = covariance[4 + 6 * 4];
+    result[2 + 3 * 1] = covariance[5 + 6 * 4];
+    result[0 + 3 * 2] = covariance[3 + 6 * 5];
     result[1 + 3 * 2] = covariance[4 + 6 * 5];
     result[2 + 3 * 2] = covariance[5 + 6 * 5];
 }

@@ -15,13 +15,13 @@ void written_out_taps(double edge, double result[7])
 
 void written_out_transition(double time, double result[9])
 {
-    result[0] = 1.0;
-    result[1] = 0.0;
-    result[2] = 0.0;
-    result[3] = time;
-    result[1 + 3] = 1.0;
-    result[2 + 3] = 0.0;
-    result[3 * 2] = 0.0;
+    result[0 + 3 * 0] = 1.0;
+    result[1 + 3 * 0] = 0.0;
+    result[2 + 3 * 0] = 0.0;
+    result[0 + 3 * 1] = time;
+    result[1 + 3 * 1] = 1.0;
+    result[2 + 3 * 1] = 0.0;
+    result[0 + 3 * 2] = 0.0;
     result[1 + 3 * 2] = -time;
     result[2 + 3 * 2] = 1.0;
 }
