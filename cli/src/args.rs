@@ -148,6 +148,8 @@ Examples:
   cargo bessemer verify --seed 7            Others
   cargo bessemer verify --inputs flight.csv --entry Motor::step
                                             Recorded inputs of one entry point, row by row
+  cargo bessemer verify --inputs flight.ulg --outputs replayed.csv
+                                            A flight log, as bessemer.toml maps it, and what the controller answers to it
   cargo bessemer verify --target zynq --target cortex-m4f
                                             Also the C on emulated processors, and what it costs there:
                                             instructions, stack, size, held to the limits of bessemer.toml
@@ -176,13 +178,17 @@ pub struct Verify {
     /// The speed of the port, bits a second
     #[arg(long, value_name = "SPEED", default_value_t = 115_200, requires = "serial")]
     pub baud: u32,
-    /// Recorded inputs in place of generated ones: CSV with a column for each input number, such as `gains.p`, or MCAP
-    /// with messages in JSON
+    /// Recorded inputs in place of generated ones: CSV, MCAP, or a log of PX4, ArduPilot or Betaflight
+    ///
+    /// CSV has a column for each input number, such as `gains.p`; MCAP has messages in JSON; bessemer.toml maps the topics of a log.
     #[arg(long, value_name = "FILE")]
     pub inputs: Option<PathBuf>,
     /// The entry point that was recorded, where there are several: `Motor::step`
     #[arg(long, value_name = "NAME", requires = "inputs")]
     pub entry: Option<String>,
+    /// Also write the recorded calls with their results and states into this file, as CSV
+    #[arg(long, value_name = "FILE", requires = "inputs")]
+    pub outputs: Option<PathBuf>,
 }
 
 /// Arguments of `sizes`.

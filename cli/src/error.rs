@@ -144,10 +144,7 @@ impl Error {
             Error::WhichEntry { known } => {
                 format!("choose one with `--entry`: {}", known.join(", "))
             }
-            Error::Recording { .. } => {
-                "name the columns in the first line as in the Rust: `target`, `gains.p`, `place[2]`"
-                    .to_owned()
-            }
+            Error::Recording { wrong, .. } => wrong.remedy(),
             Error::Words { .. } => {
                 "pass a tuple of the arguments after `self`, in order".to_owned()
             }

@@ -7,6 +7,7 @@ use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::inputs;
 use crate::keys::{KEYS, Key, Kind};
 use crate::settings::{Limit, Settings};
 
@@ -113,6 +114,20 @@ impl Reader<'_> {
                 }
             }
             (Kind::Replacements, found) => self.replacements(found, at),
+            (Kind::Inputs, found) => {
+                let read = inputs::inputs(found, at, &|at| self.place(at).0);
+                match read {
+                    Ok(read) => self.settings.inputs = read,
+                    Err(wrong) => self.all_wrong(wrong),
+                }
+            }
+            (Kind::Periods, found) => {
+                let read = inputs::periods(found, at, &|at| self.place(at).0);
+                match read {
+                    Ok(read) => self.settings.periods = read,
+                    Err(wrong) => self.all_wrong(wrong),
+                }
+            }
         }
     }
 
@@ -147,6 +162,12 @@ impl Reader<'_> {
                     );
                 }
             }
+        }
+    }
+
+    fn all_wrong(&mut self, wrong: Vec<inputs::Wrong>) {
+        for inputs::Wrong { at, message, help } in wrong {
+            self.tell(at, message, &help);
         }
     }
 

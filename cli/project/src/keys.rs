@@ -29,6 +29,10 @@ pub enum Kind {
     Number(u32, fn(&mut Settings, Limit)),
     /// A list of tables, read by the compiler's own reader of replacements.
     Replacements,
+    /// A table for each entry point: its parameters, each with a source in a flight log.
+    Inputs,
+    /// A table: entry points, each with its period in seconds.
+    Periods,
 }
 
 /// The form of a text.
@@ -258,5 +262,17 @@ pub const KEYS: &[Key] = &[
         kind: Kind::Replacements,
         default: "none",
         says: "Functions of your own library that replace kernels, each a table: `routine`, `element`, `at_least`, `at_most`, `library`, `include`, `body` (docs/kernels.md).",
+    },
+    Key {
+        name: "inputs",
+        kind: Kind::Inputs,
+        default: "none",
+        says: "The sources of an entry point's parameters in a flight log, for `verify --inputs` (docs/book/flight-logs.md).",
+    },
+    Key {
+        name: "periods",
+        kind: Kind::Periods,
+        default: "none",
+        says: "The time between two calls of an entry point, in seconds, to which `verify --inputs` resamples a flight log.",
     },
 ];

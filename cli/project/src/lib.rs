@@ -13,6 +13,7 @@ mod error;
 pub mod file;
 pub mod firmware;
 mod generation;
+pub mod inputs;
 pub mod interface;
 pub mod keys;
 pub mod parameters;

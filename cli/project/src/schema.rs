@@ -42,6 +42,13 @@ fn property(key: &Key) -> Value {
         Kind::Flag(_) => json!({ "type": "boolean" }),
         Kind::Number(most, _) => json!({ "type": "integer", "minimum": 0, "maximum": most }),
         Kind::Replacements => json!({ "type": "array", "items": { "type": "object" } }),
+        Kind::Inputs => {
+            json!({ "type": "object", "additionalProperties": { "type": "object" } })
+        }
+        Kind::Periods => json!({
+            "type": "object",
+            "additionalProperties": { "type": "number", "exclusiveMinimum": 0 },
+        }),
     };
     property["description"] = json!(format!("{} Without it: {}.", key.says, key.default));
     property
@@ -61,6 +68,10 @@ pub fn table() -> String {
             Kind::Number(u32::MAX, _) => "a whole number".to_owned(),
             Kind::Number(most, _) => format!("a whole number up to {most}"),
             Kind::Replacements => "a list of tables, `[[replacements]]`".to_owned(),
+            Kind::Inputs => {
+                "a table for each entry point, such as `[inputs.motor_step]`".to_owned()
+            }
+            Kind::Periods => "a table of seconds, such as `motor_step = 0.001`".to_owned(),
         };
         // Writing to a string cannot fail.
         let _ = writeln!(text, "| `{}` | {takes} | {} | {} |", key.name, key.default, key.says);

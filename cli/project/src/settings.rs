@@ -4,8 +4,10 @@ use std::path::PathBuf;
 
 use bessemer_codegen::compile::Options;
 
+use crate::inputs::{Inputs, Period};
+
 /// A user's decisions about the C of a package.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Settings {
     /// The folder of the C, from that of the file; none: `generated` of the workspace.
     pub output: Option<PathBuf>,
@@ -21,6 +23,10 @@ pub struct Settings {
     pub options: Options,
     /// The limits.
     pub limits: Limits,
+    /// Sources of the inputs of entry points in flight logs.
+    pub inputs: Vec<Inputs>,
+    /// Periods of entry points.
+    pub periods: Vec<Period>,
 }
 
 /// Limits that no entry point may exceed.

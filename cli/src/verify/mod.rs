@@ -7,6 +7,7 @@ mod board;
 mod emulated;
 mod lines;
 mod native;
+mod outputs;
 pub mod recording;
 
 use std::fmt::Write as _;
@@ -25,6 +26,7 @@ use bessemer_legs::random::Random;
 use bessemer_legs::toolchain::{self, Toolchain};
 use bessemer_legs::{harness, process};
 use bessemer_project::Project;
+use recording::flight::Mapping;
 
 pub(crate) use emulated::machine;
 
@@ -55,8 +57,8 @@ struct Case {
 /// # Errors
 /// Errors of the models or the system; [`Error::NoCompiler`] if there is no leg of C.
 pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool), Error> {
-    compared(folder, wanted, colour, |compiled| match &wanted.inputs {
-        Some(path) => recorded(compiled, path, wanted.entry.as_deref()),
+    compared(folder, wanted, colour, |project, compiled| match &wanted.inputs {
+        Some(path) => recorded(project, compiled, path, wanted.entry.as_deref()),
         None => Ok(Inputs::Made { seed: wanted.seed }),
     })
 }
@@ -71,7 +73,7 @@ pub fn with_words(
     wanted: &Verify,
     calls: &[Vec<u64>],
 ) -> Result<(String, bool), Error> {
-    compared(folder, wanted, false, |compiled| {
+    compared(folder, wanted, false, |_, compiled| {
         let (module, entry) = (&compiled.module, chosen(compiled, wanted.entry.as_deref())?);
         let function = &module.functions[entry.index()];
         let counts: Vec<usize> =
@@ -98,7 +100,7 @@ fn compared(
     folder: &Path,
     wanted: &Verify,
     colour: bool,
-    inputs: impl FnOnce(&Compiled) -> Result<Inputs, Error>,
+    inputs: impl FnOnce(&Project, &Compiled) -> Result<Inputs, Error>,
 ) -> Result<(String, bool), Error> {
     let project = Project::find(folder, wanted.package.name(), colour)?;
     let mut job = project.job(colour);
@@ -117,8 +119,12 @@ fn compared(
         return Ok((board::write(&compiled, &job.options, folder)?, true));
     }
     let module = &compiled.module;
-    let inputs = inputs(&compiled)?;
+    let inputs = inputs(&project, &compiled)?;
     let mut cases = cases(module, &inputs);
+    if let (Some(path), Some(case)) = (&wanted.outputs, cases.first()) {
+        let failed = |source| Error::File { path: path.clone(), source };
+        std::fs::write(path, outputs::csv(module, case)).map_err(failed)?;
+    }
     let mut legs = Vec::new();
     let (program, left) = rust(&job, module, &mut cases)?;
     if let Some(program) = program {
@@ -229,12 +235,19 @@ fn chosen(compiled: &Compiled, entry: Option<&str>) -> Result<FunctionId, Error>
 }
 
 /// The recording of an entry point.
-fn recorded(compiled: &Compiled, path: &Path, entry: Option<&str>) -> Result<Inputs, Error> {
+fn recorded(
+    project: &Project,
+    compiled: &Compiled,
+    path: &Path,
+    entry: Option<&str>,
+) -> Result<Inputs, Error> {
     let entry = chosen(compiled, entry)?;
     let module = &compiled.module;
     let bytes = std::fs::read(path);
     let bytes = bytes.map_err(|source| Error::File { path: path.to_owned(), source })?;
-    let read = recording::read(module, &module.functions[entry.index()], &bytes);
+    let function = &module.functions[entry.index()];
+    let mapping = Mapping::of(project, &compiled.interface, &named(module, function));
+    let read = recording::read(module, function, &bytes, &mapping);
     let read =
         read.map_err(|wrong| Error::Recording { path: path.to_owned(), wrong: Box::new(wrong) })?;
     Ok(Inputs::Recorded { entry, calls: read.calls, notes: read.notes })

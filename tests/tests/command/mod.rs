@@ -65,6 +65,7 @@ fn a_new_package_is_simulated_and_generated() {
     super::shown::run(&package);
     verified::verified(&package);
     verified::verified_by_a_recording(&package);
+    verified::verified_by_flight_logs(&package);
     verified::verified_by_a_test(&package);
     verified::verified_on_a_board(&package);
     sized(&package);

@@ -78,6 +78,43 @@ pub fn verified_by_a_recording(package: &Path) {
     fs::remove_file(&log).expect("the log");
 }
 
+/// Each table of the page of flight logs maps a log of its kind; the replayed table is a recording itself.
+pub fn verified_by_flight_logs(package: &Path) {
+    let root = bessemer_tests::root();
+    let page = fs::read_to_string(root.join("docs/book/flight-logs.md")).expect("the page");
+    let tables = page.split("```toml\n").skip(1).filter_map(|it| it.split("```").next());
+    let samples = root.join("cli/src/verify/recording/flight/samples");
+    let logs = [("px4.ulg", 111), ("ardupilot.bin", 48), ("betaflight.bbl", 190)];
+    assert_eq!(tables.clone().count(), logs.len());
+    let settings = package.join("bessemer.toml");
+    let sound = fs::read_to_string(&settings).expect("the settings");
+    let replayed = package.join("replayed.csv");
+    for (table, (log, calls)) in tables.zip(logs) {
+        fs::write(&settings, format!("{sound}\n{table}")).expect("the settings");
+        let verified = |inputs: PathBuf, outputs: Option<PathBuf>| {
+            let wanted = Verify { inputs: Some(inputs), outputs, ..Verify::default() };
+            let outcome = verify::run(package, &wanted, false);
+            outcome.unwrap_or_else(|error| panic!("{log}: {error}: {:?}", error.remedy()))
+        };
+        let (text, agree) = verified(samples.join(log), Some(replayed.clone()));
+        let first = format!("1 entry points, {calls} calls; ");
+        assert!(agree && text.starts_with(&first), "{log}: {text}");
+        let table = fs::read_to_string(&replayed).expect("the table");
+        let (head, rows) = table.split_once('\n').expect("a line of names");
+        let names = "gains.proportional,gains.integral,gains.period,target,speed,out:result,out:self.integral,out:fault";
+        assert_eq!((head, rows.lines().count()), (names, calls));
+        let again = package.join("again.csv");
+        fs::rename(&replayed, &again).expect("the table");
+        let (text, agree) = verified(again.clone(), Some(replayed.clone()));
+        assert!(agree && text.starts_with(&first), "{text}");
+        assert_eq!(fs::read_to_string(&replayed).expect("the table"), table);
+        for file in [&replayed, &again] {
+            fs::remove_file(file).expect("the table");
+        }
+    }
+    fs::write(&settings, sound).expect("the settings");
+}
+
 /// As a test of the package calls it; what is no input is reported.
 pub fn verified_by_a_test(package: &Path) {
     // Its name is what counts here: the package is none of this program's.

@@ -70,6 +70,9 @@ pub enum Wrong {
         /// The first line that is none.
         line: usize,
     },
+    /// The file is a flight log that is damaged, or that is not mapped.
+    #[error(transparent)]
+    Flight(#[from] super::flight::Wrong),
     /// The text is no CSV.
     #[error("it is no CSV: {0}")]
     Csv(#[from] csv::Error),
@@ -84,4 +87,17 @@ pub enum Wrong {
         /// The decoder's error.
         said: String,
     },
+}
+
+impl Wrong {
+    /// A step that resolves the error.
+    pub fn remedy(&self) -> String {
+        match self {
+            Wrong::Flight(wrong) => wrong.remedy(),
+            _ => {
+                "name the columns in the first line as in the Rust: `target`, `gains.p`, `place[2]`"
+                    .to_owned()
+            }
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! Recorded inputs of an entry point: a table with a column for each number that goes in, a row for each call. It comes from
-//! CSV (`table`), or from an MCAP file, whose messages in JSON are rows (`messages`).
+//! CSV (`table`), from an MCAP file, whose messages in JSON are rows (`messages`), or from a flight log, whose topics
+//! `bessemer.toml` maps to the columns (`flight`).
 //!
 //! Columns are called as the parameters and their parts are in the Rust: `target`, `gains.p`, `position[2]`. Elements of a
 //! matrix count by columns. Columns of other names are ignored, so that a log can be taken as it is. A parameter with a default of which
@@ -8,6 +9,7 @@
 //! Invariant: nothing is dropped in silence. What is not read is an error at its place, or a note.
 
 mod error;
+pub mod flight;
 mod mcap;
 mod messages;
 mod table;
@@ -28,11 +30,17 @@ pub struct Recording {
 ///
 /// # Errors
 /// [`Wrong`], with its place.
-pub fn read(module: &Module, function: &Function, bytes: &[u8]) -> Result<Recording, Wrong> {
+pub fn read(
+    module: &Module,
+    function: &Function,
+    bytes: &[u8],
+    mapping: &flight::Mapping<'_>,
+) -> Result<Recording, Wrong> {
     let wanted = Wanted::of(module, function);
-    let table = match bytes.starts_with(mcap::MAGIC) {
-        true => messages::read(bytes, &wanted)?,
-        false => table::read(bytes, &wanted)?,
+    let table = match flight::read(bytes, &wanted, mapping) {
+        Some(table) => table?,
+        None if bytes.starts_with(mcap::MAGIC) => messages::read(bytes, &wanted)?,
+        None => table::read(bytes, &wanted)?,
     };
     if table.rows.is_empty() {
         return Err(Wrong::Empty);
@@ -80,7 +88,10 @@ impl<'m> Wanted<'m> {
             let mut columns = Vec::new();
             columns_of(module, &local.ty, &local.name, &mut columns);
             let default = match &local.ty {
-                Type::Struct(id) => module.structs[id.index()].initial.as_deref(),
+                Type::Struct(id) => {
+                    let of = &module.structs[id.index()];
+                    of.initial.as_deref().or(of.defaults.as_deref())
+                }
                 _ => None,
             };
             Parameter { local, columns, default }
@@ -129,6 +140,11 @@ impl<'m> Wanted<'m> {
         self.parameters.iter().map(of_one).collect()
     }
 
+    /// The parameters, as a message lists them.
+    fn names(&self) -> String {
+        listed(&self.parameters.iter().map(|it| it.local.name.clone()).collect::<Vec<_>>())
+    }
+
     /// All wanted columns, as a message lists them.
     fn listed(&self) -> String {
         let columns = self.parameters.iter().flat_map(|it| &it.columns);
@@ -170,16 +186,16 @@ fn listed(names: &[String]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
-/// A number that goes in.
-struct Column {
-    name: String,
+/// A number that goes in or comes out.
+pub(super) struct Column {
+    pub(super) name: String,
     ty: Type,
     /// Largest length of a list.
     most: Option<u32>,
 }
 
 /// The numbers in a value, in the order of their words.
-fn columns_of(module: &Module, ty: &Type, name: &str, columns: &mut Vec<Column>) {
+pub(super) fn columns_of(module: &Module, ty: &Type, name: &str, columns: &mut Vec<Column>) {
     let column = |name: String, ty: Type| Column { name, ty, most: None };
     match ty {
         Type::Unit | Type::Slice(_) => {}
@@ -233,6 +249,21 @@ impl Column {
                 found.map(|index| index as u64)
             }
             _ => None,
+        }
+    }
+
+    /// The text that reads back as a word.
+    pub(super) fn text(&self, module: &Module, word: u64) -> String {
+        match &self.ty {
+            Type::Scalar(Scalar::Float(Float::F64)) => format!("{:?}", f64::from_bits(word)),
+            Type::Scalar(Scalar::Float(Float::F32)) => format!("{:?}", f32::from_bits(word as u32)),
+            Type::Scalar(Scalar::Int(int)) if Int::min(*int) < 0 => (word as i64).to_string(),
+            Type::Scalar(Scalar::Bool) => (word != 0).to_string(),
+            Type::Enum(id) => {
+                let variant = module.enums[id.index()].variants.get(word as usize);
+                variant.map_or_else(|| word.to_string(), |it| it.name.clone())
+            }
+            _ => word.to_string(),
         }
     }
 

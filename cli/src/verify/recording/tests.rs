@@ -21,6 +21,10 @@ file \"models/src/lib.rs\"
 }
 ";
 
+/// Tables need no mapping.
+const UNMAPPED: flight::Mapping<'_> =
+    flight::Mapping { names: Vec::new(), known: Vec::new(), inputs: &[], periods: &[] };
+
 fn module() -> Module {
     bessemer_ir::text::parse(MODULE).expect("a module")
 }
@@ -28,7 +32,8 @@ fn module() -> Module {
 /// The words of each call in a line, or the error; then the notes.
 fn read_text(bytes: &[u8]) -> Result<(Vec<String>, Vec<String>), String> {
     let module = module();
-    let read = read(&module, &module.functions[0], bytes).map_err(|wrong| wrong.to_string())?;
+    let read =
+        read(&module, &module.functions[0], bytes, &UNMAPPED).map_err(|wrong| wrong.to_string())?;
     let shown = |call: &Vec<Vec<u64>>| {
         let words = call.iter().flatten().map(|word| match *word {
             small @ 0..=0xffff_ffff => small.to_string(),
@@ -212,7 +217,7 @@ fn files_of_pythons_writer_are_read() {
         "module models\nfile \"models/src/lib.rs\"\n\n/// A loop.\n@0:3:1 struct Motor in models { last: f64, }\n\n/// A part.\n@0:1:1 struct Part in models { c: bool, }\n\n/// A step.\n@0:4:1 entry infallible fn Motor::step in models(self: &mut Motor, a: f64, b: &Part, d: [u8; 2]) -> f64 as x {\n  @4:2 return a;\n}\n",
     )
     .expect("a module");
-    let read = read(&module, &module.functions[0], PYTHON).expect("a recording");
+    let read = read(&module, &module.functions[0], PYTHON, &UNMAPPED).expect("a recording");
     let numbers: Vec<f64> = read.calls.iter().map(|call| f64::from_bits(call[0][0])).collect();
     assert_eq!(format!("{numbers:?}"), "[0.1, NaN, -inf, inf]");
     let others: Vec<&[Vec<u64>]> = read.calls.iter().map(|call| &call[1..]).collect();
