@@ -65,7 +65,7 @@ pub enum Task {
     Explain(Explain),
     /// Make a module of Python of the C, whose arrays are NumPy's
     Py(Python),
-    /// Make a folder of the C for a system that firmware is built in: Zephyr, PX4, FreeRTOS, Arduino
+    /// Make a folder of the C for a system that firmware is built in: Zephyr, PX4, ROS 2, FreeRTOS …
     Pack(Pack),
     /// Make a co-simulation unit (FMI 3.0) of an entry point
     Fmu(Fmu),
@@ -265,10 +265,9 @@ pub struct Python {
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
-  cargo bessemer pack zephyr    pack/motor/: a module with Kconfig, CMake and an example of each entry point
-  cargo bessemer pack px4       pack/motor/: a module around each entry point, with its messages of uORB
-  cargo bessemer pack freertos  pack/motor/: the C with its files for CMake and make, and a task for each entry point
-  cargo bessemer pack arduino   pack/motor/: a library with a sketch of each entry point
+  cargo bessemer pack zephyr     pack/motor/: a module with Kconfig, CMake and an example of each entry point
+  cargo bessemer pack px4        pack/motor/: a module around each component, with its messages of uORB
+  cargo bessemer pack ros2       pack/motor/: a node around each component, and a package of its messages
 
 The folder is whole by itself: copy it to where the system looks for it.")]
 pub struct Pack {
@@ -290,11 +289,30 @@ pub enum System {
     Zephyr,
     /// Modules on work queues, for `src/modules`
     Px4,
+    /// A library of classes, for `libraries`
+    #[value(name = "ardupilot")]
+    ArduPilot,
+    /// Components of F´ with ports, by FPP
+    #[value(name = "fprime")]
+    FPrime,
+    /// An application of NASA's core Flight System
+    Cfs,
+    /// Nodes of ROS 2, and a package of their messages
+    Ros2,
+    /// Nodes of micro-ROS, and a package of their messages
+    MicroRos,
     /// Periodic tasks, in memory of their own
     #[value(name = "freertos")]
     FreeRtos,
     /// A library, by `library.properties`
     Arduino,
+    /// A library, by `library.json`
+    #[value(name = "platformio")]
+    PlatformIo,
+    /// A component, by `idf_component.yml`
+    EspIdf,
+    /// A software pack, by `.pdsc`
+    CmsisPack,
 }
 
 /// Arguments of `fmu`.

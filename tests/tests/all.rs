@@ -23,6 +23,7 @@ mod layouts;
 mod linear;
 mod mathematics;
 mod newcomers;
+mod packs;
 mod parameters;
 mod plain;
 mod random;

@@ -8,8 +8,10 @@ use std::process::Command;
 use bessemer_project::{Wanted, generate};
 use bessemer_tests::toolchain::{self, run};
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::{Fmu, Pack, Sizes, System, Verify};
-use cargo_bessemer::{fmu, pack, sizes, verify};
+use cargo_bessemer::args::{Fmu, Sizes, Verify};
+use cargo_bessemer::{fmu, sizes, verify};
+
+use super::packs;
 
 /// A package whose module is called as the vendor's header, with a state, a status, data with defaults, a square root
 /// and a kernel.
@@ -57,6 +59,11 @@ pub mod table {
     const VERSION: f64 = 1000.0;
 }
 ";
+
+/// The models: a table, and what messages may have to hold.
+fn models() -> String {
+    format!("{MODEL}{}", packs::WATCH)
+}
 
 /// Calls both versions.
 const MAIN: &str = r#"#include "table.h"
@@ -121,7 +128,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 /// computes its own result, though a vendor's header of equal name and guard is found first.
 #[test]
 fn two_versions_stand_in_one_firmware() {
-    let workspace = Workspace::with_source(MODEL).expect("a workspace");
+    let workspace = Workspace::with_source(&models()).expect("a workspace");
     let old = version(&workspace, "old", "");
     workspace.replace("VERSION: f64 = 1000.0", "VERSION: f64 = 1064.0").expect("the models");
     let new = version(&workspace, "new", "prefix = \"new_\"\nc_standard = \"gnu11\"\n");
@@ -150,7 +157,7 @@ fn two_versions_stand_in_one_firmware() {
         assert_eq!(text, "64.0 0 0\n", "{}", toolchain.compiler);
     }
     built(&workspace, &old);
-    packed(&workspace);
+    packs::of(&workspace.path(""));
     verified(&workspace);
 }
 
@@ -186,36 +193,9 @@ fn verified(workspace: &Workspace) {
     assert!(sizes.as_ref().is_ok_and(|it| it.contains("new_motor_step")), "{sizes:?}");
     let wanted = Fmu {
         package: Default::default(),
-        entry: None,
+        entry: Some("Motor::step".to_owned()),
         period: 0.001,
         output: workspace.path("unit"),
     };
     fmu::run(&workspace.path(""), &wanted, false).unwrap_or_else(|error| panic!("{error}"));
-}
-
-/// As a part of Zephyr, PX4 and Arduino, each of which finds headers from `src` on.
-fn packed(workspace: &Workspace) {
-    let stubs = bessemer_tests::root().join("tests/stubs/zephyr").canonicalize().expect("stubs");
-    for (system, name) in
-        [(System::Zephyr, "zephyr"), (System::Px4, "px4"), (System::Arduino, "arduino")]
-    {
-        let wanted = Pack { package: Default::default(), system, output: workspace.path(name) };
-        pack::run(&workspace.path(""), &wanted, false).unwrap_or_else(|error| panic!("{error}"));
-        let folder = wanted.output.join("models");
-        assert!(folder.join("src/new/new_motor.h").is_file(), "{name}");
-        let mut command = Command::new("gcc");
-        command.args([
-            "-std=gnu11",
-            "-ffp-contract=off",
-            "-Werror",
-            "-fsyntax-only",
-            "-Isrc",
-            "-I",
-        ]);
-        command.arg(&stubs).args(sources(&folder.join("src"))).current_dir(&folder);
-        if name == "zephyr" {
-            command.arg("examples/new_motor_step/src/main.c");
-        }
-        run(&mut command).unwrap_or_else(|said| panic!("{said}"));
-    }
 }

@@ -34,6 +34,7 @@ fn structure(name: &str, rust: &str, size: u64, fields: Vec<Field>) -> Struct {
         header: "tuned.h".to_owned(),
         component: false,
         whole: name != "list_t",
+        scratch: false,
         set_by: (name == "tuned_t").then(|| "tuned_defaults".to_owned()),
         words: None,
         size: Bytes { int_enums: size, short_enums: size },

@@ -219,6 +219,13 @@ pub const TOOLS: &[Tool] = &[
         "pya2l",
         "pya2ldb==1.0.355",
     ),
+    package(
+        "FPP",
+        "reads what `cargo bessemer pack fprime` makes",
+        Need::Full,
+        "fprime_fpp",
+        "fprime-fpp==3.4.0",
+    ),
     program(programs::AARCH64_GCC, "compiles the emitted C for ARM of 64 bits", Need::Full),
     headers("aarch64 C library", programs::AARCH64_GCC, Need::Full),
     program(programs::QEMU_AARCH64, "runs it", Need::Full),

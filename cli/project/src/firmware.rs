@@ -15,6 +15,8 @@ pub struct Call<'f> {
     pub entry: &'f Entry,
     /// The variables that live as long as the firmware: the state, and data with defaults.
     pub kept: Vec<(&'f str, &'f Value)>,
+    /// The memory that the call works in.
+    pub scratch: Option<(&'f str, &'f Value)>,
     /// The others, which come new in each period, or leave in it.
     pub passing: Vec<(&'f str, &'f Value, Passing)>,
     /// The statements that set those that are kept, one for each of them.
@@ -26,7 +28,12 @@ pub fn calls(face: &Interface) -> impl Iterator<Item = Call<'_>> {
     let fixed = |it: &&Entry| it.parameters.iter().all(|it| !it.value.dimensions.contains(&None));
     face.entries.iter().filter(fixed).map(|entry| {
         let (mut kept, mut passing, mut begin) = (Vec::new(), Vec::new(), Vec::new());
+        let mut scratch = None;
         for it in &entry.parameters {
+            if face.structure(&it.value.ty).is_some_and(|it| it.scratch) {
+                scratch = Some((it.name.as_str(), &it.value));
+                continue;
+            }
             let set_by = face.structure(&it.value.ty).and_then(|it| it.set_by.as_ref());
             match set_by.filter(|_| it.value.dimensions.is_empty() && it.passing != Passing::Output)
             {
@@ -37,7 +44,7 @@ pub fn calls(face: &Interface) -> impl Iterator<Item = Call<'_>> {
                 None => passing.push((it.name.as_str(), &it.value, it.passing)),
             }
         }
-        Call { entry, kept, passing, begin }
+        Call { entry, kept, scratch, passing, begin }
     })
 }
 
@@ -74,6 +81,10 @@ impl Call<'_> {
     /// The statements of one period: inputs, the call, what to do with its results. `indent` begins each line.
     pub fn period(&self, indent: &str) -> String {
         let mut text = String::new();
+        if let Some((name, value)) = &self.scratch {
+            let line = declared(name, value);
+            let _ = writeln!(text, "{indent}/* The call works in it. */\n{indent}static {line};");
+        }
         for (name, value, passing) in &self.passing {
             let said = match passing {
                 Passing::Output => "It goes to your actuators.",

@@ -32,6 +32,8 @@ pub struct Workspace {
 pub struct Member {
     /// Name.
     pub name: String,
+    /// Version.
+    pub version: String,
     /// Folder.
     pub folder: PathBuf,
     /// Licence in its manifest.
@@ -134,6 +136,7 @@ impl Member {
         Some(Member {
             name: package["name"].as_str()?.to_owned(),
             folder: Path::new(package["manifest_path"].as_str()?).parent()?.to_owned(),
+            version: package["version"].as_str().unwrap_or("0.0.0").to_owned(),
             license: package["license"].as_str().map(str::to_owned),
             library: library
                 .and_then(|library| library["name"].as_str())
@@ -187,6 +190,7 @@ mod tests {
         Member {
             name: name.to_owned(),
             folder: PathBuf::new(),
+            version: "0.0.0".to_owned(),
             license: None,
             library: None,
             linked: false,

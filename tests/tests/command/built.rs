@@ -1,4 +1,4 @@
-//! The C in builds of others: by CMake and make, installed, and as a part of Zephyr, PX4, FreeRTOS and Arduino.
+//! The C in builds of others: by CMake and make, installed, and as a part of Zephyr, FreeRTOS and Arduino.
 //!
 //! CMake and make are the real ones. The systems are stand-ins for their headers (`tests/stubs/`): what is made for these is
 //! compiled, and run where this machine can.
@@ -132,12 +132,11 @@ fn installed_by_cmake(package: &Path, compiler: &Toolchain) {
     prints_the_same(compiler, &build.join("stub"));
 }
 
-/// As a part of Zephyr, PX4, FreeRTOS and Arduino, compiled against stand-ins for these.
+/// As a part of Zephyr, FreeRTOS and Arduino, compiled against stand-ins for these.
 pub fn packed(package: &Path) {
     zephyr(package);
     freertos(package);
     arduino(package);
-    px4(package);
 }
 
 /// The folder made for a system.
@@ -225,29 +224,4 @@ fn arduino(package: &Path) {
         run(&mut it.runner(&folder.join("sketch")));
     }
     fs::remove_dir_all(package.join("arduino")).expect("the folder");
-}
-
-fn px4(package: &Path) {
-    let folder = made_for(package, System::Px4, "px4");
-    for (message, topic) in
-        [("MotorStepInput", "motor_step_input"), ("MotorStepOutput", "motor_step_output")]
-    {
-        let text =
-            fs::read_to_string(folder.join(format!("msg/{message}.msg"))).expect("a message");
-        let fields = text.lines().filter_map(|line| line.split('#').next()?.trim().split_once(' '));
-        let fields: String = fields
-            .map(|(ty, name)| {
-                format!("{} {name};", ty.replace("float64", "double").replace("uint64", "uint64_t"))
-            })
-            .collect();
-        fs::create_dir_all(folder.join("src/uORB/topics")).expect("a folder");
-        let header =
-            format!("#pragma once\n#include <stdint.h>\nstruct {topic}_s {{ {fields} }};\n");
-        fs::write(folder.join(format!("src/uORB/topics/{topic}.h")), header).expect("a header");
-    }
-    for (it, program) in compilers().iter().filter_map(|it| Some((it, cpp(it)?))) {
-        let words = ["-std=c++14", "-fsyntax-only", "MotorStepModule.cpp"];
-        built(it, &program, &folder, "px4", &words);
-    }
-    fs::remove_dir_all(package.join("px4")).expect("the folder");
 }

@@ -47,6 +47,8 @@ pub struct Struct {
     pub component: bool,
     /// True if all fields are valid at any time: false for an enum with payload, an `Option`, a list.
     pub whole: bool,
+    /// True if a call works in it: its contents between two calls have no meaning.
+    pub scratch: bool,
     /// Function that sets it to its initial state or its default, if it has one.
     pub set_by: Option<String>,
     /// Words that this function sets, in memory order; the word of an enum is its value.
@@ -251,6 +253,7 @@ impl Writer<'_> {
             header: own.header.clone(),
             component: item.initial.is_some(),
             whole: item.form == Form::Record,
+            scratch: matches!(item.form, Form::Lent | Form::Shared),
             set_by: own.init.clone(),
             words: words.map(|words| self.in_memory(&ty, words)),
             size,

@@ -1,0 +1,396 @@
+//! The data that the templates of a pack show: the package, its components and their entry points.
+//!
+//! Invariants: each variable of a pack has a name of its own; the same C gives the same data. It must not know any
+//! system but by its [`Style`].
+
+use std::collections::BTreeSet;
+
+use bessemer_backend::c::interface::{Entry as Face, Interface, Parameter, Value};
+use bessemer_backend::c::names::Passing;
+use bessemer_codegen::compile::Compiled;
+use bessemer_project::firmware::{Call, calls, declared};
+use bessemer_project::{Project, build_files};
+use serde::Serialize;
+
+use super::fields::{Field, Fields, camel, small, snake, unique};
+
+/// Notation of a system for the fields of messages.
+pub struct Style {
+    /// Precedes a field that is read: `input.`.
+    pub input: &'static str,
+    /// Precedes a field that is written: `output.`.
+    pub output: &'static str,
+    /// Follows the name of a variable that lives as long as the firmware: `_` of a member.
+    pub kept: &'static str,
+    /// Fields that the system adds to each message.
+    pub taken: &'static [&'static str],
+}
+
+/// Names of variables in the templates.
+const LOCALS: &[&str] = &[
+    "input",
+    "output",
+    "result",
+    "status",
+    "pipe",
+    "buffer",
+    "run",
+    "id",
+    "size",
+    "message",
+    "node",
+    "support",
+    "executor",
+    "allocator",
+    "i",
+];
+
+/// The package.
+#[derive(Debug, Serialize)]
+pub struct Package {
+    /// Its name, in small letters.
+    pub name: String,
+    /// Its name in capitals.
+    pub upper: String,
+    /// Its name in capitalised words.
+    pub class: String,
+    /// Its version.
+    pub version: String,
+    /// The SPDX expression of the C.
+    pub license: String,
+    /// Flags of the compiler.
+    pub flags: String,
+    /// Those flags one by one.
+    pub flag_list: Vec<String>,
+    /// Identifiers of the messages of each entry point, for a system without names.
+    pub message_ids: Vec<MessageIds>,
+    /// The sources of C.
+    pub sources: Vec<String>,
+    /// The headers of C.
+    pub headers: Vec<String>,
+    /// The headers that declare the entry points and their types.
+    pub includes: Vec<String>,
+    /// The components.
+    pub components: Vec<Component>,
+    /// Values that the pack leaves to its user.
+    pub left_out: Vec<String>,
+    /// The files for CMake and make, of systems without a format of their own.
+    #[serde(skip)]
+    pub build_files: Vec<(String, String)>,
+}
+
+/// Identifiers of the messages of an entry point.
+#[derive(Debug, Serialize)]
+pub struct MessageIds {
+    /// The name of the entry point in capitals.
+    pub upper: String,
+    /// Identifier of its inputs.
+    pub input: String,
+    /// Identifier of its outputs.
+    pub output: String,
+}
+
+/// A component.
+#[derive(Debug, Serialize)]
+pub struct Component {
+    /// Its name in the C, without `_t`.
+    pub name: String,
+    /// Its name in capitals.
+    pub upper: String,
+    /// Its name in capitalised words.
+    pub class: String,
+    /// Its name in Rust.
+    pub rust: String,
+    /// Variables that live as long as the firmware.
+    pub kept: Vec<Kept>,
+    /// Those of them that a function sets.
+    pub begun: Vec<Kept>,
+    /// Headers of its entry points.
+    pub headers: Vec<String>,
+    /// Its entry points.
+    pub entries: Vec<Entry>,
+}
+
+/// A variable that lives as long as the firmware.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Kept {
+    /// Its type.
+    pub ty: String,
+    /// Its name.
+    pub name: String,
+    /// The function that sets it; none for the memory that calls work in.
+    pub set_by: Option<String>,
+}
+
+/// An entry point.
+#[derive(Debug, Serialize)]
+pub struct Entry {
+    /// Its name.
+    pub name: String,
+    /// Its name in capitals.
+    pub upper: String,
+    /// Its name in capitalised words.
+    pub class: String,
+    /// Its name in Rust.
+    pub rust: String,
+    /// The author's first line about it.
+    pub docs: String,
+    /// Its header.
+    pub header: String,
+    /// The name that PX4 and ROS derive from its message of inputs.
+    pub input_topic: String,
+    /// The name that PX4 and ROS derive from its message of outputs.
+    pub output_topic: String,
+    /// Bound of its stack, in bytes.
+    pub stack_bytes: u64,
+    /// Declarations of the variables of one call.
+    pub locals: Vec<Local>,
+    /// Conditions under which an input holds no enumerator.
+    pub refused: Vec<String>,
+    /// Statements that read the message of inputs.
+    pub taken: Vec<String>,
+    /// The call.
+    pub call: String,
+    /// The call from a member function of the same name.
+    pub global_call: String,
+    /// Statements that write the message of outputs.
+    pub returned: Vec<String>,
+    /// Fields of the message of inputs.
+    pub inputs: Vec<Field>,
+    /// Fields of the message of outputs.
+    pub outputs: Vec<Field>,
+    /// Places that no field holds.
+    pub left_out: Vec<String>,
+    /// Definitions of static variables in an example.
+    pub statics: String,
+    /// Statements of an example that set them.
+    pub begin: Vec<String>,
+    /// Lines of an example for one period.
+    pub period: Vec<String>,
+}
+
+/// A variable of one call.
+#[derive(Debug, Serialize)]
+pub struct Local {
+    /// Its declaration.
+    pub line: String,
+    /// Its name.
+    pub name: String,
+}
+
+/// The data of a package.
+pub fn package(project: &Project, compiled: &Compiled, style: &Style) -> Package {
+    let face = &compiled.interface;
+    let name = compiled.module.name.replace('-', "_");
+    let named = |end: &str| -> Vec<String> {
+        let files = compiled.files.iter().filter(|it| it.name.ends_with(end));
+        files.map(|it| it.name.clone()).collect()
+    };
+    let mut includes: Vec<String> = face.entries.iter().map(|it| it.header.clone()).collect();
+    includes.extend(face.structs.iter().map(|it| it.header.clone()));
+    includes.sort_unstable();
+    includes.dedup();
+    let mut variables: BTreeSet<String> = LOCALS.iter().map(|it| (*it).to_owned()).collect();
+    let components: Vec<Component> = face
+        .structs
+        .iter()
+        .filter(|it| it.component)
+        .filter_map(|it| component(compiled, (&it.name, &it.rust), style, &mut variables))
+        .collect();
+    let mut left_out = Vec::new();
+    for entry in components.iter().flat_map(|it| &it.entries) {
+        for place in &entry.left_out {
+            let why = "holds a value in some states only: fill or read it in code of your own";
+            left_out.push(format!("`{place}` of `{}` {why}", entry.rust));
+        }
+    }
+    let entries = components.iter().flat_map(|it| &it.entries);
+    let message_ids = entries.zip((0x0980_u32..).step_by(2)).map(|(entry, first)| MessageIds {
+        upper: entry.upper.clone(),
+        input: format!("0x{first:04X}"),
+        output: format!("0x{:04X}", first + 1),
+    });
+    let message_ids = message_ids.collect();
+    let options = &project.settings.options;
+    let flags = build_files::flags(options);
+    let builds = build_files::files(compiled, options).into_iter();
+    Package {
+        upper: name.to_uppercase(),
+        class: camel(&name),
+        name,
+        version: project.package.version.clone(),
+        license: compiled.license.clone(),
+        flag_list: flags.split(' ').map(str::to_owned).collect(),
+        flags,
+        message_ids,
+        sources: named(".c"),
+        headers: named(".h"),
+        includes,
+        components,
+        left_out,
+        build_files: builds.map(|it| (format!("src/{}", it.name), it.text)).collect(),
+    }
+}
+
+fn component(
+    compiled: &Compiled,
+    (ty, rust): (&str, &str),
+    style: &Style,
+    variables: &mut BTreeSet<String>,
+) -> Option<Component> {
+    let face = &compiled.interface;
+    let name = ty.strip_suffix("_t").unwrap_or(ty).to_owned();
+    let mut kept: Vec<(String, Kept)> = Vec::new();
+    let of = |it: &Call<'_>| it.entry.parameters.first().is_some_and(|it| it.value.ty == ty);
+    let all: Vec<Call<'_>> = calls(face).filter(of).collect();
+    // Those of all calls first: what one call declares then never hides them.
+    for (at, parameter) in all.iter().flat_map(|it| it.entry.parameters.iter().enumerate()) {
+        let (value, own) = (&parameter.value, if at == 0 { &name } else { &parameter.name });
+        let known = kept.iter().any(|(known, it)| known == own && it.ty == value.ty);
+        if lives_long(face, parameter) && !known {
+            let set_by = face.structure(&value.ty).and_then(|it| it.set_by.clone());
+            let name = unique(own, variables) + style.kept;
+            kept.push((own.clone(), Kept { ty: value.ty.clone(), name, set_by }));
+        }
+    }
+    let entries: Vec<Entry> =
+        all.iter().map(|it| entry(compiled, it, &name, (&kept, style, variables))).collect();
+    let mut headers: Vec<String> = entries.iter().map(|it| it.header.clone()).collect();
+    headers.sort_unstable();
+    headers.dedup();
+    let kept: Vec<Kept> = kept.into_iter().map(|it| it.1).collect();
+    let begun = kept.iter().filter(|it| it.set_by.is_some()).cloned().collect();
+    let (upper, class) = (name.to_uppercase(), camel(&small(&name)));
+    let rust = rust.rsplit("::").next().unwrap_or(rust).to_owned();
+    let some = !entries.is_empty();
+    some.then_some(Component { name, upper, class, rust, kept, begun, headers, entries })
+}
+
+/// Returns true if a variable lives as long as the firmware: states, data with defaults, the memory that calls work in.
+fn lives_long(face: &Interface, it: &Parameter) -> bool {
+    let single = it.value.dimensions.is_empty();
+    face.structure(&it.value.ty)
+        .filter(|_| single)
+        .is_some_and(|of| of.scratch || (of.set_by.is_some() && it.passing != Passing::Output))
+}
+
+fn entry(
+    compiled: &Compiled,
+    example: &Call<'_>,
+    component: &str,
+    (kept, style, variables): (&[(String, Kept)], &Style, &BTreeSet<String>),
+) -> Entry {
+    let (face, own) = (&compiled.interface, example.entry);
+    let mut variables = variables.clone();
+    let mut inputs = Fields::new(face, style.taken);
+    let mut outputs = Fields::new(face, style.taken);
+    let (mut locals, mut arguments) = (Vec::new(), Vec::new());
+    for (at, it) in own.parameters.iter().enumerate() {
+        let own = if at == 0 { component } else { it.name.as_str() };
+        let long = kept.iter().find(|(known, kept)| known == own && kept.ty == it.value.ty);
+        let name = match long.filter(|_| lives_long(face, it)) {
+            Some((_, kept)) => kept.name.clone(),
+            None => {
+                let name = unique(own, &mut variables);
+                let line = declared(&name, &it.value);
+                locals.push(Local { line, name: name.clone() });
+                if it.passing != Passing::Output {
+                    inputs.add(&name, &it.value);
+                }
+                if matches!(it.passing, Passing::Output | Passing::InOut) {
+                    outputs.add(&name, &it.value);
+                }
+                name
+            }
+        };
+        let by_address = it.passing != Passing::Value && it.value.dimensions.is_empty();
+        arguments.push(format!("{}{name}", if by_address { "&" } else { "" }));
+    }
+    let call = format!("{}({})", own.name, arguments.join(", "));
+    let call = match (&own.result, own.status) {
+        (Some(value), _) => {
+            outputs.add("result", value);
+            format!("const {} result = {call};", value.ty)
+        }
+        (None, true) => {
+            outputs.add("status", &status());
+            format!("const int32_t status = (int32_t){call};")
+        }
+        (None, false) => format!("{call};"),
+    };
+    let global_call = call.replacen(&format!("{}(", own.name), &format!("::{}(", own.name), 1);
+    let class = camel(&small(&own.name));
+    let mut left_out = inputs.left_out;
+    left_out.extend(outputs.left_out);
+    left_out.dedup();
+    let stack = compiled.entries.iter().find(|it| it.entry == own.name);
+    Entry {
+        upper: own.name.to_uppercase(),
+        rust: own.rust.clone(),
+        docs: first_line(own),
+        header: own.header.clone(),
+        input_topic: snake(&format!("{class}Input")),
+        output_topic: snake(&format!("{class}Output")),
+        stack_bytes: stack.map_or(0, |it| it.stack_bytes),
+        locals,
+        refused: inputs.all.iter().filter_map(|it| refused(it, style)).collect(),
+        taken: inputs.all.iter().map(|it| taken(it, style)).collect(),
+        call,
+        global_call,
+        returned: outputs.all.iter().map(|it| returned(it, style)).collect(),
+        inputs: inputs.all,
+        outputs: outputs.all,
+        left_out,
+        statics: example.statics(),
+        begin: example.begin.clone(),
+        period: example.period("").lines().map(str::to_owned).collect(),
+        name: own.name.clone(),
+        class,
+    }
+}
+
+fn first_line(entry: &Face) -> String {
+    entry.docs.first().unwrap_or(&entry.rust).trim().to_owned()
+}
+
+/// The value of a status: a number.
+fn status() -> Value {
+    Value {
+        ty: "int32_t".to_owned(),
+        dimensions: Vec::new(),
+        matrix: None,
+        unit: None,
+        range: None,
+    }
+}
+
+/// The condition under which a field holds no enumerator.
+fn refused(field: &Field, style: &Style) -> Option<String> {
+    let (_, values) = field.choice.as_ref()?;
+    let each = values.iter().map(|it| format!("({}{} != {it})", style.input, field.name));
+    Some(each.collect::<Vec<_>>().join(" && "))
+}
+
+fn taken(field: &Field, style: &Style) -> String {
+    let Field { name, place, .. } = field;
+    let from = style.input;
+    match (&field.choice, field.count) {
+        (Some((ty, _)), _) => format!("{place} = ({ty}){from}{name};"),
+        (None, None) => format!("{place} = {from}{name};"),
+        (None, Some(count)) => each_element(count, &format!("{place}[i] = {from}{name}[i];")),
+    }
+}
+
+fn returned(field: &Field, style: &Style) -> String {
+    let Field { name, place, .. } = field;
+    let to = style.output;
+    match (&field.choice, field.count) {
+        (Some(_), _) => format!("{to}{name} = (int32_t){place};"),
+        (None, None) => format!("{to}{name} = {place};"),
+        (None, Some(count)) => each_element(count, &format!("{to}{name}[i] = {place}[i];")),
+    }
+}
+
+fn each_element(count: u32, statement: &str) -> String {
+    format!("for (uint32_t i = 0U; i < {count}U; i++) {{ {statement} }}")
+}
