@@ -253,6 +253,7 @@ Python's venv            found         test (not --host)  installs the next belo
 numpy                    found         test (not --host)  the arrays of what `cargo bessemer py` makes
 FMPy                     found         test (not --host)  steps what `cargo bessemer fmu` makes
 pya2l                    found         test (not --host)  reads what `cargo bessemer a2l` makes
+FPP                      found         test --full        reads what `cargo bessemer pack fprime` makes
 aarch64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for ARM of 64 bits
 aarch64 C library        found         test --full        headers and libraries for the above
 qemu-aarch64             7.2.22        test --full        runs it
