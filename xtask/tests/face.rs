@@ -165,7 +165,7 @@ fn packages_of_pythons_come_last_and_below_target() {
         last,
         format!(
             "python3 -m venv --clear {own} && {own}/bin/pip install --quiet --no-compile \
-             numpy==2.3.5 fmpy==0.3.32 pya2ldb==1.0.355 pymavlink==2.4.50"
+             numpy==2.3.5 fmpy==0.3.32 pya2ldb==1.0.355 fprime-fpp==3.4.0 pymavlink==2.4.50"
         )
     );
 }
