@@ -193,9 +193,20 @@ fn dependency(folder: &Path, wanted: &New) -> Result<String, Error> {
     let dsl = match wanted.path.as_deref().filter(|path| path.is_relative()) {
         // As it was given, so that the two can be moved together.
         Some(path) => Path::new("..").join(path).join("dsl"),
-        None => given.canonicalize().unwrap_or(given).join("dsl"),
+        None => between(&folder.join(&wanted.name), &given).join("dsl"),
     };
     Ok(format!("bessemer = {{ path = \"{}\" }}", dsl.display()))
+}
+
+/// The relative path from a folder that need not exist yet to another. No manifest then names a folder of one machine.
+fn between(from: &Path, to: &Path) -> PathBuf {
+    let real = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let parent =
+        real(from.parent().filter(|it| !it.as_os_str().is_empty()).unwrap_or(".".as_ref()));
+    let (from, to) = (parent.join(from.file_name().unwrap_or_default()), real(to));
+    let common = from.components().zip(to.components()).take_while(|(a, b)| a == b).count();
+    let up = from.components().skip(common).map(|_| Path::new("..").to_owned());
+    up.chain(to.components().skip(common).map(|it| PathBuf::from(it.as_os_str()))).collect()
 }
 
 #[cfg(test)]
@@ -227,6 +238,22 @@ mod tests {
         fs::write(folder.path().join("b/dsl/Cargo.toml"), "").expect("a file");
         let line = dependency(folder.path(), &new("b")).expect("it is there");
         assert_eq!(line, "bessemer = { path = \"../b/dsl\" }");
+    }
+
+    #[test]
+    fn a_checkout_of_this_machine_is_named_from_the_package_on() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (work, checkout) = (folder.path().join("work"), folder.path().join("b"));
+        fs::create_dir_all(&work).expect("a folder");
+        fs::create_dir_all(checkout.join("dsl")).expect("a folder");
+        fs::write(checkout.join("dsl/Cargo.toml"), "").expect("a file");
+        let new = New { name: "m".to_owned(), path: Some(checkout), git: None };
+        let line = dependency(&work, &new).expect("it is there");
+        assert_eq!(line, "bessemer = { path = \"../../b/dsl\" }");
+        assert_eq!(
+            dependency(folder.path(), &new).expect("it is there").replace("../b", ""),
+            "bessemer = { path = \"/dsl\" }"
+        );
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! The build is cargo's build of the package's library with the DSL's feature `generate`, so the package itself needs
 //! neither a feature nor a program. rustc's errors about builders are reported in the author's terms.
 
+use std::io::{BufRead, BufReader, IsTerminal, Read};
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
@@ -150,10 +151,12 @@ fn build(
     sources: &Sources,
     generating: bool,
 ) -> Result<(Built, Vec<Diagnostic>), Error> {
-    let mut command = cargo(&["build", "--quiet", "--lib"]);
+    let mut command = cargo(&["build", "--lib"]);
     command
         .args(["--message-format=json-diagnostic-rendered-ansi", "--package", &job.package])
         .current_dir(&job.root)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
         .stderr(Stdio::piped());
     if generating {
         command.args(["--features", "bessemer/generate"]);
@@ -162,8 +165,11 @@ fn build(
         }
         settings(&job.package).for_each(|it| _ = command.args(["--config", &it]));
     }
-    let output =
-        command.output().map_err(|source| Error::Run { program: cargo_program(), source })?;
+    let failed = |source| Error::Run { program: cargo_program(), source };
+    let mut child = command.spawn().map_err(failed)?;
+    let voice = child.stderr.take().map(|lines| std::thread::spawn(move || heard(lines)));
+    let output = child.wait_with_output().map_err(failed)?;
+    let stderr = voice.and_then(|it| it.join().ok()).unwrap_or_default();
     let text = String::from_utf8_lossy(&output.stdout);
     let messages: Vec<Value> =
         text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
@@ -176,6 +182,50 @@ fn build(
     if !errors.is_empty() {
         return Err(Error::Models(Told::new(errors, sources, job.colour)));
     }
-    let stderr = String::from_utf8_lossy(&output.stderr).trim().to_owned();
-    Err(Error::Models(Told::plain(stderr)))
+    Err(Error::Models(Told::plain(stderr.trim().to_owned())))
+}
+
+/// Reads what cargo prints, and passes its progress through if somebody sees it: a first build takes minutes.
+fn heard(lines: impl Read) -> String {
+    let seen = std::io::stderr().is_terminal();
+    let mut text = String::new();
+    for line in BufReader::new(lines).lines().map_while(Result::ok) {
+        if !is_progress(&line) {
+            text += &line;
+            text.push('\n');
+        } else if seen {
+            eprintln!("{line}");
+        }
+    }
+    text
+}
+
+/// Returns true for a line of cargo that reports progress, and no error.
+fn is_progress(line: &str) -> bool {
+    const VERBS: [&str; 9] = [
+        "Blocking",
+        "Compiling",
+        "Downloaded",
+        "Downloading",
+        "Finished",
+        "Locking",
+        "Adding",
+        "Updating",
+        "Waiting",
+    ];
+    // Cargo puts a verb of progress behind spaces; an error is at the margin.
+    line.starts_with(' ') && VERBS.iter().any(|verb| line.trim_start().starts_with(verb))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn progress_is_passed_through_and_errors_are_kept() {
+        let lines = "    Blocking waiting for file lock on build directory\n   Compiling motor v0.1.0\n\
+                     error: no such feature\n\n    Finished `dev` profile\n";
+        assert_eq!(heard(lines.as_bytes()), "error: no such feature\n\n");
+        assert!(is_progress("  Downloading 3 crates") && !is_progress("error: could not compile"));
+    }
 }

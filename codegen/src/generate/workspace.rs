@@ -4,6 +4,7 @@
 
 use std::ffi::OsString;
 use std::fs::{self, File};
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -92,13 +93,24 @@ impl Workspace {
         }
     }
 
+    /// Locks a file, and says so if that has to wait.
+    fn lock(&self, file: File) -> std::io::Result<File> {
+        if file.try_lock().is_err() {
+            if std::io::stderr().is_terminal() {
+                eprintln!("    Blocking waiting for another build in {}", self.target.display());
+            }
+            file.lock()?;
+        }
+        Ok(file)
+    }
+
     /// Waits until no other run holds the lock of this name in the target folder, and holds it until the result is
     /// dropped.
     pub(super) fn alone(&self, name: &str) -> Result<File, Error> {
         let path = self.target.join(name);
         let locked = fs::create_dir_all(&self.target)
             .and_then(|()| File::create(&path))
-            .and_then(|file| file.lock().map(|()| file));
+            .and_then(|file| self.lock(file));
         locked.map_err(|source| Error::File { path, source })
     }
 
