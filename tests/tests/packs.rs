@@ -1,4 +1,4 @@
-//! What `cargo bessemer pack` writes for each system: complete, described, and compiled against the smallest stand-ins
+//! Packs of `cargo bessemer pack` for each system: complete, described, and compiled against the smallest stand-ins
 //! for the system's own headers (`tests/stubs/`). Messages and ports become headers here as the systems' tools make them.
 
 use std::fmt::Write as _;
@@ -10,7 +10,7 @@ use bessemer_tests::toolchain::{self, run};
 use cargo_bessemer::args::{Pack, System};
 use cargo_bessemer::pack;
 
-/// A component for `firmware`'s models: structs, enums, arrays and matrices as parameters and results, two entry points
+/// A component for `firmware`'s models. It has structs, enums, arrays and matrices as parameters and results, two entry points
 /// with one state, names that meet in a message, and a value that is there in some states only.
 pub const WATCH: &str = "
 /// Everything that a message may have to hold.
@@ -51,7 +51,7 @@ pub mod watch {
         pub axes: [Axis; 2],
         /// Attitude.
         pub attitude: Matrix2<f32>,
-        /// Which sensors are well.
+        /// Flags of sensors that are well.
         pub well: [bool; 3],
         /// The last fix, if there was one.
         pub fix: Option<f64>,
@@ -295,7 +295,7 @@ fn px4(built: &Built<'_>) {
     }
 }
 
-/// Runs what ArduPilot would call: structs are flattened and put back, and what is no enumerator is refused.
+/// Calls the library as ArduPilot does: structs are flattened and put back, and a number that is no enumerator is refused.
 const ARDUPILOT: &str = r#"#include "AP_NewWatch.h"
 #include <stdio.h>
 int main()

@@ -60,7 +60,7 @@ pub struct Package {
     pub license: String,
     /// Flags of the compiler.
     pub flags: String,
-    /// Those flags one by one.
+    /// Flags of the compiler, one by one.
     pub flag_list: Vec<String>,
     /// Identifiers of the messages of each entry point, for a system without names.
     pub message_ids: Vec<MessageIds>,
@@ -103,7 +103,7 @@ pub struct Component {
     pub rust: String,
     /// Variables that live as long as the firmware.
     pub kept: Vec<Kept>,
-    /// Those of them that a function sets.
+    /// Kept variables that a function sets.
     pub begun: Vec<Kept>,
     /// Headers of its entry points.
     pub headers: Vec<String>,

@@ -209,7 +209,7 @@ fn arduino(package: &Path) {
             built(it, it.compiler, &folder, "arduino", &words);
         }
         if it.bare {
-            // Its libraries of C++ are a package of their own, and no part of what is asked here.
+            // Its libraries of C++ are a package of their own, which the sketch does not need.
             built(
                 it,
                 &program,

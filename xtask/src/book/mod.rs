@@ -234,8 +234,7 @@ mod tests {
         sections
     }
 
-    /// The page that mdBook's search lists first: all words, by how rare they are, how often and in how short a field
-    /// they occur; a title weighs twice.
+    /// The page that mdBook's search lists first. A rare word, a short field and a title weigh more.
     fn found<'s>(sections: &'s [Section], query: &str) -> &'s str {
         let query = words(query);
         let weight = |field: &[String], word: &String| {

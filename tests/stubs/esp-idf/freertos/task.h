@@ -1,4 +1,4 @@
-/* A stand-in for ESP-IDF's header of this name, for a test: its FreeRTOS is that of the other test. */
+/* A stand-in for ESP-IDF's header of this name, for a test; the other test has its FreeRTOS. */
 #include "../../freertos/task.h"
 
 void app_main(void);
