@@ -49,7 +49,7 @@ pub fn depth(arguments: &TokenStream) -> u32 {
     }
 }
 
-/// Marks the functions in a body, each a function of its own, which stands so deep in others.
+/// Marks the functions inside a body as functions of the DSL, with their nesting depth.
 pub fn mark_inner(body: &mut syn::Block, depth: u32) {
     for stmt in &mut body.stmts {
         if let syn::Stmt::Item(syn::Item::Fn(inner)) = stmt {

@@ -39,7 +39,7 @@ pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
     }
 }
 
-/// `#[data] pub type PidF32 = Pid<f32>;`: the name of an instance, which makes it part of the C.
+/// Expands `#[data] pub type PidF32 = Pid<f32>;`, which names an instance and so makes it part of the C.
 pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     for parameter in &it.generics.params {
         refusals.add(parameter, refuse::GENERIC_ALIAS);

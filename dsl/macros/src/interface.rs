@@ -1,7 +1,7 @@
-//! Interfaces: annotated traits, and their implementations.
+//! Expands interfaces: annotated traits, and their implementations.
 //!
-//! In a generation build a trait has two hidden items for each method: the companion, and the builder,
-//! which each implementation brings for its own methods and the trait for those with a default.
+//! In a generation build a trait has two hidden items for each method: the companion, and the builder. An
+//! implementation defines the builders of its own methods, and the trait those of methods with a default.
 
 use bessemer_tree::Role;
 use proc_macro2::TokenStream;
@@ -19,7 +19,7 @@ use crate::own_numbers;
 use crate::place;
 use crate::redirect;
 
-/// `#[interface]`.
+/// Expands `#[interface]`.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut refusals = Refusals::default();
     if !arguments.is_empty() {
@@ -43,7 +43,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     quote! { #errors #it #beside }
 }
 
-/// Gives the trait its hidden items; what is beside it are the markers of its methods.
+/// Adds the hidden items to the trait, and returns the markers of its methods.
 fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
     let (name, generics) = (it.ident.clone(), it.generics.clone());
     let (mut hidden, mut beside) = (Vec::new(), TokenStream::new());
@@ -107,7 +107,7 @@ fn is_self(ty: &syn::Type) -> bool {
     matches!(ty, syn::Type::Path(it) if it.path.is_ident("Self"))
 }
 
-/// The method as Rust runs it.
+/// Returns the native method.
 fn native(
     method: &mut syn::TraitItemFn,
     refusals: Refusals,
@@ -140,7 +140,7 @@ struct Method<'a> {
 }
 
 impl Method<'_> {
-    /// The hidden items of the trait, and the marker beside it.
+    /// Returns the hidden items of the trait, and the marker beside it.
     fn expand(self, refusals: &mut Refusals) -> Option<(Vec<syn::TraitItem>, TokenStream)> {
         let Method { interface, generics, method, asked } = self;
         let (signature, empty) = (&method.sig, syn::parse_quote!({}));
@@ -191,7 +191,7 @@ impl Method<'_> {
     }
 }
 
-/// The `impl` block of an interface as Rust runs it, and what is beside it.
+/// Returns the native `impl` block of an interface, and the items beside it.
 pub fn implementation(
     kind: Kind,
     mut it: syn::ItemImpl,
@@ -257,7 +257,7 @@ pub fn implementation(
     (it.into_token_stream(), beside)
 }
 
-/// Asks the trait whether it is an interface.
+/// Returns code that compiles only if the trait is an interface.
 fn marked(scope: Scope<'_>, owner: &syn::Type, path: &syn::Path) -> TokenStream {
     let (declared, bounds) = match lower::generating() {
         true => (scope.declared(), scope.value_bounds([])),

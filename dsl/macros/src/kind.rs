@@ -1,10 +1,10 @@
-//! The attribute of a type: persistent state or values.
+//! Attribute of a type: persistent state or values.
 
 /// Attribute of the item.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// `#[data]`.
+    /// `#[data]`, for values.
     Data,
-    /// `#[component]`.
+    /// `#[component]`, for persistent state.
     Component,
 }

@@ -1,8 +1,9 @@
-//! The attribute macros: `#[data]`, `#[component]`, `#[function]`, `#[interface]`, `#[entry]`.
+//! Attribute macros: `#[data]`, `#[component]`, `#[function]`, `#[interface]`, `#[entry]`.
 //!
-//! Each leaves the Rust item as written, save that scalar methods go to the DSL ([`redirect`]), and
-//! refuses at its own token what the DSL does not take ([`lower`]). In a generation build it adds the builder of the item's
-//! tree ([`builder`]): there the DSL gives the names of the attributes to others, so that one build of this crate serves both.
+//! Each leaves the Rust item as written, except that scalar methods are redirected to the DSL ([`redirect`]). It
+//! refuses unsupported code at its own token ([`lower`]). In a generation build it adds the builder of the item's
+//! tree ([`builder`]); the DSL then exports other macros under these names, so that one build of this crate serves
+//! both.
 //!
 //! Must not know: types. rustc supplies them through the witness slots of the builder.
 
@@ -38,7 +39,7 @@ use kind::Kind;
 /// expressions: a sum has a level for each term.
 const STACK: usize = 1 << 28;
 
-/// Expands on a stack of its own.
+/// Expands on a large stack.
 fn deep(expand: impl FnOnce() -> proc_macro2::TokenStream) -> TokenStream {
     stacker::grow(STACK, expand).into()
 }
@@ -159,7 +160,7 @@ pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
     deep(|| function::expand(arguments.into(), item.into()))
 }
 
-/// A block of the DSL's own library: free functions that say what the methods of a type of std's or nalgebra's compute.
+/// Expands a block of the DSL's library: free functions that define the methods of one of std's or nalgebra's types.
 #[doc(hidden)]
 #[proc_macro_attribute]
 pub fn library(arguments: TokenStream, item: TokenStream) -> TokenStream {
@@ -356,7 +357,7 @@ pub fn entry(_arguments: TokenStream, item: TokenStream) -> TokenStream {
     alone(item.into(), lower::refuse::ENTRY_ALONE)
 }
 
-/// An attribute that means something only below another.
+/// Refuses an attribute that is valid only below another.
 fn alone(item: proc_macro2::TokenStream, reason: lower::refuse::Reason) -> TokenStream {
     let mut refusals = lower::Refusals::default();
     refusals.add(lower::refuse::first_token(&item), reason);
@@ -364,7 +365,7 @@ fn alone(item: proc_macro2::TokenStream, reason: lower::refuse::Reason) -> Token
     quote::quote! { #error #item }.into()
 }
 
-/// The attributes of a generation build.
+/// Defines the attributes of a generation build.
 macro_rules! in_generation {
     ($($name:ident: $attribute:ident;)*) => {$(
         #[doc(hidden)]

@@ -1,7 +1,7 @@
-//! Blocks of the library: functions of the DSL that say what the methods of one of std's or nalgebra's types compute.
+//! Blocks of the library: functions of the DSL that define the methods of one of std's or nalgebra's types.
 //!
-//! Each becomes a free function, generic over what its block is generic over. In a generation build the block gives a
-//! trait with the companions of these methods as well, by which rustc finds the function where it finds the method.
+//! Each becomes a free function with its block's generic parameters. In a generation build the block also yields a
+//! trait with companions of these methods, by which rustc finds the function where it finds the method.
 
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -14,8 +14,8 @@ use crate::generics::{Scope, ident};
 use crate::witness::result_type;
 use crate::{builder, closures, function, lower};
 
-/// `#[library(Norms)] impl<T: Real, const N: usize> SVector<T, N> { … }`: `Norms` is the trait. `#[library(Norms, expand)]`: its
-/// functions are `#[function(expand)]`, unless they say otherwise.
+/// Expands `#[library(Norms)] impl<T: Real, const N: usize> SVector<T, N> { … }`, where `Norms` names the trait. With
+/// `#[library(Norms, expand)]` its functions are `#[function(expand)]`, unless they have other arguments.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     block(arguments, item).unwrap_or_else(syn::Error::into_compile_error)
 }
@@ -64,18 +64,18 @@ fn block(arguments: TokenStream, item: TokenStream) -> syn::Result<TokenStream> 
     })
 }
 
-/// Attributes of a function in a block, beside its documentation.
+/// Attributes of a function in a block, besides its documentation.
 struct Asked {
-    /// `#[function(expand)]`: the arguments, those of the block where it is left out.
+    /// Arguments of `#[function(expand)]`, or else the block's.
     function: TokenStream,
-    /// `#[method(norm, magnitude)]`: the methods that the function is, where its own name is not the only one.
+    /// Names in `#[method(norm, magnitude)]`: methods that the function defines, if not only its own name.
     methods: Vec<syn::Ident>,
-    /// `#[by_value(z)]`: what these take by value, though the function borrows it.
+    /// Names in `#[by_value(z)]`: parameters that the methods take by value, though the function borrows them.
     by_value: Vec<syn::Ident>,
 }
 
 impl Asked {
-    /// Takes it off the function; `function` is what its block says.
+    /// Removes the attributes from the function and returns them; `function` has the block's arguments.
     fn take(method: &mut syn::ImplItemFn, function: TokenStream) -> syn::Result<Asked> {
         let mut asked = Asked { function, methods: Vec::new(), by_value: Vec::new() };
         for attribute in std::mem::take(&mut method.attrs) {
@@ -97,12 +97,12 @@ impl Asked {
         Ok(asked)
     }
 
-    /// Returns true if calls of it are rewritten, whatever their types.
+    /// Returns true if calls of it are rewritten, for any types.
     fn is_rewritten(&self) -> bool {
         self.function.to_string() == "rewrite"
     }
 
-    /// The companions of the methods that a function is.
+    /// Returns the companions of the methods that a function defines.
     fn companions(&self, signature: &syn::Signature, own: &syn::Generics) -> TokenStream {
         let (all, values) = (closures::without(&signature.generics), closures::without(own));
         let (all, values) = (Scope::of_function(&all), Scope::of_function(&values));
@@ -121,7 +121,7 @@ impl Asked {
         quote! { #(fn #names #head { ::core::unreachable!() })* }
     }
 
-    /// A parameter of such a companion: the first, if it is of the type of the block, is the receiver.
+    /// Returns a parameter of such a companion; the first, if it has the block's type, is the receiver.
     fn parameter(&self, at: usize, input: &syn::FnArg) -> TokenStream {
         let syn::FnArg::Typed(it) = input else { return input.to_token_stream() };
         let ty = match &*it.ty {
@@ -141,7 +141,7 @@ impl Asked {
         }
     }
 
-    /// Returns true if methods take a parameter by value.
+    /// Returns true if the methods take a parameter by value.
     fn takes(&self, pattern: &syn::Pat) -> bool {
         matches!(pattern, syn::Pat::Ident(it) if self.by_value.contains(&it.ident))
     }
@@ -161,7 +161,7 @@ fn own_generics(generics: &mut syn::Generics, block: &syn::Generics) -> syn::Gen
     own
 }
 
-/// `Self` in place of a parameter.
+/// Replaces a type parameter by `Self`.
 fn in_place_of(parameter: &syn::Ident, tokens: TokenStream) -> TokenStream {
     let of = |token| match token {
         TokenTree::Ident(it) if it == *parameter => TokenTree::Ident(Ident::new("Self", it.span())),
@@ -182,7 +182,7 @@ fn is_owner(ty: &syn::TypePath) -> bool {
     ty.path.is_ident("Self")
 }
 
-/// Puts the type of a block in place of `Self`.
+/// Visitor that replaces `Self` by the type of a block.
 struct Owner<'a>(&'a syn::Type);
 
 impl VisitMut for Owner<'_> {

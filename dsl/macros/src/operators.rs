@@ -1,9 +1,9 @@
-//! Operators and conversions of authors' own types: `#[data] impl Add for Phasor`, `impl From<f64> for Phasor`,
-//! `impl FromIterator<usize> for Inputs`, `impl Iterator for Countdown`.
+//! Operators and conversions of authors' types: `#[data] impl Add for Phasor`, `impl From<f64> for Phasor`, `impl
+//! FromIterator<usize> for Inputs`, `impl Iterator for Countdown`.
 //!
-//! The trait is Rust's own and has no room for a builder, so that is in a trait of the DSL beside it, which the
-//! witness copies of callers request. A conversion has a companion besides, since it is called by a name. `==`, the
-//! conversion that `?` makes and what a loop goes through are looked up by type when all is built, in a registry.
+//! A standard trait has no room for a builder, so a trait of the DSL beside it has the builder, and callers' witness
+//! copies require that trait. A conversion also has a companion, since it is called by name. `==`, the conversions of
+//! `?` and the `next` of loops are found by type in a registry, after all builders ran.
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -18,16 +18,16 @@ use crate::lower::{self, Refusals, refuse};
 use crate::place;
 use crate::redirect;
 
-/// A trait whose implementations are called by something else than their name.
+/// A standard trait whose implementations are called without its name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Known {
-    /// `a + b`, `a |= b`, `-a`, `a == b`.
+    /// An operator: `a + b`, `a |= b`, `-a`, `a == b`.
     Operator,
-    /// `From`, `TryFrom`.
+    /// A conversion: `From`, `TryFrom`.
     Conversion,
-    /// `FromIterator`, `Extend`.
+    /// A collection: `FromIterator`, `Extend`.
     Gathering,
-    /// `Iterator`.
+    /// An iterator: `Iterator`.
     Iteration,
 }
 
@@ -49,7 +49,7 @@ fn last(path: &syn::Path) -> String {
     path.segments.last().map(|last| lower::text(&last.ident)).unwrap_or_default()
 }
 
-/// The `impl` block as Rust runs it, and what is beside it.
+/// Returns the native `impl` block, and the items beside it.
 pub fn implementation(
     kind: Kind,
     known: Known,
@@ -135,7 +135,7 @@ fn gone_through(owner: &syn::Type) -> Option<TokenStream> {
     Some(quote! { const _: () = { #registered }; })
 }
 
-/// `==` compares values of one type, and `!=` is its opposite.
+/// Refuses `==` of two types, and an own `!=`: it compares values of one type, and `!=` is its negation.
 fn check_equality(it: &syn::ItemImpl, other: &syn::Type, refusals: &mut Refusals) {
     let text = |ty: &syn::Type| ty.to_token_stream().to_string();
     if text(other) != text(&it.self_ty) {
@@ -150,7 +150,7 @@ fn check_equality(it: &syn::ItemImpl, other: &syn::Type, refusals: &mut Refusals
     }
 }
 
-/// The other operand, or what is converted: the argument of the trait, if that is not the type itself.
+/// Returns the other operand, or the source of a conversion: the trait's argument, unless it is the type itself.
 fn argument(path: &syn::Path) -> Option<syn::Type> {
     let syn::PathArguments::AngleBracketed(list) = &path.segments.last()?.arguments else {
         return None;
@@ -162,7 +162,7 @@ fn argument(path: &syn::Path) -> Option<syn::Type> {
     })
 }
 
-/// The types that the block names: `Output`, `Error`.
+/// Returns the associated types of the block: `Output`, `Error`.
 fn associated(it: &syn::ItemImpl) -> Vec<(syn::Ident, syn::Type)> {
     let types = it.items.iter().filter_map(|item| match item {
         syn::ImplItem::Type(it) => Some((it.ident.clone(), it.ty.clone())),
@@ -171,7 +171,7 @@ fn associated(it: &syn::ItemImpl) -> Vec<(syn::Ident, syn::Type)> {
     types.collect()
 }
 
-/// Writes out `Self::Output`: beside the block the name means nothing.
+/// Visitor that replaces `Self::Output` by its type, since it has no meaning beside the block.
 struct Named<'a>(&'a [(syn::Ident, syn::Type)]);
 
 impl VisitMut for Named<'_> {
@@ -189,7 +189,7 @@ impl VisitMut for Named<'_> {
     }
 }
 
-/// A method and what it belongs to.
+/// A method with its context.
 struct Beside<'a> {
     owner: &'a syn::Type,
     path: &'a syn::Path,
@@ -199,7 +199,7 @@ struct Beside<'a> {
 }
 
 impl Beside<'_> {
-    /// The builder, and how callers find it.
+    /// Returns the builder, and the items by which callers find it.
     fn items(&self, known: Known, builder: TokenStream, named: &Named<'_>) -> Option<TokenStream> {
         let Beside { owner, path, other, generics, .. } = self;
         let mut builder: syn::ImplItemFn = syn::parse2(builder).ok()?;
@@ -272,7 +272,7 @@ impl Beside<'_> {
     }
 }
 
-/// Returns true if a type is one that Rust makes of others, as far as its syntax shows: nobody can mark it.
+/// Returns true if the syntax of a type shows an array, a tuple or a reference, which cannot have an attribute.
 pub fn is_composed(ty: &syn::Type) -> bool {
     matches!(ty, syn::Type::Array(_) | syn::Type::Tuple(_) | syn::Type::Reference(_))
 }

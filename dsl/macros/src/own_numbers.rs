@@ -1,10 +1,10 @@
-//! Interfaces of an author's own for numbers, `trait Scalar { fn sin(self) -> Self; }`, whose methods have the names of the
-//! numbers' own.
+//! Author's interfaces for numbers, such as `trait Scalar { fn sin(self) -> Self; }`, whose methods have the names of
+//! the numbers' own methods.
 //!
-//! Invariant: what the DSL owns is called by the DSL's name in annotated items, whatever it is called on. So a method of such
-//! a name has that name, too, and a number's own method is still the number's.
+//! Invariant: annotated items call the DSL's methods by the DSL's name, on any type. So a method with such a name
+//! also gets the DSL's name, and a number's own method keeps priority.
 //!
-//! Must not know: what companions and builders are.
+//! Must not know: companions and builders.
 
 use quote::{ToTokens, format_ident};
 use syn::visit_mut::{self, VisitMut};
@@ -47,7 +47,7 @@ pub fn alias(method: &syn::TraitItemFn) -> Option<syn::TraitItem> {
     })
 }
 
-/// Returns true if a method has a second name, by which it borrows what it takes by value.
+/// Returns true if a method has a second name under which it borrows its receiver.
 pub fn is_borrowed(signature: &syn::Signature) -> bool {
     owned::owned(&signature.ident).is_some() && is_moved(signature)
 }
@@ -65,7 +65,7 @@ pub fn by_methods(it: &mut syn::ItemImpl) {
     }
 }
 
-/// The names that an implementation gives a second meaning.
+/// Visitor for calls of the names that an implementation redefines.
 struct OfNumbers(Vec<String>);
 
 impl VisitMut for OfNumbers {

@@ -1,4 +1,4 @@
-//! The methods of numbers and slices that the DSL owns, and the paths to them.
+//! Methods of numbers and slices that the DSL owns, and the paths that lead to them.
 
 /// The methods that the DSL owns. Their results depend on the platform in the last bits, at ±0 or for NaN; or they do
 /// not exist without std; or core does not specify which of equal elements they find.
@@ -77,14 +77,14 @@ pub const OWNED: &[&str] = &[
     "udu",
 ];
 
-/// The DSL's name of an owned method.
+/// Returns the DSL's name of an owned method.
 pub fn owned(name: &syn::Ident) -> Option<syn::Ident> {
     let text = name.to_string();
     OWNED.contains(&text.as_str()).then(|| syn::Ident::new(&format!("dsl_{text}"), name.span()))
 }
 
-/// The DSL's name of a function of the crate `libm`, which computes what a float's own method does: `libm::sinf` is
-/// `f32::sin`. Its last bits are no platform's, but those of a version.
+/// Returns the DSL's name for a function of the crate `libm` that equals a float's method: `libm::sinf` is
+/// `f32::sin`. Its last bits depend on `libm`'s version.
 pub fn of_libm(path: &syn::Path) -> Option<syn::Path> {
     let (first, last) = match path.segments.iter().collect::<Vec<_>>().as_slice() {
         [first, last] => (first.ident.to_string(), &last.ident),
@@ -101,21 +101,21 @@ pub fn of_libm(path: &syn::Path) -> Option<syn::Path> {
     (first == "libm").then(|| syn::parse_quote!(#float::#name))
 }
 
-/// The DSL's name of `new` of a type that is called as one of nalgebra's whose `new` goes through the platform's sine and
-/// cosine. An author's own type of that name has a function of this name as well.
+/// Returns the DSL's name of `new` for a type with the name of one of nalgebra's, whose `new` calls the platform's
+/// sine and cosine. An author's type with that name has such a function, too.
 pub fn of_turns(owner: &syn::Ident, name: &syn::Ident) -> Option<syn::Ident> {
     let turns = ["UnitQuaternion", "Rotation2", "Rotation3"].iter().any(|it| owner == it);
     (turns && name == "new").then(|| syn::Ident::new("dsl_new", name.span()))
 }
 
-/// The DSL's name of the function of a type that a path leads to, if the DSL owns it.
+/// Returns the DSL's name for the function at the end of a path, if the DSL owns it.
 pub fn of_path(path: &syn::Path) -> Option<syn::Ident> {
     let mut last = path.segments.iter().rev();
     let name = &last.next()?.ident;
     owned(name).or_else(|| of_turns(&last.next()?.ident, name))
 }
 
-/// nalgebra's traits of numbers, by whose paths methods are called.
+/// nalgebra's traits of numbers, whose paths may precede methods.
 pub const FIELDS: [&str; 2] = ["ComplexField", "RealField"];
 
 /// Rewrites a call by the path of its trait as a method call: `ComplexField::sin(x)` becomes `x.sin()`. Code without
@@ -146,7 +146,7 @@ pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
         .then(|| syn::parse_quote!(::bessemer::generate::generic::#last))
 }
 
-/// The module and the name of core's iterator through one value.
+/// Module and name of core's iterator over one value.
 pub const ONCE: (&str, &str) = ("iter", "once");
 
 /// Functions of `libm` with other names than in Rust.
@@ -161,7 +161,7 @@ const LIBM: &[(&str, &str)] = &[
     ("pow", "powf"),
 ];
 
-/// Returns true if a path ends in a function of a type, and not of a module.
+/// Returns true if a path ends in a function of a type, not of a module.
 pub fn associated(qself: Option<&syn::QSelf>, path: &syn::Path) -> bool {
     let before = path.segments.iter().rev().nth(1).map(|segment| segment.ident.to_string());
     qself.is_some()

@@ -1,8 +1,8 @@
-//! Place of an item: its module, and the folder of its package. By the folder, generation recognises a crate that
+//! Place of an item: its module, and the folder of its package. By the folder, generation detects a crate that
 //! another workspace has built into the same target folder.
 //!
-//! The folder is said as the file system knows it: a package that two workspaces reach by links is one package to cargo,
-//! built once, and a link may be gone when it is used.
+//! The folder is canonical: cargo builds a package once that two workspaces reach by links, and a link may be gone
+//! later.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,7 @@ use quote::quote;
 
 use crate::lower;
 
-/// A `bessemer::generate::Place`.
+/// Returns a `bessemer::generate::Place`.
 pub fn place() -> TokenStream {
     let named = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
     let folder = named.canonicalize().unwrap_or(named);
@@ -19,13 +19,13 @@ pub fn place() -> TokenStream {
     quote!((::core::module_path!(), #folder))
 }
 
-/// Line and column of a name, as builders take them.
+/// Returns line and column of a name, for builders.
 pub fn site(name: &syn::Ident) -> TokenStream {
     let lower::Site(line, column) = lower::site(name);
     quote!((#line, #column))
 }
 
-/// The item that announces to its package what has a `name`, and how it is built: a `bessemer::generate::Build`.
+/// Returns the item that registers `name` with its package, and its `bessemer::generate::Build`.
 pub fn registered(name: &syn::Ident, build: &TokenStream) -> TokenStream {
     let (place, site) = (place(), site(name));
     quote! {
@@ -35,7 +35,7 @@ pub fn registered(name: &syn::Ident, build: &TokenStream) -> TokenStream {
     }
 }
 
-/// A `bessemer::generate::Named`.
+/// Returns a `bessemer::generate::Named`.
 pub fn named(name: &syn::Ident) -> TokenStream {
     let name = lower::text(name);
     quote! {

@@ -1,9 +1,10 @@
-//! Changes of the native item by the attributes. A closed set of scalar methods is redirected to the DSL, and loops
-//! with a declared bound count their passes.
+//! Changes of the native item by the attributes.
 //!
-//! `x.sin()` becomes `x.dsl_sin()`, `f64::sin(x)` becomes `f64::dsl_sin(x)` (and so for every type,
-//! since `f64` may go by another name); the traits of `bessemer::math` answer. Inherent methods win over traits in Rust, so a prelude could not do it:
-//! `abs` is always core's, and `sin` is std's as soon as any linked crate brings std.
+//! A closed set of scalar methods is redirected to the DSL, and loops with a declared bound count their iterations.
+//!
+//! `x.sin()` becomes `x.dsl_sin()`, and `f64::sin(x)` becomes `f64::dsl_sin(x)` (for every type, since `f64` may have
+//! an alias); traits of `bessemer::math` implement them. A prelude trait would not work, since inherent methods have
+//! priority: `abs` is always core's, and `sin` is std's as soon as any linked crate uses std.
 
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
@@ -32,8 +33,8 @@ pub fn native(
     body.stmts = vec![syn::Stmt::Expr(syn::Expr::Verbatim(refusals.into_tokens()), None)];
 }
 
-/// Rewrites every call in `block`, and brings the DSL's traits into its scope; those of floats that are parameters,
-/// where `scope` has any.
+/// Rewrites every call in `block`, and imports the DSL's traits into its scope; if `scope` has type parameters that
+/// are floats, also their traits.
 fn block(block: &mut syn::Block, scope: Scope<'_>) {
     let mut redirect = Redirect { used: false };
     redirect.visit_block_mut(block);
@@ -59,7 +60,7 @@ struct Redirect {
 }
 
 impl VisitMut for Redirect {
-    /// It has an attribute of its own.
+    /// Skips an inner function, which has its own attribute.
     fn visit_item_fn_mut(&mut self, _: &mut syn::ItemFn) {}
 
     fn visit_local_mut(&mut self, it: &mut syn::Local) {
@@ -105,7 +106,7 @@ impl VisitMut for Redirect {
         }
     }
 
-    /// Assertions hold the author's expressions as tokens.
+    /// Rewrites the expressions in assertions, which are tokens.
     fn visit_macro_mut(&mut self, mac: &mut syn::Macro) {
         use syn::punctuated::Punctuated;
         in_every_build(mac);

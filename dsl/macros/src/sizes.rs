@@ -1,13 +1,13 @@
-//! The constants by which an author says in a type how many elements there are: `[u8; MAX_BYTES]`.
+//! Constants with which an author writes lengths in a type: `[u8; MAX_BYTES]`.
 //!
-//! Only their names: whether a name is a constant's shows where its value is known. So a parameter of something generic is
-//! told here as well, and means nothing later.
+//! Only their names are known here. A const parameter of a generic item is listed, too, and ignored later.
 
 use syn::{Expr, GenericArgument, PathArguments, Type};
 
 use crate::lower;
 
-/// The names in a type, from the outside in, rows before columns; empty where there is a number. Nothing without a name.
+/// Returns the names of the lengths in a type, from the outside in, rows before columns; a number has an empty name.
+/// Empty if there is no name.
 pub fn of(ty: &Type) -> Vec<String> {
     let mut all = Vec::new();
     gather(ty, &mut all);
@@ -39,7 +39,7 @@ fn gather(ty: &Type, all: &mut Vec<String>) {
     }
 }
 
-/// The name of a number that stands where a type may, too.
+/// Returns the name of a generic argument that is a number.
 fn argument(argument: &GenericArgument) -> String {
     match argument {
         GenericArgument::Type(Type::Path(it)) => last(&it.path),

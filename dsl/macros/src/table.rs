@@ -1,7 +1,7 @@
-//! `#[data]` on a `const` or a `static`: a constant of which its author says more than its value.
+//! `#[data]` on a `const` or a `static`: a constant with C attributes.
 //!
-//! A reader of it needs no mark: a constant is reported by its name, its type and its value. So the mark only
-//! announces what is said of these.
+//! Code that uses it needs no mark, since a constant is identified by name, type and value. The mark only registers
+//! its attributes.
 
 use bessemer_tree::attributes::Given;
 use proc_macro2::{TokenStream, TokenTree};
@@ -11,7 +11,7 @@ use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
 use crate::{docs, expression, place};
 
-/// The items beside a `const`.
+/// Returns the items beside a `const`.
 pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream {
     if it.ident == "_" {
         refusals.add(&it.ident, refuse::TABLE_UNNAMED);
@@ -19,7 +19,7 @@ pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream
     announced((&it.ident, &it.vis, &it.expr), &mut it.attrs, refusals)
 }
 
-/// The items beside a `static`.
+/// Returns the items beside a `static`.
 pub fn fixed(it: &mut syn::ItemStatic, refusals: &mut Refusals) -> TokenStream {
     if let syn::StaticMutability::Mut(token) = &it.mutability {
         refusals.add(token, refuse::STATIC);
@@ -54,7 +54,7 @@ fn announced(
     }
 }
 
-/// Returns true if numbers of a value are written in base sixteen.
+/// Returns true if a value contains hexadecimal literals.
 fn is_hexadecimal(value: TokenStream) -> bool {
     value.into_iter().any(|token| match token {
         TokenTree::Literal(it) => it.to_string().starts_with("0x"),

@@ -1,12 +1,12 @@
 //! The witness copy of a body: slots, and closures that are type-checked and never called.
 //!
-//! In a generation build each value of the copy passes through a slot, and the builder reads off the type that rustc put
-//! there. rustc goes through all that it has asked and not yet answered whenever it meets a type that it does not know in
-//! full, and there are as many slots as a body has values. So a long body is copied in parts, each with its own slots, in
-//! closures of their own: what is open is that of one part, and time grows with the length, not with its square. The names
-//! of a part that are in what follows reach the next in a slot that holds the types of them all.
+//! In a generation build each value of the copy passes through a slot, and the builder reads the type that rustc
+//! inferred for it. rustc revisits all pending obligations whenever it meets a type that is not fully known, and a
+//! body has as many slots as values. So a long body is copied in parts, each a closure with its own slots: only one
+//! part's obligations are pending, and time grows with the length, not with its square. A slot with a tuple of all
+//! types passes the names of a part that later statements use to the next.
 //!
-//! Invariants: a slot is used in the part that has it alone; the types of one part are read before the next begins.
+//! Invariants: a slot is used only in its part; the types of a part are read before the next begins.
 //!
 //! Must not know: the tree.
 
@@ -22,20 +22,20 @@ use crate::lower::{self, Begin, Constant, Lowering, Parameter};
 /// costs rustc some 20 ms. Of 128 to 768, the values from 192 to 512 are fastest, within 5 % of each other.
 const SLOTS: u32 = 256;
 
-/// A body that has been lowered, with its signature.
+/// A lowered body with its signature.
 pub struct Copy<'a> {
-    /// The parameters.
+    /// Parameters.
     pub parameters: &'a [Parameter],
-    /// The slot of the result.
+    /// Slot of the result.
     pub result: u32,
-    /// The signature, in which each parameter has a name.
+    /// Signature in which each parameter has a name.
     pub signature: &'a syn::Signature,
-    /// The body in its witness form.
+    /// Body in witness form.
     pub body: &'a syn::Block,
 }
 
 impl Copy<'_> {
-    /// The parts, each telling `__told` the types of its slots.
+    /// Returns the parts, each of which reports the types of its slots to `__told`.
     pub fn parts(&self, walk: &Lowering) -> TokenStream {
         let ends = ends(&walk.begins);
         let last = ends.len() - 1;
@@ -68,10 +68,10 @@ impl Copy<'_> {
         quote! { #(let #passed = [];)* #parts }
     }
 
-    /// The closure of a part: of the parameters, or of the names that the part before passed on.
+    /// Returns the closure of a part; its arguments are the function's parameters, or the names from the part before.
     ///
-    /// Behind `__unreached` rustc infers types and has nothing left to check the borrows of: it does that in the original.
-    /// What a closure gives cannot refer to what it is given.
+    /// After `__unreached` rustc infers types, but has no borrows to check; it checks these in the original. A
+    /// closure's result cannot refer to its arguments.
     fn part(
         &self,
         body: &TokenStream,
@@ -108,7 +108,7 @@ impl Copy<'_> {
         }
     }
 
-    /// Tells the slots of the parameters their types. A type that is none of the DSL's is reported there.
+    /// Returns statements that record the parameters' types. An unsupported type is reported there.
     fn looks(&self) -> TokenStream {
         let looks = self.parameters.iter().map(|parameter| {
             let (slot, name) = (lower::slot_name(parameter.param.slot), &parameter.ident);
@@ -130,7 +130,7 @@ impl Copy<'_> {
     }
 }
 
-/// The type of a function's result.
+/// Returns the result type of a function.
 pub fn result_type(signature: &syn::Signature) -> TokenStream {
     match &signature.output {
         syn::ReturnType::Default => quote! { () },
@@ -138,7 +138,7 @@ pub fn result_type(signature: &syn::Signature) -> TokenStream {
     }
 }
 
-/// The slots between two places, around the copy of what is there, and what is reported them.
+/// Returns the slots between two positions, around the copy of the code there, and the report of their types.
 fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> TokenStream {
     let slots: Vec<_> = (begin.slots..end.slots).map(lower::slot_name).collect();
     let callees: Vec<_> = (begin.callees..end.callees).map(lower::callee_name).collect();
@@ -164,7 +164,7 @@ fn told(walk: &Lowering, (begin, end): (Begin, Begin), copy: &TokenStream) -> To
     }
 }
 
-/// Returns the ends of the parts: each at the end of a statement, and the last at that of the body.
+/// Returns the ends of the parts: each is the end of a statement, and the last is the end of the body.
 fn ends(begins: &[Begin]) -> Vec<Begin> {
     let mut ends: Vec<Begin> = Vec::new();
     let Some((end, begins)) = begins.split_last() else { return ends };
@@ -178,7 +178,7 @@ fn ends(begins: &[Begin]) -> Vec<Begin> {
     ends
 }
 
-/// The last statement in which each word stands: as a name, or in a text, which may be one that is filled with names.
+/// Returns the index of the last statement with each word: as a name, or in a string, which may be a format.
 fn last_uses(stmts: &[syn::Stmt]) -> HashMap<String, usize> {
     fn note(tokens: TokenStream, at: usize, last: &mut HashMap<String, usize>) {
         for token in tokens {
@@ -201,7 +201,7 @@ fn last_uses(stmts: &[syn::Stmt]) -> HashMap<String, usize> {
     last
 }
 
-/// Adds the names that statements bind to those that were bound before; one that hides another takes its place.
+/// Adds the names that statements bind to those bound before; one that shadows another replaces it.
 fn bound(stmts: &[syn::Stmt], names: &mut Vec<syn::Ident>) {
     struct Bound<'a>(&'a mut Vec<syn::Ident>);
     impl<'ast> Visit<'ast> for Bound<'_> {

@@ -1,11 +1,11 @@
-//! Expressions of the tree that no author wrote, made of their parts: what is desugared, and what the compiler puts beside it.
+//! Constructors of expressions that no author wrote, for desugaring.
 
 use alloc::boxed::Box;
 
 use super::{Block, Expr, ExprKind, NO_SLOT, Pattern, Site, Source, Stmt};
 
 impl Expr {
-    /// An expression whose type follows from its parts.
+    /// Returns an expression whose type follows from its operands.
     pub fn plain(kind: ExprKind, site: Site) -> Expr {
         Expr { kind, site, slot: None }
     }
@@ -17,7 +17,7 @@ impl Expr {
 }
 
 impl ExprKind {
-    /// A loop through a source.
+    /// Returns a loop over a source.
     pub fn each(pattern: Pattern, source: Source, pass: Expr) -> ExprKind {
         let (pattern, source) = (Box::new(pattern), Box::new(source));
         let body = Block { stmts: alloc::vec![Stmt::Expr(pass)], tail: None };
@@ -26,7 +26,7 @@ impl ExprKind {
 }
 
 impl Pattern {
-    /// A name that no author gave.
+    /// Returns a pattern that binds a generated name.
     pub fn name(name: &str) -> Pattern {
         Pattern::Name { name: name.into(), slot: NO_SLOT, mutable: false, inner: None }
     }

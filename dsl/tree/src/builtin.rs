@@ -1,9 +1,9 @@
-//! The operations that the library knows without a function of its own: what rustc resolved a method to.
+//! Operations that the library knows without a function: the results of rustc's method resolution.
 //!
-//! A companion's marker names one; the typifier has a `match` for each kind, which the compiler holds to be complete.
-//! So an operation that is listed here and handled nowhere does not compile.
+//! A companion's marker names one. The front end has an exhaustive `match` for each kind, so an operation that is
+//! listed here but not handled does not compile.
 //!
-//! Must not know: what its authors call it in Rust, which is the companion's business.
+//! Must not know: the Rust names of the methods, which belong to the companions.
 
 use serde::{Deserialize, Serialize};
 
@@ -24,39 +24,39 @@ builtins! {
     Builtin {
         /// An operation of the IR on scalars.
         Scalar(Intrinsic),
-        /// A method of numbers that is made of such operations.
+        /// A method of numbers that is composed of such operations.
         Number(NumberMethod),
-        /// The bytes of a number as an array, or the number that they make.
+        /// Conversion of a number to its bytes, or of bytes to a number.
         Bytes(ByteOrder),
-        /// `real(0.5)`: a number in double precision as a float of the type that is requested.
+        /// `real(0.5)`: a number in double precision as a float of the requested type.
         Real,
-        /// `x.as_f64()`.
+        /// `x.as_f64()`: a float in double precision.
         AsF64,
-        /// `T::try_from(n)` of integers.
+        /// `T::try_from(n)` between integers.
         TryFrom,
-        /// A copy of what is viewed, or a wrapper around what it wraps: in the C it is the value itself.
+        /// A copy of a view, or an unwrapped value; in the C it is the value itself.
         Owned,
         /// A routine of linear algebra, an operation of the IR.
         Linear(Routine),
-        /// A matrix from its parts, its sizes, and its elements in other places.
+        /// A constructor of a matrix, its dimensions, or a rearrangement of its elements.
         Matrix(MatrixMethod),
-        /// A routine of linear algebra that is a function of its own.
+        /// A routine of linear algebra with its own function.
         Kernel(KernelRoutine),
-        /// Methods of rotations and poses that need no function.
+        /// A method of rotations and poses that needs no function.
         Spatial(SpatialMethod),
         /// A struct of the library from its parts, in the order of the arguments.
         Parts(Parts),
         /// A method of `List`.
         List(ListMethod),
-        /// A method of slices, or of what has elements in a row.
+        /// A method of slices, or of other types with elements.
         Slice(SliceMethod),
         /// A method of `Option` or `Result` without a closure.
         Option(OptionMethod),
-        /// A method that represents a `match` or a loop in the author's own language.
+        /// A method that is equivalent to a `match` or a loop.
         Desugared(Desugared),
     }
 
-    /// Methods of numbers that are made of operations of the IR.
+    /// Methods of numbers that are composed of IR operations.
     NumberMethod {
         Recip, Fract, ToDegrees, ToRadians, Signum, IsSignNegative, IsSignPositive, IsNegative, IsPositive,
         WrappingNeg, WrappingAbs, SwapBytes, IsPowerOfTwo, From,
@@ -67,13 +67,13 @@ builtins! {
 
     /// Order of the bytes of a number.
     ByteOrder {
-        /// The least significant.
+        /// Least significant byte first.
         Little,
-        /// The most significant.
+        /// Most significant byte first.
         Big,
     }
 
-    /// Matrices from their parts, their sizes, and their elements in other places.
+    /// Constructors of matrices, dimensions, and rearrangements of elements.
     MatrixMethod {
         /// From its elements, by rows.
         New,
@@ -82,39 +82,39 @@ builtins! {
         /// From an array of columns, or such an array from a matrix.
         FromArray,
         Zeros, Identity, FromElement,
-        /// The unit vector along an axis.
+        /// Unit vector along an axis.
         Axis(u32),
         Rows, Cols,
         /// Number of elements.
         Elements,
-        /// The vector of these components; as many as the second says.
+        /// Vector of the components with these indices; the second value is their number.
         Swizzle([u8; 3], u8),
-        /// A part that is written where it is.
+        /// A part in place.
         Part(MatrixPart),
     }
 
-    /// Index at which a part of a matrix begins.
+    /// Indices that define the beginning of a part.
     MatrixPart {
-        /// Index of the first row: the part has all columns.
+        /// First row: the part has all columns.
         Rows,
-        /// Index of the first column.
+        /// First column: the part has all rows.
         Columns,
-        /// Both.
+        /// First row and first column.
         Block,
     }
 
     /// Methods of rotations and poses that need no function.
     SpatialMethod {
-        /// A method of nalgebra's that asks the platform for its sine, cosine or root: it is refused.
+        /// A method of nalgebra that uses the platform's sine, cosine or root, and is refused.
         PlatformAngles,
         QuaternionIdentity, QuaternionCoords,
         /// Conversion to another struct with equal parts, or to the struct itself.
         SameParts,
-        /// A matrix by another, transposed.
+        /// Product of a matrix and the transpose of another.
         TimesTransposed,
     }
 
-    /// A struct of the library that a constructor makes of its parts.
+    /// Structs of the library that a constructor builds from parts.
     Parts { Quaternion, Isometry, Complex, }
 
     /// Methods of `List`.
@@ -122,7 +122,7 @@ builtins! {
 
     /// Methods of slices.
     SliceMethod {
-        /// All elements of what has some in a row.
+        /// All elements of a type with elements.
         Whole,
         Len, IsEmpty, First, FirstMut, Last, LastMut, Get, GetMut,
         /// `get(from..to)`.
@@ -130,9 +130,9 @@ builtins! {
         /// `get(from..)`.
         GetFrom,
         SplitAt, SplitAtChecked, SplitFirst, SplitLast,
-        /// The first so many elements as an array, and the others.
+        /// The first elements as an array of this length, and the others.
         SplitFirstChunk(u32),
-        /// All but the last so many elements, and these as an array.
+        /// All but the last elements, and these as an array of this length.
         SplitLastChunk(u32),
         CopyFrom, Reverse, ToArray, FirstChunk,
     }
@@ -141,27 +141,27 @@ builtins! {
     OptionMethod {
         Unwrap, UnwrapErr, UnwrapOr, Copied, Or, And, Take, Replace,
         OkOr, Ok, Err, AsMut, Insert, GetOrInsert,
-        /// `get_or_insert_with`: its closure is computed in its place.
+        /// `get_or_insert_with`; its closure is evaluated in place.
         GetOrInsertWith,
     }
 
-    /// Methods that represent a `match` or a loop in the author's own language.
+    /// Methods that are equivalent to a `match` or a loop.
     Desugared {
         ArrayMap, AsRef,
         /// `core::array::from_fn`.
         FromFn,
         /// The iterator itself.
         ByRef,
-        /// The items of an iterator together, by an operator.
+        /// Items of an iterator combined by an operator.
         Together(Together),
     }
 
-    /// Combination of numbers or matrices.
+    /// Combinations of an iterator's items.
     Together { Sum, Product, Tried, }
 }
 
 impl Parts {
-    /// The fields, in the order of the constructor's arguments.
+    /// Returns the names of the fields, in the order of the constructor's arguments.
     #[must_use]
     pub const fn names(self) -> &'static [&'static str] {
         match self {

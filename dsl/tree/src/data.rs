@@ -1,4 +1,4 @@
-//! Types and tables as the attribute macros hand them on.
+//! Types and tables, as the attribute macros emit them.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -8,73 +8,73 @@ use serde::{Deserialize, Serialize};
 use super::{Argument, Constant, Site, Ty};
 use crate::attributes::Given;
 
-/// `pub type PidF32 = Pid<f32>;`: the name of an instance.
+/// Name of an instance: `pub type PidF32 = Pid<f32>;`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Alias {
-    /// The path of the instance.
+    /// Path of the instance.
     pub of: String,
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// The module in which it is declared.
+    /// Module of its declaration.
     pub module: String,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// The source file, as rustc names it.
+    /// Source file, as rustc names it.
     pub file: String,
     /// Site of the name.
     pub site: Site,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     #[serde(default)]
     pub given: Given,
 }
 
-/// A `const` or `static` with an attribute of the DSL's.
+/// A `const` or `static` with an attribute of the DSL.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
-    /// The Rust module that it is in.
+    /// Rust module.
     pub module: String,
-    /// The author's name.
+    /// Author's name.
     pub name: String,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// The source file, as rustc names it.
+    /// Source file, as rustc names it.
     pub file: String,
     /// Site of the name.
     pub site: Site,
-    /// Its type and its value.
+    /// Type and value.
     pub value: Constant,
     /// True if other modules may read it.
     pub public: bool,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     pub given: Given,
 }
 
 /// A struct or an enum.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Definition {
-    /// Its Rust path, `models::attitude::Pid`, with its arguments: unique.
+    /// Unique Rust path with arguments, such as `models::attitude::Pid`.
     pub path: String,
-    /// The module that it is in, `models::attitude`.
+    /// Module, such as `models::attitude`.
     pub module: String,
-    /// The author's name.
+    /// Author's name.
     pub name: String,
-    /// The arguments for its parameters.
+    /// Arguments for its generic parameters.
     pub arguments: Vec<Argument>,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// The source file, as rustc names it.
+    /// Source file, as rustc names it.
     pub file: String,
     /// Site of the name.
     pub site: Site,
-    /// True if it derives `PartialEq`, so that `==` compares part by part.
+    /// True if it derives `PartialEq`, so `==` compares part by part.
     pub equal: bool,
-    /// True if it derives `PartialOrd`, so that `<` compares the variants of an enum, the parts of a struct.
+    /// True if it derives `PartialOrd`, so `<` compares the variants of an enum or the fields of a struct.
     #[serde(default)]
     pub ordered: bool,
     /// True if it derives `Copy`.
     #[serde(default)]
     pub copied: bool,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     #[serde(default)]
     pub given: Given,
     /// Kind of the definition: struct or enum.
@@ -88,9 +88,9 @@ pub enum DefinitionKind {
     Struct {
         /// Fields, in the author's order.
         fields: Vec<Field>,
-        /// The initial state of a component, as words.
+        /// Words of a component's initial state.
         initial: Option<Vec<u64>>,
-        /// The default of plain data whose author writes it out, as words.
+        /// Words of the default of plain data with a hand-written `Default`.
         #[serde(default)]
         defaults: Option<Vec<u64>>,
     },
@@ -101,16 +101,16 @@ pub enum DefinitionKind {
 /// A variant of an enum.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Variant {
-    /// The author's name.
+    /// Author's name.
     pub name: String,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
-    /// Its payload; the names of a tuple's parts are `0`, `1`, ….
+    /// Fields of its payload; the parts of a tuple are named `0`, `1`, ….
     pub fields: Vec<Field>,
-    /// Its number, where the author numbers the variants: `Armed = 5`.
+    /// Number, if the author numbers the variants: `Armed = 5`.
     #[serde(default)]
     pub value: Option<i64>,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     #[serde(default)]
     pub given: Given,
 }
@@ -118,13 +118,13 @@ pub struct Variant {
 /// A field of a struct.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Field {
-    /// The author's name; of a tuple struct `0`, `1`, ….
+    /// Author's name; `0`, `1`, … in a tuple struct.
     pub name: String,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
     /// Its type.
     pub ty: Ty,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     #[serde(default)]
     pub given: Given,
 }

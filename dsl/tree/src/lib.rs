@@ -1,14 +1,14 @@
-//! The author's syntax as the attribute macros hand it on, and the package that carries it.
+//! The author's syntax, as the attribute macros emit it, and the package that contains it.
 //!
-//! The tree has no types of its own: where rustc had something to infer, a node names a *witness
-//! slot*, and [`Function::slots`] gives the type that rustc put there. Names are still the author's;
-//! shadowing and scopes are resolved when the tree becomes IR.
+//! The tree has no types: where rustc had to infer one, a node has the number of a *witness slot*, and
+//! [`Function::slots`] has the type that rustc inferred for it. Names are the author's; shadowing and scopes are
+//! resolved in the lowering to IR.
 //!
-//! Must not know: what an operation means. That is the typifier's.
+//! Must not know: the meaning of operations, which belongs to the front end.
 //!
-//! Beside it stand the words that tree and IR have in common: [`number`], [`operation`], [`routine`], [`attributes`].
+//! This crate also has the types that tree and IR share: [`number`], [`operation`], [`routine`], [`attributes`].
 //!
-//! Invariants: `no_std`; no nalgebra. What the DSL and its macros know of the compiler is here.
+//! Invariants: `no_std`; no nalgebra. DSL and macros know nothing of the compiler besides this crate.
 
 #![no_std]
 
@@ -43,7 +43,8 @@ pub use way::*;
 /// stack.
 ///
 /// # Errors
-/// Anything that is no such part.
+///
+/// JSON that is not such a part.
 pub fn read<'t, T: Deserialize<'t>>(text: &'t str) -> serde_json::Result<T> {
     let mut reader = serde_json::Deserializer::from_str(text);
     reader.disable_recursion_limit();
@@ -56,7 +57,7 @@ pub fn read<'t, T: Deserialize<'t>>(text: &'t str) -> serde_json::Result<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Site(pub u32, pub u32);
 
-/// A type as rustc decided it.
+/// A type as rustc inferred it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Ty {
     /// `()`.
@@ -81,11 +82,11 @@ pub enum Ty {
     Slice(Box<Ty>),
     /// `&T`, or `&mut T` when true.
     Ref(Box<Ty>, bool),
-    /// A type of nalgebra's or of Rust's, by its name, whose values are those of another: `Rotation3` is a matrix, `char` a number.
+    /// A named type of nalgebra or Rust that is represented by another: `Rotation3` by a matrix, `char` by a number.
     Known(String, Box<Ty>),
 }
 
-/// The argument for a parameter of something generic.
+/// Argument for a generic parameter.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Argument {
     /// A type.
@@ -94,35 +95,35 @@ pub enum Argument {
     Number(Scalar, u64),
 }
 
-/// A function with all that rustc decided about it.
+/// A function with rustc's results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Function {
-    /// Its Rust path, `models::attitude::Pid::torque`, with its arguments: unique.
+    /// Unique Rust path with arguments, such as `models::attitude::Pid::torque`.
     pub path: String,
-    /// The module that it is in, `models::attitude`.
+    /// Module, such as `models::attitude`.
     pub module: String,
-    /// The source file, as rustc names it.
+    /// Source file, as rustc names it.
     pub file: String,
-    /// The path of the type whose method it is.
+    /// Path of the type whose method it is.
     pub owner: Option<String>,
-    /// The arguments for the parameters in scope, by name.
+    /// Arguments for the generic parameters in scope, by name.
     pub generics: Vec<(String, Argument)>,
-    /// The interface that it is part of.
+    /// Interface to which it belongs.
     pub interface: Option<String>,
-    /// The suffix that tells it from other functions of its name and owner.
+    /// Suffix that distinguishes it from other functions of its name and owner.
     pub suffix: Vec<Argument>,
-    /// True if it is declared in the body of another, whose name is a part of its own.
+    /// True if it is declared in the body of another function, whose name is part of its own.
     #[serde(default)]
     pub inner: bool,
-    /// The author's text.
+    /// Author's syntax.
     pub tree: FunctionTree,
-    /// The types of the slots.
+    /// Types of the slots.
     pub slots: Vec<Ty>,
-    /// The callees of the tree's calls.
+    /// Callees of the tree's calls.
     pub callees: Vec<Callee>,
-    /// The values of the paths that are constants.
+    /// Values of the paths that are constants.
     pub constants: Vec<Constant>,
-    /// The callees of its operators, by [`Operator::at`], where they are functions.
+    /// Callees of its operators that are functions, by [`Operator::at`].
     #[serde(default)]
     pub operators: Vec<(u32, Callee)>,
 }
@@ -139,45 +140,45 @@ pub enum Callee {
 /// A path that rustc evaluated.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Constant {
-    /// Its type.
+    /// Type.
     pub ty: Ty,
-    /// Its value.
+    /// Words of the value.
     pub words: Vec<u64>,
 }
 
-/// The author's text: signature and body.
+/// Author's syntax: signature and body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FunctionTree {
-    /// The author's name.
+    /// Author's name.
     pub name: String,
     /// Site of the name.
     pub site: Site,
-    /// The author's doc comment, a line each.
+    /// Author's doc comment, one entry per line.
     pub docs: Vec<String>,
     /// Its role for its callers.
     pub role: Role,
-    /// The author's wishes for its C.
+    /// Author's attributes for the C.
     #[serde(default)]
     pub attributes: Attributes,
-    /// Parameters, `self` included.
+    /// Parameters, including `self`.
     pub params: Vec<Param>,
-    /// The slot of the result.
+    /// Slot of the result.
     pub result: u32,
     /// The body.
     pub body: Block,
-    /// Its operators that may be functions: which depends on the types of their operands.
+    /// Operators that may be functions, depending on the types of their operands.
     #[serde(default)]
     pub operators: Vec<Operator>,
 }
 
-/// An operator, and where rustc put the types of its operands.
+/// An operator, with the slots of its operands.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Operator {
-    /// The slot of its value; of an assignment, of its place.
+    /// Slot of its value; for an assignment, of its place.
     pub at: u32,
-    /// Rust's trait for it: `Add`, `AddAssign`, `Neg`.
+    /// Rust's trait: `Add`, `AddAssign`, `Neg`.
     pub of: String,
-    /// The slots of its operands; none of a literal.
+    /// Slots of its operands; none for a literal.
     pub operands: Vec<Option<u32>>,
 }
 
@@ -193,33 +194,33 @@ pub enum Role {
     Inline {
         public: bool,
     },
-    /// Stands where it is called: nothing in the C.
+    /// Inlined at each call; not a function in the C.
     Expanded,
-    /// A call of it represents its body, which has no types of its own: nothing in the C.
+    /// Replaced by its body at each call; not a function in the C.
     Rewritten,
 }
 
 /// A parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Param {
-    /// The author's name; `self` for the receiver.
+    /// Author's name; `self` for the receiver.
     pub name: String,
-    /// Its type.
+    /// Slot of its type.
     pub slot: u32,
     /// Site of the parameter.
     pub site: Site,
-    /// True if it takes a closure: then the slot has no information.
+    /// True if it takes a closure; its slot is then unused.
     #[serde(default)]
     pub closure: bool,
     /// True if it takes an iterator: it is then a closure that passes each item to [`EACH`].
     #[serde(default)]
     pub items: bool,
-    /// True if its author may assign it.
+    /// True if the author may assign it.
     #[serde(default)]
     pub mutable: bool,
 }
 
-/// Statements, then perhaps a value.
+/// Statements, then possibly a value.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Block {
     /// The statements.
@@ -233,25 +234,25 @@ pub struct Block {
 pub enum Stmt {
     /// `let name = value;`
     Let {
-        /// The author's name.
+        /// Author's name.
         name: String,
-        /// Its type.
+        /// Slot of its type.
         slot: u32,
-        /// Its first value.
+        /// First value.
         value: Option<Expr>,
         /// Site of the start of the statement.
         site: Site,
-        /// True if its author may assign it.
+        /// True if the author may assign it.
         #[serde(default)]
         mutable: bool,
     },
     /// `let (a, b) = value;` and the like.
     Apart {
-        /// The part that is taken from the value.
+        /// Pattern that destructures the value.
         pattern: Box<Pattern>,
         /// The value.
         value: Expr,
-        /// `else`: what is done if the pattern does not take the value; it never comes to its end.
+        /// Block after `else`, which runs if the pattern does not match; it never reaches its end.
         otherwise: Option<Block>,
         /// Site of the start of the statement.
         site: Site,
@@ -267,7 +268,7 @@ pub struct Expr {
     pub kind: ExprKind,
     /// Site of the expression.
     pub site: Site,
-    /// The slot that holds its type, where rustc had something to decide.
+    /// Slot with its type, if rustc had to infer it.
     pub slot: Option<u32>,
 }
 
@@ -287,7 +288,7 @@ impl Expr {
 pub enum ExprKind {
     /// `true`, `false`.
     Bool(bool),
-    /// Digits in base ten, or behind `0x` in base sixteen, and the suffix if any.
+    /// Digits in decimal, or in hexadecimal after `0x`; and the suffix if there is one.
     Int(String, Option<Scalar>),
     /// Digits as the author wrote them without underscores, and the suffix if any.
     Float(String, Option<Scalar>),
@@ -295,7 +296,7 @@ pub enum ExprKind {
     Bytes(Vec<u8>),
     /// A local by its name.
     Local(String),
-    /// A path that is no local: index into [`Function::constants`]; the path as the author wrote it.
+    /// A path that is no local: index into [`Function::constants`], and the path as the author wrote it.
     Path(u32, String),
     /// `-x`, `!x`.
     Unary(UnaryOp, Box<Expr>),
@@ -303,10 +304,10 @@ pub enum ExprKind {
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// `place = value`, or `place += value` and the like.
     Assign(Option<BinaryOp>, Box<Expr>, Box<Expr>),
-    /// A call, a method's receiver first: index into [`Function::callees`].
+    /// A call; the receiver of a method is the first argument. The number is an index into [`Function::callees`].
     Call(u32, Vec<Expr>),
-    /// `|x| …` as the argument of a call. Before the builder has seen it, one with a slot is a function by its name: what
-    /// the slot has are the types of its arguments.
+    /// A closure as an argument, `|x| …`. Before the builder has run, one with a slot is a function's name, and its
+    /// slot has the types of its arguments.
     Closure(Closure),
     /// `f(x)`, where `f` is a parameter that takes a closure.
     Apply(String, Vec<Expr>),
@@ -314,7 +315,7 @@ pub enum ExprKind {
     Field(Box<Expr>, String),
     /// `base[index]`.
     Index(Box<Expr>, Box<Expr>),
-    /// `base[from..to]`, or `base[from..=to]` when true; an end that is left out is the base's.
+    /// `base[from..to]`, or `base[from..=to]` when true; a missing end is the base's.
     Slice(Box<Expr>, Option<Box<Expr>>, Option<Box<Expr>>, bool),
     /// `(a, b)`.
     Tuple(Vec<Expr>),
@@ -334,7 +335,7 @@ pub enum ExprKind {
     Cast(Box<Expr>),
     /// `let pattern = value` as a condition.
     Let(Box<Pattern>, Box<Expr>),
-    /// `value?`; with the label of what it leaves, where that is no function: the body of a closure.
+    /// `value?`, with the label of the closure body that it leaves, if it is in one.
     Try(Option<String>, Box<Expr>),
     /// `if`.
     If(Box<Expr>, Block, Option<Box<Expr>>),
@@ -342,37 +343,37 @@ pub enum ExprKind {
     Match(Box<Expr>, Vec<Arm>),
     /// `{ … }`.
     Block(Block),
-    /// `'label: { … }`: what leaves it early says its label, and its value.
+    /// `'label: { … }`; a `break` to it has its label and value.
     Labelled(String, Block),
     /// `for pattern in source`.
     Each {
-        /// The author's label, without the apostrophe.
+        /// Author's label, without the apostrophe.
         label: Option<String>,
-        /// The part that is taken from each item.
+        /// Pattern of each item.
         pattern: Box<Pattern>,
         /// Sequence that it iterates over.
         source: Box<Source>,
-        /// Largest number of passes of the author's own iterator: a literal or a constant.
+        /// Largest number of passes over an author-defined iterator: a literal or a constant.
         bound: Option<Box<Expr>>,
         /// The body.
         body: Block,
     },
-    /// The result that a loop gathers: `values.iter().sum()`, `values.map(…)` and the like.
+    /// Result of an accumulating loop: `values.iter().sum()`, `values.map(…)` and the like.
     Fold {
-        /// The name of what is gathered.
+        /// Name of the accumulator.
         name: String,
-        /// Its value before the loop.
+        /// Value of the accumulator before the loop.
         start: Start,
-        /// The loop, which assigns it.
+        /// Loop that assigns the accumulator.
         each: Box<Expr>,
     },
     /// `while condition`, or `loop` without one.
     While {
-        /// The author's label, without the apostrophe.
+        /// Author's label, without the apostrophe.
         label: Option<String>,
-        /// The condition for another pass.
+        /// Condition for a further pass.
         condition: Option<Box<Expr>>,
-        /// Largest number of passes: a literal or a constant. Without one it must be evident.
+        /// Largest number of passes: a literal or a constant. Without it, the bound must be proved.
         bound: Option<Box<Expr>>,
         /// The body.
         body: Block,
@@ -389,60 +390,60 @@ pub enum ExprKind {
     Assert(Box<Expr>, Claim),
 }
 
-/// The result before the first pass of a loop.
+/// Value of the accumulator before the first pass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Start {
-    /// An empty sum: 0, of floats −0.
+    /// Empty sum: 0, for floats −0.
     Sum,
-    /// An empty product: 1.
+    /// Empty product: 1.
     Product,
-    /// A value that the passes go on with, as long as what they give has one.
+    /// A value; passes continue while their results are `Some` or `Ok`.
     Tried(Box<Expr>),
-    /// Nothing yet: each pass assigns an element.
+    /// No value: each pass assigns an element.
     Elements,
 }
 
 /// An arm of a `match`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Arm {
-    /// Values that it matches.
+    /// Pattern of the arm.
     pub pattern: Pattern,
-    /// A further condition.
+    /// Guard.
     pub guard: Option<Expr>,
-    /// Its value.
+    /// Value of the arm.
     pub body: Expr,
-    /// Site of its pattern.
+    /// Site of the pattern.
     pub site: Site,
 }
 
-/// A closure as the argument of a call.
+/// A closure as an argument of a call.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Closure {
-    /// The author's name for it, if it has one.
+    /// Author's name, if it has one.
     pub name: Option<String>,
-    /// Its parameters.
+    /// Parameters.
     pub parameters: Vec<Pattern>,
-    /// Its value.
+    /// Value.
     pub body: Box<Expr>,
 }
 
-/// The slot of a name that no author wrote: its type is that of what it represents.
+/// Slot of a generated name, whose type is that of its value.
 pub const NO_SLOT: u32 = u32::MAX;
 
-/// The variant that `?` goes on with, in a pattern: `Some`, or `Ok`.
+/// Pattern for the variant with which `?` continues: `Some` or `Ok`.
 pub const GOES_ON: &str = "?";
 
 /// Name of the parameter of a function that returns an iterator, and of an iterator argument: the closure to which it
 /// passes each item.
 pub const EACH: &str = "__each";
 
-/// The method of a type that gives an iterator of what it holds, `set.iter()`: the macro leaves it to whom it precedes.
+/// Name of a type's method that returns an iterator over it, `set.iter()`; the macro cannot resolve it.
 pub const ITER: &str = "iter";
 
-/// The trait by which a type of the author's is an iterator.
+/// Trait of author-defined iterators.
 pub const ITERATOR: &str = "Iterator";
 
-/// The name of a method that an adaptor may be as well, and that gives what is changed.
+/// Name of a method that returns mutable items; it may also be an adapter's.
 pub const ITER_MUT: &str = "iter_mut";
 
 /// A pattern.
@@ -452,26 +453,26 @@ pub enum Pattern {
     Any,
     /// `..` in a list.
     Rest,
-    /// `name`, `name @ pattern`.
+    /// A name, `name`, possibly with a pattern, `name @ pattern`.
     Name {
-        /// The author's name.
+        /// Author's name.
         name: String,
-        /// Its type.
+        /// Slot of its type.
         slot: u32,
         /// True if it may be assigned.
         mutable: bool,
-        /// The pattern behind `@`, if there is one.
+        /// Pattern after `@`, if there is one.
         inner: Option<Box<Pattern>>,
     },
     /// A literal or a path.
     Value(Expr),
-    /// `from..=to`, each end a literal or a path; an end that is left out is the type's.
+    /// `from..=to`, each end a literal or a path; a missing end is the type's.
     Range {
-        /// The first value.
+        /// First value.
         from: Option<Expr>,
-        /// The last value, plus one unless `inclusive`.
+        /// Last value, plus one unless `inclusive`.
         to: Option<Expr>,
-        /// True if `to` itself is included.
+        /// True if the range includes `to`.
         inclusive: bool,
     },
     /// `a | b`.

@@ -1,7 +1,7 @@
-//! The scalar types, their ranges, and how a scalar travels as one 64-bit word.
+//! Scalar types, their ranges, and their representation as 64-bit words.
 //!
-//! A *word* is the form in which values cross every border (constants, the interpreter, a C process):
-//! a float is its bits, zero-extended; an integer is sign- or zero-extended; `bool` is 0 or 1.
+//! All values are exchanged as *words* (constants, the interpreter, a C process): a float is its bits, zero-extended;
+//! an integer is sign- or zero-extended; `bool` is 0 or 1.
 
 use serde::{Deserialize, Serialize};
 
@@ -22,7 +22,7 @@ pub enum Int {
 }
 
 impl Int {
-    /// All of them.
+    /// All integer types.
     pub const ALL: [Int; 10] = [
         Int::I8,
         Int::I16,
@@ -36,7 +36,7 @@ impl Int {
         Int::Usize,
     ];
 
-    /// Width in bits.
+    /// Returns the width in bits.
     pub const fn bits(self) -> u32 {
         match self {
             Int::I8 | Int::U8 => 8,
@@ -46,12 +46,12 @@ impl Int {
         }
     }
 
-    /// Returns true if values below zero exist.
+    /// Returns true for a signed type.
     pub const fn signed(self) -> bool {
         matches!(self, Int::I8 | Int::I16 | Int::I32 | Int::I64 | Int::Isize)
     }
 
-    /// The unsigned type of this width.
+    /// Returns the unsigned type of this width.
     pub const fn unsigned(self) -> Int {
         match self {
             Int::I8 | Int::U8 => Int::U8,
@@ -62,17 +62,17 @@ impl Int {
         }
     }
 
-    /// The smallest value.
+    /// Returns the smallest value.
     pub const fn min(self) -> i128 {
         if self.signed() { -(1i128 << (self.bits() - 1)) } else { 0 }
     }
 
-    /// The largest value.
+    /// Returns the largest value.
     pub const fn max(self) -> i128 {
         if self.signed() { (1i128 << (self.bits() - 1)) - 1 } else { (1i128 << self.bits()) - 1 }
     }
 
-    /// The name of the type in Rust.
+    /// Returns the name of the type in Rust.
     pub const fn name(self) -> &'static str {
         match self {
             Int::I8 => "i8",
@@ -88,7 +88,7 @@ impl Int {
         }
     }
 
-    /// The value that a word represents.
+    /// Returns the value of a word.
     pub const fn from_word(self, word: u64) -> i128 {
         if self.signed() { word as i64 as i128 } else { word as i128 }
     }
@@ -103,7 +103,7 @@ pub enum Float {
 }
 
 impl Float {
-    /// The unsigned integer of the same width.
+    /// Returns the unsigned integer type of this width.
     pub const fn bits_type(self) -> Int {
         match self {
             Float::F32 => Int::U32,
@@ -111,7 +111,7 @@ impl Float {
         }
     }
 
-    /// The name of the type in Rust.
+    /// Returns the name of the type in Rust.
     pub const fn name(self) -> &'static str {
         match self {
             Float::F32 => "f32",
@@ -130,7 +130,7 @@ pub enum Scalar {
 }
 
 impl Scalar {
-    /// The scalar type that Rust calls `name`.
+    /// Returns the scalar type with this name in Rust.
     pub fn from_name(name: &str) -> Option<Scalar> {
         match name {
             "bool" => Some(Scalar::Bool),
@@ -140,7 +140,7 @@ impl Scalar {
         }
     }
 
-    /// The name of the type in Rust.
+    /// Returns the name of the type in Rust.
     pub const fn name(self) -> &'static str {
         match self {
             Scalar::Bool => "bool",

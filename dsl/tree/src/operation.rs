@@ -1,56 +1,56 @@
-//! Operations that have a name in the tree and in the IR, and what each means. Operators are not among them: those of the
-//! tree are the author's, those of the IR have one type.
+//! Operations that tree and IR share. Operators are not among them: those of the tree are the author's, those of the
+//! IR have one type.
 //!
-//! Every one is exact: one value for given operands, the same on every target.
+//! Each operation is exact: one value for its operands, equal on every target.
 
 use serde::{Deserialize, Serialize};
 
 use crate::number::{Float, Int, Scalar};
 
-/// Functions of scalars that hardware or a few instructions give, the same on every target.
+/// Functions of scalars that hardware or a few instructions compute, equal on every target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Intrinsic {
     /// `sqrt(x)`, floats, rounded once.
     Sqrt,
-    /// `|x|`; on signed integers a fault for the smallest value.
+    /// `|x|`; on signed integers it faults for the smallest value.
     Abs,
-    /// The smaller: −0 < +0; a NaN gives the other operand.
+    /// The smaller operand, where −0 < +0; a NaN is ignored.
     Min,
-    /// The larger: −0 < +0; a NaN gives the other operand.
+    /// The larger operand, where −0 < +0; a NaN is ignored.
     Max,
-    /// `clamp(x, low, high)`: NaN stays NaN; a fault unless `low <= high`.
+    /// `clamp(x, low, high)`; NaN stays NaN. Faults unless `low <= high`.
     Clamp,
     /// `floor(x)`, floats.
     Floor,
-    /// The bits of a float as the unsigned integer of its width; every NaN has the canonical bits.
+    /// The bits of a float as an unsigned integer; every NaN has the canonical bits.
     ToBits,
-    /// The bits of a float that is not a NaN; of a NaN, whatever the machine has.
+    /// The bits of a float; of a NaN, the machine's bits.
     RawBits,
     /// The float with these bits.
     FromBits,
-    /// `copysign(magnitude, sign)`, floats; a NaN counts as positive sign.
+    /// `copysign(magnitude, sign)` of floats; a NaN has positive sign.
     Copysign,
-    /// Sum, integers, modulo 2^bits.
+    /// Sum of integers modulo 2^bits.
     WrappingAdd,
-    /// Difference, integers, modulo 2^bits.
+    /// Difference of integers modulo 2^bits.
     WrappingSub,
-    /// Product, integers, modulo 2^bits.
+    /// Product of integers modulo 2^bits.
     WrappingMul,
-    /// Quotient, signed integers, modulo 2^bits; a fault for a divisor of 0.
+    /// Quotient of signed integers modulo 2^bits; faults for the divisor 0.
     WrappingDiv,
-    /// Remainder, signed integers, 0 for a divisor of −1; a fault for a divisor of 0.
+    /// Remainder of signed integers, 0 for the divisor −1; faults for the divisor 0.
     WrappingRem,
-    /// Sum, integers, at most and at least what the type holds.
+    /// Saturating sum of integers.
     SaturatingAdd,
-    /// Difference, integers, at most and at least what the type holds.
+    /// Saturating difference of integers.
     SaturatingSub,
-    /// Product, integers, at most and at least what the type holds.
+    /// Saturating product of integers.
     SaturatingMul,
-    /// The quotient that leaves a remainder of 0 or more: floats (as Rust's std computes it), and signed
-    /// integers, where it faults as `/` does.
+    /// Quotient whose remainder is not negative: of floats (as Rust's std computes it), and of signed integers, where
+    /// it faults as `/` does.
     DivEuclid,
-    /// The remainder of 0 or more: floats (as Rust's std computes it), and signed integers, where it
-    /// faults as `%` does.
+    /// Remainder that is not negative: of floats (as Rust's std computes it), and of signed integers, where it faults
+    /// as `%` does.
     RemEuclid,
     /// `|x|` of a signed integer as the unsigned integer of its width.
     UnsignedAbs,
@@ -62,15 +62,15 @@ pub enum Intrinsic {
     LeadingZeros,
     /// Number of zero bits below the lowest bit set in an unsigned integer, as `u32`.
     TrailingZeros,
-    /// The bytes of an unsigned integer of 16 bits or more, turned round.
+    /// An unsigned integer of at least 16 bits with its bytes in reverse order.
     SwapBytes,
-    /// The smallest whole float not below.
+    /// Smallest whole float that is not less.
     Ceil,
-    /// The whole part of a float, towards zero.
+    /// Whole part of a float, towards zero.
     Trunc,
-    /// The nearest whole float; halves go away from zero.
+    /// Nearest whole float; halves are rounded away from zero.
     Round,
-    /// 1 with the sign of a float, its zero included; NaN for a NaN.
+    /// 1 with the sign of a float, also of zero; NaN for a NaN.
     Signum,
     /// True if a float is NaN.
     IsNan,
@@ -78,12 +78,12 @@ pub enum Intrinsic {
     IsFinite,
     /// True if a float is infinite.
     IsInfinite,
-    /// An enum as it is, or its last variant for what is none of them: a byte from outside may be either.
+    /// An enum, or its last variant if its value is no variant, since a byte from outside may be any.
     Variant,
 }
 
 impl Intrinsic {
-    /// The type of the result for operands of type `operand`; none if it does not take that type, as
+    /// Returns the result type for operands of type `operand`; none if it does not take that type, as
     /// [`Intrinsic::Variant`] takes no scalar.
     pub fn result(self, operand: Scalar) -> Option<Scalar> {
         use Intrinsic::*;
@@ -130,18 +130,18 @@ impl Intrinsic {
     }
 }
 
-/// Routines of linear algebra: each in the operation order of the nalgebra routine it represents.
+/// Routines of linear algebra, each in the order of operations of the nalgebra routine it represents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Routine {
-    /// `a + b`, each element.
+    /// `a + b` of elements.
     Add,
-    /// `a - b`, each element.
+    /// `a - b` of elements.
     Sub,
-    /// `-a`, each element.
+    /// `-a` of elements.
     Neg,
-    /// `a * s` for a matrix and a scalar, each element `a * s`.
+    /// `a * s` of a matrix and a scalar.
     Scale,
-    /// `a / s` for a matrix and a scalar, each element `a / s`.
+    /// `a / s` of a matrix and a scalar.
     Unscale,
     /// `a.component_mul(&b)`.
     ComponentMul,

@@ -1,4 +1,4 @@
-//! A package of models, as the compiler gets it.
+//! A package of models: the input of the compiler.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -7,64 +7,64 @@ use serde::{Deserialize, Serialize};
 
 use super::{Alias, Definition, Function, Site, Table, Ty};
 
-/// A package of models, as the compiler gets it.
+/// A package of models: the input of the compiler.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Package {
-    /// The Rust package.
+    /// Name of the Rust package.
     pub name: String,
-    /// Its licence, as its manifest has it.
+    /// Licence in its manifest.
     pub license: String,
-    /// Types, each after those it is made of.
+    /// Types, each after those that it contains.
     pub types: Vec<Definition>,
     /// Functions, callees before callers.
     pub functions: Vec<Function>,
-    /// The names that their author gave to instances of generic types.
+    /// Author's names of instances of generic types.
     #[serde(default)]
     pub aliases: Vec<Alias>,
-    /// The constants and tables of which their author says more than their value.
+    /// Constants and tables with C attributes.
     #[serde(default)]
     pub tables: Vec<Table>,
-    /// Functions that no call names: the types that they take say where they are called.
+    /// Functions without a call in the source; the types of operands select them.
     #[serde(default)]
     pub implied: Vec<Implied>,
-    /// The generic components of its author's: each has C by its instances alone.
+    /// Generic components; only their instances have C.
     #[serde(default)]
     pub templates: Vec<Template>,
-    /// The refusals of the builder itself.
+    /// Refusals of the builder.
     pub errors: Vec<Refusal>,
 }
 
 /// A generic component.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Template {
-    /// The module that it is in.
+    /// Module.
     pub module: String,
-    /// The author's name.
+    /// Author's name.
     pub name: String,
-    /// The source file, as rustc names it.
+    /// Source file, as rustc names it.
     pub file: String,
     /// Site of the name.
     pub site: Site,
 }
 
-/// Implementation of a trait that is called other than by name: `PartialEq` by `==`, also on types that contain it;
-/// `From` by `?`.
+/// Implementation of a trait whose function is called without its name: `PartialEq` by `==`, also on types that
+/// contain it; `From` by `?`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Implied {
-    /// The name of the trait.
+    /// Name of the trait.
     pub of: String,
-    /// The type that it is implemented for.
+    /// Type that implements it.
     pub owner: Ty,
-    /// The type that it is compared with, or made from.
+    /// Type with which it is compared, or from which it is converted.
     pub other: Ty,
-    /// The path of the function.
+    /// Path of the function.
     pub function: String,
 }
 
-/// Something that cannot be compiled, found while building.
+/// A refusal that was found while the tree was built.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Refusal {
-    /// The source file, as rustc names it.
+    /// Source file, as rustc names it.
     pub file: String,
     /// Site of the implementation.
     pub site: Site,

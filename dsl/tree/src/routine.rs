@@ -1,57 +1,58 @@
-//! The routines of linear algebra that are functions of their own.
+//! Routines of linear algebra with their own functions.
 //!
-//! Invariant: what one computes follows from it, the element type and the dimensions alone, bit for bit, in nalgebra's order
-//! of operations.
+//! Invariant: the result's bits follow only from the routine, the element type and the dimensions, in nalgebra's
+//! order of operations.
 //!
-//! What it must not know: how it is computed.
+//! Must not know: the implementation.
 
 use serde::{Deserialize, Serialize};
 
-/// The computation of a kernel, and its dimensions.
+/// Routine of a kernel, with the meaning of its dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum KernelRoutine {
-    /// `a * b`; rows of `a`, columns of `a`, columns of `b`. Per output the first product, then k
-    /// ascending `y = a_k * b_k + y`.
+    /// `a * b`. Each element is the first product, then for ascending k `y = a_k * b_k + y`. Dimensions: rows of `a`,
+    /// columns of `a`, columns of `b`.
     Product,
-    /// `a * b.transpose()` in the order of a product; rows of `a`, columns of both, rows of `b`.
+    /// `a * b.transpose()` in the order of a product. Dimensions: rows of `a`, columns of both, rows of `b`.
     ProductTr,
-    /// `a.transpose() * b` in the order of a product; columns of `a`, rows of both, columns of `b`.
+    /// `a.transpose() * b` in the order of a product. Dimensions: columns of `a`, rows of both, columns of `b`.
     TrProduct,
-    /// `a.tr_mul(&b)`; rows of both, columns of `a`, columns of `b`. Per output the `dot` of two columns.
+    /// `a.tr_mul(&b)`. Each element is the `dot` of two columns. Dimensions: rows of both, columns of `a`, columns of
+    /// `b`.
     TrMul,
     /// Solves `a x = b` in place by elimination with row pivots. `a` becomes its factors as nalgebra packs them, `b`
     /// the solution, and the result is `true`. If `a` is singular, the result is `false`, and both are NaN in every
     /// element. Dimensions: the size, the columns of `b`.
     LuSolve,
-    /// Solves `a x = b` in place of `b` in the same way; `a` stays as it is. `false`, and NaN in `b`, where `a` is
-    /// singular. The size, the columns of `b`.
+    /// Solves `a x = b` in place of `b` and leaves `a` unchanged. If `a` is singular, the result is `false`, and `b`
+    /// is NaN. Dimensions: the size, the columns of `b`.
     Solve,
-    /// Inverts `a` in place; `false`, and `a` as it was, where it is singular. The size. Up to 4 by
-    /// cofactors, above by elimination.
+    /// Inverts `a` in place, up to size 4 by cofactors, above by elimination. If `a` is singular, the result is
+    /// `false`, and `a` is unchanged. Dimension: the size.
     Inverse,
-    /// The determinant of `a`. The size. Up to 3 by minors, above by elimination.
+    /// Computes the determinant of `a`, up to size 3 by minors, above by elimination. Dimension: the size.
     Determinant,
-    /// Factors a symmetric `a` in place: its lower triangle becomes L, what is above stays. `false`, and
-    /// NaN in the lower triangle, unless it is positive definite. The size.
+    /// Factors a symmetric `a` in place: its lower triangle becomes L, the rest is unchanged. Unless `a` is positive
+    /// definite, the result is `false`, and the lower triangle is NaN. Dimension: the size.
     Cholesky,
     /// Computes the Cholesky factor L into the lower triangle of a copy of `a`. The upper part stays; the lower
     /// triangle is NaN unless `a` is positive definite. Dimension: the size.
     CholeskyLower,
-    /// Solves `l lᵀ x = b` in place of `b`, of `l` the lower triangle. The size, the columns of `b`.
+    /// Solves `l lᵀ x = b` in place of `b`, where `l` is a lower triangle. Dimensions: the size, the columns of `b`.
     CholeskySolve,
     /// Solves `a x = b` in place of `b` with the lower triangle of `a`. If an element of the diagonal is zero, the
     /// result is `false`, and `b` is NaN. Dimensions: the size, the columns of `b`.
     SolveLower,
-    /// Solves with the upper triangle.
+    /// Solves like [`SolveLower`](Self::SolveLower), with the upper triangle.
     SolveUpper,
-    /// Solves with the transpose of the lower triangle.
+    /// Solves like [`SolveLower`](Self::SolveLower), with the transpose of the lower triangle.
     TrSolveLower,
-    /// Solves with the transpose of the upper triangle.
+    /// Solves like [`SolveLower`](Self::SolveLower), with the transpose of the upper triangle.
     TrSolveUpper,
 }
 
 impl KernelRoutine {
-    /// Every routine.
+    /// All routines.
     pub const ALL: [KernelRoutine; 15] = [
         KernelRoutine::Product,
         KernelRoutine::ProductTr,
@@ -70,7 +71,7 @@ impl KernelRoutine {
         KernelRoutine::TrSolveUpper,
     ];
 
-    /// `lu_solve`.
+    /// Returns the name, such as `lu_solve`.
     pub const fn name(self) -> &'static str {
         match self {
             KernelRoutine::Product => "product",
@@ -91,12 +92,12 @@ impl KernelRoutine {
         }
     }
 
-    /// The routine of this name.
+    /// Returns the routine with this name.
     pub fn from_name(name: &str) -> Option<KernelRoutine> {
         KernelRoutine::ALL.into_iter().find(|routine| routine.name() == name)
     }
 
-    /// One word for its result.
+    /// Returns one word for its result.
     pub const fn result(self) -> &'static str {
         match self {
             KernelRoutine::Product

@@ -1,9 +1,9 @@
-//! Walks over the author's syntax.
+//! Visitors of the author's syntax.
 //!
-//! Implement [`Visit`] (to read) or [`VisitMut`] (to rewrite) and override what matters; an override goes on to the
-//! children by calling the `walk_…` function of the same name. [`Walk`] does with a closure what looks at each node by itself.
+//! Implement [`Visit`] (to read) or [`VisitMut`] (to rewrite) and override the methods that matter. An override
+//! visits the children by calling the `walk_…` function of the same name. If a closure suffices, use [`Walk`].
 //!
-//! Invariant: every expression, statement, arm and pattern is met exactly once, in the order of the source.
+//! Invariant: every expression, statement, arm and pattern is visited exactly once, in the order of the source.
 
 use alloc::collections::BTreeSet;
 use alloc::string::String;
@@ -18,19 +18,19 @@ macro_rules! visitor {
     ) => {
         $(#[$doc])*
         pub trait $visitor {
-            /// A block.
+            /// Visits a block.
             fn block(&mut self, block: &$($mutable)? Block) {
                 $walk_block(self, block);
             }
-            /// A statement.
+            /// Visits a statement.
             fn stmt(&mut self, stmt: &$($mutable)? Stmt) {
                 $walk_stmt(self, stmt);
             }
-            /// An arm of a `match`.
+            /// Visits an arm of a `match`.
             fn arm(&mut self, arm: &$($mutable)? Arm) {
                 $walk_arm(self, arm);
             }
-            /// A pattern.
+            /// Visits a pattern.
             fn pattern(&mut self, pattern: &$($mutable)? Pattern) {
                 $walk_pattern(self, pattern);
             }
@@ -38,13 +38,13 @@ macro_rules! visitor {
             fn source(&mut self, source: &$($mutable)? Source) {
                 $walk_source(self, source);
             }
-            /// An expression.
+            /// Visits an expression.
             fn expr(&mut self, expr: &$($mutable)? Expr) {
                 $walk_expr(self, expr);
             }
         }
 
-        /// The statements of a block, and its value.
+        /// Visits the statements of a block, and its value.
         pub fn $walk_block<V: $visitor + ?Sized>(visitor: &mut V, block: &$($mutable)? Block) {
             for stmt in &$($mutable)? block.stmts {
                 visitor.stmt(stmt);
@@ -54,7 +54,7 @@ macro_rules! visitor {
             }
         }
 
-        /// The parts of a statement.
+        /// Visits the parts of a statement.
         pub fn $walk_stmt<V: $visitor + ?Sized>(visitor: &mut V, stmt: &$($mutable)? Stmt) {
             match stmt {
                 Stmt::Let { value, .. } => {
@@ -73,7 +73,7 @@ macro_rules! visitor {
             }
         }
 
-        /// The parts of an arm.
+        /// Visits the parts of an arm.
         pub fn $walk_arm<V: $visitor + ?Sized>(visitor: &mut V, arm: &$($mutable)? Arm) {
             visitor.pattern(&$($mutable)? arm.pattern);
             if let Some(guard) = &$($mutable)? arm.guard {
@@ -82,7 +82,7 @@ macro_rules! visitor {
             visitor.expr(&$($mutable)? arm.body);
         }
 
-        /// The parts of a pattern.
+        /// Visits the parts of a pattern.
         pub fn $walk_pattern<V: $visitor + ?Sized>(visitor: &mut V, pattern: &$($mutable)? Pattern) {
             match pattern {
                 Pattern::Any | Pattern::Rest => {}
@@ -115,7 +115,7 @@ macro_rules! visitor {
             }
         }
 
-        /// The parts of an expression.
+        /// Visits the parts of an expression.
         pub fn $walk_expr<V: $visitor + ?Sized>(visitor: &mut V, expr: &$($mutable)? Expr) {
             match &$($mutable)? expr.kind {
                 ExprKind::Bool(_)
@@ -219,7 +219,7 @@ macro_rules! visitor {
             }
         }
 
-        /// The parts of a source.
+        /// Visits the parts of a source.
         pub fn $walk_source<V: $visitor + ?Sized>(visitor: &mut V, source: &$($mutable)? Source) {
             match source {
                 Source::Elements(array, _) => visitor.expr(array),
@@ -248,41 +248,41 @@ macro_rules! visitor {
 }
 
 visitor! {
-    /// Reads every node under the one it is started on.
+    /// Visitor that reads every node.
     Visit() => walk_block walk_stmt walk_arm walk_pattern walk_expr walk_source
 }
 
 visitor! {
-    /// Rewrites every node under the one it is started on, in place.
+    /// Visitor that rewrites every node in place.
     VisitMut(mut) =>
     walk_block_mut walk_stmt_mut walk_arm_mut walk_pattern_mut walk_expr_mut walk_source_mut
 }
 
-/// A node in which something is looked for: what one closure can tell needs no visitor of its own.
+/// A node that can be searched by a closure, without a visitor type.
 ///
-/// The walks are [`Visit`]'s, the node itself included.
+/// The order is [`Visit`]'s, including the node itself.
 pub trait Walk {
-    /// Starts a visitor on the node.
+    /// Runs a visitor on the node.
     fn walk<V: Visit>(&self, visitor: &mut V);
 
-    /// Shows each expression, outer before inner.
+    /// Calls `see` for each expression, outer before inner.
     fn each_expr(&self, see: impl FnMut(&Expr)) {
         self.walk(&mut Exprs(see));
     }
 
-    /// Returns true if the test is true of any expression.
+    /// Returns true if the test holds for any expression.
     fn any_expr(&self, mut test: impl FnMut(&Expr) -> bool) -> bool {
         let mut found = false;
         self.each_expr(|expr| found = found || test(expr));
         found
     }
 
-    /// Shows each name that is bound, by a pattern or a `let`, and its slot.
+    /// Calls `see` for each name that a pattern or a `let` binds, with its slot.
     fn each_name(&self, see: impl FnMut(&str, u32)) {
         self.walk(&mut Names(see));
     }
 
-    /// The names that are bound.
+    /// Returns the names that are bound.
     fn bound(&self) -> BTreeSet<String> {
         let mut names = BTreeSet::new();
         self.each_name(|name, _| {
@@ -291,7 +291,7 @@ pub trait Walk {
         names
     }
 
-    /// The names of the locals that are there, wherever they are declared.
+    /// Returns the names of all locals that are used.
     fn locals(&self) -> BTreeSet<String> {
         let mut names = BTreeSet::new();
         self.each_expr(|expr| {

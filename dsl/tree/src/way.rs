@@ -10,14 +10,14 @@ use super::Expr;
 /// Sequence that a loop iterates over, composed of others by adapters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Source {
-    /// The elements of an array, or what a function gives; whether the loop goes through a copy.
+    /// Elements of an array, or items of a function's result; true if the loop iterates over a copy.
     Elements(Expr, bool),
     /// `from..to`.
     Numbers(Range),
     /// `array.windows(n)` and the like.
     Groups(Grouping, Expr, Expr),
-    /// `a.zip(b)`: as far as the shorter of the two. Where the syntax does not show elements in `b`, the function that takes
-    /// the next item of it.
+    /// `a.zip(b)`, which ends with the shorter of the two. If the syntax does not show that `b` has elements, the
+    /// number is the callee that takes its next item.
     Zip(Box<Source>, Box<Source>, Option<u32>),
     /// `a.chain(b)`.
     Chain(Box<Source>, Box<Source>),
@@ -60,36 +60,36 @@ impl Source {
 /// A range of numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Range {
-    /// The first.
+    /// First number.
     pub from: Expr,
-    /// The last, plus one unless `inclusive`. Without one, a step from the last number of its type is a fault.
+    /// Last number, plus one unless `inclusive`. Without it, a step from the last number of the type is a fault.
     pub to: Option<Expr>,
-    /// True if `to` itself is included.
+    /// True if the range includes `to`.
     pub inclusive: bool,
-    /// Their type.
+    /// Slot of the numbers' type.
     pub slot: u32,
 }
 
 /// Grouping of elements taken several at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Grouping {
-    /// `.windows(n)`: each begins one further.
+    /// `.windows(n)`: each begins one element after the one before.
     Windows,
-    /// `.chunks_exact(n)`: one behind the other, as long as they are whole.
+    /// `.chunks_exact(n)`: consecutive groups, without an incomplete one.
     Whole,
-    /// `.chunks(n)`: one behind the other, the last perhaps shorter.
+    /// `.chunks(n)`: consecutive groups, of which the last may be shorter.
     All,
 }
 
-/// The fault where an assertion does not hold.
+/// Fault of a failed assertion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Claim {
-    /// Whatever the author says.
+    /// An assertion of the author's.
     Assertion,
-    /// An index is beyond the end.
+    /// An index is out of range.
     Index,
-    /// There is no room.
+    /// A container is full.
     Capacity,
-    /// The bounds of `clamp` are the wrong way round.
+    /// The bounds of `clamp` are in the wrong order.
     Clamp,
 }

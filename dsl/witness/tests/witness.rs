@@ -1,5 +1,5 @@
-//! The witness technique: a generation build hands on the types that rustc inferred and the functions
-//! that it resolved, whatever the author called them.
+//! The witness technique: a generation build returns the types that rustc inferred and the functions that it
+//! resolved, for any names.
 
 #![cfg(feature = "generate")]
 
@@ -30,14 +30,14 @@ fn package() -> Package {
     package
 }
 
-/// The function with the path `witness::…`.
+/// Returns the function with the path `witness::…`.
 fn function(path: &str) -> Function {
     let path = format!("witness::{path}");
     let mut functions = package().functions.into_iter();
     functions.find(|function| function.path == path).unwrap_or_else(|| panic!("no {path}"))
 }
 
-/// The type of each `let` at the top of a function, in order; a closure has none.
+/// Returns the type of each `let` at the top of a function, in order; a closure has none.
 fn lets(function: &Function) -> Vec<(String, Ty)> {
     let stmts = function.tree.body.stmts.iter();
     stmts
@@ -50,7 +50,7 @@ fn lets(function: &Function) -> Vec<(String, Ty)> {
         .collect()
 }
 
-/// The types of the parameters, and of the result.
+/// Returns the types of the parameters, and of the result.
 fn signature(function: &Function) -> (Vec<(&str, Ty)>, Ty) {
     let ty = |slot: u32| function.slots[slot as usize].clone();
     let params = function.tree.params.iter().map(|param| (param.name.as_str(), ty(param.slot)));
@@ -74,7 +74,7 @@ fn callees(function: &Function) -> Vec<String> {
     function.callees.iter().map(name).collect()
 }
 
-/// The tail of a function.
+/// Returns the tail of a function.
 fn tail(function: &Function) -> &Expr {
     function.tree.body.tail.as_deref().expect("the function ends in a value")
 }

@@ -1,11 +1,11 @@
-//! Calls: the witness copy calls the *companion* in place of the function.
+//! Calls: the witness copy calls the *companion* instead of the function.
 //!
-//! * `wrap(x)` becomes `wrap::__call(x)`: a struct of the function's name carries its companion, so
-//!   that aliases, globs and re-exports follow by themselves.
-//! * `x.torque(e)` becomes `x.__b_torque(e)`, `Pid::new(…)` becomes `Pid::__b_new(…)`: the companion
-//!   is beside the method, so that rustc resolves it in its own order.
+//! * `wrap(x)` becomes `wrap::__call(x)`: a struct with the function's name carries its companion, so aliases, globs
+//!   and re-exports work.
+//! * `x.torque(e)` becomes `x.__b_torque(e)`, and `Pid::new(…)` becomes `Pid::__b_new(…)`: the companion is beside
+//!   the method, so rustc resolves it by its own rules.
 //!
-//! A companion returns what the function returns, and beside it, in a slot, which function it was.
+//! A companion returns the function's result, and its marker for a slot.
 
 use bessemer_tree::{EACH, ExprKind};
 use quote::{quote, quote_spanned};
@@ -63,7 +63,7 @@ impl Lowering {
         out_of_reach(function)
     }
 
-    /// `T::default()`: a constant, since it depends on nothing.
+    /// Lowers `T::default()` to a constant, since it depends on nothing.
     fn default_value(&mut self, function: &syn::ExprPath) -> ExprKind {
         let mut path = function.path.clone();
         if let Some(last) = path.segments.last_mut() {
@@ -123,7 +123,7 @@ impl Lowering {
     }
 }
 
-/// The reason for a function that its path shows to be out of reach, by the crate or the type in it.
+/// Returns the refusal of a function that its path shows to be unsupported, by the crate or the type in it.
 fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
     let names: Vec<_> = function.path.segments.iter().map(|segment| text(&segment.ident)).collect();
     let [.., owner, last] = names.as_slice() else { return None };
@@ -142,7 +142,7 @@ fn out_of_reach(function: &syn::ExprPath) -> Option<refuse::Reason> {
     of_type.or(outside.filter(|_| !answered))
 }
 
-/// Returns true if an expression is a call of a method, or what `?` gives of one: its value may refer to an element.
+/// Returns true if an expression is a method call, possibly with `?`; its value may refer to an element.
 pub(super) fn may_refer(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::MethodCall(_) | syn::Expr::Try(_) => true,
@@ -156,12 +156,12 @@ fn is_default(function: &syn::ExprPath) -> bool {
         && function.path.segments.last().is_some_and(|last| last.ident == "default")
 }
 
-/// The name of the companion of a method.
+/// Returns the name of the companion of a method.
 pub fn companion_name(method: &syn::Ident) -> syn::Ident {
     syn::Ident::new(&format!("__b_{}", text(method)), method.span())
 }
 
-/// The path of the companion: none if the path is a constructor.
+/// Returns the path of the companion; none for a constructor.
 pub(super) fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
     let mut path = function.path.clone();
     let last = path.segments.last()?.clone();

@@ -1,6 +1,6 @@
-//! Closures that do not escape: bound to a name and called, or written where an iterator takes one.
+//! Closures that do not escape: bound to a name and called, or passed to an iterator method.
 //!
-//! The tree has a closure where its author wrote it, and its name where it is called or handed on.
+//! The tree has the closure at its definition, and its name where it is called or passed.
 
 use bessemer_tree as tree;
 use bessemer_tree::{ExprKind, NO_SLOT};
@@ -17,7 +17,7 @@ use super::walk::Lowering;
 use super::{pattern, refuse};
 
 impl Lowering {
-    /// `let f = |x| …;`, `let f = f64::abs;`: the closure is known by its name from here on.
+    /// Lowers `let f = |x| …;` or `let f = f64::abs;`, and registers the name.
     pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> Option<tree::Stmt> {
         let (site, init) = (site(&local.let_token), local.init.as_mut()?);
         let mut value = self.argument(&mut init.expr);
@@ -32,8 +32,8 @@ impl Lowering {
         Some(tree::Stmt::Let { name, slot: NO_SLOT, value: Some(value), site, mutable: false })
     }
 
-    /// Returns true if an expression is the name of a function: of small letters alone, since a constant may begin with
-    /// one.
+    /// Returns true if an expression names a function: its last segment has no capitals, since a constant may begin
+    /// with a small letter.
     pub(super) fn names_function(&self, expr: &syn::Expr) -> bool {
         let syn::Expr::Path(path) = expr else { return false };
         let is_local = path.path.get_ident().is_some_and(|it| self.is_local(&text(it)));
@@ -41,7 +41,7 @@ impl Lowering {
         !is_local && is_function(path) && !last.contains(char::is_uppercase)
     }
 
-    /// The name in the tree of a closure, or of a parameter that takes one.
+    /// Returns the tree's name of a closure, or of a parameter that takes one.
     pub(super) fn called_name(&self, name: &str) -> Option<String> {
         let in_tree = self.local_name(name)?;
         (self.is_called(name) || self.is_closure(in_tree)).then(|| in_tree.to_owned())
@@ -51,7 +51,7 @@ impl Lowering {
         self.closures.iter().any(|name| name == in_tree)
     }
 
-    /// An argument of a call: a closure, or a value.
+    /// Lowers an argument of a call: a closure, or a value.
     pub(super) fn argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         match expr {
             syn::Expr::Paren(it) if matches!(&*it.expr, syn::Expr::Closure(_)) => {
@@ -87,7 +87,7 @@ impl Lowering {
         }
     }
 
-    /// Returns true if an expression is a closure, or the name of one.
+    /// Returns true if an expression is a closure, or names one.
     fn is_called_value(&self, expr: &syn::Expr) -> bool {
         match expr {
             syn::Expr::Closure(_) => true,
@@ -99,14 +99,15 @@ impl Lowering {
         }
     }
 
-    /// Returns true if a name is that of a parameter that takes a closure.
+    /// Returns true if a name is a parameter that takes a closure.
     pub(super) fn is_called(&self, name: &str) -> bool {
         self.called.iter().any(|known| known == name)
             && self.bindings(name) == 1
             && self.local_name(name) == Some(name)
     }
 
-    /// The value of a closure's body; `looks` at its parameters come first in the copy.
+    /// Lowers the body of a closure; the statements `looks`, which record its parameters' types, come first in the
+    /// copy.
     pub(super) fn closure_body(
         &mut self,
         closure: &mut syn::ExprClosure,
@@ -134,7 +135,7 @@ impl Lowering {
         tree::Expr { kind: ExprKind::Labelled(label, block), site, slot }
     }
 
-    /// The body of a function that stands where it is called: what leaves it early leaves its body there.
+    /// Lowers the body of an inlined function, in which an early exit leaves only the body.
     pub fn expanded_body(
         &mut self,
         body: &mut syn::Block,
@@ -160,7 +161,7 @@ impl Lowering {
         }
     }
 
-    /// Checks captures: a `move` closure copies, which equals a borrow if nobody changes the variable.
+    /// Checks the captures of a `move` closure: it copies, which equals a borrow if nobody changes the variable.
     fn check_capture(&mut self, closure: &syn::ExprClosure) {
         if let Some(token) = &closure.capture
             && self.mutable.iter().any(|name| names(&closure.body, name))
@@ -170,7 +171,7 @@ impl Lowering {
     }
 }
 
-/// The names that a function declares `mut`, of which a copy may differ from what was copied.
+/// Returns the names that a function declares `mut`; a copy of one may differ from the later value.
 pub fn mutable_names(signature: &syn::Signature, body: &syn::Block) -> Vec<String> {
     let mut mutable = Vec::new();
     let note = |it: &syn::PatIdent| mutable.extend(it.mutability.map(|_| text(&it.ident)));
@@ -180,14 +181,14 @@ pub fn mutable_names(signature: &syn::Signature, body: &syn::Block) -> Vec<Strin
     mutable
 }
 
-/// Refuses what would leave the caller of a function that stands where it is called.
+/// Refuses statements in an inlined function that would leave its caller.
 pub fn without_returns(body: &syn::Block, refusals: &mut Refusals) {
     for span in Returns::of(|it| it.visit_block(body)) {
         refusals.add(span, refuse::EXPANDED_RETURN);
     }
 }
 
-/// The expressions that would leave a closure early.
+/// Visitor that finds the expressions that would leave a closure early.
 struct Returns(Vec<Span>);
 
 impl Returns {

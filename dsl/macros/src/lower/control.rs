@@ -1,4 +1,4 @@
-//! Control flow: `if`, `match`, loops and how they are left.
+//! Control flow: `if`, `match`, loops, and exits from loops.
 
 use bessemer_tree as tree;
 use bessemer_tree::ExprKind;
@@ -29,7 +29,7 @@ impl Lowering {
         ExprKind::If(Box::new(condition), then, otherwise)
     }
 
-    /// A condition, and the patterns that it is made of: `a && let Some(x) = b`.
+    /// Lowers a condition, possibly with patterns: `a && let Some(x) = b`.
     fn condition(&mut self, expr: &mut syn::Expr, looks: &mut Vec<syn::Stmt>) -> tree::Expr {
         let place = place(expr);
         let kind = match expr {
@@ -59,7 +59,7 @@ impl Lowering {
         tree::Expr { kind, site: place, slot: None }
     }
 
-    /// A branch of an `if`. Where no value is wanted, a tail without semicolon is a statement.
+    /// Lowers a branch of an `if`. If no value is wanted, a tail without semicolon is a statement.
     pub(super) fn branch(&mut self, block: &mut syn::Block, value: bool) -> tree::Block {
         let mut lowered = self.block(block);
         if !value && let Some(tail) = lowered.tail.take() {
@@ -105,7 +105,7 @@ impl Lowering {
         }
     }
 
-    /// `while`, with the bound that its attribute declares, if it does.
+    /// Lowers a `while`, with the bound of its attribute if it has one.
     pub(super) fn while_loop(&mut self, it: &mut syn::ExprWhile) -> Option<ExprKind> {
         let bound = self.bound(&mut it.attrs)?;
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
@@ -118,7 +118,7 @@ impl Lowering {
         Some(ExprKind::While { label, condition, bound, body })
     }
 
-    /// `loop`, the same.
+    /// Lowers a `loop`, with the bound of its attribute if it has one.
     pub(super) fn endless_loop(&mut self, it: &mut syn::ExprLoop) -> Option<ExprKind> {
         let bound = self.bound(&mut it.attrs)?;
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
@@ -126,7 +126,8 @@ impl Lowering {
         Some(ExprKind::While { label, condition: None, bound, body })
     }
 
-    /// Takes `#[bound(…)]` off a loop; nothing where it is no bound. Without one the bound has to show.
+    /// Removes and lowers `#[bound(…)]` of a loop; the outer result is none if it is invalid. Without it the bound
+    /// must be proved.
     pub(super) fn bound(
         &mut self,
         attributes: &mut Vec<syn::Attribute>,
@@ -144,7 +145,7 @@ impl Lowering {
         Some(Some(Box::new(bound)))
     }
 
-    /// Takes `#[unroll(…)]` or `#[keep]` off a loop; gives how many passes are to be written out at once.
+    /// Removes `#[unroll(…)]` or `#[keep]` of a loop, and returns the unroll factor.
     pub(super) fn unrolled(&mut self, attributes: &mut Vec<syn::Attribute>) -> Option<u32> {
         let attribute = loops::take(attributes, loops::HINTS)?;
         let count = match (&attribute.meta, attribute.path().is_ident("keep")) {
@@ -166,7 +167,7 @@ impl Lowering {
     }
 }
 
-/// Puts statements before the value of an arm.
+/// Inserts statements before the value of an arm.
 fn behind(body: &mut syn::Expr, looks: Vec<syn::Stmt>) {
     if generating() && !looks.is_empty() {
         let span = span(body);
@@ -182,7 +183,7 @@ fn has_let(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Returns true if a pattern has a name for all that is matched.
+/// Returns true if a pattern binds the whole matched value.
 fn names_the_whole(pattern: &syn::Pat) -> bool {
     match pattern {
         syn::Pat::Ident(it) => {

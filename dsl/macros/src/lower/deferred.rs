@@ -1,11 +1,10 @@
-//! Ranges with a name: `let middle = 1..n - 1;`.
+//! Named ranges: `let middle = 1..n - 1;`.
 //!
-//! A range does nothing before it is iterated, so it stands where that is, in the tree and in the copy, and its name is
-//! nothing there.
+//! A range has no effect before it is iterated, so tree and copy have it where it is iterated, and no variable for
+//! it.
 //!
-//! Invariants: what is copied when the range is made cannot change before it is iterated, so a number that may, or that
-//! may fault, gets a name of its own where the range is made; no name in it means something else later. Any other range
-//! keeps its refusal.
+//! Invariants: a bound that may change later, or that may fault, gets a variable where the range is made. No name in
+//! the range has another meaning where it is iterated. Any other named range is refused.
 
 use syn::parse_quote;
 use syn::visit::{self, Visit};
@@ -17,7 +16,7 @@ use super::syntax::{bare, is_plain, names};
 use super::walk::Lowering;
 
 impl Lowering {
-    /// Puts the ranges that have names in a block where they are iterated.
+    /// Moves the named ranges of a block to where they are iterated.
     pub(super) fn ranges_with_names(&self, stmts: &mut Vec<syn::Stmt>) {
         let mut at = 0;
         while at < stmts.len() {
@@ -33,7 +32,8 @@ impl Lowering {
         }
     }
 
-    /// The range that a statement gives a name, if it can are in those behind it, and what is computed where it is made.
+    /// Returns the named range of a statement, if it can be moved into the statements after it, and the variables for
+    /// its bounds.
     fn range_with_name(
         &self,
         stmt: &syn::Stmt,
@@ -57,7 +57,7 @@ impl Lowering {
         (!hides.found).then_some((named, made.stmts))
     }
 
-    /// Gives what is copied where a range is made a name there, unless it stays as it is.
+    /// Binds the values that are copied when a range is made, unless they cannot change.
     fn settle(&self, range: &mut syn::Expr, made: &mut Made<'_>) {
         match range {
             syn::Expr::Paren(it) => self.settle(&mut it.expr, made),
@@ -79,7 +79,7 @@ impl Lowering {
         }
     }
 
-    /// Gives a number a name where the range is made, unless it is the same later.
+    /// Binds a number where the range is made, unless it cannot change later.
     fn settle_number(&self, number: &mut syn::Expr, role: &str, made: &mut Made<'_>) {
         if !self.is_settled(number) {
             let name = made.fresh(role);
@@ -88,8 +88,8 @@ impl Lowering {
         }
     }
 
-    /// Returns true if what is copied where a range is made stays as it is, and whether that cannot fault. A field may
-    /// change behind a reference, and so may what a method gives; what is borrowed may not.
+    /// Returns true if a value that a range copies cannot change later and cannot fault. A field behind a reference
+    /// may change, and so may a method's result; a borrowed place may not.
     fn is_settled(&self, expr: &syn::Expr) -> bool {
         match bare(expr) {
             syn::Expr::Closure(_) | syn::Expr::Lit(_) => true,
@@ -111,18 +111,18 @@ fn is_above_zero(expr: &syn::Expr) -> bool {
     number.base10_parse::<u64>().is_ok_and(|number| number > 0)
 }
 
-/// Values computed where a range is constructed.
+/// Variables for values that are computed where a range is made.
 struct Made<'a> {
-    /// The range's name.
+    /// Name of the range.
     name: &'a syn::Ident,
-    /// The statements.
+    /// Their `let` statements.
     stmts: Vec<syn::Stmt>,
-    /// The names that they give.
+    /// Their names.
     names: Vec<String>,
 }
 
 impl Made<'_> {
-    /// A name for a number, after the range's.
+    /// Returns a name for a number, with the range's name as prefix.
     fn fresh(&mut self, role: &str) -> syn::Ident {
         let mut name = format!("{}_{role}", text(self.name));
         while self.names.contains(&name) {
@@ -133,7 +133,7 @@ impl Made<'_> {
     }
 }
 
-/// A range, and the name in whose place it stands.
+/// A range and the name that it replaces.
 struct Named {
     name: syn::Ident,
     range: syn::Expr,
@@ -158,7 +158,7 @@ impl VisitMut for Named {
     }
 }
 
-/// The names in a range.
+/// Visitor that collects the names in a range.
 struct Free<'a>(&'a mut Vec<String>);
 
 impl<'ast> Visit<'ast> for Free<'_> {
@@ -167,7 +167,7 @@ impl<'ast> Visit<'ast> for Free<'_> {
     }
 }
 
-/// Looks for what gives a name in a range, or its own, another meaning; and for its own where no expression is seen.
+/// Visitor that finds new meanings of a name in a range, or of its own, and uses of its own outside expressions.
 struct Hides {
     name: String,
     free: Vec<String>,

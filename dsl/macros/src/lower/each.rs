@@ -1,6 +1,6 @@
-//! `for`, and what it goes through: elements, ranges, and the links behind them.
+//! `for` and its sources: elements, ranges, and their adapters.
 //!
-//! The links stay as they are in the witness copy; the names look at the types that they are given.
+//! The witness copy keeps the adapters; statements for names record their types.
 
 use bessemer_tree as tree;
 use bessemer_tree::{ExprKind, Source};
@@ -13,7 +13,7 @@ use super::walk::{Lowering, see_in};
 use super::{loops, refuse};
 
 impl Lowering {
-    /// A `for`; nothing where what is said of its bound is none.
+    /// Lowers a `for`; none if its bound is invalid.
     pub(super) fn for_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
         let at = loops::bound_at(&it.attrs);
         let bound = self.bound(&mut it.attrs)?;
@@ -91,7 +91,7 @@ impl Lowering {
         }
     }
 
-    /// The items of two sources beside each other. What the second gives may be an iterator of which its syntax does not tell.
+    /// Returns the `zip` of two sources. The second may be an iterator though its syntax does not show it.
     fn zipped(&mut self, of: Box<Source>, with: &mut syn::Expr) -> Source {
         let shows = is_source(with) || matches!(with, syn::Expr::Reference(_));
         let other = Box::new(self.source(with));

@@ -1,4 +1,4 @@
-//! Expressions: which are values (seen by a slot), which are places, which the DSL does not take.
+//! Expressions: values (which a slot sees), places, and unsupported ones.
 
 use bessemer_tree as tree;
 use bessemer_tree::number::{Int, Scalar};
@@ -14,12 +14,12 @@ use super::walk::{Lowering, see_in};
 use super::{call, loops, macros, operator, pattern, refuse, signature};
 
 impl Lowering {
-    /// An expression whose value is wanted.
+    /// Lowers an expression whose value is used.
     pub(super) fn value(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         self.lower(expr, true)
     }
 
-    /// An expression for its effect.
+    /// Lowers an expression for its effect.
     pub(super) fn statement(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         self.lower(expr, false)
     }
@@ -51,7 +51,7 @@ impl Lowering {
         tree::Expr { kind, site: place, slot }
     }
 
-    /// The kind of `expr`, and whether a slot has to see its value.
+    /// Returns the kind of `expr`, and true if a slot must see its value.
     fn kind(&mut self, expr: &mut syn::Expr, value: bool) -> (ExprKind, bool) {
         if let Some(other) = self.rewritten(expr) {
             *expr = other;
@@ -171,7 +171,7 @@ impl Lowering {
         }
     }
 
-    /// The inside of brackets: an index, or the row and column of a matrix.
+    /// Lowers the content of brackets: an index, or the row and column of a matrix.
     fn index(&mut self, index: &mut syn::Expr) -> tree::Expr {
         match index {
             syn::Expr::Tuple(it) if it.elems.len() == 2 => {
@@ -182,7 +182,7 @@ impl Lowering {
         }
     }
 
-    /// `base[from..to]`.
+    /// Lowers `base[from..to]`.
     fn slice(&mut self, it: &mut syn::ExprIndex) -> ExprKind {
         let base = Box::new(self.value(&mut it.expr));
         let syn::Expr::Range(range) = &mut *it.index else { return UNIT };
@@ -193,7 +193,7 @@ impl Lowering {
         ExprKind::Slice(base, from, to, inclusive)
     }
 
-    /// A part of a struct, a tuple or an array: a range there is a value, which nothing goes through.
+    /// Lowers a part of a struct, a tuple or an array. A range there is a value, since nothing iterates over it.
     fn part(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         if let Some(range) = held(expr) {
             *expr = range;
@@ -307,7 +307,7 @@ pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
     }
 }
 
-/// The digits of an integer, in base sixteen where its author writes it so, or bit by bit.
+/// Returns the digits of an integer, in hexadecimal if its author writes it in hexadecimal or binary.
 fn digits(it: &syn::LitInt) -> String {
     let by_bits = it.token().to_string();
     let by_bits = by_bits.starts_with("0x") || by_bits.starts_with("0b");

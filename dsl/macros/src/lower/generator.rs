@@ -1,11 +1,12 @@
-//! Iterators that are values: what a function gives, `fn edges(&self) -> impl Iterator<Item = Edge>`; what precedes
-//! `.map(…)`, or as an argument, `mean(values.iter().rev())`.
+//! Iterators as values: the result of `fn edges(&self) -> impl Iterator<Item = Edge>`, the receiver of `.map(…)`, or
+//! an argument as in `mean(values.iter().rev())`.
 //!
-//! In the tree both hand each item in turn to a closure, [`EACH`]: a loop, which stands where its taker goes through it, and
-//! whose body takes the closure's place. A function takes that closure; an iterator that represents itself is one that does.
-//! In the witness copy the latter stays what it is, and its items are looked at on their way, so that their types are known.
+//! In the tree each of them passes its items to a closure, [`EACH`]: it is a loop that is inlined where the iterator
+//! is consumed, with the consumer's body as the closure. A function has this closure as a parameter; an iterator
+//! expression is a closure itself. The witness copy keeps the iterator expression, and records the types of its
+//! items.
 //!
-//! Invariants: the body of a function ends in the iterator, and nothing leaves it before.
+//! Invariants: the body of such a function ends in the iterator, and has no early exit.
 
 use bessemer_tree as tree;
 use bessemer_tree::{EACH, ExprKind, NO_SLOT};
@@ -21,14 +22,14 @@ use super::refuse::{self, Refusals};
 use super::walk::Lowering;
 use crate::closures;
 
-/// The items of the iterator that a function gives; none if it gives something else.
+/// Returns the item type of the iterator that a function returns; none for another result.
 pub fn items(signature: &syn::Signature) -> Option<&syn::Type> {
     let syn::ReturnType::Type(_, ty) = &signature.output else { return None };
     let syn::Type::ImplTrait(it) = &**ty else { return None };
     it.bounds.iter().find_map(closures::items_of)
 }
 
-/// Lets a function that gives an iterator hand its items to a closure; says whether it is one.
+/// Makes a function that returns an iterator pass its items to a closure; returns false for another function.
 pub fn hand_on(
     signature: &mut syn::Signature,
     body: &mut syn::Block,
@@ -54,7 +55,7 @@ pub fn hand_on(
 }
 
 impl Lowering {
-    /// The closure that hands on each item.
+    /// Returns the closure that yields each item.
     pub(super) fn handing(&mut self, expr: &mut syn::Expr) -> ExprKind {
         let (whole, (pattern, item)) = (expr.clone(), named_item(expr));
         let each = syn::Ident::new(EACH, Span::call_site());
@@ -81,7 +82,7 @@ impl Lowering {
     }
 }
 
-/// Returns true if an expression begins with a struct that is written out.
+/// Returns true if an expression begins with a struct literal.
 fn begins_with_struct(expr: &syn::Expr) -> bool {
     use syn::Expr::{Assign, Binary, Call, Cast, Field, Index, MethodCall, Range, Struct, Try};
     match expr {
@@ -99,7 +100,7 @@ fn begins_with_struct(expr: &syn::Expr) -> bool {
     }
 }
 
-/// A pattern for an item of an iterator, and the item by the names in it.
+/// Returns a pattern for an item of an iterator, and the item as an expression of the names in it.
 pub(super) fn named_item(iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
     named(iterator, &mut Vec::new())
 }

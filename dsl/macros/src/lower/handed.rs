@@ -1,7 +1,8 @@
-//! Functions, constructors and constants as arguments: `readings.map(f64::from)`, `codes.map(Reading)`, `self.set(Mode::Idle)`.
+//! Functions, constructors and constants as arguments: `readings.map(f64::from)`, `codes.map(Reading)`,
+//! `self.set(Mode::Idle)`.
 //!
-//! How many arguments a function takes rustc knows, and whether a name with a capital is that of a value or of what makes
-//! one. So the witness copy asks it for both, and the builder puts in the closure that calls the function.
+//! Only rustc knows the number of a function's parameters, and if a capitalised name is a value or a constructor. So
+//! the witness copy queries both, and the builder inserts the closure that calls the function.
 
 use bessemer_tree as tree;
 use bessemer_tree::ExprKind;
@@ -16,7 +17,8 @@ use super::walk::{Constant, Lowering, wrap};
 use crate::owned::{associated, of_path};
 
 impl Lowering {
-    /// An argument of a method. There is no telling a constant of small letters from a function: it is taken for one.
+    /// Lowers an argument of a method. A constant in small letters cannot be distinguished from a function, and is
+    /// taken for one.
     pub(super) fn handed(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         match expr {
             syn::Expr::Path(it)
@@ -28,7 +30,7 @@ impl Lowering {
         }
     }
 
-    /// An argument that is a path, and no local.
+    /// Lowers an argument that is a path and no local.
     pub(super) fn named_argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         let syn::Expr::Path(path) = &*expr else { return self.value(expr) };
         let last = last_segment(&path.path);
@@ -46,8 +48,8 @@ impl Lowering {
         }
     }
 
-    /// A function. The closure that it represents gets its parameters, and the call its arguments, where their types are
-    /// known: they are those in its slot.
+    /// Lowers a function as an argument. The closure gets its parameters, and the call its arguments, when the types
+    /// in its slot are known.
     fn function_argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         let syn::Expr::Path(function) = &*expr else { return self.value(expr) };
         let mut asked = function.clone();
@@ -74,7 +76,7 @@ impl Lowering {
         tree::Expr { kind: ExprKind::Closure(closure), site: place, slot: Some(arguments) }
     }
 
-    /// A variant or a struct, or what makes one of its parts.
+    /// Lowers a variant, a struct, or a constructor of one.
     fn made_argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         let syn::Expr::Path(path) = &*expr else { return self.value(expr) };
         let made = self.evaluated(quote! { #path }, &path.path, Constant::Made);
@@ -83,19 +85,19 @@ impl Lowering {
     }
 }
 
-/// Returns true if a path is that of a function, as its name shows: `π` may be a constant.
+/// Returns true if the name at the end of a path shows a function; `π` may be a constant.
 pub(super) fn is_function(path: &syn::ExprPath) -> bool {
     let name = last_segment(&path.path);
     is_small(&name) && (name.is_ascii() || associated(path.qself.as_ref(), &path.path))
 }
 
-/// Returns true if a name is that of a function, and not of a constant or a variant.
+/// Returns true if a name is in small letters, so it is no variant or constant.
 fn is_small(name: &str) -> bool {
     name.starts_with(|first: char| first.is_lowercase() || first == '_')
 }
 
-/// A function as the simulation calls it: in the witness copy its type says what its arguments are, references of any
-/// lifetime among them.
+/// Returns the native function, whose type in the witness copy shows its arguments, including references of any
+/// lifetime.
 fn native(function: &syn::ExprPath, asked: &syn::ExprPath) -> syn::ExprPath {
     let mut native =
         if associated(asked.qself.as_ref(), &asked.path) { asked } else { function }.clone();

@@ -1,10 +1,11 @@
-//! Names that a macro of the author's makes, and names that it is given: rustc tells one from the other, and the tree does not.
+//! Detects names that an author's macro declares and that equal names of the macro's caller. rustc distinguishes
+//! them, and the tree does not.
 //!
-//! So a function that has the same name of both is refused. Rust has no question for what a name belongs to; the text of a
-//! span begins with it, `#4 bytes(10..11)`. Of a rustc that writes another text, a function that a macro makes is refused
-//! as a whole: its tokens do not follow each other in the source.
+//! A function with such a name is refused. Rust has no query for the origin of a name, but the text of a span begins
+//! with it: `#4 bytes(10..11)`. If rustc's text has another form, every function that a macro makes is refused; its
+//! tokens are not consecutive in the source.
 //!
-//! Must not know: what becomes of the names.
+//! Must not know: the use of the names.
 
 use proc_macro2::TokenTree;
 use syn::visit::{self, Visit};
@@ -13,7 +14,7 @@ use super::names::{generating, text};
 use super::refuse;
 use super::refuse::Refusals;
 
-/// Refuses a local whose name represents another as well, that of a macro and that of its caller.
+/// Refuses a local whose name is declared both in a macro and by its caller.
 pub fn check_hygiene(signature: &syn::Signature, body: &syn::Block, refusals: &mut Refusals) {
     if !generating() {
         return;
@@ -36,9 +37,9 @@ pub fn check_hygiene(signature: &syn::Signature, body: &syn::Block, refusals: &m
 
 #[derive(Default)]
 struct Names {
-    /// The names of locals, and what each belongs to.
+    /// Names of locals with their origins.
     bound: Vec<(String, String)>,
-    /// The names that may be those of locals.
+    /// Names that may be locals, with their origins.
     all: Vec<(syn::Ident, String)>,
 }
 

@@ -1,6 +1,7 @@
-//! The links of chains that decide how a loop is written: each is named here, and nowhere else.
+//! Iterator adapters that determine the form of a loop; only this module knows their names.
 //!
-//! Must not know: types. A method of this name may be another's; then what it is called on is nothing to go through.
+//! Must not know: types. A method with such a name may belong to another type; then its receiver is no source of a
+//! loop.
 
 use bessemer_tree::Grouping;
 
@@ -8,16 +9,16 @@ use super::names::text;
 use super::rewrite;
 use super::syntax::bare;
 
-/// A method of an iterator, or of what has elements.
+/// A method of an iterator, or of a type with elements.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Link {
-    /// The elements, read or written.
+    /// Iterates over references to the elements.
     Iter,
-    /// The elements themselves, or references to them.
+    /// Iterates over the elements themselves, or over references if the receiver is one.
     IntoIter,
-    /// The values behind references.
+    /// Copies the items behind references.
     Copied,
-    /// Some elements at a time.
+    /// Iterates over groups of elements.
     Group(Grouping),
     Enumerate,
     Rev,
@@ -27,7 +28,7 @@ pub(super) enum Link {
     Zip,
     Chain,
     Cycle,
-    /// Leaves out what a closure says.
+    /// Omits items for which a closure decides it.
     Sift,
 }
 
@@ -54,19 +55,19 @@ impl Link {
         })
     }
 
-    /// Returns true if it turns round what comes, or leaves some of it out, and changes nothing of it.
+    /// Returns true if it reverses or omits items, but changes none.
     fn keeps(self) -> bool {
         matches!(self, Link::Rev | Link::Skip | Link::Take | Link::Sift)
     }
 }
 
-/// The name of a method without what says that it lends what may be changed.
+/// Returns the name of a method without `_mut`.
 fn shared(method: &syn::Ident) -> String {
     let name = text(method);
     name.strip_suffix("_mut").map_or(name.clone(), str::to_owned)
 }
 
-/// The iterators that give the two of each pair, the first of which may be the number alone.
+/// Returns the iterators of a pair's two parts; the first is none for `enumerate`.
 pub(super) fn pairs(expr: &syn::Expr) -> Option<(Option<&syn::Expr>, &syn::Expr)> {
     let syn::Expr::MethodCall(it) = bare(expr) else { return None };
     match Link::of(it)? {
@@ -77,7 +78,7 @@ pub(super) fn pairs(expr: &syn::Expr) -> Option<(Option<&syn::Expr>, &syn::Expr)
     }
 }
 
-/// Returns true if an iterator gives references, as far as its syntax shows.
+/// Returns true if the syntax of an iterator shows that it yields references.
 pub(super) fn gives_references(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Reference(_) => true,
@@ -119,7 +120,7 @@ fn is_self(expr: &syn::Expr) -> bool {
     matches!(expr, syn::Expr::Path(it) if it.path.get_ident().is_some_and(|it| text(it) == "self"))
 }
 
-/// Returns true if an iterator goes through elements that are lent to be read, from the first on.
+/// Returns true if an iterator yields shared references to elements, from the first on.
 fn is_lent(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Reference(it) => it.mutability.is_none(),
@@ -133,7 +134,7 @@ fn is_lent(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Returns true if what an iterator goes on with is an array, or its elements.
+/// Returns true if the source of an iterator is an array, or its elements.
 fn is_array(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Range(_) => false,

@@ -1,8 +1,8 @@
 //! Attributes of loops, and exits from loops.
 //!
-//! `#[bound(64)]` above a `while`, a `loop`, or a `for` through an iterator of the author's own says how many passes there may be. The native loop counts them down and
-//! panics where another would begin, as the C reports a fault. `#[unroll(4)]` and `#[keep]` above a `for` ask it of C
-//! compilers: the native loop goes without.
+//! `#[bound(64)]` above a `while`, a `loop`, or a `for` over an author-defined iterator declares the largest number
+//! of passes. The native loop counts them and panics where another would begin, as the C reports a fault.
+//! `#[unroll(4)]` and `#[keep]` above a `for` are hints for C compilers; the native loop has no effect of them.
 
 use bessemer_tree::EACH;
 use proc_macro2::Span;
@@ -14,7 +14,7 @@ use syn::visit::{self, Visit};
 pub(super) const BOUND: &[&str] = &["bound"];
 /// Hints to C compilers for a `for`.
 pub(super) const HINTS: &[&str] = &["unroll", "keep"];
-/// Attributes of a `for`: over an author's own iterator, also the largest number of passes.
+/// Attributes of a `for`; a bound is allowed over an author-defined iterator.
 const OF_FOR: &[&str] = &[HINTS[0], HINTS[1], BOUND[0]];
 
 /// Returns the span of a bound among attributes.
@@ -23,14 +23,14 @@ pub(super) fn bound_at(attributes: &[syn::Attribute]) -> Option<Span> {
     attributes.iter().find(is_bound).map(|it| it.path().span())
 }
 
-/// Takes the first attribute of one of these names.
+/// Removes and returns the first attribute with one of these names.
 pub(super) fn take(attributes: &mut Vec<syn::Attribute>, names: &[&str]) -> Option<syn::Attribute> {
     let is_one = |it: &syn::Attribute| names.iter().any(|name| it.path().is_ident(name));
     let index = attributes.iter().position(is_one)?;
     Some(attributes.remove(index))
 }
 
-/// The attributes of a loop, and those of the DSL among them.
+/// Returns the attributes of a loop, and the names of the DSL's attributes that it may have.
 fn attributes(expr: &mut syn::Expr) -> Option<(&mut Vec<syn::Attribute>, &'static [&'static str])> {
     Some(match expr {
         syn::Expr::While(it) => (&mut it.attrs, BOUND),
@@ -40,14 +40,14 @@ fn attributes(expr: &mut syn::Expr) -> Option<(&mut Vec<syn::Attribute>, &'stati
     })
 }
 
-/// Does something with an expression while what is said of it as a loop is off it.
+/// Calls `visit` with an expression whose loop attributes are removed meanwhile.
 pub(super) fn without(expr: &mut syn::Expr, visit: impl FnOnce(&mut syn::Expr)) {
     let attribute = attributes(expr).and_then(|(all, names)| take(all, names));
     visit(expr);
     attributes(expr).into_iter().for_each(|(all, _)| all.extend(attribute.clone()));
 }
 
-/// `#[bound(8)] let x = loop …` says it of the loop.
+/// Moves the bound in `#[bound(8)] let x = loop …` to the loop.
 pub fn hand_on(local: &mut syn::Local) {
     if let Some(init) = &mut local.init
         && let syn::Expr::Loop(it) = &mut *init.expr
@@ -85,25 +85,25 @@ pub(super) fn gives_value(it: &syn::ExprLoop) -> bool {
     Exits::of(&it.body, it.label.as_ref()).value
 }
 
-/// Returns true if nothing breaks a `loop`: it ends in `return` alone.
+/// Returns true if no `break` leaves a `loop`; only `return` ends it.
 pub(super) fn is_endless(it: &syn::ExprLoop) -> bool {
     !Exits::of(&it.body, it.label.as_ref()).breaks
 }
 
-/// Returns true if control may leave a loop by its body; what hands its items on is left by whoever goes through them.
+/// Returns true if the body may leave its loop.
 pub(super) fn is_left(body: &syn::Block) -> bool {
     Exits::of(body, None).any
 }
 
-/// Search for the exits of a loop.
+/// Visitor that finds the exits of a loop.
 struct Exits<'a> {
     label: Option<&'a syn::Ident>,
     /// Number of inner loops around the present node.
     depth: u32,
-    /// True if a `break` leaves it, and whether with a value.
+    /// True if a `break` leaves the loop; another flag records that it has a value.
     breaks: bool,
     value: bool,
-    /// True if anything may leave it, or a loop in it.
+    /// True if anything may leave the loop, or a loop in it.
     any: bool,
 }
 

@@ -1,6 +1,7 @@
-//! Calls of macros: assertions, `matches!`, matrices.
+//! Macro calls: assertions, `matches!`, matrices.
 //!
-//! They, the module `mem`, and `RealField` in the path of a method, are taken for Rust's and nalgebra's by their names: rustc is asked whether they are.
+//! These macros, the module `mem`, and `RealField` in the path of a method are recognised by name; rustc then
+//! verifies that they are Rust's and nalgebra's.
 
 use bessemer_tree as tree;
 use proc_macro2::TokenStream;
@@ -11,14 +12,14 @@ use super::refuse;
 use super::walk::Lowering;
 use crate::owned::FIELDS;
 
-/// `matches!`, which is a `match`.
+/// Name of the macro `matches!`, which becomes a `match`.
 pub(super) const MATCHES: &str = "matches";
 
-/// nalgebra has a macro for a column and one for rows.
+/// Names of nalgebra's macros for a column and for rows.
 const ROWS: [&str; 2] = ["vector", "matrix"];
 
 impl Lowering {
-    /// Returns true if a path may be that of a macro of Rust's; at its place alone, rustc is asked.
+    /// Returns true if a path may denote a macro of Rust; a single name is queried from rustc.
     pub(super) fn is_rusts(&mut self, path: &syn::Path) -> bool {
         let Some(ident) = path.get_ident() else {
             return path.segments.len() == 2 && refuse::library(path).is_some();
@@ -27,7 +28,7 @@ impl Lowering {
         true
     }
 
-    /// Lets rustc be asked whether a name is Rust's own.
+    /// Records that rustc must verify a name to be Rust's own.
     pub(super) fn ask(&mut self, name: &syn::Ident) {
         if !self.macros.contains(name) {
             self.macros.push(name.clone());
@@ -87,7 +88,7 @@ impl Lowering {
     }
 }
 
-/// The module and the name of a function that may be one of core's: `core::mem::swap`, `mem::swap`.
+/// Returns module and name of a function that may be core's: `core::mem::swap`, `mem::swap`.
 pub(super) fn in_module(path: &syn::Path) -> Option<(&syn::Ident, &syn::Ident)> {
     let parts: Vec<_> = path.segments.iter().map(|part| &part.ident).collect();
     match parts.as_slice() {
@@ -101,7 +102,7 @@ pub(super) fn in_module(path: &syn::Path) -> Option<(&syn::Ident, &syn::Ident)> 
 enum Says {
     Holds(tree::Claim),
     Compares(tree::BinaryOp),
-    /// Nothing comes here.
+    /// Panics.
     Never,
 }
 
@@ -118,7 +119,7 @@ fn says(name: &str) -> Option<Says> {
     })
 }
 
-/// Makes a debug assertion one of every build: the C knows no builds that could differ in what they claim.
+/// Replaces a debug assertion by an ordinary one, since the C has no debug builds.
 pub fn in_every_build(mac: &mut syn::Macro) {
     if let Some(last) = mac.path.segments.last_mut()
         && let Some(name) = text(&last.ident).strip_prefix("debug_")
@@ -128,7 +129,8 @@ pub fn in_every_build(mac: &mut syn::Macro) {
     }
 }
 
-/// The expression that a macro represents, whose tokens hide a pattern, or calls; none if they hide nothing.
+/// Returns the equivalent expression of a macro whose tokens contain a pattern or an expression; none for other
+/// macros.
 pub fn expanded(mac: &syn::Macro) -> Option<syn::Expr> {
     match mac.path.is_ident(MATCHES) {
         true => matching(mac).map(syn::Expr::Match),
@@ -136,7 +138,7 @@ pub fn expanded(mac: &syn::Macro) -> Option<syn::Expr> {
     }
 }
 
-/// `matches!(value, pattern if guard)` as the `match` that it represents.
+/// Returns `matches!(value, pattern if guard)` as a `match`.
 fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
     use syn::parse::ParseStream;
     let parser = |input: ParseStream<'_>| {
@@ -150,7 +152,7 @@ fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
     syn::parse2(quote! { match #value { #(#arm)* => true, _ => false } }).ok()
 }
 
-/// `vector![a, b]`, `matrix![a, b; c, d]` as the call that they represent.
+/// Returns `vector![a, b]` or `matrix![a, b; c, d]` as a call.
 fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
     use syn::punctuated::Punctuated;
     type Elements = Punctuated<syn::Expr, syn::Token![,]>;

@@ -1,14 +1,14 @@
-//! From syn's tree to the tree that travels, and to the witness copy, in one walk.
+//! Lowers syn's tree to the DSL's tree and to the witness copy, in one walk.
 //!
-//! Each method lowers one syntactic form and at the same time turns it, in place, into its witness
-//! form: the same code with every value passed through a slot, so that rustc's inference can be read
-//! off. Spans, parentheses and the author's own `&` survive; an error in the copy is the original's.
+//! Each method lowers one syntactic form, and rewrites it in place to its witness form: the same code with every
+//! value passed through a slot, so that rustc's inferred types can be read. Spans, parentheses and the author's `&`
+//! are preserved, so an error in the copy equals the original's.
 //!
-//! Rust that the DSL does not take is refused at its own token, all of it at once ([`refuse`]).
+//! Unsupported Rust is refused at its own token, all of it at once ([`refuse`]).
 //!
-//! Each file lowers the forms that it is named for, as methods of the walk ([`Lowering`]).
+//! Each file lowers the forms in its name, as methods of [`Lowering`].
 //!
-//! Must not know: types, or what a call means.
+//! Must not know: types, or the meaning of a call.
 
 mod call;
 mod closure;

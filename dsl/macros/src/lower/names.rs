@@ -1,4 +1,4 @@
-//! Sites and names of nodes, and the names shared by builder and witness copy.
+//! Sites of nodes, and names that builder and witness copy share.
 
 use std::cell::Cell;
 
@@ -12,13 +12,13 @@ thread_local! {
     static GENERATING: Cell<bool> = const { Cell::new(false) };
 }
 
-/// The attribute that is being expanded is of a generation build. In any other build the walk only refuses: places cost a
-/// call into rustc each, and nobody reads the witness copy.
+/// Returns true if the expanded attribute belongs to a generation build. In any other build the walk only refuses:
+/// positions need a call into rustc each, and nobody reads the witness copy.
 pub fn generating() -> bool {
     GENERATING.get()
 }
 
-/// Expands what is of a generation build.
+/// Runs an expansion of a generation build.
 pub fn in_generation<T>(expand: impl FnOnce() -> T) -> T {
     GENERATING.set(true);
     let expanded = expand();
@@ -26,7 +26,7 @@ pub fn in_generation<T>(expand: impl FnOnce() -> T) -> T {
     expanded
 }
 
-/// Line and column of a node, both from 1; unknown outside a generation build.
+/// Returns line and column of a node, both from 1; unknown outside a generation build.
 pub fn site(node: &impl Spanned) -> Site {
     if !generating() {
         return Site::default();
@@ -35,21 +35,21 @@ pub fn site(node: &impl Spanned) -> Site {
     Site(start.line as u32, start.column as u32 + 1)
 }
 
-/// The stand-in for an expression that was refused.
+/// Expression that replaces a refused one.
 pub(super) const UNIT: ExprKind = ExprKind::Tuple(Vec::new());
 
-/// An expression of the tree that rustc is not asked about.
+/// Returns an expression of the tree without a slot.
 pub(super) fn plain(kind: ExprKind, node: &impl Spanned) -> Expr {
     Expr::plain(kind, site(node))
 }
 
-/// The site of an expression.
+/// Returns the site of an expression.
 pub fn place(expr: &syn::Expr) -> Site {
     if generating() { site(&span(expr)) } else { Site::default() }
 }
 
-/// The span of an expression: that of its first token. Syn finds it by printing the whole, and what nests as deep as an
-/// author's expressions would be printed once for each level.
+/// Returns the span of an expression's first token. syn would find it by printing the whole expression, once for each
+/// level of nesting.
 pub fn span(expr: &syn::Expr) -> proc_macro2::Span {
     match expr {
         syn::Expr::Binary(it) if it.attrs.is_empty() => span(&it.left),
@@ -69,22 +69,22 @@ pub fn span(expr: &syn::Expr) -> proc_macro2::Span {
     }
 }
 
-/// A name as it travels: without the `r#` of a raw one.
+/// Returns a name as text, without the `r#` of a raw one.
 pub fn text(ident: &syn::Ident) -> String {
     ident.unraw().to_string()
 }
 
-/// The name of a slot in the builder.
+/// Returns the name of a slot in the builder.
 pub fn slot_name(slot: u32) -> syn::Ident {
     format_ident!("__s{slot}")
 }
 
-/// The name of a callee's slot in the builder.
+/// Returns the name of a callee's slot in the builder.
 pub fn callee_name(callee: u32) -> syn::Ident {
     format_ident!("__c{callee}")
 }
 
-/// The name of the slot of the author's own function behind an operator.
+/// Returns the name of the slot for an author's function behind an operator.
 pub fn own_name(operator: usize) -> syn::Ident {
     format_ident!("__o{operator}")
 }

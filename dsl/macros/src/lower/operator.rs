@@ -1,12 +1,11 @@
-//! Operators that may be functions: `+ - * / %`, those of bits, `!` and the sign.
+//! Operators that may be functions: `+ - * / %`, bit operators, `!` and the sign.
 //!
-//! The meaning of `q * v` depends on the types of both. So a slot sees each operand. Which function of the library is
-//! meant, if any, the builder says, which knows the types ([`tree::Operator`]); which of an author's, rustc: the witness
-//! copy asks it whether the two have one.
+//! The meaning of `q * v` depends on both types, so a slot sees each operand. The builder, which knows the types,
+//! selects a function of the library ([`tree::Operator`]); for an author's function the witness copy queries rustc.
 //!
-//! In the copy, a left operand that is such an operator itself is a statement before ([`Lowering::before`]): rustc takes
-//! time that grows with the square of how deep what is still to be inferred nests, and a sum is as deep as it is long. Of a
-//! left operand rustc expects nothing, so that it infers the same.
+//! In the copy, a left operand that is such an operator is a separate statement before ([`Lowering::before`]):
+//! rustc's time grows with the square of the nesting of uninferred expressions, and a long sum nests as deep. rustc
+//! has no expected type for a left operand, so it infers the same.
 
 use bessemer_tree as tree;
 use bessemer_tree::{BinaryOp, ExprKind};
@@ -17,7 +16,7 @@ use super::names::{generating, own_name, slot_name, span};
 use super::walk::{Lowering, glance_in, wrap};
 
 impl Lowering {
-    /// An operand: a slot sees its type, unless it is a name, of which the type can be asked as well.
+    /// Lowers an operand; a slot sees its type, unless it is a name, whose type can be queried.
     pub(super) fn operand(
         &mut self,
         op: BinaryOp,
@@ -37,7 +36,7 @@ impl Lowering {
         (operand, name)
     }
 
-    /// The value of `place op= value`. Of what is no part of a variable, nobody requests a function.
+    /// Lowers the value of `place op= value`. Only a part of a variable can have an operator function.
     pub(super) fn assigned(
         &mut self,
         op: BinaryOp,
@@ -53,7 +52,7 @@ impl Lowering {
         value
     }
 
-    /// An operand, and the slot that is still to see it, if one is.
+    /// Lowers an operand; also returns the slot that must still see it, if there is one.
     fn glanced(&mut self, op: BinaryOp, expr: &mut syn::Expr) -> (tree::Expr, Option<u32>) {
         let mut operand = self.value(expr);
         if sign(op).is_none() || operand.slot.is_some() || operand.is_unsuffixed() {
@@ -64,7 +63,7 @@ impl Lowering {
         (operand, slot)
     }
 
-    /// Notes an operator, whose value is in `slot`; `chained`: it is the left operand of another.
+    /// Records an operator with its value in `slot`. With `chained` it is the left operand of another operator.
     pub(super) fn operator(
         &mut self,
         kind: &mut ExprKind,
@@ -132,7 +131,7 @@ impl Lowering {
         self.operators.push(tree::Operator { at, of, operands });
     }
 
-    /// Lets a slot see the place of `place op= value`.
+    /// Makes a slot see the place of `place op= value`.
     fn look_at_place(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
         if let (true, syn::Expr::Binary(it)) = (generating(), &*expr) {
@@ -164,7 +163,7 @@ impl Side {
         syn::Ident::new(name, Span::call_site())
     }
 
-    /// Lets the slot see an operand, and one of the function that has not yet.
+    /// Makes the operand's slot see it, and also the slot `glanced` if there is one.
     fn sees(self, glanced: Option<u32>, expr: &mut syn::Expr) {
         let function = if glanced.is_some() { "__both" } else { "__see" };
         let own = std::iter::once_with(|| self.name());
@@ -172,13 +171,12 @@ impl Side {
     }
 }
 
-/// Lets a slot see what is behind a sign. Rustc expects of that what it expects of the whole, though it may be a
-/// reference.
+/// Makes a slot see the operand of a sign. rustc expects for it the type of the whole, though it may be a reference.
 pub(super) fn see_signed(expr: &mut syn::Expr) {
     wrap(expr, "__operand", std::iter::once_with(|| Side::Left.name()));
 }
 
-/// The trait of an operator whose result is not always `bool`.
+/// Returns the trait of an operator whose result may be of any type.
 pub(super) fn sign(op: BinaryOp) -> Option<&'static str> {
     Some(match op {
         BinaryOp::Add => "Add",
@@ -195,7 +193,7 @@ pub(super) fn sign(op: BinaryOp) -> Option<&'static str> {
     })
 }
 
-/// The operator that is written between two operands, and whether it assigns, as `+=` does.
+/// Returns the operator of syn's token, and true if it assigns, as `+=`.
 pub(super) fn written(op: &syn::BinOp) -> Option<(BinaryOp, bool)> {
     Some(match op {
         syn::BinOp::Add(_) => (BinaryOp::Add, false),
@@ -242,7 +240,7 @@ pub(super) fn is_operator(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Returns true if what is behind a sign is a number or a condition by its form alone.
+/// Returns true if the form of a sign's operand shows a number or a condition.
 pub(super) fn is_builtin(operand: &tree::Expr) -> bool {
     match &operand.kind {
         ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bool(_) => true,
@@ -251,7 +249,7 @@ pub(super) fn is_builtin(operand: &tree::Expr) -> bool {
     }
 }
 
-/// The name in the witness copy of an operand that has one there: a local, or what is in a statement before.
+/// Returns the name of an operand in the witness copy, if it has one: a local, or the variable of a statement before.
 fn name_of(operand: &tree::Expr, expr: &syn::Expr) -> Option<syn::Ident> {
     match (&operand.kind, expr) {
         (ExprKind::Local(_), syn::Expr::Path(it)) => it.path.get_ident().cloned(),

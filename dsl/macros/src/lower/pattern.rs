@@ -1,4 +1,4 @@
-//! Patterns: the simple names that parameters and `for` bind, and what `let`, `match` and assignments take apart.
+//! Patterns: simple names of parameters and `for`, and destructuring by `let`, `match` and assignments.
 
 use bessemer_tree as tree;
 use proc_macro2::Span;
@@ -15,7 +15,7 @@ use super::syntax::{bare, is_variant, last_segment, names};
 use super::walk::{Constant, Lowering};
 use crate::owned::associated;
 
-/// A pattern that is a name, with a type perhaps, and no more.
+/// Returns the name of a pattern that is only a name, possibly with a type.
 pub(super) fn alone(pattern: &syn::Pat) -> Option<&syn::PatIdent> {
     match pattern {
         syn::Pat::Ident(it) => (it.by_ref.is_none() && it.subpat.is_none()).then_some(it),
@@ -24,7 +24,7 @@ pub(super) fn alone(pattern: &syn::Pat) -> Option<&syn::PatIdent> {
     }
 }
 
-/// The name that a pattern binds, if that is all it does; `_` gets one.
+/// Returns the name that a pattern binds, if it binds only one; `_` gets a name.
 pub fn simple_name(pattern: &mut syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
     match pattern {
         syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => Some(it.ident.clone()),
@@ -95,7 +95,7 @@ impl Lowering {
         }
     }
 
-    /// Lowers a pattern; its value is a place if `lent`.
+    /// Lowers a pattern; its value is a place if `lent` is true.
     pub(super) fn pattern_of(
         &mut self,
         lent: bool,
@@ -108,8 +108,7 @@ impl Lowering {
         lowered
     }
 
-    /// A pattern; the names it binds are locals from here on, and the statements that look at them go to
-    /// `looks`.
+    /// Lowers a pattern. Its names become locals, and the statements that record their types go to `looks`.
     pub(super) fn pattern(
         &mut self,
         pattern: &syn::Pat,
@@ -212,8 +211,8 @@ impl Lowering {
         tree::Pattern::Name { name, slot, mutable: it.mutability.is_some(), inner }
     }
 
-    /// A look at what a pattern binds. With `@` the name is no constant: rustc says so where one of small letters
-    /// is in the author's pattern, which would be taken for a name.
+    /// Returns the statement that records the type of a bound name. The pattern `name @ _` is invalid for a constant,
+    /// so rustc reports a constant in small letters, which would be taken for a new name.
     fn look_at_bound(&self, slot: u32, name: &syn::Ident) -> syn::Stmt {
         let slot = slot_name(slot);
         let look = quote_spanned! { name.span() =>
@@ -222,7 +221,7 @@ impl Lowering {
         syn::Stmt::Expr(syn::Expr::Verbatim(look), Some(Default::default()))
     }
 
-    /// A path that rustc evaluates: a constant or a variant.
+    /// Lowers a path that rustc evaluates: a constant or a variant.
     pub(super) fn constant(
         &mut self,
         tokens: proc_macro2::TokenStream,
@@ -231,7 +230,7 @@ impl Lowering {
         self.evaluated(tokens, path, Constant::Value)
     }
 
-    /// A path that rustc evaluates.
+    /// Lowers a path that rustc evaluates, with the kind of its slot.
     pub(super) fn evaluated(
         &mut self,
         tokens: proc_macro2::TokenStream,
@@ -247,7 +246,7 @@ impl Lowering {
     }
 }
 
-/// The name of a field.
+/// Returns the name of a field.
 pub fn member(member: &syn::Member) -> String {
     match member {
         syn::Member::Named(name) => text(name),
@@ -255,13 +254,13 @@ pub fn member(member: &syn::Member) -> String {
     }
 }
 
-/// Returns true if a path is `Option::None`, of which rustc cannot tell the type by itself.
+/// Returns true for the path `Option::None`, whose type rustc cannot infer alone.
 fn is_of_option(path: &syn::Path) -> bool {
     let before = path.segments.iter().rev().nth(1);
     last_segment(path) == "None" && before.is_some_and(|before| before.ident == "Option")
 }
 
-/// Returns true if a name in a pattern is that of a constant or a variant: it begins with a capital.
+/// Returns true if a name in a pattern begins with a capital, as constants and variants do.
 pub fn is_constant_name(ident: &syn::Ident) -> bool {
     ident.to_string().starts_with(|first: char| first.is_uppercase())
 }
@@ -279,17 +278,17 @@ pub(super) fn by_let(it: &syn::ExprAssign) -> Option<syn::Expr> {
     Some(parse_quote! { { let #pattern = #value; #(#assigned)* } })
 }
 
-/// Turns the left side of an assignment into a pattern, in which each place has a name.
+/// Visitor that converts the left side of an assignment to a pattern with a name for each place.
 struct Parts<'a> {
-    /// The assignment, in which none of these names stands.
+    /// The assignment, which contains none of these names.
     beside: &'a syn::ExprAssign,
     taken: Vec<String>,
-    /// The assignments of the places.
+    /// Assignments of the places.
     assigned: Vec<syn::Stmt>,
 }
 
 impl Parts<'_> {
-    /// A part, and its value where that is written beside it; false if both are done without.
+    /// Converts a part and its value, if that is written beside it; returns false if both can be removed.
     fn part(&mut self, left: &mut syn::Expr, value: Option<&mut syn::Expr>) -> bool {
         match (left, value) {
             (Paren(it), value) => return self.part(&mut it.expr, value),
@@ -332,7 +331,7 @@ impl Parts<'_> {
         true
     }
 
-    /// A name that stands nowhere beside it.
+    /// Returns a name that the assignment does not contain.
     fn fresh(&mut self, wanted: &str) -> syn::Ident {
         let mut name = wanted.to_owned();
         let mut number = 1;
@@ -368,7 +367,7 @@ fn is_literal(value: &syn::Expr) -> bool {
     }
 }
 
-/// Returns true if `..` represents the parts that nobody wants.
+/// Returns true for `..`, which represents unused parts.
 fn is_rest(left: &syn::Expr) -> bool {
     matches!(left, Range(it) if it.start.is_none() && it.end.is_none())
 }

@@ -1,14 +1,14 @@
-//! The refusals: Rust that the DSL does not take, each with something to write instead.
+//! Refusals: unsupported Rust, each with a remedy.
 //!
-//! Every reason says what is wrong in the author's terms, then the remedy. A construct that is absent
-//! here and from the lowering is refused as [`SYNTAX`]: never a panic, never wrong C.
+//! Every reason states the error in the author's terms, then the remedy. A construct that neither this module nor the
+//! lowering knows is refused as [`SYNTAX`]: the tool never panics, and never emits wrong C.
 
 use std::fmt::{self, Display, Formatter};
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 
-/// Why something is refused.
+/// Reason of a refusal.
 #[derive(Clone, Copy)]
 pub struct Reason {
     what: &'static str,
@@ -16,7 +16,7 @@ pub struct Reason {
 }
 
 impl Reason {
-    /// The function that is refused is one of core's.
+    /// Returns true if the reason is that core's function is unsupported.
     pub fn is_of_core(self) -> bool {
         self.what == CORE.what
     }
@@ -28,9 +28,9 @@ impl Display for Reason {
     }
 }
 
-/// Place of a refusal: a token, or syntax from its first to its last one.
+/// Place of a refusal: a token, or syntax from its first token to its last.
 pub trait Place {
-    /// The error there.
+    /// Returns the error at this place.
     fn error(self, reason: Reason) -> syn::Error;
 }
 
@@ -46,14 +46,14 @@ impl<T: ToTokens> Place for &T {
     }
 }
 
-/// Everything refused in one item, in the order of the source.
+/// All refusals in an item, in the order of the source.
 #[derive(Default)]
 pub struct Refusals {
     errors: Vec<syn::Error>,
 }
 
 impl Refusals {
-    /// Refuses what is at `place`.
+    /// Adds a refusal at `place`.
     pub fn add(&mut self, place: impl Place, reason: Reason) {
         self.errors.push(place.error(reason));
     }
@@ -63,7 +63,7 @@ impl Refusals {
         self.errors.len()
     }
 
-    /// Takes back what was refused since there were so many.
+    /// Removes all refusals after the first `len`.
     pub fn forget_since(&mut self, len: usize) {
         self.errors.truncate(len);
     }
@@ -73,7 +73,7 @@ impl Refusals {
         self.errors.is_empty()
     }
 
-    /// The errors as tokens, each at its place.
+    /// Returns the errors as tokens, each at its place.
     pub fn into_tokens(mut self) -> TokenStream {
         self.errors.sort_by_key(|error| {
             let start = error.span().start();
@@ -216,11 +216,11 @@ reasons! {
     MACRO: "this macro is not supported", "write the expression out, or a function marked `#[function]`";
 }
 
-/// Macros that show something to a reader.
+/// Macros that print to a reader.
 const SHOWING: &str =
     "format print println eprint eprintln write writeln dbg trace debug info warn error log";
 
-/// The reason for a macro that is not taken.
+/// Returns the reason for an unsupported macro.
 pub fn macro_call(name: &str) -> Reason {
     match name {
         _ if SHOWING.split(' ').any(|it| it == name) => FORMAT,
@@ -229,7 +229,7 @@ pub fn macro_call(name: &str) -> Reason {
     }
 }
 
-/// The reason for an expression that is not taken, and where to say it.
+/// Returns the reason for an unsupported expression, and the tokens to mark.
 pub fn expression(expr: &syn::Expr) -> (TokenStream, Reason) {
     match expr {
         syn::Expr::Closure(it) => (it.to_token_stream(), CLOSURE),
@@ -245,7 +245,7 @@ pub fn expression(expr: &syn::Expr) -> (TokenStream, Reason) {
     }
 }
 
-/// The reason for an implementation of one of Rust's own traits.
+/// Returns the reason for an unsupported implementation of a standard trait.
 pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     let name = path.segments.last()?.ident.to_string();
     Some(match name.as_str() {
@@ -268,7 +268,8 @@ pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     })
 }
 
-/// The reason for what is out of reach in a library of Rust's own, with which a path begins; none if it begins otherwise.
+/// Returns the reason for an unsupported item of Rust's own libraries, with which a path begins; none for another
+/// path.
 pub fn library(path: &syn::Path) -> Option<Reason> {
     let first = path.segments.first().filter(|_| path.segments.len() > 1)?;
     match first.ident.to_string().as_str() {
@@ -279,7 +280,7 @@ pub fn library(path: &syn::Path) -> Option<Reason> {
     }
 }
 
-/// The reason for a type that its name shows to be out of reach.
+/// Returns the reason for a type that its name shows to be unsupported.
 pub fn named_type(path: &syn::Path) -> Option<Reason> {
     let last = path.segments.last()?;
     let name = last.ident.to_string();

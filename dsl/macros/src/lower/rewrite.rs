@@ -1,7 +1,6 @@
-//! Methods that represent other code: `range.contains(&x)`, `values.get(a..b)`. In the tree and in the copy that code stands
-//! in their place.
+//! Methods that are replaced by other code, in the tree and in the copy: `range.contains(&x)`, `values.get(a..b)`.
 //!
-//! Its names are those of nothing in scope, so that no name of the author's changes their meaning.
+//! The generated names are not in scope otherwise, so they do not capture the author's.
 
 use quote::{format_ident, quote, quote_spanned};
 use syn::parse_quote;
@@ -15,12 +14,12 @@ use super::walk::Lowering;
 use super::{macros, sort};
 use crate::owned::{ONCE, by_method};
 
-/// The modules of core whose functions have companions, and these functions.
+/// Modules of core whose functions have companions, and these functions.
 const OF_CORE: [(&str, &[&str]); 3] =
     [("array", &["from_fn"]), ("cmp", &["max", "min"]), ("mem", &["swap", "replace"])];
 
 impl Lowering {
-    /// The expansion of an expression; none if it represents itself.
+    /// Returns the replacement of an expression; none if it has none.
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
@@ -51,8 +50,8 @@ impl Lowering {
         }
     }
 
-    /// `core::mem::swap(&mut a, &mut b)`, `core::cmp::max(a, b)`: by the companions that these have. `iter::once(x)` is the
-    /// element of an array.
+    /// Replaces `core::mem::swap(&mut a, &mut b)`, `core::cmp::max(a, b)` and the like by calls of companions, and
+    /// `iter::once(x)` by an array with one element.
     fn of_core(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
         let syn::Expr::Path(syn::ExprPath { path, .. }) = &*it.func else { return None };
         if is_once(it) {
@@ -82,7 +81,7 @@ impl Lowering {
         Some(parse_quote! { #path(#arguments) })
     }
 
-    /// `(a..b).contains(&x)`: the comparisons.
+    /// Replaces `(a..b).contains(&x)` by comparisons.
     fn contained(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
         let fresh = |name: &str| fresh(name, |name| self.is_local(name) || names(it, name));
         let syn::Expr::Range(range) = bare(&it.receiver) else { return None };
@@ -125,18 +124,18 @@ impl Lowering {
     }
 }
 
-/// Returns true if a call is that of `iter::once`.
+/// Returns true for a call of `iter::once`.
 pub(super) fn is_once(it: &syn::ExprCall) -> bool {
     let syn::Expr::Path(syn::ExprPath { path, .. }) = &*it.func else { return false };
     macros::in_module(path).is_some_and(|(home, name)| home == ONCE.0 && name == ONCE.1)
 }
 
-/// Returns true if computing `value` may change what `end` reads: whoever writes a variable names it.
+/// Returns true if evaluating `value` may change what `end` reads: it mentions the same variable.
 fn may_change(value: &syn::Expr, end: &syn::Expr) -> bool {
     !is_plain(value) && root(end).is_some_and(|root| names(value, &text(root)))
 }
 
-/// The variable that a plain expression is, or is a part of.
+/// Returns the variable that a plain expression is, or is a part of.
 fn root(expr: &syn::Expr) -> Option<&syn::Ident> {
     match bare(expr) {
         syn::Expr::Path(it) => it.path.get_ident(),
@@ -147,7 +146,8 @@ fn root(expr: &syn::Expr) -> Option<&syn::Ident> {
     }
 }
 
-/// `values.get(a..b)`, `values.copy_within(a..b, place)`: by its ends, since a range is no value.
+/// Replaces the range in `values.get(a..b)` or `values.copy_within(a..b, place)` by its ends, since a range is no
+/// value.
 fn by_ends(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
     let syn::Expr::Range(range) = bare(&it.args[0]) else { return None };
     let from = match &range.start {
@@ -168,7 +168,7 @@ fn by_ends(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
     Some(syn::Expr::MethodCall(call))
 }
 
-/// `start..end` or `first..=last` as a value: what Rust makes of it.
+/// Returns `start..end` or `first..=last` as a value of Rust's range type.
 pub(super) fn held(expr: &syn::Expr) -> Option<syn::Expr> {
     let syn::Expr::Range(it) = bare(expr) else { return None };
     let (start, end) = (it.start.as_ref()?, it.end.as_ref()?);
@@ -182,13 +182,13 @@ pub(super) fn held(expr: &syn::Expr) -> Option<syn::Expr> {
     })
 }
 
-/// Returns true if a range is a value wherever it stands: a closed one, and one of floats, which nothing goes through.
+/// Returns true if a range is always a value: an inclusive one, or one of floats, over which no loop iterates.
 fn is_held(it: &syn::ExprRange) -> bool {
     let ends = [&it.start, &it.end].into_iter().flatten();
     matches!(it.limits, syn::RangeLimits::Closed(_)) || ends.map(|end| &**end).any(is_float)
 }
 
-/// Returns true if an expression is the literal of a float.
+/// Returns true if an expression is a float literal.
 fn is_float(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => is_float(expr),

@@ -1,4 +1,4 @@
-//! Signatures and types, as far as syntax can tell what the DSL does not take.
+//! Checks signatures and types as far as syntax shows that they are unsupported.
 
 use bessemer_tree::{NO_SLOT, Param};
 use proc_macro2::Span;
@@ -11,24 +11,24 @@ use super::refuse::Refusals;
 use super::{pattern, refuse};
 use crate::closures;
 
-/// The name of `self` in the witness copy.
+/// Name of `self` in the witness copy.
 pub const RECEIVER: &str = "__self";
 
-/// A parameter as the tree and the companions need it.
+/// A parameter for the tree and the companions.
 pub struct Parameter {
-    /// As the tree has it, without its slot.
+    /// Parameter of the tree, without its slot.
     pub param: Param,
-    /// The name in the witness copy.
+    /// Name in the witness copy.
     pub ident: syn::Ident,
-    /// The pattern in the witness copy.
+    /// Pattern in the witness copy.
     pub pattern: proc_macro2::TokenStream,
-    /// Its type; of a closure or an iterator, what represents that.
+    /// Type; for a closure or an iterator, its substitute.
     pub ty: proc_macro2::TokenStream,
     /// Span of its type.
     pub place: Span,
 }
 
-/// The parameters of a signature, after refusing what the DSL does not take in one.
+/// Returns the parameters of a signature, and refuses what is unsupported.
 pub fn parameters(signature: &syn::Signature, refusals: &mut Refusals) -> Vec<Parameter> {
     check_signature(signature, refusals);
     signature
@@ -102,12 +102,12 @@ pub fn named_part(ty: &syn::Type) -> Span {
     }
 }
 
-/// Returns true if a function gives a reference.
+/// Returns true if a function returns a reference.
 pub fn gives_reference(signature: &syn::Signature) -> bool {
     matches!(&signature.output, syn::ReturnType::Type(_, ty) if matches!(**ty, syn::Type::Reference(_)))
 }
 
-/// Returns true if that is one to a value, which is its place; a slice is a value itself.
+/// Returns true if a function returns a reference to a value, which is a place; a slice is a value.
 pub fn lends(signature: &syn::Signature) -> bool {
     let syn::ReturnType::Type(_, ty) = &signature.output else { return false };
     matches!(&**ty, syn::Type::Reference(it) if !matches!(*it.elem, syn::Type::Slice(_)))
@@ -154,7 +154,7 @@ pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
     body.stmts.splice(0..0, apart);
 }
 
-/// Does something with each name that patterns bind.
+/// Visitor that calls a closure for each name that patterns bind.
 pub(super) struct Names<F>(pub(super) F);
 
 impl<'ast, F: FnMut(&syn::PatIdent)> Visit<'ast> for Names<F> {
@@ -187,7 +187,7 @@ fn check_signature(signature: &syn::Signature, refusals: &mut Refusals) {
     }
 }
 
-/// Refuses the types that syntax alone shows to be out of reach.
+/// Refuses types that their syntax shows to be unsupported.
 pub fn check_type(ty: &syn::Type, refusals: &mut Refusals) {
     Types { refusals, field: false }.visit_type(ty);
 }
@@ -241,7 +241,7 @@ impl<'ast> Visit<'ast> for Types<'_> {
         }
     }
 
-    /// Lengths of arrays are rustc's to evaluate.
+    /// Skips the lengths of arrays, which rustc evaluates.
     fn visit_expr(&mut self, _: &'ast syn::Expr) {}
 }
 

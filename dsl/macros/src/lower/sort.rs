@@ -1,5 +1,5 @@
-//! Calls such as `values.sort_by_key(|x| …)`. They use the DSL's own routine in the simulation and in the C, since
-//! another one would order equal elements differently.
+//! Replaces calls such as `values.sort_by_key(|x| …)`. Simulation and C use the DSL's own routine, since another one
+//! might order equal elements differently.
 
 use quote::ToTokens;
 use syn::spanned::Spanned;
@@ -8,16 +8,16 @@ use syn::{parse_quote, parse_quote_spanned};
 use super::names::text;
 use super::syntax::{fresh, names};
 
-/// Leg of a comparison: in the native item, or in the tree and the witness copy.
+/// Destination of the replacement.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Leg {
-    /// The simulation.
+    /// Native item, which the simulation runs.
     Native,
-    /// The C.
+    /// Tree and witness copy.
     Tree,
 }
 
-/// The expansion of a call; none if it sorts nothing, or by no comparison that the DSL knows.
+/// Returns the replacement of a call; none if it does not sort, or has an unknown comparison.
 pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
     let (by, closure) = sorting(it)?;
     let below: syn::Expr = match (by, closure.inputs.len()) {
@@ -30,13 +30,13 @@ pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
     Some(parse_quote! { ::bessemer::sort::sort_by(#values, #below) })
 }
 
-/// Criterion of a sort.
+/// Kind of a sort's closure.
 enum By {
     Key,
     Comparison,
 }
 
-/// The closure that compares, or gives the key; or that calls the function that does.
+/// Returns the closure that compares or returns the key, or one that calls the passed function.
 fn sorting(it: &syn::ExprMethodCall) -> Option<(By, syn::ExprClosure)> {
     let by = match text(&it.method).as_str() {
         "sort_by_key" | "sort_unstable_by_key" => By::Key,
@@ -60,7 +60,7 @@ fn sorting(it: &syn::ExprMethodCall) -> Option<(By, syn::ExprClosure)> {
     Some((by, closure))
 }
 
-/// Names for two elements that stand nowhere in what they are put beside.
+/// Returns two names that some syntax does not contain.
 fn two_beside(beside: &impl ToTokens) -> [syn::Ident; 2] {
     let is_taken = |name: &str| names(beside, name);
     [fresh("one", is_taken), fresh("other", is_taken)]

@@ -12,7 +12,7 @@ use super::walk::Lowering;
 use super::{pattern, refuse, signature};
 
 impl Lowering {
-    /// Lowers a block; its locals end with it.
+    /// Lowers a block, which is the scope of its locals.
     pub fn block(&mut self, block: &mut syn::Block) -> tree::Block {
         self.scoped(|walk| walk.statements(&mut block.stmts))
     }
@@ -76,7 +76,7 @@ impl Lowering {
         }
     }
 
-    /// A `let`; the statements that look at what it binds go to `looks`.
+    /// Lowers a `let`; the statements that record the types of its names go to `looks`.
     fn local(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
         let init = local.init.as_ref().filter(|it| it.diverge.is_none());
         let is_closure = init.is_some_and(|it| matches!(*it.expr, syn::Expr::Closure(_)));
@@ -100,7 +100,7 @@ impl Lowering {
         }
     }
 
-    /// `let name = value;`, `let name;`
+    /// Lowers `let name = value;` or `let name;`.
     fn named(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
         let site = site(&local.let_token);
         if let Some(init) = &local.init
@@ -128,7 +128,7 @@ impl Lowering {
         Some(tree::Stmt::Let { name, slot, value, site, mutable })
     }
 
-    /// `let pattern = value;`, perhaps with an `else`.
+    /// Lowers `let pattern = value;`, possibly with an `else`.
     fn apart(&mut self, local: &mut syn::Local, looks: &mut Vec<syn::Stmt>) -> Option<tree::Stmt> {
         let (site, init) = (site(&local.let_token), local.init.as_mut()?);
         let lent = self.is_place(&init.expr);
@@ -148,7 +148,7 @@ impl Lowering {
         Some(tree::Stmt::Apart { pattern, value, otherwise, site })
     }
 
-    /// A value that is taken apart: the parts of a tuple need not become one.
+    /// Lowers a destructured value; the parts of a tuple need not be built.
     pub(super) fn whole(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         match expr {
             syn::Expr::Paren(it) => self.whole(&mut it.expr),
@@ -160,7 +160,7 @@ impl Lowering {
         }
     }
 
-    /// A value that is matched: only its use may say of what type a number is.
+    /// Lowers a matched value. A slot records the type of an unsuffixed number, which may depend only on its use.
     fn matched(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         let mut value = self.value(expr);
         let number = value.is_unsuffixed();
@@ -169,12 +169,12 @@ impl Lowering {
     }
 }
 
-/// A semicolon with nothing before it.
+/// Returns true for a semicolon without a statement.
 fn is_empty(stmt: &syn::Stmt) -> bool {
     matches!(stmt, syn::Stmt::Expr(syn::Expr::Verbatim(tokens), Some(_)) if tokens.is_empty())
 }
 
-/// `let (a, b);`, variables that are assigned later, as a `let` for each.
+/// Splits `let (a, b);`, which declares variables for later assignments, into a `let` for each.
 fn one_by_one(mut stmt: syn::Stmt) -> Vec<syn::Stmt> {
     without_value(&mut stmt);
     if let syn::Stmt::Local(syn::Local { pat: syn::Pat::Tuple(parts), init: None, .. }) = &stmt {
@@ -184,7 +184,8 @@ fn one_by_one(mut stmt: syn::Stmt) -> Vec<syn::Stmt> {
     vec![stmt]
 }
 
-/// `Err(error)?;`: of what type its value would be nothing says, and rustc takes `!`, which no slot holds.
+/// Gives the value of `Err(error)?;` a type: nothing determines it, and rustc would infer `!`, which no slot can
+/// hold.
 fn without_value(stmt: &mut syn::Stmt) {
     let tried = match stmt {
         syn::Stmt::Expr(tried, Some(_)) => tried,
@@ -201,7 +202,7 @@ fn without_value(stmt: &mut syn::Stmt) {
     }
 }
 
-/// Returns true if a `let` takes its value apart.
+/// Returns true if a `let` destructures its value.
 fn takes_apart(local: &syn::Local) -> bool {
     let bare = match &local.pat {
         syn::Pat::Type(it) => &it.pat,
@@ -211,7 +212,7 @@ fn takes_apart(local: &syn::Local) -> bool {
     diverges || !matches!(bare, syn::Pat::Wild(_)) && alone(bare).is_none()
 }
 
-/// Returns true if what a pattern names may be changed.
+/// Returns true if a pattern binds a mutable name.
 fn is_mutable(pattern: &syn::Pat) -> bool {
     match pattern {
         syn::Pat::Ident(it) => it.mutability.is_some(),

@@ -1,4 +1,4 @@
-//! Takes out of a copy of the author's code what it cannot keep: attributes and lifetimes.
+//! Removes attributes and lifetimes from a copy of the author's code.
 //!
 //! Attributes that would make the C differ from the Rust are refused here.
 
@@ -9,7 +9,7 @@ use super::{loops, refuse};
 
 /// Refuses the attributes of an item, field or method that would make the C differ from the Rust.
 ///
-/// `#[cfg]` above the DSL's attribute is gone by now: rustc has acted on it.
+/// A `#[cfg]` above the DSL's attribute does not appear here, since rustc has applied it.
 pub fn check_attributes(attributes: &[syn::Attribute], refusals: &mut Refusals) {
     for attribute in attributes {
         if is_conditional(attribute) {
@@ -18,12 +18,12 @@ pub fn check_attributes(attributes: &[syn::Attribute], refusals: &mut Refusals) 
     }
 }
 
-/// Returns true if an attribute leaves out what it is on, by how the crate is built.
+/// Returns true for an attribute that conditionally removes its item.
 fn is_conditional(attribute: &syn::Attribute) -> bool {
     attribute.path().get_ident().is_some_and(|name| name.to_string().starts_with("cfg"))
 }
 
-/// Takes attributes and lifetimes off a copy of a function.
+/// Removes attributes and lifetimes from a copy of a function.
 pub fn strip(signature: &mut syn::Signature, body: &mut syn::Block, refusals: &mut Refusals) {
     let mut strip = Strip { refusals };
     for input in &mut signature.inputs {
@@ -33,7 +33,7 @@ pub fn strip(signature: &mut syn::Signature, body: &mut syn::Block, refusals: &m
     strip.visit_block_mut(body);
 }
 
-/// Gives the lifetimes that an `impl` block leaves out, `Reader<'_>`, `From<&Reading>`, names that precede it.
+/// Names the lifetimes that an `impl` block omits, `Reader<'_>`, `From<&Reading>`.
 pub fn name_lifetimes(block: &mut syn::ItemImpl) {
     struct Named(Vec<syn::Lifetime>);
     impl VisitMut for Named {
@@ -59,7 +59,8 @@ pub fn name_lifetimes(block: &mut syn::ItemImpl) {
     block.generics.params = declared.chain(std::mem::take(&mut block.generics.params)).collect();
 }
 
-/// A type of an `impl` block as what is beside the block names it: the lifetimes of the block are not known there.
+/// Returns the type of an `impl` block with lifetimes `'static`, for items beside the block, where its lifetimes are
+/// not in scope.
 pub fn lasting_type(ty: &syn::Type) -> syn::Type {
     let mut ty = ty.clone();
     Lasting.visit_type_mut(&mut ty);
@@ -85,7 +86,7 @@ struct Strip<'a> {
     refusals: &'a mut Refusals,
 }
 
-/// Those that change nothing about what the code does.
+/// Attributes without influence on the behaviour.
 const HARMLESS: &[&str] = &["allow", "warn", "deny", "forbid", "expect", "doc"];
 
 impl VisitMut for Strip<'_> {
@@ -102,7 +103,7 @@ impl VisitMut for Strip<'_> {
         }
     }
 
-    /// It has an attribute of its own, which strips it.
+    /// Skips an inner function, since it has its own attribute.
     fn visit_item_fn_mut(&mut self, _: &mut syn::ItemFn) {}
 
     fn visit_local_mut(&mut self, it: &mut syn::Local) {

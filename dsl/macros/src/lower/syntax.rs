@@ -1,4 +1,4 @@
-//! Properties of expressions that show by their syntax alone.
+//! Properties of expressions that their syntax shows.
 
 use quote::{ToTokens, quote};
 
@@ -16,7 +16,7 @@ pub(super) fn bare(expr: &syn::Expr) -> &syn::Expr {
     }
 }
 
-/// Returns true if an expression may be written twice, or left out: a number, a name, a part of one.
+/// Returns true if an expression may be evaluated twice, or not at all: a number, a name, a part of one.
 pub(super) fn is_plain(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
@@ -31,12 +31,12 @@ pub(super) fn is_plain(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Returns true if a name stands somewhere in an expression. Answers yes too often rather than too rarely.
+/// Returns true if an expression contains a name; may be true for an unrelated use of the same word.
 pub(super) fn names(expr: &impl ToTokens, name: &str) -> bool {
     times_named(expr, name) > 0
 }
 
-/// Returns the number of occurrences of a name (without `r#`) in an expression, as anything that it may be.
+/// Returns the number of occurrences of a name (without `r#`) in an expression, in any role.
 pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
     fn count(tokens: proc_macro2::TokenStream, name: &str) -> usize {
         let of = |token| match token {
@@ -49,7 +49,7 @@ pub(super) fn times_named(expr: &impl ToTokens, name: &str) -> usize {
     count(quote! { #expr }, name)
 }
 
-/// A name that is not taken: `name`, or one that begins with it.
+/// Returns a free name that begins with `name`.
 pub(super) fn fresh(name: &str, is_taken: impl Fn(&str) -> bool) -> syn::Ident {
     let mut fresh = name.to_owned();
     while is_taken(&fresh) {
@@ -58,7 +58,7 @@ pub(super) fn fresh(name: &str, is_taken: impl Fn(&str) -> bool) -> syn::Ident {
     syn::Ident::new(&fresh, proc_macro2::Span::call_site())
 }
 
-/// Returns true if a path is that of a variant.
+/// Returns true if a path denotes a variant.
 pub(super) fn is_variant(path: &syn::Path) -> bool {
     path.segments.len() > 1 && is_constructor_name(&last_segment(path))
 }
@@ -71,13 +71,13 @@ pub(super) fn is_of_type(path: &syn::Path) -> bool {
     })
 }
 
-/// Returns true if a name is that of a variant or a struct: a constant has no small letters.
+/// Returns true if a name looks like a variant or a struct: it has a capital and small letters.
 pub(super) fn is_constructor_name(name: &str) -> bool {
     name.starts_with(|first: char| first.is_uppercase())
         && name.contains(|letter: char| letter.is_lowercase())
 }
 
-/// The name of a type without its modules.
+/// Returns the name of a type without its modules.
 pub fn last_ident(ty: &syn::Type) -> Option<&syn::Ident> {
     match ty {
         syn::Type::Path(it) => it.path.segments.last().map(|segment| &segment.ident),
@@ -85,7 +85,7 @@ pub fn last_ident(ty: &syn::Type) -> Option<&syn::Ident> {
     }
 }
 
-/// The last name of a path.
+/// Returns the last name of a path.
 pub(super) fn last_segment(path: &syn::Path) -> String {
     path.segments.last().map(|segment| text(&segment.ident)).unwrap_or_default()
 }

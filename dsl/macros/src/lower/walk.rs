@@ -1,6 +1,6 @@
-//! The state of a walk over one function: the locals in scope, the slots so far, and the builder's further items.
+//! State of a walk over one function: locals in scope, slots, and further items of the builder.
 //!
-//! Must not know: syntax. Each form is lowered in a file of its own.
+//! Must not know: syntax. Each form is lowered in its own file.
 
 use bessemer_tree as tree;
 use proc_macro2::TokenStream;
@@ -9,85 +9,85 @@ use quote::quote_spanned;
 use super::names::{UNIT, generating, slot_name, span, text};
 use super::refuse::{Place, Reason, Refusals};
 
-/// The walk over one function.
+/// State of a walk over one function.
 #[derive(Default)]
 pub struct Lowering {
-    /// The refusals so far.
+    /// Refusals so far.
     pub refusals: Refusals,
-    /// The locals in scope: the author's name, and that in the tree.
+    /// Locals in scope: the author's name, and the name in the tree.
     pub(super) scopes: Vec<Vec<(String, String)>>,
-    /// The names in the tree of closures.
+    /// Names of closures in the tree.
     pub(super) closures: Vec<String>,
-    /// The parameters that take closures.
+    /// Parameters that take closures.
     pub called: Vec<String>,
-    /// True if the names of patterns are kept apart from those around them.
+    /// True if names of patterns are made unique.
     pub(super) apart: bool,
-    /// The names of the alternative before, which those behind it in a pattern share.
+    /// Names of the previous alternative, which later alternatives of a pattern share.
     pub(super) alternative: Vec<(String, String)>,
     pub(super) slots: u32,
     pub(super) callees: u32,
-    /// The operators, which may be functions of a type that the library knows.
+    /// Operators, each of which may be a function of a library type.
     pub operators: Vec<tree::Operator>,
-    /// The slots of structs that are written out by their names: what they are an instance of may be an iterator.
+    /// Slots of struct literals, whose type may be an iterator.
     pub literals: Vec<u32>,
-    /// True if what is lowered next is the left operand of an operator.
+    /// True if the next expression is the left operand of an operator.
     pub(super) chained: bool,
-    /// The names that the operands of the operator have that is being lowered, where they are names.
+    /// Names of the present operator's operands, where they are names.
     pub(super) sides: [Option<syn::Ident>; 2],
-    /// The statements of the witness copy before the operator that is being lowered: those of its left operand.
+    /// Statements of the witness copy for the left operand of the present operator.
     pub(super) before: Vec<TokenStream>,
-    /// Positions in the witness copy at which each statement begins, and at which the last ends.
+    /// Positions in the witness copy at the beginning of each statement, and at the end of the last.
     pub begins: Vec<Begin>,
-    /// Paths that rustc has to evaluate: the slot, the path, and what it is that of.
+    /// Paths that rustc must evaluate: slot, path, and kind of value.
     pub constants: Vec<(u32, TokenStream, Constant)>,
-    /// The macros of Rust's that are called, each once.
+    /// Called macros of Rust, without duplicates.
     pub macros: Vec<syn::Ident>,
-    /// `const` items of the body: the builder needs them too.
+    /// `const` items of the body, which the builder also needs.
     pub items: Vec<syn::Item>,
-    /// The function's own name, and whether it is a method: to tell a direct recursion. None where the type may have another
-    /// method of this name, which Rust takes first.
+    /// Name of the function, and if it is a method, to detect direct recursion. None where the type may have another
+    /// method of this name, which Rust prefers.
     pub(super) name: Option<String>,
     pub(super) method: bool,
-    /// True if what is matched is a place, so that `ref` in a pattern names a part of it.
+    /// True if the matched value is a place, so that `ref` in a pattern refers to a part of it.
     pub(super) lent: bool,
-    /// The label of the closure's body that is being lowered, which `return` and `?` leave; none of a function's.
+    /// Label of the closure body that is being lowered, which `return` and `?` leave; none in a function.
     pub(super) leaves: Option<String>,
-    /// The names of the function that are declared `mut`.
+    /// Names that the function declares `mut`.
     pub mutable: Vec<String>,
 }
 
-/// Position at which a statement begins: the counts of everything before it.
+/// Position of a statement: the counts of everything before it.
 #[derive(Clone, Copy, Default)]
 pub struct Begin {
-    /// Statements of the witness copy.
+    /// Number of statements of the witness copy.
     pub statements: usize,
-    /// Slots.
+    /// Number of slots.
     pub slots: u32,
-    /// Callees.
+    /// Number of callees.
     pub callees: u32,
-    /// Operators.
+    /// Number of operators.
     pub operators: usize,
-    /// Constants.
+    /// Number of constants.
     pub constants: usize,
 }
 
-/// A path that rustc evaluates.
+/// Kind of a path that rustc evaluates.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Constant {
-    /// Slot of a value.
+    /// A value.
     Value,
-    /// Slot of a value, or of an expression that makes one of its parts.
+    /// A value, or a constructor of one.
     Made,
 }
 
 impl Lowering {
-    /// A walk over the function or method called `name`, with nothing seen yet.
+    /// Returns the initial state for the function or method called `name`.
     pub fn new(name: Option<&syn::Ident>, method: bool, refusals: Refusals) -> Lowering {
         let (scopes, name) = (vec![Vec::new()], name.map(text));
         Lowering { refusals, scopes, name, method, ..Lowering::default() }
     }
 
-    /// Refuses what is at `place`; gives what represents it.
+    /// Refuses the code at `place`; returns the expression that replaces it.
     pub(super) fn refused(&mut self, place: impl Place, reason: Reason) -> tree::ExprKind {
         self.refusals.add(place, reason);
         UNIT
@@ -104,32 +104,32 @@ impl Lowering {
         }
     }
 
-    /// A fresh slot.
+    /// Returns a new slot.
     pub fn slot(&mut self) -> u32 {
         self.slots += 1;
         self.slots - 1
     }
 
-    /// A fresh slot for the function that is called.
+    /// Returns a new slot for a callee.
     pub(super) fn callee(&mut self) -> u32 {
         self.callees += 1;
         self.callees - 1
     }
 
-    /// Makes `name` a local of the innermost scope.
+    /// Adds `name` as a local of the innermost scope.
     pub fn bind(&mut self, name: &str) {
         self.bind_as(name, name);
     }
 
-    /// Binds a name that neither hides another in the tree nor is hidden. A node that is moved keeps its meaning, even
-    /// under a second name. Marks in such a name do not reach the C.
+    /// Binds a name that neither hides another in the tree nor is hidden, so that a moved node keeps its meaning.
+    /// Marks in the name do not reach the C.
     pub(super) fn bind_apart(&mut self, name: &str) -> String {
         let apart = self.hidden(&format!("{name}%"));
         self.bind_as(name, &apart);
         apart
     }
 
-    /// Makes `name` a local, kept apart where those of patterns are; gives its name in the tree.
+    /// Adds `name` as a local, unique if names of patterns are; returns its name in the tree.
     pub(super) fn bind_here(&mut self, name: &str) -> String {
         if self.apart {
             let known = self.alternative.iter().find(|(known, _)| known == name);
@@ -142,7 +142,7 @@ impl Lowering {
         name.to_owned()
     }
 
-    /// A name in the tree for what the author has none for.
+    /// Returns a free name in the tree for a value without an author's name.
     pub(super) fn hidden(&mut self, name: &str) -> String {
         let mut hidden = name.to_owned();
         while self.scopes.iter().flatten().any(|(_, known)| *known == hidden) {
@@ -163,7 +163,7 @@ impl Lowering {
         self.scopes.iter().flatten().filter(|(known, _)| known == name).count()
     }
 
-    /// The name in the tree of a local.
+    /// Returns the tree's name of a local.
     pub(super) fn local_name(&self, name: &str) -> Option<&str> {
         let found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
         found.into_iter().find(|(known, _)| known == name).map(|(_, in_tree)| in_tree.as_str())
@@ -182,7 +182,7 @@ impl Lowering {
         result
     }
 
-    /// Turns `expr` into `see(&slot, expr)` and gives the slot.
+    /// Replaces `expr` by `see(&slot, expr)` and returns the slot.
     pub(super) fn see(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
         see_in(slot, expr);
@@ -196,7 +196,7 @@ impl Lowering {
         slot
     }
 
-    /// The statement `look(&slot, &place);`.
+    /// Returns the statement `look(&slot, &place);`.
     pub(super) fn look(&self, slot: u32, place: &syn::Ident) -> syn::Stmt {
         let name = slot_name(slot);
         syn::Stmt::Expr(
@@ -214,7 +214,7 @@ pub(super) fn glance_in(slot: u32, expr: &mut syn::Expr) {
     wrap(expr, "__glance", [slot].into_iter().map(slot_name));
 }
 
-/// Writes `function(&slot, …, expr)` for `expr`, in the witness copy alone.
+/// Replaces `expr` by `function(&slot, …, expr)`, only in the witness copy.
 pub(super) fn wrap(expr: &mut syn::Expr, function: &str, slots: impl Iterator<Item = syn::Ident>) {
     if generating() {
         let (function, span) = (syn::Ident::new(function, span(expr)), span(expr));
