@@ -82,7 +82,7 @@ def table(name, values, text, ty="f64"):
 
 def pair(name, value, text):
     constant(f"{name}_HIGH", double(value), f"{text}, to a double.", shared=True)
-    constant(f"{name}_LOW", double(value - double(value)), f"{text}, less its high part.", shared=True)
+    constant(f"{name}_LOW", double(value - double(value)), f"{text}, minus its high part.", shared=True)
 
 
 def pairs(name, values, text):
@@ -125,8 +125,8 @@ def polynomial(name, function, count, low, high, text, ty="f64"):
     found = [double(c) if ty == "f64" else rounded(c, 24) for c in lu_solve(system, values)]
     points = [low + (high - low) * (2 * k + 1) / 1000 for k in range(500)]
     off = max(abs(function(x) - sum(c * x**power for power, c in enumerate(found))) for x in points)
-    through = f"{text.rstrip('.')}, through the {count} Chebyshev points"
-    table(name, found, f"{through}; off by less than 2{raised(int(floor(log(off, 2))) + 1)}.", ty)
+    through = f"{text.rstrip('.')}. Interpolated at {count} Chebyshev points"
+    table(name, found, f"{through}; the error is below 2{raised(int(floor(log(off, 2))) + 1)}.", ty)
     mp.prec = before
 
 
@@ -208,9 +208,9 @@ def exact(value):
 
 
 rows("SINE_ROWS", [(*split(exact(sin(k * pi / 64))), double(exact(cos(k * pi / 64)))) for k in range(64)],
-     "sin(k·π/64) to a double, what that leaves out, and cos(k·π/64).")
+     "sin(k·π/64) to a double, the rounding error, and cos(k·π/64).")
 rows("TANGENT_ROWS", [split(exact(tan(k * pi / 64))) if k != 32 else (mpf(0), mpf(0)) for k in range(64)],
-     "tan(k·π/64) to a double, and what that leaves out; at its pole 0.")
+     "tan(k·π/64) to a double, and its rounding error; 0 at the pole.")
 polynomial("SINE_POLYNOMIAL", odd(sin), 5, 0, (mpf("5.6") * pi / 64) ** 2, "(sin x − x)/x³ in powers of x², to 0.27.")
 polynomial("TANGENT_POLYNOMIAL", odd(tan), 8, 0, (mpf("4.6") * pi / 64) ** 2, "(tan x − x)/x³ in powers of x², to 0.22.")
 # Row j is for numbers whose exponent and first three binary digits are those of j/8 counted from 1/16.
@@ -219,7 +219,7 @@ for j in range(64):
     octave, eighth = divmod(j, 8)
     centres.append(mpf(2) ** (octave - 4) * (1 + (mpf(eighth) + mpf(1) / 2) / 8))
 rows("ARCTANGENT_ROWS", [(c, *split(atan(c))) for c in centres],
-     "c, atan c to a double, and what that leaves out: eight c for each octave from 1/16 to 16.")
+     "c, atan c to a double, and its rounding error, for eight c in each octave from 1/16 to 16.")
 polynomial("ARCTANGENT_POLYNOMIAL", odd(atan), 6, 0, mpf(1) / 256, "(atan x − x)/x³ in powers of x², to 1/16.")
 polynomial("ARCSINE_POLYNOMIAL", odd(asin), 13, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2.")
 polynomial("ARCSINE_F32", odd(asin), 6, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2, for single precision.")
@@ -232,14 +232,14 @@ constant("UNIT_STEP_HIGH", cut(two / 128, 36), "The leading 36 bits of (ln 2)/12
          shared=True)
 constant("UNIT_STEP_LOW", double(two / 128 - cut(two / 128, 36)), "The rest of (ln 2)/128.", shared=True)
 rows("OF_TWO", [(bits((v - double(v)) / v), (bits(double(v)) - (k << 45)) % 2**64) for k, v in enumerate(steps)],
-     "2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵.", "u64", shared=True)
+     "For 2^(k/128) as a double, its rounding error as a fraction of it, and its bits minus k·2⁴⁵.", "u64", shared=True)
 polynomial("EXPONENTIAL_F32", lambda r: expm1(r * two) / r, 2, mpf(-1) / 256, mpf(1) / 256,
            "(2^r − 1)/r in powers of r, −1/256 to 1/256.")
 polynomial("EXP_M1", lambda x: (exp(x) - 1 - x - x * x / 2) / x**3, 11, mpf("-0.30"), mpf("0.3000001"),
            "(e^x − 1 − x − x²/2)/x³ in powers of x, −0.3 to 0.3.")
 polynomial("SINH_POLYNOMIAL", odd(sinh), 5, 0, mpf("0.31") ** 2, "(sinh x − x)/x³ in powers of x², to 0.3.")
 rows("TANH_ROWS", [split(tanh((k + mpf(1) / 2) / 16)) for k in range(64)],
-     "tanh((k + 1/2)/16) to a double, and what that leaves out.")
+     "tanh((k + 1/2)/16) to a double, and its rounding error.")
 polynomial("TANH_POLYNOMIAL", odd(tanh), 8, 0, mpf("0.251") ** 2, "(tanh x − x)/x³ in powers of x², to 1/4.")
 
 width = mpf("0.00404")
@@ -250,24 +250,24 @@ def logarithm(name, base, unit):
     found = accurate_rows(lambda x: log(x) / log(base), mpf(2) ** unit)
     off = max(abs(log(c) / log(base) - value) for _, value, c in found)
     rows(f"{name}_ROWS", [row[:2] for row in found],
-         f"1/c to a double and the logarithm of c, c as in `{name}_CENTRES` (Gal): the logarithm is off by less than "
+         f"1/c to a double and the logarithm of c, c as in `{name}_CENTRES` (Gal): the error of the logarithm is below "
          f"2{raised(int(floor(log(off, 2))) + 1)}.")
-    table(f"{name}_CENTRES", [row[2] for row in found], "c near the middle of the row's significands, of which the logarithm is next to a double.")
+    table(f"{name}_CENTRES", [row[2] for row in found], "c near the middle of the row's significands, chosen so that its logarithm is very nearly a double.")
     if base != mp.e:
         polynomial(f"{name}_POLYNOMIAL", lambda r: log(1 + r) / log(base) / r, 6, -width, width,
-                   "log(1 + r)/r in powers of r, −0.00404 to 0.00404, which is a row.")
+                   "log(1 + r)/r in powers of r, −0.00404 to 0.00404, the range of a row.")
         constant(f"{name}_E_HIGH", rounded(1 / log(base), 31), "The logarithm of e, to 31 bits.")
-        constant(f"{name}_E_LOW", double(1 / log(base) - rounded(1 / log(base), 31)), "The logarithm of e, less its high part.")
+        constant(f"{name}_E_LOW", double(1 / log(base) - rounded(1 / log(base), 31)), "The logarithm of e, minus its high part.")
     if base != 2:
         part = log(mpf(2)) / log(base)
         constant(f"{name}_2_HIGH", grid(part, -42), "The logarithm of 2 to a multiple of 2⁻⁴².")
-        constant(f"{name}_2_LOW", double(part - grid(part, -42)), "The logarithm of 2 less its high part.")
+        constant(f"{name}_2_LOW", double(part - grid(part, -42)), "The logarithm of 2 minus its high part.")
 
 
 module("logarithms", "Logarithms, natural and to base 2.")
 logarithm("LN", mp.e, -43)
 polynomial("LN_POLYNOMIAL", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 4, -width, width,
-           "(ln(1 + r) − r + r²/2)/r³ in powers of r, −0.00404 to 0.00404, which is a row.")
+           "(ln(1 + r) − r + r²/2)/r³ in powers of r, −0.00404 to 0.00404, the range of a row.")
 polynomial("LN_NEAR_ONE", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 11, mpf("-0.0625"), mpf("0.0626"),
            "(ln(1 + r) − r + r²/2)/r³ in powers of r, −1/16 to 1/16.")
 logarithm("LOG2", mpf(2), -42)
@@ -294,16 +294,16 @@ coarse = [coarse_reciprocal(*cell(j)) for j in range(128)]
 logarithms = [-log(c) for c in coarse]
 rows("COARSE_ROWS", [(c, grid(v, -42)) for c, v in zip(coarse, logarithms)],
      "1/c, of ten bits at most, and ln c to multiples of 2⁻⁴².")
-table("COARSE_REST", [double(v - grid(v, -42)) for v in logarithms], "ln c less the second of `COARSE_ROWS`, to a double.")
+table("COARSE_REST", [double(v - grid(v, -42)) for v in logarithms], "ln c minus the second column of `COARSE_ROWS`, to a double.")
 width = mpf("0.0068")
 polynomial("FINER_LN", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 7, -width, width * 1.01,
-           "(ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, which is such a row.")
+           "(ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, the range of a row of `COARSE_ROWS`.")
 
 single = [mpf(1) if low < 1 < high else double(2 / (low + high)) for low, high in map(cell, range(128))]
 rows("LOG2_ROWS_F32", [(c, double(-log(c) / two)) for c in single],
      "1/c and log₂ c, each to a double, for c in the middle of a row, for single precision.")
 width = mpf("0.00392")
-polynomial("LOG2_F32", lambda r: log(1 + r) / two / r, 4, -width, width, "log₂(1 + r)/r in powers of r, −0.00392 to 0.00392, which is a row.")
+polynomial("LOG2_F32", lambda r: log(1 + r) / two / r, 4, -width, width, "log₂(1 + r)/r in powers of r, −0.00392 to 0.00392, the range of a row.")
 
 polynomial("CUBE_ROOT", lambda r: r ** (-mpf(1) / 3), 5, mpf("0.90"), mpf("1.11"), "r^(−1/3) in powers of r, 0.9 to 1.1.")
 polynomial("CUBE_ROOT_F32", lambda r: r ** (-mpf(1) / 3), 7, mpf("0.90"), mpf("1.11"), "r^(−1/3) in powers of r, 0.9 to 1.1, finer.")
@@ -330,17 +330,17 @@ narrow_parts("QUARTER", quarter, "π/2 in 12, 12 and 24 bits", 12, 12)
 narrow_parts("HALF_PI", quarter, "π/2 in 24 and 24 bits", 24)
 narrow_parts("LN_2", log(mpf(2)), "ln 2 in 16 and 24 bits: a multiple of the first by up to 2⁸ is exact", 16)
 constant("NARROW_STEP_LN_2_HIGH", grid(log(mpf(2)), -9), "ln 2 to a multiple of 2⁻⁹: a multiple of it by up to 2¹⁵ is exact.", "f32")
-constant("NARROW_STEP_LN_2_LOW", log(mpf(2)) - grid(log(mpf(2)), -9), "ln 2 less its high part.", "f32")
+constant("NARROW_STEP_LN_2_LOW", log(mpf(2)) - grid(log(mpf(2)), -9), "ln 2 minus its high part.", "f32")
 narrow_parts("LOG10_2", log(mpf(2)) / log(mpf(10)), "log₁₀ 2 in 16 and 24 bits", 16)
 narrow_parts("LOG2_E", 1 / log(mpf(2)), "log₂ e in 24 and 24 bits", 24)
 narrow_parts("LOG10_E", 1 / log(mpf(10)), "log₁₀ e in 12 and 24 bits", 12)
 words = [0] + [(int(floor(2 / pi * mpf(2) ** 320)) >> (32 * (9 - i))) & (2**32 - 1) for i in range(10)]
 table("TWO_OVER_PI_WORDS", words, "The bits of 2/π after 32 zeros, most significant first.", "u32")
-narrow_parts("ANGLE_STEP", pi / 64, "π/64 in 13, 18 and 24 bits: a multiple of the first by up to 2¹¹ is exact, and of the second by 64 times up to 2⁵", 13, 18)
+narrow_parts("ANGLE_STEP", pi / 64, "π/64 in 13, 18 and 24 bits: multiples of the first by up to 2¹¹ are exact. Multiples of the second by 64 times up to 2⁵ are exact", 13, 18)
 # Of z²/24 and z²/120 the multiples of z that serve best to z = (π/128)².
 share = (pi / 128) ** 2 * mpf("0.828")
 constant("NARROW_SINE_CUBE", rounded(-mpf(1) / 6 + share / 120, 24),
-         "Of the sine of r, to |r| = π/128, r³: with the share of r⁵ it is off by less than 2⁻³¹ of r.", "f32")
+         "Coefficient of r³ of the sine of r, up to |r| = π/128, adjusted for the missing r⁵. The error is below 2⁻³¹ of r.", "f32")
 
 
 def sine_row(k):
@@ -350,13 +350,13 @@ def sine_row(k):
 
 
 rows("NARROW_SINE_ROWS", [sine_row(k - 32) for k in range(64)],
-     "For k = j − 32 the sine of k·π/64 to a float, what that leaves out, its cosine less 1, and the factor of r² in sin k·π/64 · (cos r − 1): off by less than 2⁻²⁸.",
+     "For k = j − 32: sin(k·π/64) to a float, its rounding error, cos(k·π/64) − 1, and a factor. The factor of r² approximates sin(k·π/64) · (cos r − 1) with an error below 2⁻²⁸.",
      "f32")
 narrow("TANGENT", odd(tan), 7, 0, mpf("0.62") ** 2, "(tan x − x)/x³ in powers of x², to 0.62.")
 narrow("ARCTANGENT", odd(atan), 4, 0, mpf(1) / 16, "(atan x − x)/x³ in powers of x², to 1/4.")
 centres = [mpf(2) ** (j // 4 - 2) * (1 + (mpf(j % 4) + mpf(1) / 2) / 4) for j in range(16)]
 rows("NARROW_ARCTANGENT_ROWS", [(c, rounded(atan(c), 24), atan(c) - rounded(atan(c), 24)) for c in centres],
-     "c, atan c to a float, and what that leaves out: four c for each octave from 1/4 to 4.", "f32")
+     "c, atan c to a float, and its rounding error, for four c in each octave from 1/4 to 4.", "f32")
 narrow("ARCSINE", odd(asin), 5, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2.")
 narrow("EXPONENTIAL", lambda x: (exp(x) - 1 - x) / x**2, 6, -two / 2, two / 2 * mpf("1.001"),
        "(e^x − 1 − x)/x² in powers of x, to (ln 2)/2.")
@@ -392,7 +392,7 @@ def float_bits(value):
 
 
 rows("NARROW_OF_TWO", [(float_bits(v / rounded(v, 24) - 1), (float_bits(v) - (j << 16)) % 2**32) for j, v in enumerate(steps)],
-     "2^(j/128): what the float leaves out, as a fraction; its bits less j·2¹⁶.", "u32", shared=True)
+     "For 2^(j/128) as a float, its rounding error as a fraction of it, and its bits minus j·2¹⁶.", "u32", shared=True)
 
 
 def logarithm_rows(name, base, unit):
@@ -411,7 +411,7 @@ def logarithm_rows(name, base, unit):
         value = log(c) / log(base)
         found.append((c, rounded(1 / c, 24), grid(value, unit), value - grid(value, unit)))
     mp.prec = before
-    rows(name, found, f"c near the middle of a row of significands, 1/c, and the logarithm of c to a multiple of 2{raised(unit)}, and the rest.", "f32")
+    rows(name, found, f"c near the middle of a row of significands, 1/c, the logarithm of c to a multiple of 2{raised(unit)}, and the rest.", "f32")
 
 
 logarithm_rows("NARROW_LN_ROWS", mp.e, -17)

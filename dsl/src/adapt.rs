@@ -1,9 +1,9 @@
-//! Iterator adapters as functions of the DSL that are expanded where they are iterated: each passes its items to
+//! Iterator adapters as functions of the DSL that are inlined where they are iterated: each passes its items to
 //! `__each`.
 //!
-//! Invariants: nothing stands behind `__each` in its pass, since what goes through the items may go on with the next there.
+//! Invariant: no statement follows `__each` in its pass, since the consumer may continue with the next pass there.
 //!
-//! Must not know: where the items come from, or what becomes of them.
+//! Must not know: the source of the items, or their consumer.
 
 use crate::function;
 
@@ -24,7 +24,7 @@ pub fn map<T, U>(
     }
 }
 
-/// Those that are as `keep` asks.
+/// Keeps the items for which `keep` is true.
 #[function(expand)]
 pub fn filter<T>(
     items: impl Iterator<Item = T>,
@@ -68,7 +68,7 @@ pub fn map_while<T, U>(
     }
 }
 
-/// Those before the first that is not as `keep` asks.
+/// Keeps the items before the first for which `keep` is false.
 #[function(expand)]
 pub fn take_while<T>(
     items: impl Iterator<Item = T>,
@@ -83,7 +83,7 @@ pub fn take_while<T>(
     }
 }
 
-/// Those from the first on that is not as `skip` asks.
+/// Drops the items before the first for which `skip` is false.
 #[function(expand)]
 pub fn skip_while<T>(
     items: impl Iterator<Item = T>,
@@ -101,7 +101,7 @@ pub fn skip_while<T>(
     }
 }
 
-/// All but the first `n`.
+/// Drops the first `n` items.
 #[function(expand)]
 pub fn skip<T>(items: impl Iterator<Item = T>, n: usize, mut __each: impl FnMut(T)) {
     let mut left = n;
@@ -114,7 +114,7 @@ pub fn skip<T>(items: impl Iterator<Item = T>, n: usize, mut __each: impl FnMut(
     }
 }
 
-/// The first `n`.
+/// Keeps the first `n` items.
 #[function(expand)]
 pub fn take<T>(mut items: impl Iterator<Item = T>, n: usize, mut __each: impl FnMut(T)) {
     for _ in 0..n {
@@ -123,7 +123,7 @@ pub fn take<T>(mut items: impl Iterator<Item = T>, n: usize, mut __each: impl Fn
     }
 }
 
-/// Each with that of the others in its place.
+/// Pairs each item with the other iterator's item at the same position.
 #[function(expand)]
 pub fn zip<T, U>(
     items: impl Iterator<Item = T>,
@@ -136,7 +136,7 @@ pub fn zip<T, U>(
     }
 }
 
-/// The first, and each that comes `step` behind one of them.
+/// Keeps the first item, and every `step`th after it.
 #[function(expand)]
 pub fn step_by<T>(items: impl Iterator<Item = T>, step: usize, mut __each: impl FnMut(T)) {
     assert!(step != 0);
@@ -170,7 +170,7 @@ pub fn scan<T, S, U>(
     }
 }
 
-/// Shows each to `f`.
+/// Calls `f` with a reference to each item.
 #[function(expand)]
 pub fn inspect<T>(
     items: impl Iterator<Item = T>,
@@ -183,7 +183,7 @@ pub fn inspect<T>(
     }
 }
 
-/// The values behind references.
+/// Copies the values behind references.
 #[function(expand)]
 pub fn copied<T: Copy + 'static>(
     items: impl Iterator<Item = &'static T>,
@@ -194,7 +194,7 @@ pub fn copied<T: Copy + 'static>(
     }
 }
 
-/// Each with how many came before it.
+/// Pairs each item with the number of items before it.
 #[function(expand)]
 pub fn enumerate<T>(items: impl Iterator<Item = T>, mut __each: impl FnMut((usize, T))) {
     for (i, item) in items.into_iter().enumerate() {
@@ -202,7 +202,7 @@ pub fn enumerate<T>(items: impl Iterator<Item = T>, mut __each: impl FnMut((usiz
     }
 }
 
-/// From the last on.
+/// Yields the items from the last to the first.
 #[function(expand)]
 pub fn rev<T>(items: impl DoubleEndedIterator<Item = T>, mut __each: impl FnMut(T)) {
     for item in items.into_iter().rev() {
@@ -210,7 +210,7 @@ pub fn rev<T>(items: impl DoubleEndedIterator<Item = T>, mut __each: impl FnMut(
     }
 }
 
-/// All that `f` makes of each.
+/// Yields all items of each result of `f`.
 #[function(expand)]
 pub fn flat_map<T, U: Of<V>, V>(
     items: impl Iterator<Item = T>,
@@ -224,7 +224,7 @@ pub fn flat_map<T, U: Of<V>, V>(
     }
 }
 
-/// All that is in each.
+/// Yields all items of each item.
 #[function(expand)]
 pub fn flatten<T: Of<V>, V>(items: impl Iterator<Item = T>, mut __each: impl FnMut(V)) {
     for item in items {
@@ -234,7 +234,7 @@ pub fn flatten<T: Of<V>, V>(items: impl Iterator<Item = T>, mut __each: impl FnM
     }
 }
 
-/// All of one, then all of the other.
+/// Yields all items of one iterator, then of the other.
 #[function(expand)]
 pub fn chain<T>(
     items: impl Iterator<Item = T>,

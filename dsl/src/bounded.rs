@@ -1,8 +1,8 @@
-//! Matrices whose size is known when they are used, with a largest number of rows and of columns.
+//! Matrices with a run-time size, up to a largest number of rows and of columns.
 //!
-//! Written in the DSL itself, so that the C is made of the Rust that the simulation runs. What has no room,
-//! and an index beyond the size, is a panic, as it is a fault in the C. Elements beyond the size are zero.
-//! Their arithmetic is in `bounded_arithmetic`.
+//! They are written in the DSL, so the C follows from the Rust that the simulation runs. A size or an index that is
+//! too large is a panic, and a fault in the C. Elements beyond the size are zero. Their arithmetic is in
+//! `bounded_arithmetic`.
 
 // The checks of indices are proved of loops over them.
 #![allow(clippy::manual_memcpy, clippy::needless_range_loop)]
@@ -36,7 +36,7 @@ pub struct BoundedMatrix<T, const R: usize, const C: usize> {
 
 #[data]
 impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
-    /// Zeros.
+    /// Returns a matrix of zeros
     ///
     /// # Panics
     /// If there is no room for so many rows or columns.
@@ -45,17 +45,17 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         BoundedMatrix { rows, columns, elements: [[T::ZERO; R]; C] }
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn nrows(&self) -> usize {
         self.rows.min(R)
     }
 
-    /// Number of columns.
+    /// Returns the number of columns.
     pub fn ncols(&self) -> usize {
         self.columns.min(C)
     }
 
-    /// Makes it a matrix of another size: what is in both keeps its place, what is new is `value`.
+    /// Changes the size: elements within both sizes are kept, new ones are `value`
     ///
     /// # Panics
     /// If there is no room for so many rows or columns.
@@ -75,7 +75,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         self.columns = columns;
     }
 
-    /// Makes every element the same.
+    /// Sets every element to `value`.
     pub fn fill(&mut self, value: T) {
         for column in 0..self.columns.min(C) {
             for row in 0..self.rows.min(R) {
@@ -84,7 +84,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         }
     }
 
-    /// Rows as columns.
+    /// Returns the transpose.
     pub fn transpose(&self) -> BoundedMatrix<T, C, R> {
         let mut transposed =
             BoundedMatrix { rows: self.columns, columns: self.rows, elements: [[T::ZERO; C]; R] };
@@ -96,7 +96,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         transposed
     }
 
-    /// A row, its elements as a list.
+    /// Returns a row as a list
     ///
     /// # Panics
     /// If there is no such row.
@@ -109,7 +109,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         elements
     }
 
-    /// A column, its elements as a list.
+    /// Returns a column as a list
     ///
     /// # Panics
     /// If there is no such column.
@@ -122,7 +122,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         elements
     }
 
-    /// The elements of a matrix that fits.
+    /// Returns a bounded matrix with the elements of a fixed one that fits.
     pub fn from_matrix<const ROWS: usize, const COLUMNS: usize>(
         matrix: &SMatrix<T, ROWS, COLUMNS>,
     ) -> Self {
@@ -136,7 +136,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         all
     }
 
-    /// The elements as a matrix of a fixed size, if it has that.
+    /// Returns a matrix of a fixed size; none if the size differs.
     pub fn to_matrix<const ROWS: usize, const COLUMNS: usize>(
         &self,
     ) -> Option<SMatrix<T, ROWS, COLUMNS>> {
@@ -152,27 +152,28 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         Some(matrix)
     }
 
-    /// Number of elements.
+    /// Returns the number of elements.
     pub fn len(&self) -> usize {
         self.rows.min(R) * self.columns.min(C)
     }
 
-    /// Returns true if there are none.
+    /// Returns true if there are no elements.
     pub fn is_empty(&self) -> bool {
         self.rows == 0 || self.columns == 0
     }
 
-    /// Takes every row and column off.
+    /// Removes all rows and columns.
     pub fn clear(&mut self) {
         self.elements = [[T::ZERO; R]; C];
         self.rows = 0;
         self.columns = 0;
     }
 
-    /// Adds a column at the end.
+    /// Appends a column.
     ///
     /// # Panics
-    /// If there is no room, or if it has not as many elements as there are rows.
+    ///
+    /// If there is no room, or if its length is not the number of rows.
     pub fn push_column(&mut self, column: &[T]) {
         crate::__room!(self.columns < C && self.rows <= R);
         assert!(column.len() == self.rows, "the sizes differ");
@@ -182,10 +183,11 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         self.columns += 1;
     }
 
-    /// Adds a row at the end.
+    /// Appends a row.
     ///
     /// # Panics
-    /// If there is no room, or if it has not as many elements as there are columns.
+    ///
+    /// If there is no room, or if its length is not the number of columns.
     pub fn push_row(&mut self, row: &[T]) {
         crate::__room!(self.rows < R && self.columns <= C);
         assert!(row.len() == self.columns, "the sizes differ");
@@ -195,7 +197,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         self.rows += 1;
     }
 
-    /// Takes the last column off, if there is one.
+    /// Removes and returns the last column; none if there is none.
     pub fn pop_column(&mut self) -> Option<List<T, R>> {
         if self.columns == 0 || self.columns > C {
             return None;
@@ -210,7 +212,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         Some(column)
     }
 
-    /// Takes the last row off, if there is one.
+    /// Removes and returns the last row; none if there is none.
     pub fn pop_row(&mut self) -> Option<List<T, C>> {
         if self.rows == 0 || self.rows > R {
             return None;
@@ -225,10 +227,11 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         Some(row)
     }
 
-    /// The part of `rows` rows and `columns` columns that begins at a row and a column.
+    /// Returns the part of `rows` rows and `columns` columns that begins at a row and a column.
     ///
     /// # Panics
-    /// If it goes beyond the matrix.
+    ///
+    /// If it exceeds the matrix.
     pub fn view(&self, row: usize, column: usize, rows: usize, columns: usize) -> Self {
         crate::__inside!(self.rows <= R && self.columns <= C);
         crate::__inside!(row <= self.rows && rows <= self.rows - row);
@@ -244,13 +247,13 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
 }
 
 impl<T, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
-    /// All elements, column by column. In the C these are loops.
+    /// Iterates over all elements, column by column. In the C these are loops.
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = &T> {
         let (rows, columns) = (self.rows.min(R), self.columns.min(C));
         self.elements[..columns].iter().flat_map(move |column| &column[..rows])
     }
 
-    /// All elements, to be changed, column by column. In the C these are loops.
+    /// Iterates over all elements mutably, column by column. In the C these are loops.
     pub fn iter_mut(&mut self) -> impl DoubleEndedIterator<Item = &mut T> {
         let (rows, columns) = (self.rows.min(R), self.columns.min(C));
         self.elements[..columns].iter_mut().flat_map(move |column| &mut column[..rows])

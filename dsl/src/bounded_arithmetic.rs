@@ -1,7 +1,7 @@
-//! Sums and products of matrices whose size is known when they are used.
+//! Sums and products of matrices with a run-time size.
 //!
-//! Written in the DSL itself. Sizes that do not fit are a panic, as they are a fault in the C. A product adds the terms
-//! of an element from the first on, as a loop by hand does.
+//! They are written in the DSL. Sizes that do not fit are a panic, and a fault in the C. A product adds the terms of
+//! an element in ascending order, as a simple loop does.
 
 // The checks of indices are proved of loops over them.
 #![allow(clippy::needless_range_loop)]
@@ -35,7 +35,7 @@ impl<T: Number, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
     }
 }
 
-/// Element by element.
+/// Adds element by element
 ///
 /// # Panics
 /// If the sizes differ.
@@ -51,7 +51,7 @@ impl<T: Number, const R: usize, const C: usize> AddAssign for BoundedMatrix<T, R
     }
 }
 
-/// Element by element.
+/// Subtracts element by element
 ///
 /// # Panics
 /// If the sizes differ.
@@ -67,7 +67,7 @@ impl<T: Number, const R: usize, const C: usize> SubAssign for BoundedMatrix<T, R
     }
 }
 
-/// Each element times a factor.
+/// Multiplies each element by a factor.
 #[data]
 impl<T: Number, const R: usize, const C: usize> MulAssign<T> for BoundedMatrix<T, R, C> {
     fn mul_assign(&mut self, factor: T) {
@@ -79,7 +79,7 @@ impl<T: Number, const R: usize, const C: usize> MulAssign<T> for BoundedMatrix<T
     }
 }
 
-/// Element by element.
+/// Returns the sum, element by element
 ///
 /// # Panics
 /// If the sizes differ.
@@ -94,7 +94,7 @@ impl<T: Number, const R: usize, const C: usize> Add for BoundedMatrix<T, R, C> {
     }
 }
 
-/// Element by element.
+/// Returns the difference, element by element
 ///
 /// # Panics
 /// If the sizes differ.
@@ -109,7 +109,7 @@ impl<T: Number, const R: usize, const C: usize> Sub for BoundedMatrix<T, R, C> {
     }
 }
 
-/// Each element times a factor.
+/// Returns each element multiplied by a factor.
 #[data]
 impl<T: Number, const R: usize, const C: usize> Mul<T> for BoundedMatrix<T, R, C> {
     type Output = BoundedMatrix<T, R, C>;
@@ -121,10 +121,11 @@ impl<T: Number, const R: usize, const C: usize> Mul<T> for BoundedMatrix<T, R, C
     }
 }
 
-/// The product with another matrix: each element the sum of its terms, from the first on.
+/// Returns the product with another matrix; the terms of each element are added in ascending order.
 ///
 /// # Panics
-/// If the other has not as many rows as this has columns.
+///
+/// If the other's number of rows is not this one's number of columns.
 #[data]
 impl<T: Number, const R: usize, const C: usize, const K: usize> Mul<BoundedMatrix<T, C, K>>
     for BoundedMatrix<T, R, C>
@@ -147,7 +148,8 @@ impl<T: Number, const R: usize, const C: usize, const K: usize> Mul<BoundedMatri
     }
 }
 
-/// The product with a vector of the largest size, of which as many elements count as there are columns.
+/// Returns the product with a vector of the largest length, of which only the first elements count, one for each
+/// column.
 #[data]
 impl<T: Number, const R: usize, const C: usize> Mul<SVector<T, C>> for BoundedMatrix<T, R, C> {
     type Output = SVector<T, R>;

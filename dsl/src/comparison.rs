@@ -1,4 +1,4 @@
-//! Order of two values as a value: `a.cmp(&b)` and its methods.
+//! `Ordering` as a value: `a.cmp(&b)` and its methods.
 
 use core::cmp::Ordering as Native;
 
@@ -18,7 +18,7 @@ pub enum Ordering {
     Greater = 1,
 }
 
-/// `core::cmp::Reverse` in the C: of two the first is the one with the greater value. typify turns their comparison round.
+/// `core::cmp::Reverse` in the C: the greater value comes first. The front end reverses the comparison.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reverse<T>(pub T);
@@ -49,7 +49,7 @@ pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
 
 #[library(OrderingCompanions)]
 impl Native {
-    /// One order, or another one if the first is equal.
+    /// Returns this order, or the result of `f` if it is `Equal`.
     #[function(rewrite)]
     pub fn then_with<F: FnOnce() -> Native>(order: Self, f: F) -> Self {
         match order {
@@ -58,7 +58,7 @@ impl Native {
         }
     }
 
-    /// The other way round.
+    /// Returns the reversed order.
     #[method(reverse)]
     pub fn reversed(order: Self) -> Self {
         match order {
@@ -68,7 +68,7 @@ impl Native {
         }
     }
 
-    /// This order, or, where it tells nothing, the next.
+    /// Returns this order, or `next` if it is `Equal`.
     pub fn then(order: Self, next: Self) -> Self {
         if order == Native::Equal { next } else { order }
     }

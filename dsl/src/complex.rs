@@ -1,4 +1,5 @@
-//! Complex numbers: what nalgebra's `Complex` computes, in its order of operations, over the DSL's own functions.
+//! Complex numbers: the functions of nalgebra's `Complex` in its order of operations, with the DSL's elementary
+//! functions
 //!
 //! Without std nalgebra's type has neither an absolute value nor an argument, and with it they are the platform's. So the
 //! attributes put these functions in place of its own: `z.exp()`, `z.arg()`, `Complex::from_polar(r, angle)`. The absolute
@@ -36,24 +37,24 @@ impl<T: Real> Native<T> {
         Native::new(T::ZERO, T::ONE)
     }
 
-    /// From an absolute value and an argument, rad.
+    /// Returns the complex number with an absolute value and an argument, rad.
     pub fn from_polar(r: T, angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
         Native::new(r * cosine, r * sine)
     }
 
-    /// e to the power of `angle`·𝐢.
+    /// Returns e to the power of `angle`·𝐢; `angle` in rad.
     pub fn cis(angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
         Native::new(cosine, sine)
     }
 
-    /// Each part times a real number.
+    /// Multiplies each part by a real number.
     pub fn scale(z: &Self, factor: T) -> Self {
         Native::new(z.re * factor, z.im * factor)
     }
 
-    /// Each part over a real number.
+    /// Divides each part by a real number.
     pub fn unscale(z: &Self, divisor: T) -> Self {
         Native::new(z.re / divisor, z.im / divisor)
     }
@@ -64,7 +65,7 @@ impl<T: Real> Native<T> {
         Native::new(z.re, -z.im)
     }
 
-    /// 1 over it.
+    /// Returns the reciprocal.
     pub fn inv(z: &Self) -> Self {
         let squared = norm_sqr(z);
         Native::new(z.re / squared, -z.im / squared)
@@ -120,7 +121,7 @@ impl<T: Real> Native<T> {
         z.re.is_finite() && z.im.is_finite()
     }
 
-    /// To the power of a number that is not negative, by squaring.
+    /// Returns the power with a non-negative integer exponent, by squaring.
     pub fn powu(z: &Self, exponent: u32) -> Self {
         let mut result = Native::new(T::ONE, T::ZERO);
         let mut square = *z;
@@ -140,12 +141,12 @@ impl<T: Real> Native<T> {
         result
     }
 
-    /// To a whole power.
+    /// Returns the power with an integer exponent.
     pub fn powi(z: &Self, exponent: i32) -> Self {
         if exponent < 0 { powu(&inv(z), exponent.unsigned_abs()) } else { powu(z, exponent as u32) }
     }
 
-    /// To a real power.
+    /// Returns the power with a real exponent.
     #[by_value(z)]
     pub fn powf(z: &Self, exponent: T) -> Self {
         if exponent == T::ZERO {
@@ -155,7 +156,7 @@ impl<T: Real> Native<T> {
         from_polar(r.powf(exponent), angle * exponent)
     }
 
-    /// e to its power.
+    /// Returns e to the power of a complex number.
     #[by_value(z)]
     pub fn exp(z: &Self) -> Self {
         let (re, im) = (z.re, z.im);
@@ -180,7 +181,7 @@ impl<T: Real> Native<T> {
         Native::new(r.ln(), angle)
     }
 
-    /// The principal value of the root.
+    /// The principal value of the square root.
     #[by_value(z)]
     pub fn sqrt(z: &Self) -> Self {
         if z.im == T::ZERO {
@@ -290,20 +291,20 @@ pub fn quotient<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
     Native::new(re / squared, im / squared)
 }
 
-/// A real number over a complex one.
+/// The quotient of a real and a complex number.
 #[function]
 pub fn quotient_of_real<T: Real>(a: T, b: &Native<T>) -> Native<T> {
     let squared = norm_sqr(b);
     Native::new(a * b.re / squared, T::ZERO - a * b.im / squared)
 }
 
-/// The opposite.
+/// The negation.
 #[function]
 pub fn negative<T: Real>(z: &Native<T>) -> Native<T> {
     Native::new(-z.re, -z.im)
 }
 
-/// The absolute value, without overflow on the way.
+/// The absolute value, without overflow in intermediate results.
 #[function]
 pub fn norm<T: Real>(z: &Native<T>) -> T {
     z.re.hypot(z.im)
@@ -353,7 +354,7 @@ pub trait RealMethods: nalgebra::RealField {
     fn dsl_modulus(self) -> Self {
         nalgebra::ComplexField::modulus(self)
     }
-    /// 0, or π of what is negative, rad.
+    /// Returns 0, or π for a negative number, rad.
     fn dsl_argument(self) -> Self {
         nalgebra::ComplexField::argument(self)
     }

@@ -1,12 +1,12 @@
-//! Slices cut into parts, each handed to `__each`: core's `split`, `split_inclusive` and `chunk_by`.
+//! Slices split into parts, each passed to `__each`: core's `split`, `split_inclusive` and `chunk_by`.
 //!
-//! Invariants: the closure is asked of each element, or of each pair, once and in order; nothing stands behind `__each` in its
-//! pass.
+//! Invariants: the closure is called with each element, or each pair, once and in order; no statement follows
+//! `__each` in its pass.
 
 use crate::function;
 
-/// The parts between the elements that are as `is_end` asks, which are in none of them. The last part is what stands behind
-/// the last of these, and may be empty.
+/// Splits at the elements for which `is_end` is true, which belong to no part. The last part follows the last of
+/// these, and may be empty.
 #[function(expand)]
 pub fn split<T>(values: &[T], mut is_end: impl FnMut(&T) -> bool, mut __each: impl FnMut(&[T])) {
     let mut from = 0_usize;
@@ -19,7 +19,7 @@ pub fn split<T>(values: &[T], mut is_end: impl FnMut(&T) -> bool, mut __each: im
     }
 }
 
-/// Parts of a slice, each with the element that ends it.
+/// Splits after the elements for which `is_end` is true; each ends a part.
 #[function(expand)]
 pub fn split_inclusive<T>(
     values: &[T],
@@ -36,7 +36,7 @@ pub fn split_inclusive<T>(
     }
 }
 
-/// The parts in which each two neighbours are as `belong` asks.
+/// Splits where `belong` is false for two neighbours.
 #[function(expand)]
 pub fn chunk_by<T>(
     values: &[T],

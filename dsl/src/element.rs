@@ -1,4 +1,4 @@
-//! The element types of a bounded matrix: scalars, and for some operations numbers.
+//! Element types of a bounded matrix: scalars, and numbers for some operations.
 
 use core::ops::{Add, AddAssign, Mul, MulAssign, Sub, SubAssign};
 
@@ -12,7 +12,7 @@ use crate::Plain;
     label = "not an integer, a float or `bool`"
 )]
 pub trait Element: Scalar + Copy + Default + Plain + generated::Generated {
-    /// 0, or `false`.
+    /// The value 0, or `false`.
     const ZERO: Self;
 }
 
@@ -53,7 +53,7 @@ elements! {
 }
 numbers!(f32, f64, i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
 
-/// Further demands of a generation build on a scalar.
+/// Additional bounds of a scalar in a generation build.
 #[cfg(feature = "generate")]
 mod generated {
     use crate::generate::{ScalarType, Value};
@@ -64,10 +64,10 @@ mod generated {
     impl<T: Value + ScalarType> Generated for T {}
 }
 
-/// Outside generation builds nothing more is asked of a scalar.
+/// No additional bounds, outside generation builds.
 #[cfg(not(feature = "generate"))]
 mod generated {
-    /// Nothing.
+    /// No additional bounds.
     pub trait Generated {}
 
     impl<T> Generated for T {}

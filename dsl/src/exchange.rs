@@ -1,4 +1,4 @@
-//! `core::mem::swap` and `replace`, in the DSL's own Rust: a call stands for the body.
+//! `core::mem::swap` and `replace` in the DSL: a call is replaced by the body.
 //!
 //! Must not know: how any of it becomes C.
 
@@ -15,7 +15,7 @@ pub fn swap<T: Copy>(one: &mut T, other: &mut T) {
     *other = kept;
 }
 
-/// The value of a place, which takes another.
+/// Replaces the value of a place, and returns the old one.
 #[function(rewrite)]
 pub fn replace<T: Copy>(place: &mut T, value: T) -> T {
     let kept = *place;
@@ -23,7 +23,7 @@ pub fn replace<T: Copy>(place: &mut T, value: T) -> T {
     kept
 }
 
-/// Nothing: what is left alone ends with its name.
+/// Does nothing: the name ends the value's life.
 #[function(rewrite)]
 pub fn drop<T>(value: T) {
     let _ = value;

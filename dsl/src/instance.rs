@@ -1,12 +1,10 @@
-//! The traits by which an instance of a generic type, once it has a name, shows itself to the generator.
+//! Traits by which a named instance of a generic type is visible to the generator.
 
-/// A generic type whose methods an instance with a name of its own shows to C:
-/// `#[component] pub type PidF32 = Pid<f32>;`.
+/// A generic type whose methods are in the C for a named instance: `#[component] pub type PidF32 = Pid<f32>;`.
 ///
-/// The attribute of the `impl` block implements it, and nobody else. So all entry points of a generic
-/// component, and all public methods of generic data, stand in one annotated block: a second one is
-/// an error of rustc's that names this trait. A block for some instances, `impl Pid<f32>` beside `impl<T> Pid<T>`, adds
-/// to theirs.
+/// Only the attribute of the `impl` block implements it. So all entry points of a generic component, and all public
+/// methods of generic data, must be in one annotated block; for a second one rustc reports an error that names this
+/// trait. A block for some instances, `impl Pid<f32>` beside `impl<T> Pid<T>`, is allowed.
 pub trait EntriesInOneBlock {
     /// Builds them.
     #[cfg(feature = "generate")]

@@ -1,6 +1,6 @@
-//! Iterator consumers as functions of the DSL that are expanded where they are called: each is one loop.
+//! Iterator consumers as functions of the DSL that are inlined at each call: each is one loop.
 //!
-//! Must not know: where the items come from, or what a chain makes of them on the way.
+//! Must not know: the source of the items, or the adapters of the chain.
 
 use core::cmp::Ordering;
 
@@ -26,7 +26,7 @@ pub fn fold<T, A>(items: impl Iterator<Item = T>, start: A, mut f: impl FnMut(A,
     gathered
 }
 
-/// Returns true if one of them is as `f` asks.
+/// Returns true if `f` is true for an item.
 #[function(expand)]
 pub fn any<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> bool {
     let mut found = false;
@@ -39,7 +39,7 @@ pub fn any<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> b
     found
 }
 
-/// Returns true if all of them are.
+/// Returns true if `f` is true for all items.
 #[function(expand)]
 pub fn all<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> bool {
     let mut every = true;
@@ -52,7 +52,7 @@ pub fn all<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T) -> bool) -> b
     every
 }
 
-/// The first that is as `f` asks.
+/// Returns the first item for which `f` is true.
 #[function(expand)]
 pub fn find<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(&T) -> bool) -> Option<T> {
     let mut find = None;
@@ -81,7 +81,7 @@ pub fn find_map<T, U>(
     found
 }
 
-/// The last.
+/// Returns the last item.
 #[function(expand)]
 pub fn last<T>(items: impl Iterator<Item = T>) -> Option<T> {
     let mut last = None;
@@ -91,7 +91,7 @@ pub fn last<T>(items: impl Iterator<Item = T>) -> Option<T> {
     last
 }
 
-/// The first.
+/// Returns the first item.
 #[function(expand)]
 pub fn next<T>(items: impl Iterator<Item = T>) -> Option<T> {
     let mut next = None;
@@ -103,7 +103,7 @@ pub fn next<T>(items: impl Iterator<Item = T>) -> Option<T> {
     next
 }
 
-/// The one that comes after `n` others.
+/// Returns the item after `n` others.
 #[function(expand)]
 pub fn nth<T>(items: impl Iterator<Item = T>, n: usize) -> Option<T> {
     let mut left = n;
@@ -179,7 +179,7 @@ pub fn min<T: PartialOrd>(items: impl Iterator<Item = T>) -> Option<T> {
     min
 }
 
-/// The greatest by `compare`; of equal ones the last.
+/// Returns the greatest item by `compare`; of equal ones the last.
 #[function(expand)]
 pub fn max_by<T>(
     items: impl Iterator<Item = T>,
@@ -198,7 +198,7 @@ pub fn max_by<T>(
     found
 }
 
-/// The least by `compare`; of equal ones the first.
+/// Returns the least item by `compare`; of equal ones the first.
 #[function(expand)]
 pub fn min_by<T>(
     items: impl Iterator<Item = T>,
@@ -217,7 +217,7 @@ pub fn min_by<T>(
     found
 }
 
-/// The one with the greatest key; of equal ones the last.
+/// Returns the item with the greatest key; of equal ones the last.
 #[function(expand)]
 pub fn max_by_key<T, K: PartialOrd>(
     items: impl Iterator<Item = T>,
@@ -240,7 +240,7 @@ pub fn max_by_key<T, K: PartialOrd>(
     found
 }
 
-/// The one with the least key; of equal ones the first.
+/// Returns the item with the least key; of equal ones the first.
 #[function(expand)]
 pub fn min_by_key<T, K: PartialOrd>(
     items: impl Iterator<Item = T>,
@@ -263,7 +263,7 @@ pub fn min_by_key<T, K: PartialOrd>(
     found
 }
 
-/// Does `f` to each.
+/// Calls `f` with each item.
 #[function(expand)]
 pub fn for_each<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T)) {
     for item in items {
@@ -271,7 +271,7 @@ pub fn for_each<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T)) {
     }
 }
 
-/// Does something to each, up to the first of which `f` makes nothing.
+/// Calls `f` with each item, up to the first result that is `None`.
 #[function(expand)]
 pub fn try_for_each_some<T>(
     items: impl Iterator<Item = T>,
@@ -287,10 +287,11 @@ pub fn try_for_each_some<T>(
     done
 }
 
-/// Does something to each, up to the first that `f` fails of.
+/// Calls `f` with each item, up to the first error.
 ///
 /// # Errors
-/// What `f` says of that one.
+///
+/// The first error of `f`.
 #[function(expand)]
 pub fn try_for_each_ok<T, E>(
     items: impl Iterator<Item = T>,
@@ -319,7 +320,7 @@ pub fn reduce<T>(items: impl Iterator<Item = T>, mut f: impl FnMut(T, T) -> T) -
     reduced
 }
 
-/// Returns true if each is equal to that of the others in its place, and there are as many.
+/// Returns true if both sequences have the same length and equal items.
 #[function(expand)]
 pub fn eq<T: PartialEq<U>, U>(
     items: impl Iterator<Item = T>,
@@ -335,7 +336,7 @@ pub fn eq<T: PartialEq<U>, U>(
     same && others.next().is_none()
 }
 
-/// Returns true if one is not.
+/// Returns true if the sequences differ in length or in an item.
 #[function(expand)]
 pub fn ne<T: PartialEq<U>, U>(
     items: impl Iterator<Item = T>,
@@ -370,7 +371,7 @@ pub fn cmp<T: PartialOrd>(
     order
 }
 
-/// Returns true if they come before the others.
+/// Returns true if the first sequence is less than the second.
 #[function(expand)]
 pub fn lt<T: PartialOrd<U>, U>(
     items: impl Iterator<Item = T>,
@@ -390,7 +391,7 @@ pub fn lt<T: PartialOrd<U>, U>(
     less || same && others.next().is_some()
 }
 
-/// Returns true if they do not come behind the others.
+/// Returns true if the first sequence is less than the second, or equal.
 #[function(expand)]
 pub fn le<T: PartialOrd<U>, U>(
     items: impl Iterator<Item = T>,
@@ -412,7 +413,7 @@ pub fn le<T: PartialOrd<U>, U>(
     less || more || same
 }
 
-/// Returns true if they come behind the others.
+/// Returns true if the first sequence is greater than the second.
 #[function(expand)]
 pub fn gt<T: PartialOrd<U>, U>(
     items: impl Iterator<Item = T>,
@@ -435,7 +436,7 @@ pub fn gt<T: PartialOrd<U>, U>(
     greater && !more
 }
 
-/// Returns true if they do not come before the others.
+/// Returns true if the first sequence is greater than the second, or equal.
 #[function(expand)]
 pub fn ge<T: PartialOrd<U>, U>(
     items: impl Iterator<Item = T>,

@@ -135,7 +135,7 @@ pub mod prelude {
     };
 }
 
-/// The claim of the library's containers on an index: a fault of its own name in the C.
+/// Checks an index of the library's containers, as a fault of its own in the C.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __inside {
@@ -144,7 +144,7 @@ macro_rules! __inside {
     };
 }
 
-/// Their claim on their room.
+/// Checks the capacity of the library's containers.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __room {
@@ -153,7 +153,7 @@ macro_rules! __room {
     };
 }
 
-/// The claim on the bounds of `clamp`.
+/// Checks the bounds of `clamp`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __between {
@@ -162,7 +162,7 @@ macro_rules! __between {
     };
 }
 
-/// Items that call functions natively, such as tables of tests: a generation build, which calls none, is made without.
+/// Expands to code that calls functions natively, such as tables of tests; a generation build omits it.
 #[doc(hidden)]
 #[cfg(not(feature = "generate"))]
 #[macro_export]
@@ -170,7 +170,7 @@ macro_rules! __natively {
     ($($item:item)*) => { $($item)* };
 }
 
-/// Expands to native code in a generation build.
+/// Expands to nothing in a generation build.
 #[doc(hidden)]
 #[cfg(feature = "generate")]
 #[macro_export]
@@ -178,7 +178,7 @@ macro_rules! __natively {
     ($($left_out:tt)*) => {};
 }
 
-/// The whole of the program that the generator links with a package: prints the tree that it reads.
+/// Expands to the program that the generator links with a package, which prints the package's tree
 ///
 /// ```ignore
 /// bessemer::print_tree!(models);

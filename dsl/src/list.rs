@@ -1,4 +1,4 @@
-//! A list of a bounded length: what a heap's vector is elsewhere, with its memory inside.
+//! A list of bounded length: like `Vec`, but with a fixed capacity and its memory inside the value.
 //!
 //! A push into a full list panics, as it faults in the C: nothing is ever written beyond the end.
 
@@ -24,7 +24,7 @@ pub struct List<T, const N: usize> {
 }
 
 impl<T: Copy + Default, const N: usize> List<T, N> {
-    /// Without elements.
+    /// An empty list.
     pub fn new() -> Self {
         List { length: 0, items: [T::default(); N] }
     }
@@ -39,7 +39,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         self.length += 1;
     }
 
-    /// Takes the last element off.
+    /// Removes and returns the last element.
     pub fn pop(&mut self) -> Option<T> {
         if self.length == 0 {
             return None;
@@ -48,19 +48,19 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         Some(self.items[self.length])
     }
 
-    /// Takes every element off.
+    /// Removes all elements.
     pub fn clear(&mut self) {
         self.length = 0;
     }
 
-    /// Takes the elements behind the first `length` off, if there are more.
+    /// Shortens the list to `length` elements; a shorter list stays as it is.
     pub fn truncate(&mut self, length: usize) {
         if length < self.length {
             self.length = length;
         }
     }
 
-    /// Puts an element before the one at `index`, or at the end.
+    /// Inserts an element at `index` and moves the elements from there on by one place.
     ///
     /// # Panics
     /// If there is no such place, or no room.
@@ -68,7 +68,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         crate::list_edit::insert(self, index, element);
     }
 
-    /// Takes an element out; those behind it move up.
+    /// Removes the element at `index` and moves the elements after it by one place.
     ///
     /// # Panics
     /// If there is no such element.
@@ -76,7 +76,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         crate::list_edit::remove(self, index)
     }
 
-    /// Takes an element out; the last comes in its place.
+    /// Removes the element at `index` and puts the last element in its place.
     ///
     /// # Panics
     /// If there is no such element.
@@ -84,18 +84,20 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         crate::list_edit::swap_remove(self, index)
     }
 
-    /// Adds elements at the end, in their order.
+    /// Appends the elements of a slice.
     ///
     /// # Panics
-    /// If there is no room for one: those before it are added.
+    ///
+    /// If the capacity is exceeded: the elements before that are appended.
     pub fn extend_from_slice(&mut self, elements: &[T]) {
         crate::list_edit::extend_from_slice(self, elements);
     }
 
-    /// Appends elements, or elements behind references, of any iterator.
+    /// Appends the elements of any iterator, or copies of the elements that it refers to.
     ///
     /// # Panics
-    /// If there is no room for one: those before it are added.
+    ///
+    /// If the capacity is exceeded: the elements before that are appended.
     pub fn extend<E: Borrow<T>>(&mut self, elements: impl IntoIterator<Item = E>) {
         elements.into_iter().for_each(|element| self.push(*element.borrow()));
     }
@@ -105,10 +107,11 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         crate::list_edit::retain(self, keep);
     }
 
-    /// Makes the length `length`: new elements are `element`.
+    /// Shortens the list to `length`, or appends copies of `element` up to `length`.
     ///
     /// # Panics
-    /// If there is no room for so many.
+    ///
+    /// If `length` exceeds the capacity.
     pub fn resize(&mut self, length: usize, element: T) {
         assert!(length <= N, "the container is full");
         for index in self.length..length {
@@ -124,12 +127,12 @@ impl<T, const N: usize> List<T, N> {
         self.length
     }
 
-    /// Returns true if there are none.
+    /// Returns true if the list has no elements.
     pub fn is_empty(&self) -> bool {
         self.length == 0
     }
 
-    /// True if no element can be added.
+    /// Returns true if the list has no room for another element.
     pub fn is_full(&self) -> bool {
         self.length == N
     }
@@ -144,7 +147,7 @@ impl<T, const N: usize> List<T, N> {
         self
     }
 
-    /// The elements as a slice, to be changed.
+    /// The elements as a mutable slice.
     pub fn as_mut_slice(&mut self) -> &mut [T] {
         self
     }
@@ -154,7 +157,7 @@ impl<T, const N: usize> List<T, N> {
         self.items[..self.length].iter()
     }
 
-    /// The elements, to be changed.
+    /// Mutable references to the elements.
     pub fn iter_mut(&mut self) -> core::slice::IterMut<'_, T> {
         self.items[..self.length].iter_mut()
     }
@@ -215,7 +218,7 @@ impl<'a, T, const N: usize> IntoIterator for &'a mut List<T, N> {
     }
 }
 
-/// The words are the length, then those of the elements; behind the end, zeros.
+/// The words are the length and then the words of `N` elements; those beyond the length are zeros.
 #[diagnostic::do_not_recommend]
 impl<T: Plain, const N: usize> Plain for List<T, N> {
     const WORDS: usize = 1 + N * T::WORDS;

@@ -1,4 +1,4 @@
-//! Functions of the DSL that insert elements into lists and remove them, at any place.
+//! Functions that insert into lists and remove from them at any position, written in the DSL for the C.
 
 // The checks of indices are proved of loops over them.
 #![allow(clippy::needless_range_loop)]
@@ -7,13 +7,14 @@ use crate::{List, function, library};
 
 #[library(ListEditCompanions)]
 impl<T: Copy + Default, const N: usize> List<T, N> {
-    /// True if no element can be added. The comparison is the one by which the proofs know that a push has room.
+    /// Returns true if the list has no room for another element. The proofs recognise this comparison as the
+    /// condition for a push.
     #[function(expand)]
     pub fn is_full(list: &Self) -> bool {
         list.len() >= N
     }
 
-    /// Puts an element before the one at `index`, or at the end.
+    /// Inserts an element at `index` and moves the elements from there on by one place.
     pub fn insert(list: &mut Self, index: usize, element: T) {
         crate::__inside!(index <= list.len());
         list.push(element);
@@ -23,7 +24,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         list[index] = element;
     }
 
-    /// Takes an element out; those behind it move up.
+    /// Removes the element at `index` and moves the elements after it by one place.
     pub fn remove(list: &mut Self, index: usize) -> T {
         let element = list[index];
         for i in index + 1..list.len() {
@@ -33,7 +34,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         element
     }
 
-    /// Takes an element out; the last comes in its place.
+    /// Removes the element at `index` and puts the last element in its place.
     pub fn swap_remove(list: &mut Self, index: usize) -> T {
         let element = list[index];
         list[index] = list[list.len() - 1];
@@ -55,7 +56,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         list.truncate(kept);
     }
 
-    /// Adds elements at the end.
+    /// Appends the elements of a slice.
     pub fn extend_from_slice(list: &mut Self, elements: &[T]) {
         for element in elements {
             list.push(*element);
@@ -63,7 +64,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
     }
 }
 
-/// Appends what comes.
+/// Appends the elements of an iterator.
 #[function]
 pub fn extend<T: Copy + Default, const N: usize, I: IntoIterator<Item = T>>(
     list: &mut List<T, N>,
@@ -74,7 +75,7 @@ pub fn extend<T: Copy + Default, const N: usize, I: IntoIterator<Item = T>>(
     }
 }
 
-/// Appends copies of what comes.
+/// Appends copies of the elements that an iterator refers to.
 #[function]
 pub fn extend_by<'a, T: Copy + Default + 'static, const N: usize, I: IntoIterator<Item = &'a T>>(
     list: &mut List<T, N>,

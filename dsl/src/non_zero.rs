@@ -1,7 +1,7 @@
-//! Integers that are not zero: what core's `NonZeroU32` and its like are in the C, a struct of one number.
+//! Integers that are not zero: the C of core's `NonZeroU32` and the like, a struct of one number.
 //!
-//! A caller of the C passes no zero in one, as it passes no enum that is none of its variants. No proof rests on it: what
-//! `get` gives may be any number there, and a division by it has its check.
+//! A caller of the C must not pass a zero in one, just as it must not pass an enum that is none of its variants. No
+//! proof relies on that: `get` may return any number there, and a division by it has a check.
 
 use core::num::NonZero as Native;
 
@@ -30,7 +30,7 @@ pub fn get<T: Integer>(it: NonZero<T>) -> T {
 
 macro_rules! integers {
     ($($int:ident)*) => {$(
-        /// The word of a zero, which is none of them, becomes a one.
+        /// The word 0, which is not a value of the type, is read as 1.
         #[diagnostic::do_not_recommend]
         impl Plain for Native<$int> {
             const WORDS: usize = 1;

@@ -1,6 +1,6 @@
-//! Methods of options, and of `bool` that give one, in the DSL's own Rust: a call stands for the body.
+//! Methods of options, and methods of `bool` that return one, in the DSL's own Rust: a call is replaced by the body.
 //!
-//! Must not know: how any of it becomes C. Of a result of the same name: `outcome.rs`.
+//! Must not know: how any of it becomes C. `outcome.rs` has the methods of results.
 
 // They are what they would be written with.
 #![allow(clippy::manual_map, clippy::manual_unwrap_or_default, clippy::redundant_pattern_matching)]
@@ -9,17 +9,17 @@ use crate::{function, library};
 
 #[library(OptionCompanions, rewrite)]
 impl<T> Option<T> {
-    /// Returns true if there is something.
+    /// Returns true if the option is not empty.
     pub fn is_some(option: &Self) -> bool {
         matches!(option, Some(_))
     }
 
-    /// Returns true if there is nothing.
+    /// Returns true if the option is empty.
     pub fn is_none(option: &Self) -> bool {
         !matches!(option, Some(_))
     }
 
-    /// The value of `f` for what is there.
+    /// Applies `f` to the content.
     pub fn map<U, F: FnOnce(T) -> U>(option: Self, f: F) -> Option<U> {
         match option {
             Some(value) => Some(f(value)),
@@ -27,7 +27,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// `f` applied to the content.
+    /// Applies `f`, which returns an option, to the content.
     pub fn and_then<U, F: FnOnce(T) -> Option<U>>(option: Self, f: F) -> Option<U> {
         match option {
             Some(value) => f(value),
@@ -35,7 +35,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// The content if it satisfies `f`.
+    /// The content if it satisfies `f`; otherwise `None`.
     pub fn filter<F: FnOnce(&T) -> bool>(option: Self, f: F) -> Self {
         match option {
             Some(value) if f(&value) => Some(value),
@@ -43,7 +43,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// Shows what is there to `f`.
+    /// Calls `f` with a reference to the content, if any.
     pub fn inspect<F: FnOnce(&T)>(option: Self, f: F) -> Self {
         match option {
             Some(value) => {
@@ -70,7 +70,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// The value of `f` for what is there, else another.
+    /// The result of `f` for the content; `other` if the option is empty.
     pub fn map_or<U, F: FnOnce(T) -> U>(option: Self, other: U, f: F) -> U {
         match option {
             Some(value) => f(value),
@@ -78,7 +78,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// The value of `f` for what is there, else that of `other`.
+    /// The result of `f` for the content; the result of `other` if the option is empty.
     pub fn map_or_else<U, O: FnOnce() -> U, F: FnOnce(T) -> U>(option: Self, other: O, f: F) -> U {
         match option {
             Some(value) => f(value),
@@ -86,7 +86,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// Returns true if there is something of which `f` says yes.
+    /// Returns true if there is content that satisfies `f`.
     pub fn is_some_and<F: FnOnce(T) -> bool>(option: Self, f: F) -> bool
     where
         T: Copy,
@@ -94,7 +94,7 @@ impl<T> Option<T> {
         matches!(option, Some(value) if f(value))
     }
 
-    /// Returns true if there is nothing, or something of which `f` says yes.
+    /// Returns true if the option is empty or its content satisfies `f`.
     pub fn is_none_or<F: FnOnce(T) -> bool>(option: Self, f: F) -> bool {
         match option {
             Some(value) => f(value),
@@ -110,7 +110,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// The one that is there, if the other is not.
+    /// The option that is not empty, if exactly one of the two is not.
     pub fn xor(one: Self, other: Self) -> Self {
         match (one, other) {
             (Some(value), None) => Some(value),
@@ -119,7 +119,7 @@ impl<T> Option<T> {
         }
     }
 
-    /// Both as a pair, if both are there.
+    /// The content as a pair, if neither option is empty.
     pub fn zip<U>(one: Self, other: Option<U>) -> Option<(T, U)> {
         match (one, other) {
             (Some(first), Some(second)) => Some((first, second)),
@@ -141,7 +141,7 @@ impl<T: Default> Option<T> {
 
 #[library(CopiedMutCompanions, rewrite)]
 impl<T> Option<&mut T> {
-    /// A copy of what is referred to.
+    /// The option with a copy of the value that the content refers to.
     #[method(copied, cloned)]
     pub fn copied(option: Self) -> Option<T>
     where
@@ -154,7 +154,7 @@ impl<T> Option<&mut T> {
     }
 }
 
-/// The option with a shared reference.
+/// The option with a shared instead of a mutable reference.
 #[function(rewrite)]
 pub fn as_deref<'a, T: ?Sized>(option: &'a Option<&mut T>) -> Option<&'a T> {
     match option {
@@ -165,7 +165,7 @@ pub fn as_deref<'a, T: ?Sized>(option: &'a Option<&mut T>) -> Option<&'a T> {
 
 #[library(FlattenCompanion, rewrite)]
 impl<T> Option<Option<T>> {
-    /// The option in an option.
+    /// The inner option; `None` if the outer one is empty.
     pub fn flatten(option: Self) -> Option<T> {
         match option {
             Some(value) => value,
@@ -176,12 +176,12 @@ impl<T> Option<Option<T>> {
 
 #[library(BoolCompanions, rewrite)]
 impl bool {
-    /// The value of `f` if the condition holds.
+    /// The result of `f` if the condition holds; otherwise `f` is not called.
     pub fn then<T, F: FnOnce() -> T>(condition: Self, f: F) -> Option<T> {
         if condition { Some(f()) } else { None }
     }
 
-    /// A value if the condition holds; it is computed whether it does or not.
+    /// A value if the condition holds; the value is computed in either case.
     pub fn then_some<T>(condition: Self, value: T) -> Option<T> {
         if condition { Some(value) } else { None }
     }
@@ -189,7 +189,7 @@ impl bool {
 
 #[library(TransposeCompanion, rewrite)]
 impl<T, E> Option<Result<T, E>> {
-    /// The option in a result, outside.
+    /// A result of an option from an option of a result.
     pub fn transpose(option: Self) -> Result<Option<T>, E> {
         match option {
             Some(Ok(value)) => Ok(Some(value)),
@@ -201,7 +201,7 @@ impl<T, E> Option<Result<T, E>> {
 
 #[library(UnzipCompanion, rewrite)]
 impl<A, B> Option<(A, B)> {
-    /// The parts, each by itself.
+    /// An option for each part of an optional pair.
     pub fn unzip(option: Self) -> (Option<A>, Option<B>) {
         match option {
             Some((one, other)) => (Some(one), Some(other)),

@@ -1,6 +1,6 @@
-//! Methods of results, in the DSL's own Rust: a call stands for the body.
+//! Methods of results, in the DSL's own Rust: a call is replaced by the body.
 //!
-//! Must not know: how any of it becomes C. Of an option of the same name: `optional.rs`.
+//! Must not know: how any of it becomes C. `optional.rs` has the methods of options.
 
 // They are what they would be written with.
 #![allow(clippy::manual_unwrap_or_default, clippy::redundant_pattern_matching)]
@@ -19,7 +19,7 @@ impl<T, E> Result<T, E> {
         !matches!(result, Ok(_))
     }
 
-    /// The value of `f` for the value.
+    /// Applies `f` to the value.
     pub fn map<U, F: FnOnce(T) -> U>(result: Self, f: F) -> Result<U, E> {
         match result {
             Ok(value) => Ok(f(value)),
@@ -27,7 +27,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// The value of `f` for the error.
+    /// Applies `f` to the error.
     pub fn map_err<G, F: FnOnce(E) -> G>(result: Self, f: F) -> Result<T, G> {
         match result {
             Ok(value) => Ok(value),
@@ -35,7 +35,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// Shows the value to `f`.
+    /// Calls `f` with a reference to the value, if any.
     pub fn inspect<F: FnOnce(&T)>(result: Self, f: F) -> Self {
         match result {
             Ok(value) => {
@@ -46,7 +46,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// Shows the error to `f`.
+    /// Calls `f` with a reference to the error, if any.
     pub fn inspect_err<F: FnOnce(&E)>(result: Self, f: F) -> Self {
         match result {
             Ok(value) => Ok(value),
@@ -57,7 +57,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// `f` applied to the value.
+    /// Applies `f`, which returns a result, to the value.
     pub fn and_then<U, F: FnOnce(T) -> Result<U, E>>(result: Self, f: F) -> Result<U, E> {
         match result {
             Ok(value) => f(value),
@@ -65,7 +65,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// The value, else what `f` gives for the error.
+    /// The value, or the result of `f` for the error; `f` returns a result, too.
     pub fn or_else<G, F: FnOnce(E) -> Result<T, G>>(result: Self, f: F) -> Result<T, G> {
         match result {
             Ok(value) => Ok(value),
@@ -73,7 +73,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// The value, else that of `f` for the error.
+    /// The value, or the result of `f` for the error.
     pub fn unwrap_or_else<F: FnOnce(E) -> T>(result: Self, f: F) -> T {
         match result {
             Ok(value) => value,
@@ -81,7 +81,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// The value of `f` for the value, else another.
+    /// The result of `f` for the value; `other` for an error.
     pub fn map_or<U, F: FnOnce(T) -> U>(result: Self, other: U, f: F) -> U {
         match result {
             Ok(value) => f(value),
@@ -89,7 +89,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// The value of `f` for the value, else that of `other` for the error.
+    /// The result of `f` for the value, or of `other` for the error.
     pub fn map_or_else<U, O: FnOnce(E) -> U, F: FnOnce(T) -> U>(result: Self, other: O, f: F) -> U {
         match result {
             Ok(value) => f(value),
@@ -97,7 +97,7 @@ impl<T, E> Result<T, E> {
         }
     }
 
-    /// Returns true if there is a value of which `f` says yes.
+    /// Returns true if there is a value that satisfies `f`.
     pub fn is_ok_and<F: FnOnce(T) -> bool>(result: Self, f: F) -> bool
     where
         T: Copy,
@@ -105,7 +105,7 @@ impl<T, E> Result<T, E> {
         matches!(result, Ok(value) if f(value))
     }
 
-    /// Returns true if there is an error of which `f` says yes.
+    /// Returns true if there is an error that satisfies `f`.
     pub fn is_err_and<F: FnOnce(E) -> bool>(result: Self, f: F) -> bool
     where
         E: Copy,
@@ -127,7 +127,7 @@ impl<T: Default, E> Result<T, E> {
 
 #[library(TransposeBackCompanion, rewrite)]
 impl<T, E> Result<Option<T>, E> {
-    /// The result in an option, outside.
+    /// An option of a result from a result of an option.
     pub fn transpose(result: Self) -> Option<Result<T, E>> {
         match result {
             Ok(Some(value)) => Some(Ok(value)),

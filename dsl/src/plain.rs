@@ -1,4 +1,4 @@
-//! Values as words: how data crosses every border of a model.
+//! Values as sequences of 64-bit words: the form in which data is passed to and from a model.
 
 use core::cmp::Ordering;
 
@@ -28,11 +28,11 @@ pub trait Plain: Sized {
     /// Number of words of a value.
     const WORDS: usize;
 
-    /// Gives the words of the value to `out`.
+    /// Passes the words of the value to `out`, in order.
     fn store(&self, out: &mut dyn FnMut(u64));
 
-    /// The value whose words `next` gives. A word out of range is cut to the type; an enum's becomes
-    /// the first variant.
+    /// Builds a value from the words that `next` returns. A word out of range is cut to the type; an invalid variant
+    /// index becomes the first variant.
     fn load(next: &mut dyn FnMut() -> u64) -> Self;
 }
 
@@ -72,7 +72,7 @@ impl Plain for Ordering {
     }
 }
 
-/// The word is the code point; that of no character becomes U+FFFD.
+/// The word is the code point; a number that is none becomes U+FFFD.
 #[diagnostic::do_not_recommend]
 impl Plain for char {
     const WORDS: usize = 1;
@@ -151,7 +151,7 @@ impl Plain for () {
     fn load(_: &mut dyn FnMut() -> u64) -> Self {}
 }
 
-/// Tells types apart, and holds nothing.
+/// A marker type without content has no words.
 #[diagnostic::do_not_recommend]
 impl<T: ?Sized> Plain for core::marker::PhantomData<T> {
     const WORDS: usize = 0;
@@ -161,7 +161,7 @@ impl<T: ?Sized> Plain for core::marker::PhantomData<T> {
     }
 }
 
-/// Nothing but that a slice has another length.
+/// The error carries no data, so it has no words.
 #[diagnostic::do_not_recommend]
 impl Plain for core::array::TryFromSliceError {
     const WORDS: usize = 0;
@@ -174,7 +174,7 @@ impl Plain for core::array::TryFromSliceError {
     }
 }
 
-/// Nothing but that a number does not fit.
+/// The error carries no data, so it has no words.
 #[diagnostic::do_not_recommend]
 impl Plain for core::num::TryFromIntError {
     const WORDS: usize = 0;
@@ -213,7 +213,7 @@ tuples! {
     A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7;
 }
 
-/// The words of a value that may be missing: zeros if it is.
+/// Passes the words of a value that may be missing; a missing one has zeros.
 fn store_if<T: Plain>(value: Option<&T>, out: &mut dyn FnMut(u64)) {
     match value {
         Some(value) => value.store(out),
@@ -221,7 +221,7 @@ fn store_if<T: Plain>(value: Option<&T>, out: &mut dyn FnMut(u64)) {
     }
 }
 
-/// The words are whether it is there, then the value's.
+/// The words are 1 or 0 for whether there is a value, and then the value's.
 #[diagnostic::do_not_recommend]
 impl<T: Plain> Plain for Option<T> {
     const WORDS: usize = 1 + T::WORDS;
@@ -235,7 +235,7 @@ impl<T: Plain> Plain for Option<T> {
     }
 }
 
-/// The words are whether it is `Ok`, then the value's, then the error's.
+/// The words are 1 or 0 for whether it is `Ok`, then the value's, then the error's.
 #[diagnostic::do_not_recommend]
 impl<T: Plain, E: Plain> Plain for Result<T, E> {
     const WORDS: usize = 1 + T::WORDS + E::WORDS;

@@ -1,7 +1,7 @@
-//! Ranges that are held, as a field or a parameter: what core's `Range` and `RangeInclusive` are in the C, their two ends.
+//! Ranges as values, in a field or a parameter: the C of core's `Range` and `RangeInclusive`, a struct of the two
+//! ends.
 //!
-//! A range that a loop goes through is no value: it stands in the `for`. Of one that is held its ends are asked, and what
-//! it contains.
+//! A range in a `for` loop is not a value. A range that is one has methods for its ends and for what it contains.
 
 // An end that is not a number leaves nothing within.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
@@ -11,69 +11,69 @@ use core::ops::{Range, RangeInclusive};
 use crate::Plain;
 use crate::prelude::*;
 
-/// From the first to the last.
+/// A range that includes its end: core's `RangeInclusive`.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closed<T> {
-    /// The first.
+    /// First number of the range.
     pub start: T,
-    /// The last.
+    /// Last number of the range.
     pub end: T,
 }
 
-/// From the first to before the end.
+/// A range that excludes its end: core's `Range`.
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfOpen<T> {
-    /// The first.
+    /// First number of the range.
     pub start: T,
-    /// Excluded end.
+    /// The end, which the range excludes.
     pub end: T,
 }
 
-/// `start..=end`.
+/// The range `start..=end`.
 #[function(expand)]
 pub fn closed<T: Copy>(start: T, end: T) -> Closed<T> {
     Closed { start, end }
 }
 
-/// The first.
+/// First number of a range that includes its end.
 #[function]
 pub fn start<T: Copy>(range: &Closed<T>) -> &T {
     &range.start
 }
 
-/// The last.
+/// Last number of a range that includes its end.
 #[function]
 pub fn end<T: Copy>(range: &Closed<T>) -> &T {
     &range.end
 }
 
-/// Returns true if a number is neither below the first nor above the last.
+/// Returns true if a number is not below the start and not above the end.
 #[function]
 pub fn closed_contains<T: Copy + PartialOrd>(range: &Closed<T>, number: &T) -> bool {
     range.start <= *number && *number <= range.end
 }
 
-/// Returns true if a number is not below the first, and below the end.
+/// Returns true if a number is not below the start, and below the end.
 #[function]
 pub fn contains<T: Copy + PartialOrd>(range: &HalfOpen<T>, number: &T) -> bool {
     range.start <= *number && *number < range.end
 }
 
-/// Returns true if the last is below the first.
+/// Returns true if the end is below the start.
 #[function]
 pub fn closed_is_empty<T: Copy + PartialOrd>(range: &Closed<T>) -> bool {
     !(range.start <= range.end)
 }
 
-/// Returns true if the end is not above the first.
+/// Returns true if the end is not above the start.
 #[function]
 pub fn is_empty<T: Copy + PartialOrd>(range: &HalfOpen<T>) -> bool {
     !(range.start < range.end)
 }
 
-/// Writes the lengths of ranges.
+/// Defines the functions that count the integers in a range, one for each integer type.
 macro_rules! lengths {
     ($($length:ident: $int:ident,)*) => {$(
         /// Number of integers in a range.

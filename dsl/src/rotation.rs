@@ -23,7 +23,7 @@ use crate::prelude::*;
 
 #[library(TurnCompanions)]
 impl<T: Real> UnitQuaternion<T> {
-    /// By the length of `axis`, rad, about it; none for a length of 2ε or less. Also nalgebra's
+    /// The rotation about `axis` by its length, in rad; the identity for a length of 2ε or less. Also nalgebra's
     /// `UnitQuaternion::new`.
     #[method(dsl_new, from_scaled_axis)]
     pub fn from_scaled_axis(axis: Vector3<T>) -> Self {
@@ -43,7 +43,7 @@ impl<T: Real> UnitQuaternion<T> {
         ))
     }
 
-    /// By `angle` about an axis, rad.
+    /// The rotation about an axis by `angle`, in rad.
     pub fn from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
         let (sine, cosine) = (angle / real(2.0)).sin_cos();
         UnitQuaternion::new_unchecked(Quaternion::new(
@@ -54,7 +54,7 @@ impl<T: Real> UnitQuaternion<T> {
         ))
     }
 
-    /// By `roll` about x, then `pitch` about y, then `yaw` about z, rad.
+    /// The rotation by `roll` about x, then `pitch` about y, then `yaw` about z, in rad.
     pub fn from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
         let (sr, cr) = (roll * real(0.5)).sin_cos();
         let (sp, cp) = (pitch * real(0.5)).sin_cos();
@@ -67,7 +67,7 @@ impl<T: Real> UnitQuaternion<T> {
         ))
     }
 
-    /// The smallest rotation that turns `a` into `b`; none where they are opposite, so that its axis is open.
+    /// The smallest rotation from `a` to `b`; `None` if they are opposite, so that any axis would do.
     pub fn rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self> {
         scaled_rotation_between_axis(a, b, T::ONE)
     }
@@ -95,13 +95,13 @@ impl<T: Real> UnitQuaternion<T> {
         Some(UnitQuaternion::identity())
     }
 
-    /// The smallest rotation from the direction of `a` to that of `b`. None if they are opposite; the identity if one
-    /// of them is zero.
+    /// The smallest rotation from the direction of `a` to the direction of `b`. `None` if they are opposite; the
+    /// identity if one of them is zero.
     pub fn rotation_between(a: &Vector3<T>, b: &Vector3<T>) -> Option<Self> {
         scaled_rotation_between(a, b, T::ONE)
     }
 
-    /// The smallest rotation from the direction of `a` to that of `b`, its angle multiplied by `share`.
+    /// The smallest rotation from the direction of `a` to the direction of `b`, with its angle multiplied by `share`.
     pub fn scaled_rotation_between(a: &Vector3<T>, b: &Vector3<T>, share: T) -> Option<Self> {
         match (UnitVector3::try_new(*a, T::ZERO), UnitVector3::try_new(*b, T::ZERO)) {
             (Some(from), Some(to)) => scaled_rotation_between_axis(&from, &to, share),
@@ -109,7 +109,7 @@ impl<T: Real> UnitQuaternion<T> {
         }
     }
 
-    /// The rotation `share` times as far, about the same axis.
+    /// The rotation about the same axis, with its angle multiplied by `share`.
     pub fn powf(q: &Self, share: T) -> Self {
         match q.axis() {
             Some(axis) => from_axis_angle(&axis, angle(q) * share),
@@ -139,7 +139,7 @@ impl<T: Real> UnitQuaternion<T> {
         ))
     }
 
-    /// The axis and the angle, rad; none of no rotation.
+    /// The axis and the angle in rad; `None` for the identity.
     pub fn axis_angle(q: &Self) -> Option<(UnitVector3<T>, T)> {
         let axis = q.axis()?;
         Some((axis, angle(q)))
@@ -173,7 +173,7 @@ pub fn angle_to<T: Real>(from: &UnitQuaternion<T>, to: &UnitQuaternion<T>) -> T 
 
 #[library(PlaneRotationCompanion)]
 impl<T: Real> Rotation2<T> {
-    /// The matrix of a rotation in the plane, rad (`Rotation2::new`).
+    /// The matrix of a rotation in the plane by `angle`, in rad (`Rotation2::new`).
     #[method(dsl_new)]
     pub fn matrix_from_angle(angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
@@ -183,14 +183,15 @@ impl<T: Real> Rotation2<T> {
 
 #[library(SpaceRotationCompanions)]
 impl<T: Real> Rotation3<T> {
-    /// The matrix of a rotation by the length of `axis`, rad, about it (`Rotation3::from_scaled_axis`, and `Rotation3::new`).
+    /// The matrix of a rotation about `axis` by its length, in rad (`Rotation3::from_scaled_axis` and
+    /// `Rotation3::new`).
     #[method(dsl_new, from_scaled_axis)]
     pub fn matrix_from_scaled_axis(axis: Vector3<T>) -> Self {
         let angle = axis.norm();
         matrix_from_axis_angle(&UnitVector3::new_unchecked(axis / angle), angle)
     }
 
-    /// The matrix of a rotation about an axis, rad (`Rotation3::from_axis_angle`).
+    /// The matrix of a rotation about an axis by an angle, in rad (`Rotation3::from_axis_angle`).
     #[method(from_axis_angle)]
     pub fn matrix_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
         if angle == T::ZERO {
@@ -255,16 +256,16 @@ impl<T: Real> Rotation3<T> {
     }
 }
 
-/// The attributes call these in place of nalgebra's methods of these names.
+/// Rotation methods that the attributes call instead of nalgebra's methods of the same names.
 #[doc(hidden)]
 pub trait RotationMethods<T> {
-    /// [`powf`].
+    /// Calls [`powf`].
     fn dsl_powf(&self, share: T) -> Self;
-    /// [`slerp`].
+    /// Calls [`slerp`].
     fn dsl_slerp(&self, other: &Self, share: T) -> Self;
-    /// [`axis_angle`].
+    /// Calls [`axis_angle`].
     fn dsl_axis_angle(&self) -> Option<(UnitVector3<T>, T)>;
-    /// [`scaled_axis`].
+    /// Calls [`scaled_axis`].
     fn dsl_scaled_axis(&self) -> Vector3<T>;
 }
 
@@ -283,10 +284,10 @@ impl<T: Real> RotationMethods<T> for UnitQuaternion<T> {
     }
 }
 
-/// Methods that rotation matrices have, too.
+/// Methods that unit quaternions and rotation matrices share.
 #[doc(hidden)]
 pub trait EulerMethods<T> {
-    /// [`euler_angles`], [`matrix_euler_angles`].
+    /// Calls [`euler_angles`] or [`matrix_euler_angles`].
     fn dsl_euler_angles(&self) -> (T, T, T);
 }
 
@@ -302,14 +303,14 @@ impl<T: Real> EulerMethods<T> for Rotation3<T> {
     }
 }
 
-/// Rotations from angles: the attributes call these in place of nalgebra's functions of these names.
+/// Rotations from angles, which the attributes call instead of nalgebra's functions of the same names.
 #[doc(hidden)]
 pub trait AngleMethods<T> {
-    /// [`from_axis_angle`], [`matrix_from_axis_angle`].
+    /// Calls [`from_axis_angle`] or [`matrix_from_axis_angle`].
     fn dsl_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self;
-    /// [`from_euler_angles`], [`matrix_from_euler_angles`].
+    /// Calls [`from_euler_angles`] or [`matrix_from_euler_angles`].
     fn dsl_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self;
-    /// [`from_scaled_axis`], [`matrix_from_scaled_axis`].
+    /// Calls [`from_scaled_axis`] or [`matrix_from_scaled_axis`].
     fn dsl_from_scaled_axis(axis: Vector3<T>) -> Self;
 }
 
@@ -337,20 +338,20 @@ impl<T: Real> AngleMethods<T> for Rotation3<T> {
     }
 }
 
-/// The turn between directions, as nalgebra calls it.
+/// Rotations between two directions, which the attributes call instead of nalgebra's functions of the same names.
 #[doc(hidden)]
 pub trait BetweenMethods<T>: Sized {
-    /// [`rotation_between_axis`].
+    /// Calls [`rotation_between_axis`].
     fn dsl_rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self>;
-    /// [`scaled_rotation_between_axis`].
+    /// Calls [`scaled_rotation_between_axis`].
     fn dsl_scaled_rotation_between_axis(
         a: &UnitVector3<T>,
         b: &UnitVector3<T>,
         share: T,
     ) -> Option<Self>;
-    /// [`rotation_between`].
+    /// Calls [`rotation_between`].
     fn dsl_rotation_between(a: &Vector3<T>, b: &Vector3<T>) -> Option<Self>;
-    /// [`scaled_rotation_between`].
+    /// Calls [`scaled_rotation_between`].
     fn dsl_scaled_rotation_between(a: &Vector3<T>, b: &Vector3<T>, share: T) -> Option<Self>;
 }
 
@@ -373,10 +374,10 @@ impl<T: Real> BetweenMethods<T> for UnitQuaternion<T> {
     }
 }
 
-/// Argument of `new` of nalgebra's rotations: an angle, or an axis whose length is the angle.
+/// The argument of `new` of nalgebra's rotations: an angle, or an axis whose length is the angle.
 #[doc(hidden)]
 pub trait TurnMethods<A> {
-    /// [`from_scaled_axis`], [`matrix_from_angle`], [`matrix_from_scaled_axis`].
+    /// Calls [`from_scaled_axis`], [`matrix_from_angle`] or [`matrix_from_scaled_axis`].
     fn dsl_new(turn: A) -> Self;
 }
 

@@ -1,6 +1,7 @@
-//! Searching in what is sorted, written in the DSL itself: of equal elements core does not say which one it finds.
+//! Binary search in sorted slices, written in the DSL itself, because core does not define which of several equal
+//! elements it finds.
 //!
-//! By halving: of n elements at most log₂ n + 1 are looked at.
+//! Of n elements at most log₂ n + 1 are compared.
 
 use core::cmp::Ordering;
 
@@ -8,10 +9,11 @@ use crate::{function, library};
 
 #[library(SearchCompanions)]
 impl<T: Copy> [T] {
-    /// The index of an element that is `Equal`, or where one would have to be put in.
+    /// The index of an element for which the function returns `Equal`.
     ///
     /// # Errors
-    /// That index, if no element is `Equal`.
+    ///
+    /// The index at which such an element could be inserted, if there is none.
     pub fn binary_search_by<F: Fn(&T) -> Ordering>(
         values: &Self,
         order: F,
@@ -37,7 +39,7 @@ impl<T: Copy> [T] {
         Err(from)
     }
 
-    /// The index of the first element that is not among the first ones.
+    /// The index of the first element for which `is_first` does not hold; it must hold for all elements before.
     pub fn partition_point<F: Fn(&T) -> bool>(values: &Self, is_first: F) -> usize {
         let mut from = 0_usize;
         let mut left = values.len();
@@ -58,11 +60,12 @@ impl<T: Copy> [T] {
     }
 }
 
-/// The index of an element that is `wanted`, or where it would have to be put in. Inline, so that it stands beside the
-/// type, which may be an author's.
+/// The index of an element equal to `wanted`. The function is inlined, since the type of the elements may be an
+/// author's.
 ///
 /// # Errors
-/// That index, if no element is `wanted`.
+///
+/// The index at which `wanted` could be inserted, if no element is equal.
 #[function]
 #[inline]
 pub fn binary_search<T: Copy + Ord>(values: &[T], wanted: T) -> Result<usize, usize> {
@@ -70,10 +73,11 @@ pub fn binary_search<T: Copy + Ord>(values: &[T], wanted: T) -> Result<usize, us
     if from < values.len() && values[from] == wanted { Ok(from) } else { Err(from) }
 }
 
-/// The index of an element whose key is `wanted`, or where one would have to be put in.
+/// The index of an element whose key is `wanted`.
 ///
 /// # Errors
-/// That index, if there is no such element.
+///
+/// The index at which such an element could be inserted, if there is none.
 #[function]
 pub fn binary_search_by_key<T: Copy, B: Copy + Ord, F: Fn(&T) -> B>(
     values: &[T],

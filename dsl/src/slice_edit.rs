@@ -1,13 +1,13 @@
 //! Functions of the DSL that write, move and compare the elements of slices.
 //!
-//! Those that are loops or a few assignments are put where they are called.
+//! Those that are loops or a few assignments are inlined at their calls.
 
 // They are what they would be written with.
 #![allow(clippy::manual_swap, clippy::manual_slice_fill, clippy::manual_contains)]
 
 use crate::{Number, function, library};
 
-/// Exchanges two elements. Both are read before one is written.
+/// Exchanges two elements. Both are read before either is written.
 #[function(expand)]
 pub fn swap<T: Copy>(values: &mut [T], one: usize, other: usize) {
     let before = values[one];
@@ -15,7 +15,7 @@ pub fn swap<T: Copy>(values: &mut [T], one: usize, other: usize) {
     values[other] = before;
 }
 
-/// Makes all elements this one.
+/// Assigns one value to all elements.
 #[function(expand)]
 pub fn fill<T: Copy>(values: &mut [T], element: T) {
     for value in values.iter_mut() {
@@ -25,7 +25,7 @@ pub fn fill<T: Copy>(values: &mut [T], element: T) {
 
 #[library(ContainsCompanion, expand)]
 impl<T: PartialEq> [T] {
-    /// Returns true if an element is among them.
+    /// Returns true if one of the elements equals `element`.
     pub fn contains(values: &Self, element: &T) -> bool {
         let mut found = false;
         for value in values {
@@ -40,7 +40,7 @@ impl<T: PartialEq> [T] {
 
 #[library(SliceEditCompanions)]
 impl<T: Copy> [T] {
-    /// Moves the first `by` elements behind the others.
+    /// Rotates the slice to the left: the first `by` elements move to the end.
     pub fn rotate_left(values: &mut Self, by: usize) {
         assert!(by <= values.len());
         values[..by].reverse();
@@ -48,7 +48,7 @@ impl<T: Copy> [T] {
         values.reverse();
     }
 
-    /// Moves the last `by` elements before the others.
+    /// Rotates the slice to the right: the last `by` elements move to the beginning.
     pub fn rotate_right(values: &mut Self, by: usize) {
         assert!(by <= values.len());
         values.reverse();
@@ -56,7 +56,7 @@ impl<T: Copy> [T] {
         values[by..].reverse();
     }
 
-    /// Copies the elements from `from` to `to` to where `place` is, which may be among them.
+    /// Copies the elements from index `from` to before `to` to index `place`; the two ranges may overlap.
     #[method(slice_copy_within_part)]
     pub fn copy_within(values: &mut Self, from: usize, to: usize, place: usize) {
         crate::__inside!(from <= to && to <= values.len());
@@ -73,7 +73,7 @@ impl<T: Copy> [T] {
         }
     }
 
-    /// Copies all elements from `from` on within a slice.
+    /// Copies the elements from index `from` to the end to index `place`.
     #[method(slice_copy_within_rest)]
     pub fn copy_behind_within(values: &mut Self, from: usize, place: usize) {
         copy_within(values, from, values.len(), place);
@@ -82,12 +82,12 @@ impl<T: Copy> [T] {
 
 #[library(LetterCompanions)]
 impl [u8] {
-    /// The letters between the white space at both ends.
+    /// The bytes without the ASCII white space at both ends.
     pub fn trim_ascii(letters: &Self) -> &Self {
         trim_ascii_end(trim_ascii_start(letters))
     }
 
-    /// The letters behind the white space that they begin with.
+    /// The bytes without the ASCII white space at the beginning.
     pub fn trim_ascii_start(letters: &Self) -> &Self {
         let mut from = 0_usize;
         while from < letters.len() && letters[from].is_ascii_whitespace() {
@@ -96,7 +96,7 @@ impl [u8] {
         &letters[from..]
     }
 
-    /// The letters before the white space that they end in.
+    /// The bytes without the ASCII white space at the end.
     pub fn trim_ascii_end(letters: &Self) -> &Self {
         let mut to = letters.len();
         while to > 0 && letters[to - 1].is_ascii_whitespace() {
@@ -108,12 +108,12 @@ impl [u8] {
 
 #[library(EndCompanions)]
 impl<T: Number + PartialEq> [T] {
-    /// Returns true if the first elements are these.
+    /// Returns true if the slice begins with the elements of `start`.
     pub fn starts_with(values: &Self, start: &Self) -> bool {
         start.len() <= values.len() && values[..start.len()] == *start
     }
 
-    /// Returns true if the last elements are these.
+    /// Returns true if the slice ends with the elements of `end`.
     pub fn ends_with(values: &Self, end: &Self) -> bool {
         end.len() <= values.len() && values[values.len() - end.len()..] == *end
     }

@@ -1,13 +1,13 @@
 //! Sorting, written in the DSL itself, so that simulation and C put equal elements in the same order.
 //!
-//! By insertion: stable, in place, without recursion, and fast for the few elements that controllers sort. Of n
-//! elements it compares at most n (n − 1) / 2 pairs. No index is checked: that of an inner loop is below that of the
-//! outer one, which is below the length.
+//! Insertion sort: stable, in place, without recursion, and fast for the few elements that controllers sort. For n
+//! elements it makes at most n (n − 1) / 2 comparisons. No index needs a check: that of the inner loop is below that
+//! of the outer one, which is below the length.
 
 use crate::math::Real;
 use crate::{Number, function, library};
 
-/// Sorts `values` so that none is `below` the one before it; equal ones keep their order.
+/// Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
 #[function]
 pub fn sort_by<T: Copy, F: Fn(&T, &T) -> bool>(values: &mut [T], below: F) {
     for i in 1..values.len() {
@@ -24,7 +24,7 @@ pub fn sort_by<T: Copy, F: Fn(&T, &T) -> bool>(values: &mut [T], below: F) {
 
 #[library(SortCompanions)]
 impl<T: Number + Ord> [T] {
-    /// Sorts integers, the least first.
+    /// Sorts integers in ascending order.
     #[method(sort, sort_unstable)]
     pub fn ascending(values: &mut Self) {
         for i in 1..values.len() {
@@ -42,7 +42,7 @@ impl<T: Number + Ord> [T] {
 
 #[library(OrderCompanion)]
 impl<T: PartialOrd> [T] {
-    /// Returns true if no element comes before the one in front of it; a NaN has no place in an order.
+    /// Returns true if no element is less than the one before it; false if there is a NaN.
     #[allow(clippy::neg_cmp_op_on_partial_ord)]
     pub fn is_sorted(values: &Self) -> bool {
         for at in 1..values.len() {
@@ -55,7 +55,7 @@ impl<T: PartialOrd> [T] {
     }
 }
 
-/// Returns true if `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.
+/// Returns true if `one` is less than `other` in the order of `total_cmp`: −0 before +0, NaN last.
 #[function]
 #[inline]
 pub fn below<T: Real>(one: T, other: T) -> bool {

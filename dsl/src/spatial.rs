@@ -1,4 +1,4 @@
-//! nalgebra's rotations, points and poses as words: in nalgebra's order, a pose's rotation first.
+//! nalgebra's rotations, points and poses as words: in nalgebra's order of fields, a pose's rotation first.
 
 use nalgebra::{
     Const, Isometry3, OPoint, Quaternion, Rotation, SMatrix, SVector, Scalar, Translation, Unit,

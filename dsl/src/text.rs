@@ -1,7 +1,7 @@
-//! Texts of a bounded length: bytes, and how many of them there are.
+//! Texts of bounded length: an array of bytes, and the number of bytes in use.
 //!
-//! Written in the DSL itself. What has no room is a panic, as it is a fault in the C. Bytes beyond the
-//! length are zero, so that `==` part by part is right, and C that wants one finds an end where there is room.
+//! Written in the DSL itself. Exceeding the capacity is a panic, and a fault in the C. Bytes beyond the length are
+//! zero, so that texts can be compared field by field, and C finds a terminating zero unless the text is full.
 
 // The checks of indices are proved of loops over them.
 #![allow(clippy::manual_memcpy, clippy::needless_range_loop)]
@@ -27,15 +27,16 @@ pub struct Text<const N: usize> {
 
 #[data]
 impl<const N: usize> Text<N> {
-    /// Without bytes.
+    /// An empty text.
     pub const fn new() -> Self {
         Text { length: 0, bytes: [0; N] }
     }
 
-    /// These bytes, `Text::of(b"motor")`.
+    /// The text of these bytes, as in `Text::of(b"motor")`.
     ///
     /// # Panics
-    /// If there is no room for so many.
+    ///
+    /// If they exceed the capacity.
     pub fn of(bytes: &[u8]) -> Self {
         crate::__room!(bytes.len() <= N);
         let mut text = Text { length: bytes.len(), bytes: [0; N] };
@@ -50,7 +51,7 @@ impl<const N: usize> Text<N> {
         self.length.min(N)
     }
 
-    /// Returns true if there are none.
+    /// Returns true if the text has no bytes.
     pub fn is_empty(&self) -> bool {
         self.length == 0
     }
@@ -60,12 +61,12 @@ impl<const N: usize> Text<N> {
         N
     }
 
-    /// All bytes that there may be; zero beyond the length.
+    /// The whole array of bytes; those beyond the length are zero.
     pub fn bytes(&self) -> [u8; N] {
         self.bytes
     }
 
-    /// A byte, if there are so many.
+    /// The byte at an index; `None` beyond the length.
     pub fn get(&self, index: usize) -> Option<u8> {
         if index < self.length.min(N) { Some(self.bytes[index]) } else { None }
     }
@@ -80,7 +81,7 @@ impl<const N: usize> Text<N> {
         self.length += 1;
     }
 
-    /// Takes the last byte off.
+    /// Removes and returns the last byte.
     pub fn pop(&mut self) -> Option<u8> {
         if self.length == 0 || self.length > N {
             return None;
@@ -91,10 +92,11 @@ impl<const N: usize> Text<N> {
         Some(last)
     }
 
-    /// Adds bytes at the end.
+    /// Appends bytes.
     ///
     /// # Panics
-    /// If there is no room for so many.
+    ///
+    /// If they exceed the capacity.
     pub fn append(&mut self, bytes: &[u8]) {
         crate::__room!(self.length <= N && bytes.len() <= N - self.length);
         for i in 0..bytes.len() {
@@ -103,7 +105,7 @@ impl<const N: usize> Text<N> {
         }
     }
 
-    /// Takes the bytes behind the first `length` off, if there are more.
+    /// Shortens the text to `length` bytes; a shorter text stays as it is.
     pub fn truncate(&mut self, length: usize) {
         if length < self.length {
             for index in length..N {
@@ -113,18 +115,18 @@ impl<const N: usize> Text<N> {
         }
     }
 
-    /// Takes every byte off.
+    /// Removes all bytes.
     pub fn clear(&mut self) {
         self.length = 0;
         self.bytes = [0; N];
     }
 
-    /// Returns true if it is these bytes: `name.is(b"motor")`.
+    /// Returns true if the text consists of these bytes, as in `name.is(b"motor")`.
     pub fn is(&self, bytes: &[u8]) -> bool {
         self.length == bytes.len() && self.starts_with(bytes)
     }
 
-    /// Returns true if it begins with these bytes.
+    /// Returns true if the text begins with these bytes.
     pub fn starts_with(&self, bytes: &[u8]) -> bool {
         if bytes.len() > self.length.min(N) {
             return false;

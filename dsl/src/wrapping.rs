@@ -1,6 +1,6 @@
-//! Numbers that wrap by themselves: what core's `Wrapping` is in the C, a struct of one number.
+//! Numbers whose arithmetic wraps: the C of core's `Wrapping`, a struct of one number.
 //!
-//! Each operator is that of the number, modulo what its type holds.
+//! Each operator is that of the number, wrapped to the type's width.
 
 use core::num::Wrapping as Native;
 
@@ -44,7 +44,7 @@ pub fn product<T: Integer>(one: Native<T>, other: Native<T>) -> Native<T> {
     Native(one.0.wrapping_mul(other.0))
 }
 
-/// The negative.
+/// The negative of a number.
 #[function]
 #[inline]
 pub fn negative<T: Integer>(one: Native<T>) -> Native<T> {
@@ -72,14 +72,14 @@ pub fn multiply<T: Integer>(one: &mut Native<T>, other: Native<T>) {
     one.0 = one.0.wrapping_mul(other.0);
 }
 
-/// The bits that both have.
+/// The bits that are 1 in both numbers.
 #[function]
 #[inline]
 pub fn both<T: Integer>(one: Native<T>, other: Native<T>) -> Native<T> {
     Native(one.0 & other.0)
 }
 
-/// The bits that one of the two has.
+/// The bits that are 1 in at least one of the numbers.
 #[function]
 #[inline]
 pub fn either<T: Integer>(one: Native<T>, other: Native<T>) -> Native<T> {

@@ -1,6 +1,6 @@
 //! The package while it is built: definitions, each after those that it uses, and refusals.
 //!
-//! Must not know: slots, companions and operators, which build on it.
+//! Must not know: slots, companions and operators, which use it.
 
 use alloc::borrow::ToOwned;
 use alloc::collections::{BTreeMap, BTreeSet};
@@ -23,28 +23,29 @@ pub struct Builder {
     pub(super) known: BTreeSet<String>,
     /// The functions being built, outermost first.
     pub(super) stack: Vec<Underway>,
-    /// Items of generic types' instances that are called other than by name, by trait, type and operand.
+    /// Functions of generic types' instances that have no call in the source, by trait, type and operand; they are
+    /// not built yet.
     pub(super) untold: BTreeMap<[&'static str; 3], OwnOperator>,
 }
 
-/// An implementation of an operator that its author marked, or of what is called by no name.
+/// A marked implementation of an operator, or of a function without a call in the source.
 #[derive(Clone, Copy)]
 pub struct OwnOperator {
-    /// The trait.
+    /// Trait.
     pub name: &'static str,
-    /// The type of the first operand.
+    /// Type of the first operand.
     pub left: fn(&mut Builder) -> Ty,
-    /// Type of the second operand; for the sign, that of the first.
+    /// Type of the second operand; for a sign, of the operand.
     pub right: fn(&mut Builder) -> Ty,
-    /// Builds the function.
+    /// Function that builds it.
     pub build: fn(&mut Builder) -> tree::Callee,
 }
 
-/// A function that is being built, and what those in its body have of it.
+/// A function that is being built, with the data that functions in its body need.
 #[derive(Clone)]
 pub(super) struct Underway {
     pub path: String,
-    /// In how many functions it stands.
+    /// Number of functions around it.
     pub depth: u32,
     pub owner: Option<String>,
     pub interface: Option<String>,
@@ -52,34 +53,34 @@ pub(super) struct Underway {
     pub suffix: Vec<Argument>,
 }
 
-/// rustc's decisions on one function.
+/// Results of rustc for one function.
 #[derive(Default)]
 pub struct Witness {
-    /// The types of its slots.
+    /// Types of its slots.
     pub slots: Vec<Ty>,
     /// Callees of its calls.
     pub callees: Vec<tree::Callee>,
-    /// Functions of its operators, if their author wrote them.
+    /// Author's functions of its operators; none for built-in ones.
     pub operators: Vec<Option<tree::Callee>>,
-    /// The values of its constants.
+    /// Values of its constants.
     pub constants: Vec<tree::Constant>,
 }
 
-/// The marker of a function: builds it, and says how calls name it.
+/// Marker of a function: builds the function, and names it for calls.
 #[diagnostic::on_unimplemented(
     message = "this function is not part of the DSL",
     label = "not part of the DSL"
 )]
 pub trait Callee {
-    /// Builds the function unless that is done, and names it.
+    /// Builds the function unless it is built already, and returns its name.
     fn callee(cx: &mut Builder) -> tree::Callee;
 }
 
 /// Place and name of an item.
 pub struct Named {
-    /// Its module.
+    /// Module.
     pub module: &'static str,
-    /// Its file, as rustc names it.
+    /// File, as rustc names it.
     pub file: &'static str,
     /// The author's name.
     pub name: &'static str,
@@ -87,7 +88,7 @@ pub struct Named {
 
 /// The author's attributes of an item for its C: name and site, unit, range, section.
 pub struct Said {
-    /// The name in the C, and the line and column at its place.
+    /// C name.
     pub name: Option<&'static str>,
     /// The unit.
     pub unit: Option<&'static str>,
@@ -95,11 +96,11 @@ pub struct Said {
     pub range: Option<(f64, f64)>,
     /// The section of the object file.
     pub section: Option<&'static str>,
-    /// True if it is written in base sixteen.
+    /// True if the author writes it in hexadecimal.
     pub hexadecimal: bool,
     /// Expression of the value, if it is more than a literal.
     pub expression: Option<&'static str>,
-    /// The constants that say how many elements it has.
+    /// Constants that name its lengths.
     pub sizes: &'static [&'static str],
     /// Site of the name, or else of the range.
     pub site: (u32, u32),
@@ -117,27 +118,27 @@ pub(super) fn said(said: Option<Said>) -> Given {
     Given { name, unit, range, section, public: false, hexadecimal, expression, sizes, site }
 }
 
-/// Asks whether a type has a default: [`Defaults::words`] of one that has is a method of its own, which Rust prefers to that
-/// of [`NoDefault`].
+/// Query for the default of a type. If it has one, the inherent method [`Defaults::words`] is called, which Rust
+/// prefers to the trait method of [`NoDefault`].
 pub struct Defaults<T>(core::marker::PhantomData<T>);
 
 impl<T> Defaults<T> {
-    /// The question.
+    /// Returns the query.
     pub fn of() -> Defaults<T> {
         Defaults(core::marker::PhantomData)
     }
 }
 
 impl<T: Default + Plain> Defaults<T> {
-    /// The words of the default.
+    /// Returns the words of the default.
     pub fn words(&self) -> Option<Vec<u64>> {
         Some(words(&T::default()))
     }
 }
 
-/// The answer for a type without a default.
+/// Answer for a type without a default.
 pub trait NoDefault {
-    /// None.
+    /// Returns none.
     fn words(&self) -> Option<Vec<u64>> {
         None
     }
@@ -145,14 +146,14 @@ pub trait NoDefault {
 
 impl<T> NoDefault for Defaults<T> {}
 
-/// The words of a value.
+/// Returns the words of a value.
 pub fn words<T: Plain>(value: &T) -> Vec<u64> {
     let mut words = Vec::new();
     value.store(&mut |word| words.push(word));
     words
 }
 
-/// A Rust path with its arguments, `models::Fir<f32, 4>`.
+/// Returns a Rust path with its arguments, such as `models::Fir<f32, 4>`.
 pub(super) fn path(owner: &str, name: &str, arguments: &[(String, Argument)]) -> String {
     if arguments.is_empty() {
         return format!("{owner}::{name}");
@@ -195,7 +196,7 @@ pub(super) fn type_text(ty: &Ty) -> String {
 }
 
 impl Builder {
-    /// Returns true if the package has a type; those without a name are everywhere.
+    /// Returns true if the package has a type; types without a name always exist.
     pub(super) fn knows(&self, ty: &Ty) -> bool {
         match ty {
             Ty::Named(path) => self.known.contains(path),
@@ -203,7 +204,8 @@ impl Builder {
         }
     }
 
-    /// A struct or an enum, and whether it derives `==`, `<` and `Copy`; `kind` is asked once.
+    /// Adds a struct or an enum, with the derived traits among `PartialEq`, `PartialOrd` and `Copy`; `kind` is called
+    /// once.
     pub fn definition(
         &mut self,
         named: Named,
@@ -237,7 +239,7 @@ impl Builder {
         Ty::Named(path)
     }
 
-    /// A generic component.
+    /// Adds a generic component.
     pub fn template(&mut self, named: Named, site: (u32, u32)) {
         self.package.templates.push(tree::Template {
             module: named.module.to_owned(),
@@ -247,7 +249,7 @@ impl Builder {
         });
     }
 
-    /// An author's own iterator that is `Copy`.
+    /// Records an author-defined iterator that is `Copy`.
     pub fn copied_iterator(&mut self, named: Named, site: (u32, u32)) {
         self.refuse_copied(named.name, named.file, Site(site.0, site.1));
     }

@@ -1,9 +1,9 @@
-//! Templates of companions, one for each method and function of std and nalgebra that the DSL has.
+//! Templates of companions, one for each method and function of std and nalgebra that the DSL supports.
 //!
-//! One trait per kind of receiver, resolved by rustc as it resolves the method itself. The marker
-//! names the operation; what it means is the typifier's business.
+//! There is a trait for each kind of receiver, which rustc resolves as it resolves the method itself. The marker
+//! names the operation; the front end knows its meaning.
 
-/// The markers of operations.
+/// Defines the markers of operations.
 macro_rules! markers {
     ($($marker:ident: $kind:ident$(($operation:expr))?;)*) => {$(
         #[doc = concat!("The marker of `", stringify!($kind$(($operation))?), "`.")]
@@ -17,15 +17,15 @@ macro_rules! markers {
 }
 pub(super) use markers;
 
-/// Traits of companions, which are queried for their types only: none is ever run. One is written as the `impl` of the type that has
-/// the methods, or as a trait where that is not one type. What it is generic over is in square brackets, and so is
-/// what a method is generic over besides. Each companion has its marker: what that represents is said where it is not
-/// another's as well; a marker that is named by a path is in square brackets, and in angle brackets one that each
-/// type with the methods has of its own. The prelude takes the traits from `traits`, which gathers them as they come.
+/// Defines traits of companions, which are used only for their types and never run. A trait is written as the `impl`
+/// of the type with the methods, or as a trait if there are several types. Generic parameters are in square brackets,
+/// also those of a method. Each companion has a marker; its meaning is stated unless another marker states it. A
+/// marker with a path is in square brackets, and a marker that each type defines is in angle brackets. The prelude
+/// imports the traits from `traits`, which collects them.
 macro_rules! companions {
     () => {};
     (pub mod traits[$($known:ident)*];) => {
-        /// The traits, for the prelude.
+        /// Module of the traits, for the prelude.
         pub mod traits {
             $(pub use super::$known as _;)*
         }
@@ -94,7 +94,7 @@ macro_rules! companions {
 }
 pub(super) use companions;
 
-/// The companions of functions, in the same form.
+/// Defines companions of functions, in the same form.
 macro_rules! calls {
     ($(
         $($function:ident)::+ [$($g:tt)*] ($($parameters:tt)*) -> $result:ty

@@ -1,4 +1,4 @@
-//! The companions of comparisons that give an `Ordering`, and of its methods.
+//! Companions of comparisons that return an `Ordering`, and of its methods.
 
 #![allow(missing_docs)]
 
@@ -18,8 +18,7 @@ dsl_types! {
     [T: Value] [T: Seen] Reverse<T> as Reverse<T::Slot> => |cx| comparison::Reverse::<T>::ty(cx);
 }
 
-/// Types with an order of their own: plain enums that derive that of their numbers, structs that derive that of their
-/// parts, tuples and arrays.
+/// Types with a derived order: plain enums, structs, tuples and arrays.
 pub trait Ranked: Value {}
 
 impl<A: Value, B: Value> Ranked for (A, B) {}
@@ -28,7 +27,7 @@ impl<A: Value, B: Value, C: Value, D: Value> Ranked for (A, B, C, D) {}
 impl<T: Value, const N: usize> Ranked for [T; N] {}
 impl<T: Value> Ranked for Reverse<T> {}
 
-/// Types that a function of the DSL compares: the above, integers and `bool`.
+/// Types that a function of the DSL compares: [`Ranked`] types, integers and `bool`.
 pub trait Compared: Value {}
 
 impl<T: Ranked> Compared for T {}
@@ -41,14 +40,14 @@ companions! {
         fn __b_partial_cmp(&self, _other: &Self) -> Option<Ordering> where Self: PartialOrd
             = [comparison::__function_partial<Self>];
     }
-    /// The least and the greatest of them.
+    /// Companions of `min`, `max` and `clamp` for these types.
     pub trait RankedOrderBuiltins: Sized {
         fn __b_min(self, _other: Self) -> Self = [comparison::__function_lesser<Self>];
         fn __b_max(self, _other: Self) -> Self = [comparison::__function_greater<Self>];
         fn __b_clamp(self, _low: Self, _high: Self) -> Self = [comparison::__function_limited<Self>];
     }
-    /// Companions of references to types with `Ord`: rustc finds the method there before it looks behind the reference.
-    /// The function is that of the values: its result can only be read.
+    /// Companions for references to types with `Ord`, where rustc finds the method before it dereferences. The
+    /// function is that for values, since its result can only be read.
     impl[T: Extremes] ReferredOrderBuiltins<T> for &T {
         fn __b_min(self, _other: Self) -> Self = [T::Min];
         fn __b_max(self, _other: Self) -> Self = [T::Max];
@@ -96,7 +95,7 @@ integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
 
 impl Compared for bool {}
 
-/// The carriers of functions of that module.
+/// Carriers of functions of `core::cmp`.
 #[allow(non_camel_case_types)]
 pub mod cmp {
     pub struct max;

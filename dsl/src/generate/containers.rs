@@ -1,5 +1,5 @@
-//! The companions of what holds values: `Option` and `Result`, arrays, lists, ranges, and integers that are not zero. Those
-//! that are none of the library's.
+//! Companions of containers: `Option`, `Result`, arrays, lists, ranges and non-zero integers; those that are not
+//! defined in the library.
 
 #![allow(missing_docs)]
 
@@ -62,12 +62,12 @@ companions! {
         fn __b_and[U](self, _other: Result<U, E>) -> Result<U, E> = And;
         fn __b_as_ref(&self) -> Result<&T, &E> = AsRef;
     }
-    /// Companions that reborrow the content of an `Option`: mutably, or only to read.
+    /// Companion of the mutable reborrow of an option's payload.
     impl[T: ?Sized] LentOnBuiltin<T> for Option<&mut T> {
         fn __b_as_deref_mut(&mut self) -> Option<&mut T> = [AsRef];
         fn __b_as_deref(&self) -> Option<&T> = [optional::as_deref];
     }
-    /// Companions that reborrow content that is only read.
+    /// Companion of the shared reborrow of an option's payload.
     impl[T: ?Sized] ReadOnBuiltin<T> for Option<&T> {
         fn __b_as_deref(&self) -> Option<&T> = [AsRef];
     }
@@ -83,13 +83,13 @@ companions! {
         fn __b_is_empty(&self) -> bool = IsEmpty: List(ListMethod::IsEmpty);
         fn __b_capacity(&self) -> usize = Capacity: List(ListMethod::Capacity);
     }
-    /// `list.extend(items)`, of items of type `E`: elements, or references to them.
+    /// Companion of `list.extend(items)` with items of type `E`: elements, or references to them.
     pub trait ListExtends[E]: Sized {
         /// Marker of the function.
         type Marker;
         fn __b_extend[I: IntoIterator<Item = E>](&mut self, _items: I) -> () = [Self::Marker];
     }
-    /// Methods of ranges with a last number.
+    /// Methods of inclusive ranges.
     impl[T: Value + Copy] ClosedBuiltins<T> for RangeInclusive<T> {
         fn __b_new(_start: T, _end: T) -> Self = [range::__function_closed<T>];
         fn __b_start(&self) -> &T = [range::__function_start<T>];
@@ -155,19 +155,19 @@ macro_rules! integers {
 
 integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
 
-/// The carrier of a function of `core::array`.
+/// Carriers of functions of `core::array`.
 #[allow(non_camel_case_types)]
 pub mod array {
     pub struct from_fn;
 }
 
-/// The carriers of functions of `core::mem`: a value need not be `Copy` there.
+/// Carriers of functions of `core::mem`, whose values need not be `Copy`.
 #[allow(non_camel_case_types)]
 pub mod mem {
     pub struct swap;
     pub struct replace;
 
-    /// Marker without a value: core has one of its name.
+    /// Marker without a value, since core has a function of this name.
     pub struct drop {}
 }
 

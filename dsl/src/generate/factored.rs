@@ -1,5 +1,5 @@
-//! The companions of nalgebra's decompositions: what is nalgebra's type in the simulation is a struct of
-//! the DSL in the C.
+//! Companions of nalgebra's decompositions. A decomposition is nalgebra's type in the simulation, and a struct of the
+//! DSL in the C.
 
 #![allow(missing_docs)]
 
@@ -28,19 +28,19 @@ stands! {
 
 companions! {
     pub mod traits[];
-    /// Factors of square matrices.
+    /// Companions of decompositions of square matrices.
     impl[T: Real, const N: usize] LuBuiltins<T, N> for SMatrix<T, N, N>
         where Const<N>: DimMin<Const<N>, Output = Const<N>>
     {
         fn __b_lu(self) -> LU<T, Const<N>, Const<N>> = [lu::__function_factored<T, N>];
     }
-    /// Factors of matrices with no more columns than rows.
+    /// Companions of decompositions of matrices with at most as many columns as rows.
     impl[T: Real, const R: usize, const C: usize] QrBuiltins<T, R, C> for SMatrix<T, R, C>
         where Const<R>: DimMin<Const<C>, Output = Const<C>>
     {
         fn __b_qr(self) -> QR<T, Const<R>, Const<C>> = [qr::__function_factored<T, R, C>];
     }
-    /// Factors of symmetric matrices.
+    /// Companions of decompositions of symmetric matrices.
     impl[T: Real, const N: usize] SymmetricBuiltins<T, N> for SMatrix<T, N, N> {
         fn __b_cholesky(self) -> Option<Cholesky<T, Const<N>>> = [cholesky::__function_factored<T, N>];
         fn __b_udu(self) -> Option<UDU<T, Const<N>>> = [udu::__function_factored<T, N>];
@@ -57,7 +57,7 @@ companions! {
     }
 }
 
-/// The companion of another function or method, as it is of one of nalgebra's types.
+/// Returns the companion of another function or method, as one of nalgebra's type.
 fn told<A, C: CompanionOf<A>, R>(_: C) -> Called<C::Marker, R> {
     unreachable!("a witness copy is never run")
 }
@@ -88,7 +88,7 @@ macro_rules! methods {
 }
 
 methods! {
-    /// Methods of LU.
+    /// Methods of an LU decomposition.
     impl[T: Real, const N: usize] LuMethods[T, N] for LU<T, Const<N>, Const<N>>
         where Const<N>: DimMin<Const<N>, Output = Const<N>>
     {
@@ -105,7 +105,7 @@ methods! {
 }
 
 methods! {
-    /// Methods of Cholesky's factor.
+    /// Methods of a Cholesky factor.
     impl[T: Real, const N: usize] CholeskyMethods[T, N] for Cholesky<T, Const<N>> {
         fn __b_new(_a: SMatrix<T, N, N>) -> Option<Self> = cholesky::factored::__call::<T, N>;
         fn __b_solve[K](&self, _b: &SMatrix<T, N, K>) -> SMatrix<T, N, K> = CholeskyFactor::<T, N>::__b_solve::<K>;
@@ -121,7 +121,7 @@ methods! {
 }
 
 methods! {
-    /// Methods of QR.
+    /// Methods of a QR decomposition.
     impl[T: Real, const R: usize, const C: usize] QrMethods[T, R, C] for QR<T, Const<R>, Const<C>>
         where Const<R>: DimMin<Const<C>, Output = Const<C>>
     {
@@ -134,7 +134,7 @@ methods! {
 }
 
 methods! {
-    /// Methods of U D Uᵀ.
+    /// Methods of a U D Uᵀ decomposition.
     impl[T: Real, const N: usize] UduMethods[T, N] for UDU<T, Const<N>> {
         fn __b_new(_p: SMatrix<T, N, N>) -> Option<Self> = udu::factored::__call::<T, N>;
         fn __b_d_matrix(&self) -> SMatrix<T, N, N> = Udu::<T, N>::__b_d_matrix;

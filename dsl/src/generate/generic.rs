@@ -1,7 +1,8 @@
-//! The companions of the elementary functions, and of what `num_traits::Float` and nalgebra's `RealField` have: those of
-//! the float that a function is built for.
+//! Companions of elementary functions, and of methods of `num_traits::Float` and nalgebra's `RealField`, for the
+//! float type that a function is built for.
 //!
-//! As in [`crate::math`], these take the receiver by reference, so that a known float's own companion is found first.
+//! As in [`crate::math`], they take the receiver by reference, so that rustc finds a known float's own companion
+//! first.
 
 #![allow(non_camel_case_types)]
 
@@ -24,7 +25,7 @@ use crate::math::{
     power, roots, sine, tangent,
 };
 
-/// The marker of what each float has a function of its own for: in double and in single precision.
+/// Marker of a function with separate versions for double and single precision.
 pub struct Either<T, D, S>(PhantomData<(T, D, S)>);
 
 impl<T: DslType, D: Callee, S: Callee> Callee for Either<T, D, S> {
@@ -36,7 +37,7 @@ impl<T: DslType, D: Callee, S: Callee> Callee for Either<T, D, S> {
     }
 }
 
-/// The companions of each float, and of the one that a function is built for: elementary functions.
+/// Defines the companions of elementary functions for each float, and for the one that a function is built for.
 macro_rules! floats {
     ($(
         $(#[$doc:meta])*
@@ -107,7 +108,7 @@ macro_rules! floats {
     };
 }
 
-/// The companions of what is known to be a float.
+/// Defines companions of a generic float.
 macro_rules! either {
     (
         methods { $($companion:ident($($operand:ident: $ty:ty),* $(,)?) -> $result:ty = $marker:ty;)* }
@@ -121,7 +122,7 @@ macro_rules! either {
                 fn __b_max_value() -> Self = [Either<Self, constants::__function_max_value<f64>, constants::__function_max_value<f32>>];
                 fn __b_min_value() -> Self = [Either<Self, constants::__function_min_value<f64>, constants::__function_min_value<f32>>];
             }
-            /// Companions of nalgebra's `RealField`, which may have no largest number.
+            /// Companions of nalgebra's `RealField`, whose largest number is optional.
             pub trait AnyRealBuiltins: Sized {
                 $(fn $companion(&self $(, $operand: $ty)*) -> $result = [$marker];)*
                 $(fn $constant() -> Self = [Either<Self, constants::$function<f64>, constants::$function<f32>>];)*
@@ -137,13 +138,13 @@ elementary! { floats }
 impl<T: Number> AnyFloatBuiltins for T {}
 impl<T: RealField> AnyRealBuiltins for T {}
 
-/// Stands for `nalgebra::convert` of a number in double precision: [`real`](crate::math::real).
+/// Carrier of `nalgebra::convert` from double precision, which is [`real`](crate::math::real).
 pub struct convert;
 
-/// Stands for nalgebra's function of that name.
+/// Carrier of `nalgebra::distance`.
 pub struct distance;
 
-/// Stands for nalgebra's function of that name.
+/// Carrier of `nalgebra::distance_squared`.
 pub struct distance_squared;
 
 calls! {

@@ -1,6 +1,6 @@
-//! Functions and constructors as arguments: what rustc says of them, and the closures that they represent.
+//! Functions and constructors as arguments: rustc's information about them, and the closures that replace them.
 //!
-//! A tree that travels has closures alone: each calls its function with what it is given.
+//! The serialised tree has only closures: each calls its function with its own arguments.
 
 use alloc::boxed::Box;
 use alloc::string::ToString;
@@ -18,15 +18,15 @@ use super::slot::{Called, DslType, Evaluated, Seen, Slot};
 pub trait CompanionOf<A> {
     /// Marker of the function.
     type Marker;
-    /// The type of its result.
+    /// Result type.
     type Result: Seen;
 }
 
-/// A function with parameters of the types `A`. One without parameters gives an `R`: nothing else says of which type that is,
-/// `unwrap_or_else(Vector2::zeros)`.
+/// A function with parameters of the types `A`. For one without parameters, its result type is `R`, since nothing
+/// else determines it: `unwrap_or_else(Vector2::zeros)`.
 pub trait Takes<A, R> {}
 
-/// Passes a function through: the slots learn which it is by its companion, and the types of its arguments and its result.
+/// Passes a function through; slots record its companion, and the types of its arguments and its result.
 pub fn __function<A: Seen, C: CompanionOf<A>, F: Takes<A, C::Result>>(
     _: &Slot<C::Marker>,
     _: &Slot<A::Slot>,
@@ -37,16 +37,16 @@ pub fn __function<A: Seen, C: CompanionOf<A>, F: Takes<A, C::Result>>(
     function
 }
 
-/// A value, or what makes one; `K` tells the two apart.
+/// A value or a constructor; `K` distinguishes the two implementations.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a type of the DSL",
     label = "not a type of the DSL",
     note = "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
 )]
 pub trait Made<K>: Sized {
-    /// The type in the slot.
+    /// Type in the slot.
     type Slot;
-    /// The value; of what makes one the type of that, without words.
+    /// Returns the value; for a constructor, a constant of its result type without words.
     fn constant(self, cx: &mut Builder) -> tree::Constant;
 }
 
@@ -60,7 +60,7 @@ impl<T: Evaluated> Made<Itself> for T {
     }
 }
 
-/// Holds the place of what makes an `R` of parts of the types `A`.
+/// Type in a slot for a constructor of an `R` from parts of the types `A`.
 pub struct Constructor<A, R>(PhantomData<(A, R)>);
 
 impl<A: DslType, R> DslType for Constructor<A, R> {
@@ -69,12 +69,12 @@ impl<A: DslType, R> DslType for Constructor<A, R> {
     }
 }
 
-/// Passes a value or what makes one through, and its type into the slot.
+/// Passes a value or a constructor through, and records its type in the slot.
 pub fn __made<K, T: Made<K>>(_: &Slot<T::Slot>, value: T) -> T {
     value
 }
 
-/// The value of a path that rustc evaluated, or the type of what it makes.
+/// Returns the value of a path that rustc evaluated, or the result type of a constructor.
 pub fn made<K, T: Made<K>>(cx: &mut Builder, _: &Slot<T::Slot>, value: T) -> tree::Constant {
     value.constant(cx)
 }
@@ -107,7 +107,7 @@ macro_rules! takes {
 
 takes! { A; A, B; A, B, C; }
 
-/// Puts the closures in, for which functions and constructors stand, and the arrays, to which constants refer; notes the
+/// Replaces functions and constructors by closures, and constants that refer to arrays by the arrays; records the
 /// operator of each sum.
 pub(super) fn as_closures(tree: &mut tree::FunctionTree, witness: &mut Witness) {
     Closures { witness, operators: &mut tree.operators }.block(&mut tree.body);
@@ -130,14 +130,14 @@ struct Closures<'w> {
 }
 
 impl Closures<'_> {
-    /// Returns true if a path is that of a constant which refers to an array.
+    /// Returns true if a path is a constant that refers to an array.
     fn refers(&self, path: &ExprKind) -> bool {
         let ExprKind::Path(constant, _) = path else { return false };
         let constant = self.witness.constants.get(*constant as usize);
         constant.is_some_and(|it| array(&it.ty).is_some())
     }
 
-    /// Notes the operator by which a call adds up.
+    /// Records the operator with which a call adds.
     fn note_sum(&mut self, expr: &Expr) {
         use tree::{Builtin, Callee, Desugared, Together};
         let ExprKind::Call(callee, _) = expr.kind else { return };
@@ -155,7 +155,7 @@ impl Closures<'_> {
         self.witness.slots.len() as u32 - 1
     }
 
-    /// The parameters of a closure, by the slot that has their types, and equal to arguments.
+    /// Returns the parameters of a closure, and equal arguments, from the types in a slot.
     fn parameters(&mut self, slot: u32, site: tree::Site) -> (Vec<Pattern>, Vec<Expr>) {
         let types = match self.witness.slots.get(slot as usize) {
             Some(Ty::Tuple(types)) => types.clone(),

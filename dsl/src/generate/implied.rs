@@ -1,8 +1,8 @@
-//! Items of generic types' instances that are called other than by name: `[…]`, `==`, and the author's own `next` and
+//! Functions of generic types' instances that have no call in the source: `Index`, `==`, and an author's `next` and
 //! `iter`.
 //!
-//! The link-time registry has those of types that are not generic. An instance says what it has wherever it is built; the
-//! functions are built when all else is.
+//! The link-time registry has the functions of non-generic types. An instance is queried wherever it is built; its
+//! functions are built after all others.
 
 use core::any::type_name;
 
@@ -13,10 +13,9 @@ use super::operators::sign;
 use super::own::Asked;
 use super::slot::{DslType, Slot};
 
-/// Trait by which each instance of a generic type registers the items that are called other than by name, wherever its
-/// methods are built.
+/// Trait with which each instance of a generic type registers such functions, wherever its methods are built.
 pub trait OwnImplied<O> {
-    /// Notes the function for this instance.
+    /// Records the function for this instance.
     fn note(cx: &mut Builder);
 }
 
@@ -24,17 +23,17 @@ macro_rules! implied {
     ($($of:ident: $note:ident;)*) => {
         $(
             impl<T: OwnImplied<sign::$of>> Asked<T> {
-                /// Notes its own, if it has one.
+                /// Records the instance's function, if it has one.
                 pub fn $note(&self, cx: &mut Builder) {
                     T::note(cx);
                 }
             }
         )*
 
-        /// The answers for a type without.
+        /// Answer for a type without such a function.
         pub trait NotImplied {
             $(
-                /// There is none.
+                /// Does nothing.
                 fn $note(&self, _: &mut Builder) {}
             )*
         }
@@ -52,7 +51,7 @@ implied! {
     IterMut: note_iter_mut;
 }
 
-/// Asks a type for all of these, where its bounds are known.
+/// Queries a type for all of these functions, where its bounds are known.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __note_implied {
@@ -70,14 +69,14 @@ macro_rules! __note_implied {
 }
 pub use __note_implied as note_implied;
 
-/// Asks the type in a slot.
+/// Returns the query for the type in a slot.
 pub fn __asked<T>(_: &Slot<T>) -> Asked<T> {
     Asked::of()
 }
 
 impl Builder {
-    /// Registers an item of an instance that is called other than by name. It is built last, since its function may
-    /// call one that is being built.
+    /// Registers a function without a call in the source for an instance. It is built last, since it may call a
+    /// function that is being built.
     pub fn implied<Owner: DslType, Other: DslType>(
         &mut self,
         name: &'static str,

@@ -1,6 +1,6 @@
-//! The items of a package: how they announce themselves, and what each adds to it.
+//! Items of a package: their registration, and their contribution to it.
 //!
-//! Invariant: callees come before their callers, and each function is built once.
+//! Invariant: callees precede their callers, and each function is built once.
 
 use alloc::borrow::ToOwned;
 use alloc::collections::BTreeMap;
@@ -21,34 +21,34 @@ use crate::Plain;
 /// Place of an item: its module, and the folder of its package.
 pub type Place = (&'static str, &'static str);
 
-/// Construction of an item: it names its own function, and rustc compiles none around it.
+/// Function that builds an item.
 pub enum Build {
     /// A function.
     Function(fn(&mut Builder) -> tree::Callee),
     /// A type.
     Type(fn(&mut Builder) -> Ty),
-    /// Anything else.
+    /// Another item.
     Other(fn(&mut Builder)),
 }
 
-/// An item that announced itself to its package.
+/// A registered item.
 pub struct Registered {
     place: Place,
     site: (u32, u32),
     build: Build,
-    /// True if it comes along with whatever package uses its crate.
+    /// True if every package that uses its crate includes it.
     everywhere: bool,
 }
 
 inventory::collect!(Registered);
 
 impl Registered {
-    /// An item at a line and column of its file.
+    /// Registers an item at a line and column of its file.
     pub const fn new(place: Place, site: (u32, u32), build: Build) -> Registered {
         Registered { place, site, build, everywhere: false }
     }
 
-    /// A table, which is reported by its value wherever it is used.
+    /// Registers a table, which is identified by its value wherever it is used.
     pub const fn table(place: Place, site: (u32, u32), build: fn(&mut Builder)) -> Registered {
         Registered { place, site, build: Build::Other(build), everywhere: true }
     }
@@ -57,20 +57,20 @@ impl Registered {
         self.place.0
     }
 
-    /// Its crate.
+    /// Returns its crate.
     fn root(&self) -> &'static str {
         self.module().split("::").next().unwrap_or_default()
     }
 }
 
-/// The crates whose items are here, each with the folder in which it was compiled, as JSON.
+/// Returns the crates whose items are registered, each with the folder in which it was compiled, as JSON.
 pub fn folders() -> String {
     let items = inventory::iter::<Registered>.into_iter();
     let crates: BTreeMap<&str, &str> = items.map(|item| (item.root(), item.place.1)).collect();
     serde_json::to_string(&crates).unwrap_or_default()
 }
 
-/// A field of type `T`.
+/// Returns a field of type `T`.
 pub fn field<T: DslType>(
     cx: &mut Builder,
     name: &str,
@@ -80,7 +80,7 @@ pub fn field<T: DslType>(
     tree::Field { name: name.to_owned(), docs: owned(docs), ty: T::ty(cx), given: said(given) }
 }
 
-/// A variant of an enum.
+/// Returns a variant of an enum.
 pub fn variant(
     name: &str,
     docs: &[&str],
@@ -91,32 +91,32 @@ pub fn variant(
     tree::Variant { name: name.to_owned(), docs: owned(docs), fields, value, given: said(given) }
 }
 
-/// Arguments for the parameters of a function.
+/// Arguments for the generic parameters of a function.
 pub struct Generics<'a> {
     /// Arguments of all parameters in scope.
     pub scope: &'a [(String, Argument)],
     /// Arguments of its own parameters.
     pub own: &'a [(String, Argument)],
-    /// The interface that it is part of, what represents its parameters, and the module that it is in.
+    /// Interface to which it belongs, the arguments for its parameters, and its module.
     pub interface: Option<(&'static str, &'a [(String, Argument)], &'static str)>,
-    /// In how many functions it stands.
+    /// Number of functions around it.
     pub depth: u32,
 }
 
-/// The type that represents the parameter `name`.
+/// Returns the type argument of the parameter `name`.
 pub fn argument<T: DslType>(cx: &mut Builder, name: &str) -> (String, Argument) {
     (name.to_owned(), Argument::Type(T::ty(cx)))
 }
 
-/// The number that represents the parameter `name`.
+/// Returns the number argument of the parameter `name`.
 pub fn number<T: Plain + ScalarType>(name: &str, value: T) -> (String, Argument) {
     let word = words(&value).first().copied().unwrap_or_default();
     (name.to_owned(), Argument::Number(T::SCALAR, word))
 }
 
-/// Everything that the items of the package `name` registered, as JSON.
+/// Returns all registered items of the package `name`, as JSON.
 ///
-/// Items of other crates are part of it as far as they are used.
+/// Items of other crates are included as far as they are used.
 pub fn package(name: &str, library: &str, license: &str) -> String {
     let mut builder = Builder::default();
     // The paths of its modules begin with the library's name, which its manifest may choose.
@@ -140,7 +140,7 @@ pub fn package(name: &str, library: &str, license: &str) -> String {
 }
 
 impl Builder {
-    /// The name that its author gives to an instance.
+    /// Adds the author's name of an instance.
     pub fn alias<T: DslType>(
         &mut self,
         named: Named,
@@ -177,7 +177,7 @@ impl Builder {
         });
     }
 
-    /// A constant or a table of which its author says more than its value.
+    /// Adds a constant or a table with C attributes.
     pub fn table<T: Evaluated>(
         &mut self,
         named: Named,
@@ -201,8 +201,8 @@ impl Builder {
         });
     }
 
-    /// A function; `witness` is asked once. By reference: of a generic parameter rustc would compile all of this for each
-    /// function of the models.
+    /// Adds a function; `witness` is called once. It is a reference, since rustc would compile this code for each
+    /// closure type otherwise.
     pub fn function(
         &mut self,
         named: Named,
@@ -306,7 +306,7 @@ impl Builder {
         interface.chain(generics.own).map(|(_, argument)| argument.clone()).collect()
     }
 
-    /// The method of an interface whose implementation is not part of the DSL.
+    /// Refuses a method of an interface whose implementation is not marked.
     pub fn unmarked<T: DslType>(
         &mut self,
         method: &str,

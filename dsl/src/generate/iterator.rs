@@ -1,5 +1,5 @@
-//! Iterators that authors' functions give or take: nothing in the C, where what goes through them is in the loop that
-//! gives them.
+//! Iterators that authors' functions return or take. They do not exist in the C, since the consumer's body is in the
+//! iterator's loop.
 
 #![allow(missing_docs)]
 
@@ -26,7 +26,7 @@ impl<T> Clone for Items<T> {
 }
 
 impl<T> Items<T> {
-    /// An iterator twice: the companion of its `clone`, before that of values.
+    /// Companion of an iterator's `clone`, with priority over that of values.
     pub fn __b_clone(&self) -> Called<containers::AsRef, Self> {
         unreachable!("a witness copy is never run")
     }
@@ -53,9 +53,9 @@ dsl_types! {
 
 never_held! { [T] Items<T>; }
 
-/// Items of a reference to a sequence.
+/// Sequence behind a reference.
 pub trait Held {
-    /// References to these.
+    /// Reference to its items.
     type Of;
 }
 
@@ -74,7 +74,7 @@ held! {
     [T, const N: usize] List<T, N>: T;
 }
 
-/// A reference argument is a value for an expanded function: it is what it refers to.
+/// Implements the above for sequences: a reference argument is the sequence itself for an inlined function.
 macro_rules! references {
     ($($reference:ident)*) => {$(
         impl<T: ?Sized> PartialEq for $reference<T> {
@@ -101,7 +101,7 @@ macro_rules! references {
 
 references! { Shared Exclusive }
 
-/// The type of an item in a slot.
+/// Type of an item in a slot.
 pub(super) type Item<I> = <<I as Iterator>::Item as Seen>::Slot;
 
 /// Result of a `try_fold`.
@@ -110,9 +110,9 @@ pub trait Tried<A> {}
 impl<A> Tried<A> for Option<A> {}
 impl<A, E> Tried<A> for Result<A, E> {}
 
-/// Function that is applied to each item of type `T` until one fails.
+/// A function that is applied to each item of type `T` until it fails.
 pub trait TriesEach<T> {
-    /// Marker of the function that iterates.
+    /// Marker of the consuming function.
     type Marker;
 }
 
@@ -129,7 +129,7 @@ pub fn __items<I: IntoIterator>(_: I) -> Items<I::Item> {
     unreachable!("a witness copy is never run")
 }
 
-/// Passes through what is beside other items, and the function that takes its next item into the slot.
+/// Passes the second iterator of a `zip` through, and records the function that takes its next item.
 pub fn __beside<I: IntoIterator<Item: Seen>>(
     _: &Slot<iterate::__function_next<<I::Item as Seen>::Slot>>,
     items: I,
@@ -139,7 +139,8 @@ pub fn __beside<I: IntoIterator<Item: Seen>>(
 
 companions! {
     pub mod traits[];
-    /// `items.collect()`, `Inputs::from_iter(items)`: the function of an author's that gathers items of type `A`.
+    /// Companion of `items.collect()` and `Inputs::from_iter(items)`: the author's function that collects items of
+    /// type `A`.
     #[diagnostic::on_unimplemented(
         message = "`{Self}` cannot collect items of type `{A}`",
         label = "cannot collect these items",
@@ -150,7 +151,7 @@ companions! {
         type Marker;
         fn __b_from_iter[I: IntoIterator<Item = A>](_items: I) -> Self = [Self::Marker];
     }
-    /// `gathered.extend(items)`: the function of an author's that takes items of type `A` into what is there.
+    /// Companion of `gathered.extend(items)`: the author's function that adds items of type `A`.
     pub trait ExtendBuiltin[A] {
         /// Marker of the function.
         type Marker;

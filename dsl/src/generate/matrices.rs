@@ -49,7 +49,7 @@ calls! {
         = Determinant: Kernel(KernelRoutine::Determinant);
 }
 
-/// Systems of equations with a factor.
+/// Defines companions of solves with a factor.
 macro_rules! solvers {
     ($($name:ident: $marker:ident -> $result:ty: $routine:expr;)*) => { calls! {$(
         kernels::$name[T: ScalarType, const N: usize, const K: usize](
@@ -91,11 +91,11 @@ companions! {
         fn __b_component_mul(&self, _other: &Self) -> Self = ComponentMul: Linear(Routine::ComponentMul);
         fn __b_component_div(&self, _other: &Self) -> Self = ComponentDiv: Linear(Routine::ComponentDiv);
     }
-    /// The identity of a matrix.
+    /// Constructor of the identity matrix.
     impl[T: ScalarType + Scalar, const R: usize, const C: usize] IdentityBuiltin<T, R, C> for SMatrix<T, R, C> {
         fn __b_identity() -> Self = Identity: Matrix(MatrixMethod::Identity);
     }
-    /// The unit vectors.
+    /// Constructors of unit vectors.
     impl[T: ScalarType + Scalar, const N: usize] AxisBuiltins<T, N> for SMatrix<T, N, 1> {
         fn __b_x() -> Self = AxisX: Matrix(MatrixMethod::Axis(0));
         fn __b_y() -> Self = AxisY: Matrix(MatrixMethod::Axis(1));
@@ -122,7 +122,7 @@ companions! {
         fn __b_to_scalar(&self) -> T = [parts::__function_to_scalar<T>];
         fn __b_into_scalar(self) -> T = [parts::__function_to_scalar<T>];
     }
-    /// `x.clone()` of a value, whose `Clone` is derived; of a reference it would be one.
+    /// Companion of `x.clone()` for a value with a derived `Clone`.
     pub trait CloneBuiltin: Clone, Value {
         fn __b_clone(&self) -> Self = Owned: Owned;
     }
@@ -131,7 +131,8 @@ companions! {
         fn __b_into_owned(self) -> Self = Owned;
         fn __b_clone_owned(&self) -> Self = Owned;
     }
-    /// Parts of matrices that are written: to rustc a value of the part's type, whose place the typifier knows.
+    /// Parts of matrices that are written. To rustc they are values of the part's type; the front end knows their
+    /// places.
     impl[T: Element, const R: usize, const C: usize] WrittenViews<T, R, C> for SMatrix<T, R, C> {
         fn __b_row_mut(&mut self, _row: usize) -> SMatrix<T, 1, C> = RowsMut: Matrix(MatrixMethod::Part(MatrixPart::Rows));
         fn __b_column_mut(&mut self, _column: usize) -> SVector<T, R>
@@ -143,14 +144,14 @@ companions! {
         fn __b_fixed_view_mut[const M: usize, const N: usize](&mut self, _row: usize, _column: usize) -> SMatrix<T, M, N>
             = BlockMut: Matrix(MatrixMethod::Part(MatrixPart::Block));
     }
-    /// The lines of a matrix, one after another.
+    /// Iterators over the lines of a matrix.
     impl[T: Element, const R: usize, const C: usize] LineBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_column_iter(&self) -> Items<SVector<T, R>> = [lines::__function_column_iter<T, R, C>];
         fn __b_row_iter(&self) -> Items<SMatrix<T, 1, C>> = [lines::__function_row_iter<T, R, C>];
         fn __b_column_iter_mut(&mut self) -> Items<SVector<T, R>> = [lines::__function_column_iter_mut<T, R, C>];
         fn __b_row_iter_mut(&mut self) -> Items<SMatrix<T, 1, C>> = [lines::__function_row_iter_mut<T, R, C>];
     }
-    /// Methods of matrices whose result is of another size.
+    /// Methods of matrices whose result has another size.
     impl[T: Real, const R: usize, const C: usize] ResizedBuiltins<T, R, C> for SMatrix<T, R, C> {
         fn __b_kronecker[const R2: usize, const C2: usize](&self, _b: &SMatrix<T, R2, C2>) -> Product<T, R, C, R2, C2>
             where Const<R>: DimMul<Const<R2>>, Const<C>: DimMul<Const<C2>>,
@@ -169,7 +170,7 @@ companions! {
             where Const<C>: DimSub<U1>, DefaultAllocator: Allocator<Const<R>, DimDiff<Const<C>, U1>>
             = [RemoveColumn<T, Narrower<T, R, C>, R, C>];
     }
-    /// Companions of vectors that grow.
+    /// Companion of vectors with an additional element.
     impl[T: Real, const N: usize] PushBuiltin<T, N> for SVector<T, N> {
         fn __b_push(&self, _element: T) -> Larger<T, N, 1>
             where Const<N>: DimAdd<U1>, DefaultAllocator: Allocator<DimSum<Const<N>, U1>>
@@ -182,7 +183,7 @@ impl<T: Clone + Value> CloneBuiltin for T {}
 macro_rules! constructors {
     ($($name:ident($($argument:ident),*) for $(($rows:literal, $cols:literal)),*;)*) => {$(
         companions! {
-            /// `new` with this many elements, by rows.
+            /// Companion of `new` with this many elements, by rows.
             pub trait $name[T]: Sized {
                 fn __b_new($($argument: T),*) -> Self = [New];
             }
@@ -209,7 +210,8 @@ converts! {
     [T: Element, const R: usize, const C: usize] SMatrix<T, R, C> => SMatrix<T, R, C>: Owned;
 }
 
-/// `Vector3::from([x, y, z])`, `Matrix2::from([[a, c], [b, d]])` by columns, and arrays of what they hold.
+/// Defines companions of `Vector3::from([x, y, z])` and `Matrix2::from([[a, c], [b, d]])`, by columns, and of the
+/// reverse conversions.
 macro_rules! from_arrays {
     ($([$($n:ident),*] $matrix:ty: $array:ty;)*) => { converts! {$(
         [T: ScalarType + Scalar, $(const $n: usize),*] $array => $matrix: FromArray;
@@ -230,7 +232,7 @@ from_arrays! {
 macro_rules! swizzles {
     ($($count:literal { $($method:ident $marker:ident $axes:expr;)* })*) => {
         companions! {
-            /// Vectors of a vector's components: `v.xy()`, `v.zyx()`.
+            /// Swizzles, vectors of a vector's components: `v.xy()`, `v.zyx()`.
             impl[T: Element, const N: usize] SwizzleBuiltins<T, N> for SVector<T, N> {$($(
                 fn $method(&self) -> SVector<T, $count> = $marker: Matrix(MatrixMethod::Swizzle($axes, $count));
             )*)*}
@@ -261,7 +263,7 @@ swizzles! {
 /// size is a projection of nalgebra's.
 macro_rules! resized {
     ($($(#[$doc:meta])* $marker:ident<$($n:ident),*> $method:ident => $function:ident<$($argument:ident),*>;)*) => {
-        /// A matrix as a result of known size.
+        /// A matrix as a result whose size is known.
         pub trait Resized<T> {$(
             fn $method<$(const $n: usize),*>(cx: &mut Builder) -> tree::Callee;
         )*}
@@ -288,17 +290,17 @@ macro_rules! resized {
 }
 
 resized! {
-    /// `kronecker`.
+    /// Marker and size of `kronecker`.
     Kronecker<R, C, R2, C2> kronecker => __function_kronecker<R, C, R2, C2, ROWS, COLUMNS>;
-    /// `push`.
+    /// Marker and size of `push`.
     Push<N> push => __function_push<N, ROWS>;
-    /// `insert_row`.
+    /// Marker and size of `insert_row`.
     InsertRow<R, C> insert_row => __function_insert_row<R, C, ROWS>;
-    /// `insert_column`.
+    /// Marker and size of `insert_column`.
     InsertColumn<R, C> insert_column => __function_insert_column<R, C, COLUMNS>;
-    /// `remove_row`.
+    /// Marker and size of `remove_row`.
     RemoveRow<R, C> remove_row => __function_remove_row<R, C, ROWS>;
-    /// `remove_column`.
+    /// Marker and size of `remove_column`.
     RemoveColumn<R, C> remove_column => __function_remove_column<R, C, COLUMNS>;
 }
 

@@ -1,7 +1,7 @@
-//! The expansions of the attributes call this module in a generation build; authors never do.
+//! Support code that the attributes' expansions call in a generation build; authors never call it.
 //!
-//! A builder's slots tell what rustc decided ([`slot`]); companions tell which function a call means,
-//! the DSL's own operations among them ([`companions`]); [`Builder`] collects the package.
+//! The slots of a builder record rustc's inferred types ([`slot`]). Companions identify the function that a call
+//! means, including the DSL's own operations ([`companions`]). [`Builder`] collects the package.
 
 mod builder;
 mod companions;
@@ -41,7 +41,7 @@ pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
 };
 
-/// The imports of a builder; their names begin with `__` so that they never meet an author's.
+/// Imports of a builder; their names begin with `__`, so they never conflict with an author's.
 pub mod prelude {
     pub use super::comparison::traits::*;
     pub use super::containers::traits::*;
@@ -129,7 +129,7 @@ pub mod prelude {
     pub use crate::sort::{OrderCompanion as _, SortCompanions as _};
 }
 
-/// Registers an item with the package; expanded by the attributes.
+/// Registers an item with the package; the attributes' expansions call it.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __register {

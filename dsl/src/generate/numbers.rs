@@ -1,4 +1,4 @@
-//! The companions of the methods of numbers, and of what bytes and characters know of letters and digits.
+//! Companions of methods of numbers, and of letter and digit tests of bytes and characters.
 
 #![allow(missing_docs)]
 
@@ -68,7 +68,7 @@ companions! {
         fn __b_wrapping_abs(self) -> Self = WrappingAbs: Number(NumberMethod::WrappingAbs);
         fn __b_unsigned_abs(self) -> Self::Unsigned = UnsignedAbs: Scalar(Intrinsic::UnsignedAbs);
     }
-    /// Methods of unsigned integers, and sums with what has a sign.
+    /// Methods of unsigned integers, and sums with signed ones.
     pub trait UnsignedBuiltins: Sized {
         type Signed;
         fn __b_checked_add_signed(self, _other: Self::Signed) -> Option<Self> = <CheckedAddSigned>;
@@ -76,16 +76,16 @@ companions! {
         fn __b_wrapping_add_signed(self, _other: Self::Signed) -> Self = <WrappingAddSigned>;
         fn __b_is_power_of_two(self) -> bool = IsPowerOfTwo: Number(NumberMethod::IsPowerOfTwo);
     }
-    /// The sign as a number.
+    /// Methods that return the sign as a number.
     pub trait SignBuiltins: Sized {
         fn __b_signum(self) -> Self = Signum: Number(NumberMethod::Signum);
     }
-    /// Division with a remainder of 0 or more.
+    /// Division whose remainder is not negative.
     pub trait DivisionBuiltins: Sized {
         fn __b_div_euclid(self, _other: Self) -> Self = DivEuclid: Number(NumberMethod::DivEuclid);
         fn __b_rem_euclid(self, _other: Self) -> Self = RemEuclid: Number(NumberMethod::RemEuclid);
     }
-    /// Methods of floats: those that are exact, the bits, and what is double precision.
+    /// Methods of floats: exact ones, conversions from and to bits, and double precision.
     pub trait FloatBuiltins: Sized {
         type Bits: Value;
         fn __b_sqrt(self) -> Self = Sqrt: Scalar(Intrinsic::Sqrt);
@@ -117,7 +117,7 @@ companions! {
         fn __b_max(self, _other: Self) -> Self = Max: Scalar(Intrinsic::Max);
         fn __b_clamp(self, _low: Self, _high: Self) -> Self = Clamp: Scalar(Intrinsic::Clamp);
     }
-    /// Numbers as bytes.
+    /// Conversions of numbers to and from bytes.
     pub trait BytesBuiltins: Sized {
         type Bytes;
         fn __b_to_le_bytes(self) -> Self::Bytes = ToLeBytes: Bytes(ByteOrder::Little);
@@ -125,7 +125,7 @@ companions! {
         fn __b_from_le_bytes(_bytes: Self::Bytes) -> Self = FromLeBytes: Bytes(ByteOrder::Little);
         fn __b_from_be_bytes(_bytes: Self::Bytes) -> Self = FromBeBytes: Bytes(ByteOrder::Big);
     }
-    /// Methods of characters, of which the functions take the code point.
+    /// Methods of characters, whose functions take the code point.
     impl[] CharBuiltins for char {
         fn __b_is_ascii(&self) -> bool = [ascii::is_ascii];
         fn __b_is_digit(self, _base: u32) -> bool = [ascii::is_digit_of];
@@ -133,7 +133,7 @@ companions! {
         fn __b_from_digit(_value: u32, _base: u32) -> Option<Self> = [ascii::from_digit];
         fn __b_from_u32(_code: u32) -> Option<Self> = [ascii::from_code];
     }
-    /// Conversions that keep the value, and those of authors' own types.
+    /// Conversions without loss, and those of authors' types.
     #[diagnostic::on_unimplemented(
         message = "`{Self}::from` does not accept a `{T}`",
         label = "unsupported conversion",
@@ -144,11 +144,11 @@ companions! {
         type Marker: Callee;
         fn __b_from(_value: T) -> Self = [Self::Marker];
     }
-    /// `x.into()`: the same, from the other end.
+    /// Companion of `x.into()`.
     pub trait IntoBuiltin[U: FromBuiltin<Self>]: Sized {
         fn __b_into(self) -> U = [U::Marker];
     }
-    /// Conversions that may fail: of integers, and those of authors' own types.
+    /// Conversions that may fail: of integers, and those of authors' types.
     #[diagnostic::on_unimplemented(
         message = "`{Self}::try_from` does not accept a `{T}`",
         label = "unsupported conversion",
@@ -157,11 +157,11 @@ companions! {
     pub trait TryFromBuiltin[T]: Sized {
         /// Marker of the function.
         type Marker: Callee;
-        /// Why there is no value.
+        /// Error type.
         type Error: Value;
         fn __b_try_from(_value: T) -> Result<Self, Self::Error> = [Self::Marker];
     }
-    /// `x.try_into()`: the same, from the other end.
+    /// Companion of `x.try_into()`.
     pub trait TryIntoBuiltin[U: TryFromBuiltin<Self>]: Sized {
         fn __b_try_into(self) -> Result<U, U::Error> = [U::Marker];
     }
@@ -170,7 +170,7 @@ companions! {
 impl<T, U: FromBuiltin<T>> IntoBuiltin<U> for T {}
 impl<T, U: TryFromBuiltin<T>> TryIntoBuiltin<U> for T {}
 
-/// The functions of each integer.
+/// Defines the functions of each integer type.
 macro_rules! integers {
     ($(
         $int:ident: $unsigned:ident $pow:ident $wrapping_pow:ident,
@@ -279,7 +279,7 @@ bytes! {
     8: i64 u64 isize usize f64;
 }
 
-/// Writes the conversions by `from`, with their functions.
+/// Defines the conversions by `from`, with their functions.
 macro_rules! converts {
     ($([$($g:tt)*] $from:ty => $to:ty: $marker:ty;)*) => {$(
         impl<$($g)*> FromBuiltin<$from> for $to {

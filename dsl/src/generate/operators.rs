@@ -1,10 +1,9 @@
-//! Operators that are functions: those of nalgebra's rotations and poses, and of
-//! authors' own types.
+//! Operators that are functions: those of nalgebra's rotations and poses, and of authors' types.
 //!
-//! The types of the operands decide, as rustc put them into slots. An author's own it finds itself, as the function of
-//! [`Implements`], wherever the witness copy knows the types. Where those are parameters of a function, and for `==` and
-//! the conversion that `?` makes, which no expression names, they are looked up in a link-time registry, by the trait
-//! and the types that they take; what is generic is not in it.
+//! The types of the operands, which rustc recorded in slots, select the function. rustc itself finds an author's
+//! operator, as the function of [`Implements`], wherever the witness copy knows the types. In two cases a link-time
+//! registry is searched by trait and types: operands whose types are parameters of a function, and `==` and the
+//! conversions of `?`, which have no expression. Generic functions are not in the registry.
 
 use alloc::format;
 use alloc::string::String;
@@ -19,15 +18,15 @@ use super::builder::{self, Builder, OwnOperator};
 use super::slot::{Of, ScalarType, Seen, Slot, Tells};
 use super::spatial;
 
-/// The traits that are called by no name and no operator of one's own.
+/// Traits whose functions have no call in the source and no operator.
 const IMPLIED: [&str; 5] = ["PartialEq", "From", "Index", "IndexMut", tree::ITERATOR];
 
-/// Operators whose operands are of one type, where both are numbers. A shift is by any number.
+/// Marks operators whose operands have one type if both are numbers; a shift is by any number.
 pub trait OfOneType {}
 
 macro_rules! signs {
     (of one type: $($of_one_type:ident)*; others: $($other:ident)*) => {
-        /// The operators and conversions, each a type.
+        /// Module with a type for each operator and conversion.
         #[allow(missing_docs)]
         pub mod sign {
             $(pub struct $of_one_type;)*
@@ -39,14 +38,14 @@ macro_rules! signs {
 
         $(impl OfOneType for sign::$of_one_type {})*
 
-        /// Returns true if an interface is one of them.
+        /// Returns true if an interface is an operator or a conversion.
         pub(super) fn is_sign(interface: &str) -> bool {
             [$(stringify!($of_one_type),)* $(stringify!($other)),*].contains(&interface)
         }
     };
 }
 
-/// Returns true if an interface is an operator or a conversion, of an operand.
+/// Returns true if an interface is an operator or a conversion with an operand.
 pub(super) fn has_operand(interface: &str) -> bool {
     let other = ["FromIterator", "Extend", tree::ITERATOR];
     is_sign(interface) && !other.contains(&interface)
@@ -58,13 +57,13 @@ signs! {
     others: Shl Shr ShlAssign ShrAssign PartialEq From TryFrom Index IndexMut FromIterator Extend Iterator
 }
 
-/// A type of an author's with an operator or a conversion `O`, for an operand of type `B`.
+/// An author's type with an operator or a conversion `O` for an operand of type `B`.
 pub trait Implements<O, B> {
     /// Builds its function.
     fn build(cx: &mut Builder) -> tree::Callee;
 }
 
-/// The marker of that function.
+/// Marker of that function.
 pub struct Operation<O, A, B>(Of<(O, A, B)>);
 
 impl<O, A: Implements<O, B>, B> builder::Callee for Operation<O, A, B> {
@@ -73,14 +72,14 @@ impl<O, A: Implements<O, B>, B> builder::Callee for Operation<O, A, B> {
     }
 }
 
-/// Types with the operator `O` for an operand of type `B`: types of authors; and, if rustc infers a type later, numbers
-/// and matrices.
+/// A type with the operator `O` for an operand of type `B`. The type is an author's; or, if rustc infers it later, a
+/// number or a matrix.
 pub trait Operates<O, B> {
     /// Marker of the function.
     type Marker: PerhapsOwn;
 }
 
-/// The marker of an operator that is no function of an author's.
+/// Marker of an operator without an author's function.
 pub struct NotOwn;
 
 impl<O: OfOneType, T: ScalarType> Operates<O, T> for T {
@@ -101,7 +100,7 @@ impl<O, T: ScalarType, const R: usize, const C: usize, const R2: usize, const C2
     type Marker = NotOwn;
 }
 
-/// The marker of a function of an author's, or of none.
+/// Marker of an author's function, or of none.
 pub trait PerhapsOwn {
     /// Builds the function, if there is one.
     fn own(cx: &mut Builder) -> Option<tree::Callee>;
@@ -125,10 +124,10 @@ impl<T: PerhapsOwn> Tells<Option<tree::Callee>> for Slot<T> {
     }
 }
 
-/// The operands of an operator; of the sign, twice the same.
+/// Operands of an operator; for a sign, twice the same.
 pub struct Operands<O, A, B>(Of<(O, A, B)>);
 
-/// The operands that are in two slots.
+/// Returns the operands in two slots.
 pub fn __operands<O, A, B>(_: &Slot<A>, _: &Slot<B>) -> Operands<O, A, B> {
     Operands(PhantomData)
 }
@@ -148,9 +147,9 @@ pub fn __named<O, A, B>(_: &A, _: &B) -> Operands<O, A, B> {
     Operands(PhantomData)
 }
 
-/// Every type. Of its [`Type`](Itself::Type) rustc expects nothing before it knows the type itself.
+/// Implemented by every type. rustc expects nothing of its [`Type`](Itself::Type) before it knows the type.
 pub trait Itself {
-    /// The type itself.
+    /// The implementing type.
     type Type;
 }
 
@@ -158,12 +157,12 @@ impl<T> Itself for T {
     type Type = T;
 }
 
-/// Gives the operands on; rustc decides what it left open of their types before it looks for a method of the result.
+/// Returns the operands; rustc infers their types before it looks up a method of the result.
 pub fn __settled<T: Itself>(_: T) -> T::Type {
     unreachable!("a witness copy is never run")
 }
 
-/// Operands of which the first has the operator. Of this trait and the next rustc takes the first that fits.
+/// Operands whose first one has the operator. rustc selects the first applicable one of this trait and the next.
 #[allow(missing_docs)]
 pub trait OwnOperands {
     type Marker;
@@ -176,7 +175,7 @@ impl<O, A: Operates<O, B>, B> OwnOperands for Operands<O, A, B> {
     type Marker = A::Marker;
 }
 
-/// Other operands.
+/// Operands without an author's operator.
 #[allow(missing_docs)]
 pub trait OtherOperands {
     fn __own(&self) -> Slot<NotOwn> {
@@ -186,12 +185,12 @@ pub trait OtherOperands {
 
 impl<O, A, B> OtherOperands for &Operands<O, A, B> {}
 
-/// Passes a value through, and its type into the slot, whatever is expected of the result.
+/// Passes a value through and records its type in the slot, whatever type is expected.
 pub fn __operand<T: Itself>(_: &Slot<T>, _: T) -> T::Type {
     unreachable!("a witness copy is never run")
 }
 
-/// Tells a slot the type of a place.
+/// Records the type of a place in a slot.
 pub fn __placed<T>(_: &Slot<T>, _: &T) {}
 
 /// Passes the value of an operator through, its type into the second slot, and its function into the first. One call
@@ -200,12 +199,12 @@ pub fn __computed<M, R>(_: &Slot<M>, _: &Slot<R>, value: R, _: Slot<M>) -> R {
     value
 }
 
-/// Passes an operand through, and its type into both slots, into the second one without the lifetime of a reference.
+/// Passes an operand through, and records its type in both slots, in the second one without a reference's lifetime.
 pub fn __both<T: Seen>(_: &Slot<T>, _: &Slot<T::Slot>, value: T) -> T {
     value
 }
 
-/// Passes the value of an operator through, and which function it is into the slot.
+/// Passes the value of an operator through, and records its function in the slot.
 pub fn __operated<M, R>(_: &Slot<M>, value: R, _: Slot<M>) -> R {
     value
 }
@@ -235,7 +234,7 @@ pub(super) fn called(
     found
 }
 
-/// Builds what is called by no name, of each type that the package has, and says what it is.
+/// Builds the functions without a call in the source for each type of the package, and returns their list.
 pub(super) fn implied(cx: &mut Builder) -> Vec<Implied> {
     let mut list = Vec::new();
     let own = inventory::iter::<OwnOperator>.into_iter();
@@ -271,7 +270,7 @@ pub(super) fn implied(cx: &mut Builder) -> Vec<Implied> {
     list
 }
 
-/// The one implementation that takes the operands; the type of a literal is any number's.
+/// Returns the only implementation for these operands; a literal matches any number type.
 fn own(name: &str, operands: &[Option<&Ty>]) -> Option<&'static OwnOperator> {
     let left = (*operands.first()?)?;
     // Most operators are those of numbers and matrices.

@@ -1,6 +1,6 @@
-//! Implicit behaviour of Rust's types that an author may have replaced: copies, the order of values, drops, borrows.
+//! Implicit behaviour of Rust's types that an author may have replaced: copies, order, drops, borrows.
 //!
-//! The C copies and compares part by part, and does nothing where a value ends.
+//! The C copies and compares part by part, and does nothing where a value's life ends.
 
 use alloc::format;
 use alloc::string::String;
@@ -8,15 +8,15 @@ use core::marker::PhantomData;
 use core::mem::needs_drop;
 use core::ops::Deref;
 
-/// Such implementations by an author for a type, if they are not derived where the DSL sees it.
+/// Traits that an author implemented by hand for a type, where the DSL expects a derived one.
 pub struct Own {
-    /// `Clone`.
+    /// `Clone` is implemented.
     pub clone: bool,
-    /// `Ord`, beside a `PartialOrd` that is derived.
+    /// `Ord` is implemented, beside a derived `PartialOrd`.
     pub order: bool,
-    /// `Drop`, of the type or of a part.
+    /// `Drop` is implemented, for the type or for a part.
     pub drop: bool,
-    /// `Deref`.
+    /// `Deref` is implemented.
     pub lends: bool,
 }
 
@@ -51,17 +51,17 @@ impl Own {
     }
 }
 
-/// Asks whether a type has a trait: a method of [`Asked`] itself answers for one that has, which Rust prefers to that of
-/// [`NotImplemented`].
+/// Query for the traits of a type. If it has one, an inherent method answers, which Rust prefers to the trait method
+/// of [`NotImplemented`].
 pub struct Asked<T>(PhantomData<T>);
 
 impl<T> Asked<T> {
-    /// The question.
+    /// Returns the query.
     pub fn of() -> Asked<T> {
         Asked(PhantomData)
     }
 
-    /// Returns true if something is done where a value of it ends.
+    /// Returns true if dropping a value has an effect.
     pub fn drops(&self) -> bool {
         needs_drop::<T>()
     }
@@ -95,21 +95,21 @@ impl<T: Deref> Asked<T> {
     }
 }
 
-/// The answers for a type without.
+/// Answers for a type without the trait.
 pub trait NotImplemented {
-    /// It has no `Clone`.
+    /// Returns false: no `Clone`.
     fn clones(&self) -> bool {
         false
     }
-    /// It has no `Copy`.
+    /// Returns false: no `Copy`.
     fn copies(&self) -> bool {
         false
     }
-    /// It has no `Ord`.
+    /// Returns false: no `Ord`.
     fn orders(&self) -> bool {
         false
     }
-    /// It has no `Deref`.
+    /// Returns false: no `Deref`.
     fn lends(&self) -> bool {
         false
     }

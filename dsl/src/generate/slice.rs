@@ -1,4 +1,4 @@
-//! The companions of the methods of slices, which arrays and lists have too.
+//! Companions of the methods of slices, which arrays and lists also have.
 
 use core::array::TryFromSliceError;
 use core::marker::PhantomData;
@@ -48,7 +48,7 @@ companions! {
         fn __b_split_last(&self) -> Option<(&T, &[T])> = SplitLast: Slice(SliceMethod::SplitLast);
         fn __b_split_last_mut(&mut self) -> Option<(&mut T, &mut [T])> = SplitLast;
     }
-    /// The beginnings of slices as arrays.
+    /// Companions of methods that return the beginning of a slice as an array.
     impl[T] SliceArrays<T> for [T] {
         fn __b_first_chunk[const N: usize](&self) -> Option<&[T; N]> = FirstChunk: Slice(SliceMethod::FirstChunk);
         fn __b_split_first_chunk[const N: usize](&self) -> Option<(&[T; N], &[T])> = [SplitFirstChunk<N>];
@@ -62,7 +62,7 @@ companions! {
         fn __b_chunk_by['a, F: FnMut(&T, &T) -> bool](&'a self, _: F) -> Items<&'a [T]>
             = [cut::__function_chunk_by<T::Slot>];
     }
-    /// The search of an element in a sorted slice.
+    /// Companion of a search in a sorted slice.
     impl[T: Value + Copy + Ord] SliceSearch<T> for [T] {
         fn __b_binary_search(&self, _wanted: &T) -> Result<usize, usize> = [search::__function_binary_search<T>];
     }
@@ -71,18 +71,18 @@ companions! {
         fn __b_binary_search_by_key[B: Value + Copy + Ord, F: Fn(&T) -> B](&self, _wanted: &B, _key: F) -> Result<usize, usize>
             = [search::__function_binary_search_by_key<T, B>];
     }
-    /// The order of floats in `total_cmp`, which the C has as a function.
+    /// Order of floats by `total_cmp`, which is a function in the C.
     pub trait TotalOrder: Sized {
         fn __b_total_below(&self, _other: &Self) -> bool = [sort::__function_below<Self>];
     }
-    /// Vectors as slices.
+    /// Companions of vectors as slices.
     impl[T, const N: usize] VectorSliceBuiltins<T, N> for SVector<T, N> {
         fn __b_as_slice(&self) -> &[T] = [AsSlice];
         fn __b_as_mut_slice(&mut self) -> &mut [T] = [AsSlice];
     }
 }
 
-/// Stands for an element that need not be `Copy` in Rust: the C copies it.
+/// Marker for an element that need not be `Copy` in Rust; the C copies it.
 pub struct Copied<T>(PhantomData<T>);
 
 impl<T> Clone for Copied<T> {
@@ -120,7 +120,7 @@ impl<T, const N: usize> TryFromBuiltin<&mut [T]> for [T; N] {
     type Error = TryFromSliceError;
 }
 
-/// The markers of what says how many elements its part has.
+/// Defines markers of methods whose name contains a number of elements.
 macro_rules! chunks {
     ($($method:ident)*) => {$(
         #[doc = concat!("The marker of `", stringify!($method), "`.")]

@@ -1,4 +1,4 @@
-//! Witness slots: phantom places through which rustc tells the types that it inferred.
+//! Witness slots: phantom values by which rustc reports the types that it inferred.
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -12,13 +12,13 @@ use nalgebra::SMatrix;
 use super::builder::{Builder, Callee, Witness, words};
 use crate::{EntriesInOneBlock, EntriesOfSomeInstances, List, Plain};
 
-/// A place for a type, `[]` where it is made.
+/// A slot for a type, created as `[]`.
 ///
-/// An array, since of the elements of `[]` rustc asks almost nothing before it knows them. It goes through all that it
-/// has asked and not yet answered each time that it looks for a method, and there are as many slots as a function has values.
+/// It is an array, since rustc requires almost nothing of the elements of `[]` before it knows their type. rustc
+/// revisits all pending obligations each time it looks up a method, and a function has as many slots as values.
 pub type Slot<T> = [T; 0];
 
-/// Is of the types `T`, and holds none of them.
+/// Phantom of the types `T`, without a value of them.
 pub(super) type Of<T> = PhantomData<fn() -> T>;
 
 /// Result of a companion: the type of the result, and the marker of the function.
@@ -31,7 +31,7 @@ pub struct Called<M, R>(Of<(M, R)>);
     note = "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
 )]
 pub trait DslType {
-    /// The type, and what it is made of, told to the package.
+    /// Returns the type, and adds its parts to the package.
     fn ty(cx: &mut Builder) -> Ty;
 }
 
@@ -40,7 +40,7 @@ pub trait DslType {
     label = "not a type of the DSL",
     note = "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
 )]
-/// A type without the lifetime of its reference, so that a slot outside a closure can hold it.
+/// A type without the lifetime of its reference, so a slot outside a closure can hold it.
 pub trait Seen {
     /// The type that the slot holds.
     type Slot;
@@ -51,11 +51,11 @@ pub trait Value: DslType + Seen<Slot = Self> + Plain + Sized + 'static {}
 
 impl<T: DslType + Seen<Slot = T> + Plain + 'static> Value for T {}
 
-/// An instance with a name of its own, queried for its entry points.
+/// Query for the entry points of a named instance.
 pub struct Instance<T>(Of<T>);
 
 impl<T> Instance<T> {
-    /// The instance `T`.
+    /// Returns the query for the instance `T`.
     #[allow(clippy::new_without_default)]
     pub fn new() -> Instance<T> {
         Instance(PhantomData)
@@ -63,20 +63,20 @@ impl<T> Instance<T> {
 }
 
 impl<T: EntriesInOneBlock> Instance<T> {
-    /// Builds them.
+    /// Builds the entry points.
     pub fn build_entries(&self, cx: &mut Builder) {
         T::build(cx);
     }
 }
 
 impl<T: EntriesOfSomeInstances> Instance<T> {
-    /// Builds those that not every instance has.
+    /// Builds the entry points that only some instances have.
     pub fn build_further_entries(&self, cx: &mut Builder) {
         T::build(cx);
     }
 }
 
-/// An instance that has none: the inherent method wins where it is there.
+/// Answer for an instance without entry points; an inherent method has priority.
 pub trait WithoutEntries {
     /// Builds nothing.
     fn build_entries(&self, _: &mut Builder) {}
@@ -86,10 +86,10 @@ pub trait WithoutEntries {
 
 impl<T> WithoutEntries for Instance<T> {}
 
-/// Stands for `&T` in a slot.
+/// Represents `&T` in a slot.
 pub struct Shared<T: ?Sized>(PhantomData<T>);
 
-/// Stands for `&mut T` in a slot.
+/// Represents `&mut T` in a slot.
 pub struct Exclusive<T: ?Sized>(PhantomData<T>);
 
 /// Passes values through a slot as a method, so that the expression remains a method call.
@@ -97,12 +97,12 @@ pub trait Through {
     /// The type in the slot.
     type Of;
 
-    /// As [`__glance`].
+    /// Works like [`__glance`].
     fn __glance<U: Seen<Slot = Self::Of>>(&self, value: U) -> U {
         value
     }
 
-    /// As [`__take`].
+    /// Works like [`__take`].
     fn __take<R>(&self, _: Called<Self::Of, R>) -> R {
         unreachable!("a witness copy is never run")
     }
@@ -117,42 +117,42 @@ impl<T> Through for Slot<T> {
     type Of = T;
 }
 
-/// Ends a part of a witness copy: the slot learns the types of the names that the next part uses.
+/// Ends a part of a witness copy: the slot records the types of the names that the next part uses.
 pub fn __pass<T, R>(_: &Slot<T>, _: T) -> R {
     unreachable!("a witness copy is never run")
 }
 
-/// The next part of a witness copy, of names of the types in the slot.
+/// Begins the next part of a witness copy; its arguments have the types in the slot.
 pub fn __next<T, R>(_: &Slot<T>, _: impl FnOnce(T) -> R) {}
 
-/// Passes a value through, and its type into the slot.
+/// Passes a value through, and records its type in the slot.
 pub fn __see<T>(_: &Slot<T>, value: T) -> T {
     value
 }
 
-/// Passes a value with references in it through.
+/// Passes a value that may contain references through, and records its type without their lifetimes.
 pub fn __glance<T: Seen>(_: &Slot<T::Slot>, value: T) -> T {
     value
 }
 
-/// Tells a slot the type of a place.
+/// Records the type of a place in a slot.
 pub fn __look<T: Seen>(_: &Slot<T::Slot>, _: &T) {}
 
-/// Stands for a value that is assigned later.
+/// Returns a value of the slot's type, for a variable that is assigned later.
 pub fn __any<T>(_: &Slot<T>) -> T {
     unreachable!("a witness copy is never run")
 }
 
-/// Tells a slot a type that the author wrote.
+/// Records a type that the author wrote.
 pub fn __result<T>(_: &Slot<T>) {}
 
-/// The result of a call; the slot learns which function it was.
+/// Returns the result of a call, and records its function in a slot.
 pub fn __take<M, R>(_: &Slot<M>, _: Called<M, R>) -> R {
     unreachable!("a witness copy is never run")
 }
 
-/// A slot that tells an `R`. Builders ask their slots by reference: rustc compiles a table of addresses faster than a call for
-/// each.
+/// A slot that reports an `R`. Builders have a table of references to slots, which rustc compiles faster than a call
+/// for each.
 pub trait Tells<R> {
     /// Returns the type that rustc inferred.
     fn told(&self, cx: &mut Builder) -> R;
@@ -171,7 +171,7 @@ impl<T: Callee> Tells<tree::Callee> for Slot<T> {
 }
 
 impl Witness {
-    /// Learns what slots tell: types, functions, and for operators those of authors.
+    /// Collects the reports of slots: types, functions, and authors' operators.
     pub fn learn(
         &mut self,
         cx: &mut Builder,
@@ -185,14 +185,14 @@ impl Witness {
     }
 }
 
-/// Types that rustc evaluates: plain data, or a reference to an array or a slice of such, whose array is in the tree.
+/// A type of constants: plain data, or a reference to an array or a slice of it, whose array is in the tree.
 #[diagnostic::on_unimplemented(
     message = "a constant of the type `{Self}` is not part of the DSL",
     label = "not a constant of the DSL",
     note = "write a constant of plain data, of an array, or of a slice of these: `&[(u8, f64)]`"
 )]
 pub trait Evaluated {
-    /// The value in words, with its type: of a reference, that of one to the array.
+    /// Returns the words and the type of the value; for a reference, a reference to the array.
     fn evaluated(&self, cx: &mut Builder) -> tree::Constant;
 }
 
@@ -216,19 +216,19 @@ impl<T: DslType + Plain, const N: usize> Evaluated for &[T; N] {
     }
 }
 
-/// The value of a path that rustc evaluated: a constant, or a variant without payload.
+/// Returns the value of a path that rustc evaluated: a constant, or a variant without payload.
 pub fn constant<T: Evaluated>(cx: &mut Builder, _: &Slot<T>, value: T) -> tree::Constant {
     value.evaluated(cx)
 }
 
-/// An array as a list.
+/// Converts an array to a `Vec`.
 pub fn list<T, const N: usize>(items: [T; N]) -> Vec<T> {
     Vec::from(items)
 }
 
-/// Types of the DSL: of each what it is in the tree, and what is in a slot in its place.
+/// Implements the DSL's traits for types: their form in the tree, and their type in a slot.
 ///
-/// The first parameters are those of the one, the second those of the other.
+/// The first parameters belong to the type, the second to its slot type.
 macro_rules! dsl_types {
     ($(
         [$($of:tt)*] [$($seen:tt)*] $ty:ty as $slot:ty $(where $place:ty: $bound:path)?
@@ -246,7 +246,7 @@ macro_rules! dsl_types {
 }
 pub(super) use dsl_types;
 
-/// Types of std and nalgebra, for each of which a type of the DSL stands.
+/// Implements the DSL's traits for types of std and nalgebra, each represented by a type of the DSL.
 macro_rules! stands {
     ($([$($parameters:tt)*] $native:ty $(where $place:ty: $bound:path)? => $data:ty;)*) => {
         $crate::generate::slot::dsl_types! {$(
@@ -256,7 +256,7 @@ macro_rules! stands {
 }
 pub(super) use stands;
 
-/// Types of which no value is ever made.
+/// Implements the DSL's traits for types without values.
 macro_rules! never_held {
     ($([$($parameters:tt)*] $ty:ty;)*) => {$(
         impl<$($parameters)*> $crate::Plain for $ty {
@@ -272,7 +272,7 @@ pub(super) use never_held;
 
 /// A scalar of the DSL.
 pub trait ScalarType {
-    /// The scalar.
+    /// Kind of the scalar.
     const SCALAR: Scalar;
 }
 

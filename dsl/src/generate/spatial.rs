@@ -1,7 +1,7 @@
-//! The companions of nalgebra's complex numbers, rotations and poses, and what their operators and those of complex numbers mean.
+//! Companions of nalgebra's complex numbers, rotations and poses, and the meaning of their operators.
 //!
-//! A `Complex`, a `Quaternion`, a `UnitQuaternion` and an `Isometry3` are structs of the DSL in the C; a `Rotation`, a
-//! `Point`, a `Translation` and a `Unit` of a vector are matrices and vectors.
+//! A `Complex`, a `Quaternion`, a `UnitQuaternion` and an `Isometry3` are structs of the DSL in the C; a `Rotation`,
+//! a `Point`, a `Translation` and a `Unit` of a vector are matrices and vectors.
 
 #![allow(missing_docs)]
 
@@ -34,7 +34,7 @@ stands! {
     [T: Real] Isometry3<T> => isometry::Isometry3<T>;
 }
 
-/// Matrices and vectors that are known by a name.
+/// Defines the types of matrices and vectors with a name of their own.
 macro_rules! known {
     ($($native:ty => $rows:ident, $cols:tt, $name:literal;)*) => { dsl_types! {$(
         [T: Real, const N: usize] [T: Real, const N: usize] $native as Self
@@ -51,12 +51,12 @@ known! {
 
 companions! {
     pub mod traits[];
-    /// Complex numbers: what needs no function, and what num-complex takes from the platform.
+    /// Methods of complex numbers that need no function, and those for which num-complex uses the platform.
     impl[T: Real] ComplexBuiltins<T> for Complex<T> {
         fn __b_new(_re: T, _im: T) -> Self = ComplexNew: Parts(Parts::Complex);
         fn __b_norm(self) -> T = PlatformAngles;
     }
-    /// Quaternions: what needs no function.
+    /// Methods of quaternions that need no function.
     impl[T: Real] QuaternionBuiltins<T> for Quaternion<T> {
         fn __b_new(_w: T, _i: T, _j: T, _k: T) -> Self = QuaternionNew: Parts(Parts::Quaternion);
         fn __b_identity() -> Self = QuaternionIdentity: Spatial(SpatialMethod::QuaternionIdentity);
@@ -69,7 +69,7 @@ companions! {
         fn __b_as_ref(&self) -> &U = [U::Wrap];
         fn __b_new_normalize(_value: U) -> Self = [U::Normalized];
     }
-    /// Unit quaternions: what needs no function, and what it takes of other types than its own.
+    /// Methods of unit quaternions that need no function, and constructors from other types.
     impl[T: Real] UnitQuaternionBuiltins<T> for UnitQuaternion<T> {
         fn __b_identity() -> Self = QuaternionIdentity;
         fn __b_new(_axis: Vector3<T>) -> Self = PlatformAngles: Spatial(SpatialMethod::PlatformAngles);
@@ -85,7 +85,7 @@ companions! {
         fn __b_inverse_transform_point(&self, _p: &Point3<T>) -> Point3<T>
             = [unit_quaternion::__function_inverse_transform_vector<T>];
     }
-    /// `new` of rotations that are called by another name than nalgebra's: from an angle, over the platform's sine.
+    /// Companion of `new` for rotations in the plane under another name than nalgebra's: it uses the platform's sine.
     impl[T: Real] NewPlaneRotation<T> for Rotation2<T> {
         fn __b_new(_turn: T) -> Self = PlatformAngles;
     }
@@ -119,7 +119,7 @@ companions! {
     impl[T: Real, const N: usize] PointBuiltins<T, N> for OPoint<T, Const<N>> {
         fn __b_origin() -> Self = Zeros;
     }
-    /// Points and translations in the plane, from their parts.
+    /// Companions of `new` for points and translations in the plane.
     pub trait NewInPlane[T]: Sized {
         fn __b_new(_x: T, _y: T) -> Self = New;
     }
@@ -127,13 +127,13 @@ companions! {
     pub trait NewInSpace[T]: Sized {
         fn __b_new(_x: T, _y: T, _z: T) -> Self = New;
     }
-    /// Unit vectors along the axes.
+    /// Constructors of unit vectors along the axes.
     impl[T: Real, const N: usize] UnitAxisBuiltins<T, N> for SVector<T, N> {
         fn __b_x_axis() -> Unit<Self> = AxisX;
         fn __b_y_axis() -> Unit<Self> = AxisY;
         fn __b_z_axis() -> Unit<Self> = AxisZ;
     }
-    /// Poses: what needs no function, and what it takes of other types than its own.
+    /// Methods of poses that need no function, and constructors from other types.
     impl[T: Real] IsometryBuiltins<T> for Isometry3<T> {
         fn __b_from_parts(_by: Translation3<T>, _q: UnitQuaternion<T>) -> Self = IsometryNew: Parts(Parts::Isometry);
         fn __b_new(_by: Vector3<T>, _axis: Vector3<T>) -> Self = PlatformAngles;
@@ -255,8 +255,7 @@ fn kind(ty: &Ty) -> Option<(Kind, Option<Float>)> {
     })
 }
 
-/// The function, or the operation of matrices, that an operator is; none where it is the operator of
-/// matrices or numbers itself.
+/// Returns the function or matrix operation of an operator; none if it is an operator of matrices or numbers already.
 fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Option<tree::Callee> {
     use Kind::*;
     let known = |it| Some(tree::Callee::Builtin(it));
@@ -315,7 +314,7 @@ fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Op
     }
 }
 
-/// The function of a marker, as the meaning of a sign.
+/// Returns the function of a marker, as the meaning of a sign.
 fn of<M: Callee>(cx: &mut Builder) -> Option<tree::Callee> {
     Some(M::callee(cx))
 }

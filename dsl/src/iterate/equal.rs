@@ -1,6 +1,6 @@
-//! Holds the ends to core's on elements that are equal and can be told apart.
+//! Compares consumers with core's on elements that are equal but distinguishable.
 //!
-//! All short sequences of few keys, by value, by `&` and by `&mut`.
+//! All short sequences of few keys are tested, by value, by `&` and by `&mut`.
 
 use core::cmp::Ordering;
 
@@ -8,7 +8,7 @@ use super::*;
 extern crate std;
 use std::vec::Vec;
 
-/// An element whose key alone decides.
+/// An element that is compared by its key only.
 #[derive(Clone, Copy, Debug)]
 struct Keyed {
     key: u8,
@@ -53,7 +53,7 @@ fn sequences(most: usize, keys: u8) -> Vec<Vec<Keyed>> {
     all
 }
 
-/// Compares an end with core's: the element that it gives, and the calls of its closure.
+/// Compares a consumer with core's: the returned element, and the calls of its closure.
 macro_rules! held {
     ($all:expr; $($name:ident($($f:expr)?);)*) => {$(
         for all in $all {
@@ -79,7 +79,7 @@ macro_rules! held {
     )*};
 }
 
-/// A comparison that notes its arguments.
+/// Returns a comparison that records its arguments.
 fn by<T: core::borrow::Borrow<Keyed>>(
     calls: &mut Vec<(usize, usize)>,
 ) -> impl FnMut(&T, &T) -> Ordering {
@@ -90,7 +90,7 @@ fn by<T: core::borrow::Borrow<Keyed>>(
     }
 }
 
-/// A key that notes its argument.
+/// Returns a key function that records its argument.
 fn key<T: core::borrow::Borrow<Keyed>>(calls: &mut Vec<(usize, usize)>) -> impl FnMut(&T) -> u8 {
     |it| {
         let it: &Keyed = it.borrow();
@@ -99,7 +99,7 @@ fn key<T: core::borrow::Borrow<Keyed>>(calls: &mut Vec<(usize, usize)>) -> impl 
     }
 }
 
-/// A condition that notes its argument.
+/// Returns a condition that records its argument.
 fn above<T: core::borrow::Borrow<Keyed>>(
     calls: &mut Vec<(usize, usize)>,
 ) -> impl FnMut(&T) -> bool {
@@ -110,7 +110,7 @@ fn above<T: core::borrow::Borrow<Keyed>>(
     }
 }
 
-/// A choice of the last of the greatest that notes its arguments.
+/// Returns a comparison for the greatest element that records its arguments.
 fn chosen<T: core::borrow::Borrow<Keyed>>(
     calls: &mut Vec<(usize, usize)>,
 ) -> impl FnMut(T, T) -> T {

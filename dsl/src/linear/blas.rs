@@ -1,7 +1,7 @@
-//! Products that add to what is there: what nalgebra's methods of these names compute, in its order,
-//! written in the DSL for the C.
+//! Products that are added to a matrix, in the order of nalgebra's methods of these names, written in the DSL for the
+//! C.
 //!
-//! Where `beta` is zero, what was there is not read: a NaN in it goes.
+//! If `beta` is zero, the old elements are not read, so a NaN in them has no effect.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -47,7 +47,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// The sum of the products of each element of `a` with that of the transpose of `b`.
+    /// The sum of the products of each element of `a` and the element of `b`'s transpose at its position.
     pub fn tr_dot(a: &Self, b: &SMatrix<T, C, R>) -> T {
         let mut sum = T::ZERO;
         for row in 0..R {
@@ -58,12 +58,12 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         sum
     }
 
-    /// The product, written where it is wanted.
+    /// Writes the product to `out`.
     pub fn mul_to<const K: usize>(a: &Self, b: &SMatrix<T, C, K>, out: &mut SMatrix<T, R, K>) {
         *out = a * b;
     }
 
-    /// The product of the transpose, column by column as [`SMatrix::tr_mul`], written where it is wanted.
+    /// Writes the product with the transpose to `out`, column by column as [`SMatrix::tr_mul`].
     pub fn tr_mul_to<const K: usize>(a: &Self, b: &SMatrix<T, R, K>, out: &mut SMatrix<T, C, K>) {
         *out = a.tr_mul(b);
     }
@@ -119,7 +119,7 @@ impl<T: Real, const N: usize> SVector<T, N> {
 
 #[library(TransposedVectorProductCompanions)]
 impl<T: Real, const C: usize> SVector<T, C> {
-    /// `y = alpha aᵀ x + beta y`, of `a` each column's `dot`.
+    /// `y = alpha aᵀ x + beta y`, by the `dot` of each column of `a`.
     #[method(gemv_tr, gemv_ad)]
     pub fn gemv_tr<T: Real, const R: usize, const C: usize>(
         y: &mut Self,
@@ -141,7 +141,7 @@ impl<T: Real, const C: usize> SVector<T, C> {
 
 #[library(TransposedProductCompanions)]
 impl<T: Real, const K: usize, const C: usize> SMatrix<T, K, C> {
-    /// `y = alpha aᵀ b + beta y`, of each column of `a` and of `b` their `dot`.
+    /// `y = alpha aᵀ b + beta y`, by the `dot` of each column of `a` and of `b`.
     #[method(gemm_tr, gemm_ad)]
     pub fn gemm_tr<T: Real, const R: usize, const K: usize, const C: usize>(
         y: &mut Self,
@@ -165,7 +165,7 @@ impl<T: Real, const K: usize, const C: usize> SMatrix<T, K, C> {
 
 #[library(SquareProductCompanions)]
 impl<T: Real, const N: usize> SMatrix<T, N, N> {
-    /// `a = alpha x yᵀ + beta a` on and below the diagonal; the rest stays.
+    /// `a = alpha x yᵀ + beta a` on and below the diagonal; the rest is unchanged.
     #[method(syger, hegerc)]
     pub fn syger(a: &mut Self, alpha: T, x: &SVector<T, N>, y: &SVector<T, N>, beta: T) {
         for column in 0..N {

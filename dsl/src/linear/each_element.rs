@@ -1,4 +1,4 @@
-//! Functions of the DSL that call a closure for each element of a matrix, by columns as nalgebra goes.
+//! Functions of the DSL that call a closure for each element of a matrix, by columns as in nalgebra.
 
 use nalgebra::SMatrix;
 
@@ -54,14 +54,14 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         made
     }
 
-    /// Does `f` to each element.
+    /// Calls `f` with each element, which it may change.
     pub fn apply<F: FnMut(&mut T)>(elements: &mut Self, mut f: F) {
         for x in elements.iter_mut() {
             f(x);
         }
     }
 
-    /// Does `f` to each element, with another's beside it.
+    /// Calls `f` with each element, which it may change, and the other matrix's element at its position.
     pub fn zip_apply<U: Element, F: FnMut(&mut T, U)>(
         elements: &mut Self,
         others: &SMatrix<U, R, C>,

@@ -1,5 +1,4 @@
-//! Operations on each element: nalgebra's methods of these names, in its order of operations, written in
-//! the DSL for the C.
+//! Operations on each element, in the order of nalgebra's methods of these names, written in the DSL for the C.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -30,7 +29,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         *a += SMatrix::<T, R, C>::from_element(b);
     }
 
-    /// Turns the sign of each element.
+    /// Negates each element.
     pub fn neg_mut(a: &mut Self) {
         *a = -*a;
     }
@@ -47,17 +46,17 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         *a /= divisor;
     }
 
-    /// Multiplies each element by that of `b`.
+    /// Multiplies each element by the element of `b` at its position.
     pub fn component_mul_assign(a: &mut Self, b: &Self) {
         *a = a.component_mul(b);
     }
 
-    /// Divides each element by that of `b`.
+    /// Divides each element by the element of `b` at its position.
     pub fn component_div_assign(a: &mut Self, b: &Self) {
         *a = a.component_div(b);
     }
 
-    /// `y = alpha (a ∘ b) + beta y`, each element. Where `beta` is zero, what was there is not read.
+    /// `y = alpha (a ∘ b) + beta y`, each element. If `beta` is zero, the old elements are not read.
     pub fn cmpy(y: &mut Self, alpha: T, a: &Self, b: &Self, beta: T) {
         for column in 0..C {
             for row in 0..R {
@@ -70,7 +69,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// `y = alpha (a / b) + beta y`, each element. Where `beta` is zero, what was there is not read.
+    /// `y = alpha (a / b) + beta y`, each element. If `beta` is zero, the old elements are not read.
     pub fn cdpy(y: &mut Self, alpha: T, a: &Self, b: &Self, beta: T) {
         for column in 0..C {
             for row in 0..R {
@@ -116,7 +115,7 @@ pub fn sub_assign<T: Real, const R: usize, const C: usize>(
 
 #[library(LerpCompanion)]
 impl<T: Real, const N: usize> SVector<T, N> {
-    /// From `a` at `t` 0 to `b` at `t` 1.
+    /// Linear interpolation: `a` for `t` = 0, `b` for `t` = 1.
     pub fn lerp(a: &Self, b: &Self, t: T) -> Self {
         let mut between = *a;
         axpy(&mut between, t, b, T::ONE - t);

@@ -1,13 +1,13 @@
-//! Routines that are kernels in the C, as the DSL's own functions call them.
+//! Routines that are kernels in the C, for the DSL's own functions.
 //!
-//! Natively each is nalgebra's, or in its order.
+//! Natively each is nalgebra's routine, or has its order of operations.
 
 use nalgebra::{Cholesky, Const, SMatrix};
 
 use crate::math::Real;
 
-/// Factors a symmetric matrix in place: the lower triangle becomes L, the rest stays. `false`, and NaN in the lower triangle,
-/// unless it is positive definite.
+/// Factors a symmetric matrix in place: the lower triangle becomes L, the rest is unchanged. Unless the matrix is
+/// positive definite, the result is `false`, and the lower triangle is NaN.
 pub fn cholesky_mut<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>) -> bool {
     match Cholesky::new(*a) {
         Some(factors) => {
@@ -21,8 +21,8 @@ pub fn cholesky_mut<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>) -> bool {
     }
 }
 
-/// The factor of a symmetric matrix, which stays: L in the lower triangle, above it what `a` has there. NaN in the lower
-/// triangle unless `a` is positive definite.
+/// Returns the factor of a symmetric matrix: L in the lower triangle, the elements of `a` above it. The lower
+/// triangle is NaN unless `a` is positive definite.
 pub fn cholesky_lower<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
     let mut lower = *a;
     cholesky_mut(&mut lower);
@@ -40,7 +40,7 @@ pub fn cholesky_solve_mut<T: Real, const N: usize, const K: usize>(
 macro_rules! triangular {
     ($($(#[$doc:meta])* $name:ident: $method:ident;)*) => {$(
         $(#[$doc])*
-        /// `false`, and NaN in `b`, where the diagonal has a zero.
+        /// Solves like nalgebra's method of this name; returns false, with NaN in `b`, if the diagonal has a zero.
         pub fn $name<T: Real, const N: usize, const K: usize>(
             a: &SMatrix<T, N, N>,
             b: &mut SMatrix<T, N, K>,
@@ -55,13 +55,13 @@ macro_rules! triangular {
 }
 
 triangular! {
-    /// Solves `a x = b` in place of `b`, of `a` the lower triangle.
+    /// Solves `a x = b` in place of `b`, with the lower triangle of `a`.
     solve_lower_mut: solve_lower_triangular_mut;
-    /// Solves `a x = b` in place of `b`, of `a` the upper triangle.
+    /// Solves `a x = b` in place of `b`, with the upper triangle of `a`.
     solve_upper_mut: solve_upper_triangular_mut;
-    /// Solves `aᵀ x = b` in place of `b`, of `a` the lower triangle.
+    /// Solves `aᵀ x = b` in place of `b`, with the lower triangle of `a`.
     tr_solve_lower_mut: tr_solve_lower_triangular_mut;
-    /// Solves `aᵀ x = b` in place of `b`, of `a` the upper triangle.
+    /// Solves `aᵀ x = b` in place of `b`, with the upper triangle of `a`.
     tr_solve_upper_mut: tr_solve_upper_triangular_mut;
 }
 
@@ -72,7 +72,7 @@ pub fn determinant<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> T {
 
 macro_rules! carriers {
     ($($name:ident)*) => {$(
-        /// Carries the companion of the function.
+        /// Carrier of the function's companion.
         #[doc(hidden)]
         #[allow(non_camel_case_types)]
         pub struct $name {}

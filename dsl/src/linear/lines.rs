@@ -1,7 +1,7 @@
-//! Iterators over the columns and rows of a matrix as functions of the DSL that are expanded where they are iterated.
+//! Iterators over the columns and rows of a matrix, as functions of the DSL that are inlined where they are iterated.
 //! Each passes its items to `__each`.
 //!
-//! Must not know: what becomes of them.
+//! Must not know: the consumer of the items.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -9,11 +9,12 @@ use super::views;
 use crate::element::Element;
 use crate::function;
 
-/// A line that the C writes where it is. Here it is a copy: nalgebra's own iterators are what the simulation runs.
+/// Lines of a matrix, which the C writes in place. Here they are copies, since the simulation runs nalgebra's
+/// iterators.
 pub trait Lines<T, const R: usize, const C: usize> {
-    /// A column.
+    /// Returns a column.
     fn written_column(&mut self, column: usize) -> SVector<T, R>;
-    /// A row.
+    /// Returns a row.
     fn written_row(&mut self, row: usize) -> SMatrix<T, 1, C>;
 }
 
@@ -26,7 +27,7 @@ impl<T: Element, const R: usize, const C: usize> Lines<T, R, C> for SMatrix<T, R
     }
 }
 
-/// Each column.
+/// Iterates over the columns.
 #[function(expand)]
 pub fn column_iter<T: Element, const R: usize, const C: usize>(
     a: &SMatrix<T, R, C>,
@@ -37,7 +38,7 @@ pub fn column_iter<T: Element, const R: usize, const C: usize>(
     }
 }
 
-/// Each row.
+/// Iterates over the rows.
 #[function(expand)]
 pub fn row_iter<T: Element, const R: usize, const C: usize>(
     a: &SMatrix<T, R, C>,
@@ -48,7 +49,7 @@ pub fn row_iter<T: Element, const R: usize, const C: usize>(
     }
 }
 
-/// Each column, to be written.
+/// Iterates over the columns, which may be written.
 #[function(expand)]
 pub fn column_iter_mut<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
@@ -59,7 +60,7 @@ pub fn column_iter_mut<T: Element, const R: usize, const C: usize>(
     }
 }
 
-/// Each row, to be written.
+/// Iterates over the rows, which may be written.
 #[function(expand)]
 pub fn row_iter_mut<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,

@@ -28,13 +28,13 @@ macro_rules! matrix {
     ($($($element:expr),+);* $(;)?) => { $crate::linear::by_rows([$([$($element),+]),*]) };
 }
 
-/// The matrix of these rows: what [`vector!`](crate::vector) and [`matrix!`](crate::matrix) stand for.
+/// Returns the matrix with these rows: the equivalent of [`vector!`](crate::vector) and [`matrix!`](crate::matrix).
 #[doc(hidden)]
 pub fn by_rows<T: Scalar, const R: usize, const C: usize>(rows: [[T; C]; R]) -> SMatrix<T, R, C> {
     SMatrix::from_fn(|row, column| rows[row][column].clone())
 }
 
-/// Carries the companion of [`by_rows`].
+/// Carrier of the companion of [`by_rows`].
 #[doc(hidden)]
 #[allow(non_camel_case_types)]
 pub struct by_rows {}

@@ -1,7 +1,7 @@
-//! Elimination with row pivots, in place, each element in nalgebra's order.
+//! Elimination with row pivots, in place, in nalgebra's order for each element.
 //!
-//! The pivot is the first of the largest magnitudes of its column, a multiplier is an element times
-//! the reciprocal of the pivot, and an element takes the steps `(−u) · l + element` in their order.
+//! The pivot is the first of the largest magnitudes of its column. A multiplier is an element times the reciprocal of
+//! the pivot, and an element undergoes the steps `(−u) · l + element` in ascending order.
 
 use nalgebra::SMatrix;
 
@@ -133,22 +133,22 @@ fn by_elimination<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> T {
     product * sign
 }
 
-/// Carries the companion of [`solve_mut`].
+/// Carrier of the companion of [`solve_mut`].
 #[doc(hidden)]
 #[allow(non_camel_case_types)]
 pub struct solve_mut {}
 
-/// Carries the companion of [`solve_into`].
+/// Carrier of the companion of [`solve_into`].
 #[doc(hidden)]
 #[allow(non_camel_case_types)]
 pub struct solve_into {}
 
-/// Carries the companion of [`inverse_mut`].
+/// Carrier of the companion of [`inverse_mut`].
 #[doc(hidden)]
 #[allow(non_camel_case_types)]
 pub struct inverse_mut {}
 
-/// The row of the pivot of step `k`; none if the column has none.
+/// Returns the row of the pivot of step `k`; none if the column is zero.
 fn pivot<T: Real, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> Option<usize> {
     let mut pivot = k;
     for row in k + 1..N {
@@ -159,7 +159,7 @@ fn pivot<T: Real, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> Option<usiz
     (a[(pivot, k)] != T::ZERO).then_some(pivot)
 }
 
-/// Takes row `k`, with multipliers, from the rows below.
+/// Subtracts multiples of row `k` from the rows below.
 fn eliminate<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>, k: usize) {
     let reciprocal = T::ONE / a[(k, k)];
     for row in k + 1..N {
@@ -173,7 +173,7 @@ fn eliminate<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>, k: usize) {
     }
 }
 
-/// Takes the known values of step `k` from the rows of `b` below.
+/// Subtracts the known values of step `k` from the rows of `b` below.
 fn forward<T: Real, const N: usize, const K: usize>(
     a: &SMatrix<T, N, N>,
     b: &mut SMatrix<T, N, K>,

@@ -1,5 +1,5 @@
-//! Functions that fill, copy and exchange parts of matrices, as nalgebra's methods of these names do, written in
-//! the DSL for the C.
+//! Functions that fill, copy and exchange parts of matrices, like nalgebra's methods of these names, written in the
+//! DSL for the C.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -9,12 +9,12 @@ use crate::math::Real;
 
 #[library(EditCompanions)]
 impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
-    /// Sets each element.
+    /// Sets each element to `value`.
     pub fn fill(a: &mut Self, value: T) {
         *a = SMatrix::<T, R, C>::from_element(value);
     }
 
-    /// Sets the diagonal.
+    /// Sets the elements of the diagonal to `value`.
     pub fn fill_diagonal(a: &mut Self, value: T) {
         for column in 0..C {
             for row in 0..R {
@@ -25,7 +25,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// Sets the elements of a row.
+    /// Sets the elements of a row to `value`.
     #[function(expand)]
     pub fn fill_row(a: &mut Self, row: usize, value: T) {
         crate::__inside!(row < R);
@@ -34,7 +34,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// Sets the elements of a column.
+    /// Sets the elements of a column to `value`.
     #[function(expand)]
     pub fn fill_column(a: &mut Self, column: usize, value: T) {
         crate::__inside!(column < C);
@@ -43,7 +43,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// Sets what is `shift` rows below the diagonal, and further down.
+    /// Sets the elements that are at least `shift` rows below the diagonal.
     pub fn fill_lower_triangle(a: &mut Self, value: T, shift: usize) {
         for column in 0..C {
             for row in column..R {
@@ -54,7 +54,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// Sets what is `shift` columns beside the diagonal, and further to the right.
+    /// Sets the elements that are at least `shift` columns to the right of the diagonal.
     pub fn fill_upper_triangle(a: &mut Self, value: T, shift: usize) {
         for row in 0..R {
             for column in row..C {
@@ -94,12 +94,12 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         a[(other.0, other.1)] = held;
     }
 
-    /// Copies every element.
+    /// Copies every element of `b`.
     pub fn copy_from(a: &mut Self, b: &Self) {
         *a = *b;
     }
 
-    /// Copies every element of the transpose.
+    /// Copies every element of the transpose of `b`.
     pub fn tr_copy_from(a: &mut Self, b: &SMatrix<T, C, R>) {
         for column in 0..C {
             for row in 0..R {
@@ -108,7 +108,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// Copies every element to the transpose.
+    /// Copies the transpose to `b`.
     #[method(transpose_to, adjoint_to)]
     pub fn transpose_to(a: &Self, b: &mut SMatrix<T, C, R>) {
         *b = a.transpose();
@@ -117,7 +117,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
 
 #[library(IdentityEditCompanion)]
 impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
-    /// Makes a matrix the identity.
+    /// Sets a matrix to the identity.
     pub fn fill_with_identity(a: &mut Self) {
         for column in 0..C {
             for row in 0..R {
@@ -136,7 +136,7 @@ impl<T: Element, const N: usize> SMatrix<T, N, N> {
         }
     }
 
-    /// Copies what is above the diagonal to what is below.
+    /// Copies the elements above the diagonal to those below.
     pub fn fill_lower_triangle_with_upper_triangle(a: &mut Self) {
         for column in 0..N {
             for row in column + 1..N {
@@ -145,7 +145,7 @@ impl<T: Element, const N: usize> SMatrix<T, N, N> {
         }
     }
 
-    /// Copies what is below the diagonal to what is above.
+    /// Copies the elements below the diagonal to those above.
     pub fn fill_upper_triangle_with_lower_triangle(a: &mut Self) {
         for column in 0..N {
             for row in 0..column {
@@ -154,7 +154,7 @@ impl<T: Element, const N: usize> SMatrix<T, N, N> {
         }
     }
 
-    /// Turns a square matrix into its transpose.
+    /// Transposes a square matrix in place.
     #[method(transpose_mut, adjoint_mut)]
     pub fn transpose_mut(a: &mut Self) {
         for column in 1..N {

@@ -1,8 +1,8 @@
-//! The largest and smallest elements of matrices, and their positions. The functions compute in the order of nalgebra's
-//! methods of these names and are written in the DSL for the C.
+//! The largest and smallest elements of matrices, and their positions. The functions compute in the order of
+//! nalgebra's methods of these names and are written in the DSL for the C.
 //!
-//! Values are compared as nalgebra compares them: a NaN hides what comes before it and shows only at the
-//! end. Places are those of the first of equals; a NaN is never one, unless it comes first.
+//! Values are compared as in nalgebra: a NaN discards the elements before it, and is the result only if it is last. A
+//! position is that of the first of equal elements; a NaN is found only if it is the first element.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -10,14 +10,14 @@ use crate::element::Number;
 use crate::math::Real;
 use crate::{function, library};
 
-/// The larger of two; the second where they do not compare.
+/// The larger of two; the second if they are unordered.
 #[function]
 #[inline]
 pub fn upper<T: Number>(a: T, b: T) -> T {
     if a >= b { a } else { b }
 }
 
-/// The smaller of two; the second where they do not compare.
+/// The smaller of two; the second if they are unordered.
 #[function]
 #[inline]
 pub fn lower<T: Number>(a: T, b: T) -> T {

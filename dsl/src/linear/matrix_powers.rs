@@ -9,7 +9,7 @@ use crate::math::{Real, real};
 
 #[library(PowerCompanions)]
 impl<T: Real, const N: usize> SMatrix<T, N, N> {
-    /// `a` multiplied by itself, by squaring, in nalgebra's order.
+    /// The power of a square matrix, by squaring, in nalgebra's order.
     pub fn pow(a: &Self, exponent: u32) -> Self {
         let mut left = exponent;
         let mut power = *a;
@@ -37,11 +37,11 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
         *a = pow(a, exponent);
     }
 
-    /// The exponential of a matrix by Padé's approximant of degree 7. The matrix is halved until its one-norm is below
-    /// 0.95, and the result is squared as often (Higham 2005). NaN everywhere if an element is not finite.
+    /// The exponential of a matrix by Padé's approximant of degree 7. The matrix is halved until its one-norm is
+    /// below 0.95, and the result is squared as often (Higham 2005). NaN everywhere if an element is not finite.
     ///
-    /// nalgebra has one only with std, which asks the platform for logarithms and powers on the way; this has an
-    /// order of its own.
+    /// nalgebra's function exists only with std, and uses the platform's logarithms and powers. This one has its own
+    /// order of operations.
     pub fn exp(a: &Self) -> Self {
         let norm = one_norm(a);
         if !norm.is_finite() {

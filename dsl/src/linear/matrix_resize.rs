@@ -1,5 +1,5 @@
-//! Matrices of other sizes than those that they are made of: what nalgebra's methods of these names give,
-//! written in the DSL for the C.
+//! Functions whose result has another size than their operand, like nalgebra's methods of these names, written in the
+//! DSL for the C.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -30,7 +30,7 @@ pub fn kronecker<
     product
 }
 
-/// With one element more at its end.
+/// Appends an element.
 #[function]
 pub fn push<T: Real, const N: usize, const ROWS: usize>(
     v: &SVector<T, N>,
@@ -43,7 +43,7 @@ pub fn push<T: Real, const N: usize, const ROWS: usize>(
     longer
 }
 
-/// With a row more at a place, of one value.
+/// Inserts a row of equal elements.
 #[function]
 pub fn insert_row<T: Real, const R: usize, const C: usize, const ROWS: usize>(
     a: &SMatrix<T, R, C>,
@@ -63,7 +63,7 @@ pub fn insert_row<T: Real, const R: usize, const C: usize, const ROWS: usize>(
     larger
 }
 
-/// With a column more at a place, of one value.
+/// Inserts a column of equal elements.
 #[function]
 pub fn insert_column<T: Real, const R: usize, const C: usize, const COLUMNS: usize>(
     a: &SMatrix<T, R, C>,
@@ -83,7 +83,7 @@ pub fn insert_column<T: Real, const R: usize, const C: usize, const COLUMNS: usi
     larger
 }
 
-/// Without one of its rows.
+/// Removes a row.
 #[function]
 pub fn remove_row<T: Real, const R: usize, const C: usize, const ROWS: usize>(
     a: &SMatrix<T, R, C>,
@@ -99,7 +99,7 @@ pub fn remove_row<T: Real, const R: usize, const C: usize, const ROWS: usize>(
     smaller
 }
 
-/// Without one of its columns.
+/// Removes a column.
 #[function]
 pub fn remove_column<T: Real, const R: usize, const C: usize, const COLUMNS: usize>(
     a: &SMatrix<T, R, C>,

@@ -67,7 +67,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         sum(a) / count
     }
 
-    /// The mean of the squared distances from the mean.
+    /// The mean of the squared deviations from the mean.
     pub fn variance(a: &Self) -> T {
         let count: T = real((R * C) as f64);
         let mean = mean(a);
@@ -119,7 +119,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         row_mean_tr(a).transpose()
     }
 
-    /// The mean of each row: its elements, each times the reciprocal of their number, added up.
+    /// The mean of each row: the sum of its elements, each multiplied by the reciprocal of their number.
     pub fn column_mean(a: &Self) -> SVector<T, R> {
         let count: T = real(C as f64);
         let share = T::ONE / count;
@@ -151,7 +151,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         row_variance_tr(a).transpose()
     }
 
-    /// The variance of each row: the mean of the squares less the square of the mean.
+    /// The variance of each row: the mean of the squares minus the square of the mean.
     pub fn column_variance(a: &Self) -> SVector<T, R> {
         let count: T = real(C as f64);
         let share = T::ONE / count;

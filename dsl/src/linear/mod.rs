@@ -1,13 +1,12 @@
-//! Linear algebra: what nalgebra's methods become in the C, and what nalgebra leaves open.
+//! Linear algebra: nalgebra's methods for the C, and solves and inverses of any size.
 //!
-//! Systems of equations and inverses: nalgebra's own decompositions of fixed matrices end at 127 rows. These
-//! have no end, the operation order of nalgebra's, and therefore its bits. They work in place: pass large
-//! matrices behind `&mut`.
+//! nalgebra's decompositions of fixed matrices are limited to 127 rows. The functions here have no limit, and
+//! nalgebra's order of operations, so the same bits. They work in place: pass large matrices by `&mut`.
 //!
-//! Every other module has functions of the DSL that say what nalgebra's methods compute, in its order; only
-//! the C comes from them, save for eigenvalues, singular values and exponentials, which are the DSL's own.
+//! The other modules have functions of the DSL that compute like nalgebra's methods, in its order; only the C uses
+//! them. Eigenvalues, singular values and exponentials are the DSL's own.
 //!
-//! Absent: allocation.
+//! No function allocates.
 
 pub mod blas;
 pub mod each_element;

@@ -10,7 +10,7 @@ use crate::{function, library};
 
 #[library(NormCompanions)]
 impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
-    /// The largest of the sums of the magnitudes of each column.
+    /// The largest sum of magnitudes of a column.
     pub fn one_norm(a: &Self) -> T {
         let mut largest = T::ZERO;
         for column in 0..C {
@@ -23,7 +23,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         largest
     }
 
-    /// The p-th root of the sum of the magnitudes to the power of `p`, by columns.
+    /// The p-th root of the sum of the magnitudes to the power `p`, by columns.
     pub fn lp_norm(a: &Self, p: i32) -> T {
         let mut sum = T::ZERO;
         for column in 0..C {
@@ -46,7 +46,7 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         squares.sqrt()
     }
 
-    /// Divided by its norm.
+    /// The matrix divided by its norm.
     pub fn normalize(a: &Self) -> Self {
         let norm = a.norm();
         a / norm
@@ -59,13 +59,13 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         norm
     }
 
-    /// Divided by its norm; none where that is at most `least`.
+    /// The matrix divided by its norm; none if the norm is at most `least`.
     pub fn try_normalize(a: &Self, least: T) -> Option<Self> {
         let norm = a.norm();
         if norm <= least { None } else { Some(a / norm) }
     }
 
-    /// Divides a matrix by its norm, which is the result; leaves one whose norm is at most `least`.
+    /// Divides a matrix by its norm and returns the norm; none, without a change, if it is at most `least`.
     pub fn try_normalize_mut(a: &mut Self, least: T) -> Option<T> {
         let norm = a.norm();
         if norm <= least {
@@ -75,13 +75,13 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         Some(norm)
     }
 
-    /// Scales a matrix to a norm.
+    /// Scales a matrix to the norm `magnitude`.
     pub fn set_magnitude(a: &mut Self, magnitude: T) {
         let factor = magnitude / a.norm();
         *a *= factor;
     }
 
-    /// Scales a matrix to a norm, if its own is above `least`.
+    /// Scales a matrix to the norm `magnitude`, if its norm is above `least`.
     pub fn try_set_magnitude(a: &mut Self, magnitude: T, least: T) {
         let norm = a.norm();
         if norm > least {
@@ -90,13 +90,13 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// Scaled to the norm `most`, if its own is above.
+    /// The matrix, scaled to the norm `most` if its norm is above that.
     pub fn cap_magnitude(a: &Self, most: T) -> Self {
         let norm = a.norm();
         if norm > most { a * (most / norm) } else { *a }
     }
 
-    /// Returns true if each element is near that of the identity: see [`is_near`].
+    /// Returns true if the matrix is close to the identity: see [`is_near`].
     pub fn is_identity(a: &Self, tolerance: T) -> bool {
         for column in 0..C {
             for row in 0..R {
@@ -109,19 +109,19 @@ impl<T: Real, const R: usize, const C: usize> SMatrix<T, R, C> {
         true
     }
 
-    /// Returns true if the columns are near to orthonormal: see [`is_near`].
+    /// Returns true if the columns are close to orthonormal: see [`is_near`].
     pub fn is_orthogonal(a: &Self, tolerance: T) -> bool {
         is_identity(&a.tr_mul(a), tolerance)
     }
 }
 
-/// The distance between points, as nalgebra has it: how long the way from one to the other is.
+/// The distance between two points, computed as in nalgebra: the norm of their difference.
 #[function(expand)]
 pub fn distance<T: Real, const N: usize>(p: &SVector<T, N>, q: &SVector<T, N>) -> T {
     (q - p).norm()
 }
 
-/// Its square.
+/// The square of the distance between two points.
 #[function(expand)]
 pub fn distance_squared<T: Real, const N: usize>(p: &SVector<T, N>, q: &SVector<T, N>) -> T {
     (q - p).norm_squared()
@@ -148,7 +148,7 @@ pub fn is_near<T: Real>(a: T, b: T, tolerance: T) -> bool {
 
 #[library(SquareNormCompanions)]
 impl<T: Real, const N: usize> SMatrix<T, N, N> {
-    /// Returns true if a matrix is near to a rotation: orthonormal columns, and a determinant above zero.
+    /// Returns true if a matrix is close to a rotation: orthonormal columns, and a positive determinant.
     pub fn is_special_orthogonal(a: &Self, tolerance: T) -> bool {
         is_orthogonal(a, tolerance) && determinant(a) > T::ZERO
     }
@@ -161,7 +161,7 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
 
 #[library(DirectionCompanions)]
 impl<T: Real, const N: usize> Unit<SVector<T, N>> {
-    /// `v / |v|` where |v| is above `least`.
+    /// `v / |v|`; none if |v| is at most `least`.
     #[method(try_new)]
     #[by_value(v)]
     pub fn try_direction(v: &SVector<T, N>, least: T) -> Option<Self> {

@@ -1,5 +1,4 @@
-//! Parts of matrices, and matrices of parts: what nalgebra's methods of these names give, written in the DSL
-//! for the C.
+//! Parts of matrices, and matrices from parts, like nalgebra's methods of these names, written in the DSL for the C.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -43,7 +42,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         matrix
     }
 
-    /// The matrix of these columns.
+    /// Builds a matrix from its columns.
     pub fn from_columns(columns: &[SVector<T, R>; C]) -> Self {
         let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
         for column in 0..C {
@@ -54,7 +53,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         matrix
     }
 
-    /// The matrix of these rows.
+    /// Builds a matrix from its rows.
     pub fn from_rows(rows: &[SMatrix<T, 1, C>; R]) -> Self {
         let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
         for column in 0..C {
@@ -65,7 +64,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         matrix
     }
 
-    /// The matrix of these elements, by rows; there must be as many as it has.
+    /// Builds a matrix from its elements in row order; `N` is the number of elements.
     pub fn from_row_slice<const N: usize>(elements: &[T; N]) -> Self {
         assert!(N == R * C);
         let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
@@ -77,7 +76,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         matrix
     }
 
-    /// The matrix of these elements, by columns; there must be as many as it has.
+    /// Builds a matrix from its elements in column order; `N` is the number of elements.
     pub fn from_column_slice<const N: usize>(elements: &[T; N]) -> Self {
         assert!(N == R * C);
         let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
@@ -102,7 +101,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
 
 #[library(TraceCompanion)]
 impl<T: Number, const N: usize> SMatrix<T, N, N> {
-    /// The sum of the diagonal.
+    /// The sum of the diagonal elements.
     pub fn trace(a: &Self) -> T {
         let mut sum = T::ZERO;
         for k in 0..N {
@@ -114,7 +113,7 @@ impl<T: Number, const N: usize> SMatrix<T, N, N> {
 
 #[library(SquarePartCompanions)]
 impl<T: Element, const N: usize> SMatrix<T, N, N> {
-    /// The diagonal.
+    /// The diagonal elements.
     pub fn diagonal(a: &Self) -> SVector<T, N> {
         let mut diagonal = SVector::<T, N>::from_element(T::ZERO);
         for k in 0..N {
@@ -155,7 +154,7 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
 
 #[library(CrossMatrixCompanion)]
 impl<T: Real> SVector<T, 3> {
-    /// The matrix whose product with a vector is the cross product of `v` and it.
+    /// The matrix whose product with a vector is the cross product of `v` and that vector.
     pub fn cross_matrix(v: &Self) -> SMatrix<T, 3, 3> {
         let mut matrix = SMatrix::<T, 3, 3>::from_element(T::ZERO);
         matrix[(1, 0)] = v[2];
@@ -168,7 +167,7 @@ impl<T: Real> SVector<T, 3> {
     }
 }
 
-/// The element of a matrix that has one.
+/// The element of a 1 × 1 matrix.
 #[function]
 pub fn to_scalar<T: Element>(a: &SMatrix<T, 1, 1>) -> T {
     a[(0, 0)]

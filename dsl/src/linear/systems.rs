@@ -1,4 +1,4 @@
-//! Systems of equations and inverses as values: copies, solved in place.
+//! Systems of linear equations and inverses, as functions that return a new matrix: they solve a copy in place.
 
 use nalgebra::SMatrix;
 
@@ -6,9 +6,11 @@ use super::{inverse_mut, solve_into};
 use crate::math::Real;
 use crate::{function, library};
 
-/// The solution of `a x = b` for each column of `b`, with the bits of nalgebra's `a.lu().solve(&b)`; none if
-/// `a` is singular. Of any size; natively copies of both lie on the stack: for large ones there is
-/// [`solve_into`] and [`super::solve_mut`].
+/// The solution of `a x = b` for each column of `b`, with the bits of nalgebra's `a.lu().solve(&b)`; `None` if `a` is
+/// singular.
+///
+/// For any size. In the simulation the copies of both matrices are on the stack; [`solve_into`] and
+/// [`super::solve_mut`] need no copies of large ones.
 #[function]
 pub fn solve<T: Real, const N: usize, const K: usize>(
     a: &SMatrix<T, N, N>,
@@ -20,8 +22,8 @@ pub fn solve<T: Real, const N: usize, const K: usize>(
 
 #[library(InverseCompanion)]
 impl<T: Real, const N: usize> SMatrix<T, N, N> {
-    /// The inverse of `a`, with the bits of nalgebra's `a.try_inverse()`; none if `a` is singular. Of any
-    /// size; for large ones there is [`inverse_mut`].
+    /// The inverse of `a`, with the bits of nalgebra's `a.try_inverse()`; `None` if `a` is singular. For any size;
+    /// [`inverse_mut`] needs no copy of a large one.
     #[method(try_inverse)]
     #[by_value(a)]
     pub fn inverse(a: &Self) -> Option<Self> {

@@ -1,6 +1,6 @@
-//! Rows, columns and blocks of matrices: what nalgebra's views of these names hold, written in the DSL for the C.
+//! Rows, columns and blocks of matrices: the C of nalgebra's views with these names.
 //!
-//! In the C a view that is read is a copy; one that is written is the matrix itself.
+//! In the C, a view that is read is a copy; writing to a view writes to the matrix.
 
 // An index that overflows by one is told as nalgebra's own check tells it.
 #![allow(clippy::int_plus_one)]
@@ -12,7 +12,7 @@ use crate::library;
 
 #[library(ViewCompanions)]
 impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
-    /// A row.
+    /// A row of a matrix.
     pub fn row(a: &Self, row: usize) -> SMatrix<T, 1, C> {
         crate::__inside!(row + 1 <= R);
         let mut part = SMatrix::<T, 1, C>::repeat(T::ZERO);
@@ -22,7 +22,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         part
     }
 
-    /// A column.
+    /// A column of a matrix.
     pub fn column(a: &Self, column: usize) -> SVector<T, R> {
         crate::__inside!(column + 1 <= C);
         let mut part = SVector::<T, R>::repeat(T::ZERO);
@@ -32,7 +32,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         part
     }
 
-    /// The block whose first element is at a row and a column.
+    /// The block of `ROWS` × `COLUMNS` elements whose first element is at the given row and column.
     pub fn fixed_view<const ROWS: usize, const COLUMNS: usize>(
         a: &Self,
         row: usize,
@@ -49,7 +49,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         part
     }
 
-    /// Rows one below the other.
+    /// The block of `ROWS` consecutive rows from `row` on.
     pub fn fixed_rows<const ROWS: usize>(a: &Self, row: usize) -> SMatrix<T, ROWS, C> {
         crate::__inside!(row + ROWS <= R);
         let mut part = SMatrix::<T, ROWS, C>::repeat(T::ZERO);
@@ -61,7 +61,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         part
     }
 
-    /// Columns side by side.
+    /// The block of `COLUMNS` consecutive columns from `column` on.
     pub fn fixed_columns<const COLUMNS: usize>(a: &Self, column: usize) -> SMatrix<T, R, COLUMNS> {
         crate::__inside!(column + COLUMNS <= C);
         let mut part = SMatrix::<T, R, COLUMNS>::repeat(T::ZERO);
@@ -73,7 +73,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         part
     }
 
-    /// Writes a row.
+    /// Replaces a row.
     #[function(expand)]
     pub fn set_row(a: &mut Self, row: usize, part: &SMatrix<T, 1, C>) {
         crate::__inside!(row + 1 <= R);
@@ -82,7 +82,7 @@ impl<T: Element, const R: usize, const C: usize> SMatrix<T, R, C> {
         }
     }
 
-    /// Writes a column.
+    /// Replaces a column.
     #[function(expand)]
     pub fn set_column(a: &mut Self, column: usize, part: &SVector<T, R>) {
         crate::__inside!(column + 1 <= C);

@@ -1,9 +1,10 @@
 //! The inverse trigonometric functions.
 //!
-//! The arctangent by way of the nearest c of a table, eight for each octave from 1/16 to 16:
-//! atan x = atan c + atan((x − c) / (1 + x·c)), and a polynomial. Of two coordinates, the same with
-//! (y − c·x) / (x + c·y). Arcsine and arccosine have a polynomial up to 1/2, and beyond by way of
-//! asin x = π/2 − 2·asin √((1 − x)/2).
+//! The arctangent: for the nearest c of a table, with eight entries for each octave from 1/16 to 16, atan x = atan c
+//! + atan((x − c) / (1 + x·c)), and the last is a polynomial. For two coordinates the argument is (y − c·x) / (x +
+//! c·y).
+//!
+//! Arcsine and arccosine are a polynomial up to 1/2, and from there on asin x = π/2 − 2·asin √((1 − x)/2).
 
 use super::RawBits as _;
 use super::pair::{LEADING, Pair, UPPER, ordered_sum, quotient};
@@ -130,8 +131,8 @@ fn angle_on_side(angle: Pair, left: bool) -> f64 {
     }
 }
 
-/// The angle of the point (`x`, `y`) in rad: special values, and coordinates far from 1 or from each
-/// other.
+/// The angle of the point (`x`, `y`) in rad, outside the common path. This is for special values and for coordinates
+/// that are very large, very small or of very different size.
 #[function]
 pub fn far_atan2(y: f64, x: f64) -> f64 {
     let width = x.abs();
@@ -177,7 +178,7 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     }
 }
 
-/// (asin √z − √z)/z^(3/2) for 0 to 1/4.
+/// (asin √z − √z)/z^(3/2) for z from 0 to 1/4.
 #[inline]
 #[function]
 fn arcsine_curve(z: f64) -> f64 {
@@ -192,7 +193,8 @@ fn arcsine_curve(z: f64) -> f64 {
     lower + v * (middle + v * (upper + v * ARCSINE_POLYNOMIAL[12]))
 }
 
-/// Half the arccosine of `size` from 1/2 to below 1: the rounded root r of (1 − `size`)/2, and its correction.
+/// Half the arccosine of `size`, for `size` from 1/2 to less than 1, as the rounded root r of (1 − `size`)/2 and its
+/// correction.
 #[inline]
 #[function]
 fn half_arccosine(size: f64) -> Pair {
@@ -207,7 +209,7 @@ fn half_arccosine(size: f64) -> Pair {
     Pair { high: root, low: root * z * arcsine_curve(z) + 0.5 * left * reciprocal }
 }
 
-/// 2⁻²⁷: below, a number is its own arcsine.
+/// 2⁻²⁷: a smaller number equals its arcsine to the last bit.
 #[crate::data]
 const TINY: f64 = 7.450580596923828e-9;
 

@@ -1,68 +1,68 @@
-//! Letters and digits among bytes and characters. A character is its code point.
+//! Classification and conversion of bytes and characters; a character is its code point, a `u32`.
 
 use crate::prelude::*;
 
-/// `0` to `9`.
+/// Returns true for `0` to `9`.
 #[function]
 pub fn is_digit(byte: u8) -> bool {
     matches!(byte, b'0'..=b'9')
 }
 
-/// `0` to `9`, `A` to `F`, `a` to `f`.
+/// Returns true for `0` to `9`, `A` to `F` and `a` to `f`.
 #[function]
 pub fn is_hexdigit(byte: u8) -> bool {
     is_digit(byte) || matches!(byte, b'A'..=b'F' | b'a'..=b'f')
 }
 
-/// `A` to `Z`.
+/// Returns true for `A` to `Z`.
 #[function]
 pub fn is_uppercase(byte: u8) -> bool {
     matches!(byte, b'A'..=b'Z')
 }
 
-/// `a` to `z`.
+/// Returns true for `a` to `z`.
 #[function]
 pub fn is_lowercase(byte: u8) -> bool {
     matches!(byte, b'a'..=b'z')
 }
 
-/// A letter.
+/// Returns true for `A` to `Z` and `a` to `z`.
 #[function]
 pub fn is_alphabetic(byte: u8) -> bool {
     is_uppercase(byte) || is_lowercase(byte)
 }
 
-/// A letter or a digit.
+/// Returns true for letters and digits of ASCII.
 #[function]
 pub fn is_alphanumeric(byte: u8) -> bool {
     is_alphabetic(byte) || is_digit(byte)
 }
 
-/// A space, a tabulator, the end of a line or of a page.
+/// Returns true for a space, a tab, a line feed, a form feed and a carriage return.
 #[function]
 pub fn is_whitespace(byte: u8) -> bool {
     byte == 32 || byte == 9 || byte == 10 || byte == 12 || byte == 13
 }
 
-/// The large letter for a small one.
+/// The upper-case letter of a lower-case letter of ASCII; any other byte unchanged.
 #[function]
 pub fn to_uppercase(byte: u8) -> u8 {
     if is_lowercase(byte) { byte - 32 } else { byte }
 }
 
-/// The small letter for a large one.
+/// The lower-case letter of an upper-case letter of ASCII; any other byte unchanged.
 #[function]
 pub fn to_lowercase(byte: u8) -> u8 {
     if is_uppercase(byte) { byte + 32 } else { byte }
 }
 
-/// The character of a code point; none of a surrogate, and of what is above U+10FFFF.
+/// The character with a code point; `None` for a surrogate and for a number above U+10FFFF.
 #[function]
 pub fn from_code(code: u32) -> Option<u32> {
     if code < 0xd800 || (code > 0xdfff && code <= 0x0010_ffff) { Some(code) } else { None }
 }
 
-/// The value of a digit or a letter in a base from 2 to 36; none of any other character.
+/// The value of a digit or letter in a base from 2 to 36; `None` for any other character.
 #[function]
 pub fn to_digit(code: u32, base: u32) -> Option<u32> {
     assert!((2..=36).contains(&base));
@@ -75,19 +75,19 @@ pub fn to_digit(code: u32, base: u32) -> Option<u32> {
     if value < base { Some(value) } else { None }
 }
 
-/// Returns true if it is a digit or a letter of a base from 2 to 36.
+/// Returns true if a character is a digit or letter of a base from 2 to 36.
 #[function]
 pub fn is_digit_of(code: u32, base: u32) -> bool {
     to_digit(code, base).is_some()
 }
 
-/// Returns true if the code point is one of the first 128.
+/// Returns true if a code point is below 128.
 #[function(expand)]
 pub fn is_ascii(code: u32) -> bool {
     code < 128
 }
 
-/// The digit, or the small letter, of a value in a base up to 36; none where there is none.
+/// The digit or lower-case letter for a value in a base up to 36; `None` if the value is not below the base.
 #[function]
 pub fn from_digit(value: u32, base: u32) -> Option<u32> {
     assert!(base <= 36);

@@ -1,18 +1,18 @@
-//! Checked arithmetic of integers: the result, or none where it leaves its type.
+//! Checked arithmetic of integers: `None` if the result does not fit into its type.
 //!
-//! No operation here can fault: what would is asked for first.
+//! No operation here can fault: each condition for a fault is tested first.
 
 use crate::prelude::*;
 
 macro_rules! both {
     ($int:ident: $mul:ident $shl:ident $shr:ident $pow:ident) => {
-        /// `a << bits`; none for as many bits as there are, or more.
+        /// `a << bits`; `None` if `bits` is not below the width.
         #[function]
         pub fn $shl(a: $int, bits: u32) -> Option<$int> {
             if bits < $int::BITS { Some(a << bits) } else { None }
         }
 
-        /// `a >> bits`; none for as many bits as there are, or more.
+        /// `a >> bits`; `None` if `bits` is not below the width.
         #[function]
         pub fn $shr(a: $int, bits: u32) -> Option<$int> {
             if bits < $int::BITS { Some(a >> bits) } else { None }
@@ -55,7 +55,7 @@ macro_rules! signed {
             if (b > 0) == (difference < a) { Some(difference) } else { None }
         }
 
-        /// `a / b`; none for a divisor of 0 too.
+        /// `a / b`; `None` for a divisor of 0 or an overflow.
         #[function]
         pub fn $div(a: $int, b: $int) -> Option<$int> {
             if b > 0 {
@@ -67,7 +67,7 @@ macro_rules! signed {
             if b == -1 && a > $int::MIN { Some(-a) } else { None }
         }
 
-        /// `a % b`; none for a divisor of 0 too.
+        /// `a % b`; `None` for a divisor of 0 or an overflow of the quotient.
         #[function]
         pub fn $rem(a: $int, b: $int) -> Option<$int> {
             if b > 0 {
@@ -97,7 +97,7 @@ macro_rules! signed {
 
 macro_rules! unsigned {
     ($($int:ident $signed:ident: $add:ident $sub:ident $mul:ident $div:ident $rem:ident $neg:ident $shl:ident $shr:ident $pow:ident $add_signed:ident;)*) => {$(
-        /// `a + b`; `b` has a sign.
+        /// `a + b` for a signed `b`.
         #[function]
         pub fn $add_signed(a: $int, b: $signed) -> Option<$int> {
             let sum = a.wrapping_add(b as $int);
@@ -117,19 +117,19 @@ macro_rules! unsigned {
             if a >= b { Some(a.wrapping_sub(b)) } else { None }
         }
 
-        /// `a / b`; none for a divisor of 0.
+        /// `a / b`; `None` for a divisor of 0.
         #[function]
         pub fn $div(a: $int, b: $int) -> Option<$int> {
             if b > 0 { Some(a / b) } else { None }
         }
 
-        /// `a % b`; none for a divisor of 0.
+        /// `a % b`; `None` for a divisor of 0.
         #[function]
         pub fn $rem(a: $int, b: $int) -> Option<$int> {
             if b > 0 { Some(a % b) } else { None }
         }
 
-        /// `-a`: none, save of 0.
+        /// `-a` of an unsigned integer: `None` unless it is 0.
         #[function]
         pub fn $neg(a: $int) -> Option<$int> {
             if a == 0 { Some(0) } else { None }
@@ -141,7 +141,7 @@ macro_rules! unsigned {
 
 macro_rules! narrow_products {
     ($($int:ident $wide:ident $mul:ident;)*) => {$(
-        /// `a * b`, by way of a wider type.
+        /// `a * b`, computed in a wider type.
         #[function]
         pub fn $mul(a: $int, b: $int) -> Option<$int> {
             let wide = (a as $wide).wrapping_mul(b as $wide);
@@ -159,7 +159,7 @@ macro_rules! wide_products {
             if a > 0 && b > $unsigned::MAX / a { None } else { Some(a.wrapping_mul(b)) }
         }
 
-        /// `a * b`, by way of the magnitudes.
+        /// `a * b`, computed from the magnitudes.
         #[function]
         pub fn $mul_signed(a: $signed, b: $signed) -> Option<$signed> {
             let magnitude = $mul_unsigned(a.unsigned_abs(), b.unsigned_abs())?;

@@ -1,4 +1,4 @@
-//! Constants of a float in the DSL that are functions without parameters in `num_traits` and nalgebra: `T::zero()`.
+//! Constants of a float that are functions without parameters in `num_traits` and nalgebra, such as `T::zero()`.
 
 use crate::prelude::*;
 
@@ -44,19 +44,19 @@ pub fn max_value<T: Real>() -> T {
     T::MAX
 }
 
-/// The smallest finite number.
+/// The lowest finite number.
 #[function(expand)]
 pub fn min_value<T: Real>() -> T {
     T::MIN
 }
 
-/// The largest finite number, as nalgebra gives it: of other fields there may be none.
+/// The largest finite number; an `Option` as in nalgebra, where a field need not have one.
 #[function(expand)]
 pub fn largest<T: Real>() -> Option<T> {
     Some(T::MAX)
 }
 
-/// The smallest finite number, as nalgebra gives it.
+/// The lowest finite number; an `Option` as in nalgebra, where a field need not have one.
 #[function(expand)]
 pub fn smallest<T: Real>() -> Option<T> {
     Some(T::MIN)

@@ -1,12 +1,12 @@
 //! The exponential functions.
 //!
-//! After P. T. P. Tang, *Table-driven implementation of the exponential function* (ACM TOMS 15,
-//! 1989): e^x = 2^k · 2^(j/128) · e^r with |r| ≤ (ln 2)/256, the middle factor from a table with what
-//! its double leaves out, the last from its Taylor polynomial. The last addition rounds the result, below the
-//! normal numbers too; the polynomial is off by less than 2⁻⁶⁰, and so is each rounding before.
+//! After P. T. P. Tang, *Table-driven implementation of the exponential function* (ACM TOMS 15, 1989): e^x = 2^k ·
+//! 2^(j/128) · e^r with |r| ≤ (ln 2)/256. The middle factor comes from a table, with the rounding error of its
+//! double, and the last from its Taylor polynomial. Only the last addition rounds visibly, also for subnormal
+//! results; the polynomial is off by less than 2⁻⁶⁰, and so is each earlier rounding.
 //!
-//! Up to |x| = 750 the steps of (ln 2)/128 are at most 138 499, which 19 bits hold with their sign, and their product with the
-//! leading part of the step is exact: a multiple of 2⁻⁴³ below 1024.
+//! Up to |x| = 750 the number of steps of (ln 2)/128 is at most 138 499, which fits in 19 bits with its sign. Its
+//! product with the leading part of the step is exact: a multiple of 2⁻⁴³ below 1024.
 
 use core::f64::consts::LN_2;
 
@@ -51,43 +51,45 @@ const P5: f64 = LN_2 * LN_2 * LN_2 * LN_2 * LN_2 / 120.0;
 #[crate::data]
 pub(crate) const TO_STEP: f64 = TO_INTEGER / 128.0;
 
-/// To here e^x is normal, and so is what its last rounding takes in: e^−660 is above 2⁻⁹⁵³, its last place above 2⁻¹⁰⁰⁶.
+/// Up to this |x|, e^x and the summands of its last addition are normal numbers. e^−660 is above 2⁻⁹⁵³, its last place
+/// above 2⁻¹⁰⁰⁶.
 #[crate::data]
 pub const NORMAL: f64 = 660.0;
-/// From here on e^x is ∞ or 0, its half, too: the largest number is below e^710, half of the smallest above e^−746.
+/// From this |x| on, e^x and its half are ∞ or 0: the largest number is below e^710, half of the smallest above
+/// e^−746.
 #[crate::data]
 const BEYOND: f64 = 750.0;
 /// 2¹⁰²³, the largest power of two.
 #[crate::data]
 const LARGEST_POWER: f64 = 8.98846567431158e307;
-/// 2⁻²⁰⁰, which takes back what an exponent was raised by.
+/// 2⁻²⁰⁰, the factor that undoes [`RAISED`].
 #[crate::data]
 const LOWER: f64 = 6.223015277861142e-61;
-/// By so much an exponent is raised where the power itself would be no normal number.
+/// Added to an exponent whose power of two would not be a normal number.
 #[crate::data]
 const RAISED: i32 = 200;
-/// Below this exponent a power is less than half of the smallest number, 2⁻¹⁰⁷⁴.
+/// For exponents below this a power is less than half of the smallest number, 2⁻¹⁰⁷⁴, and so rounds to 0.
 #[crate::data]
 const NOTHING: i32 = -1080;
 
-/// A power: s · (1 + `rest`), where s is the double next to 2^(`steps`/128).
+/// A power of e or 2 before its last rounding: s · (1 + `rest`), where s is the double nearest to 2^(`steps`/128).
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Power {
-    /// An integer in the last 19 bits, signed; the bits above mean nothing.
+    /// A signed integer in the last 19 bits; the bits above are arbitrary.
     pub steps: u64,
-    /// The error of s, and the part of the power beyond 2^(`steps`/128), as a fraction of s.
+    /// The sum of the rounding error of s and the part of the power beyond 2^(`steps`/128), as a fraction of s.
     pub rest: f64,
 }
 
-/// Two to a power from −1022 to 1023.
+/// Two to the power of an exponent from −1022 to 1023.
 #[inline]
 #[function]
 fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits((exponent.wrapping_add(1023) as u32 as u64) << 52)
 }
 
-/// The double next to 2^(`steps`/128), for a normal number.
+/// The double nearest to 2^(`steps`/128), where that is a normal number.
 #[inline]
 #[function]
 pub fn step(steps: u64) -> f64 {
@@ -97,7 +99,7 @@ pub fn step(steps: u64) -> f64 {
     f64::from_bits(((upper as u64) << 32) | (bits & 0xffff_ffff))
 }
 
-/// The error of [`step`], as a fraction.
+/// The rounding error of [`step`], as a fraction of it.
 #[inline]
 #[function]
 pub fn step_rest(steps: u64) -> f64 {
@@ -113,7 +115,7 @@ fn step_power(steps: u64, r: f64) -> Power {
     Power { steps, rest: (step_rest(steps) + r) + z * tail }
 }
 
-/// e^x for −750 to 750, before its last rounding.
+/// e^x for x from −750 to 750, before its last rounding.
 #[inline]
 #[function]
 pub fn power(x: f64) -> Power {
@@ -122,7 +124,7 @@ pub fn power(x: f64) -> Power {
     step_power(shifted.raw_bits(), (x - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW)
 }
 
-/// e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding.
+/// e^(`high` + `low`) for `high` from −750 to 750 and |`low`| up to 1/200, before its last rounding.
 #[inline]
 #[function]
 pub fn power_of_pair(high: f64, low: f64) -> Power {
@@ -136,7 +138,7 @@ pub fn power_of_pair(high: f64, low: f64) -> Power {
     Power { steps, rest: (step_rest(steps) + r) + z * tail }
 }
 
-/// The power times 2^`more`, which is 1 or ½, for a result that may not be a normal number: the last addition rounds it.
+/// The rounded power times 2^`more`, which is 1 or ½. The result may be subnormal; only the last addition rounds it.
 #[function]
 fn rounded(power: Power, more: i32) -> f64 {
     // From 1 to 2.
@@ -166,7 +168,7 @@ fn rounded(power: Power, more: i32) -> f64 {
     }
 }
 
-/// e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN; `low` is at most 1/200, `more` 0 or −1.
+/// e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN; |`low`| is at most 1/200, `more` 0 or −1.
 #[function]
 pub fn far(x: f64, low: f64, more: i32) -> f64 {
     if x.abs() <= BEYOND {
@@ -180,7 +182,7 @@ pub fn far(x: f64, low: f64, more: i32) -> f64 {
     }
 }
 
-/// e^x; measured within 0.51 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
+/// e^x; measured within 0.51 ulp. −∞ gives 0, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn exp(x: f64) -> f64 {
     if x.abs() < NORMAL {
@@ -192,7 +194,7 @@ pub fn exp(x: f64) -> f64 {
     }
 }
 
-/// 2^x for −1080 to 1080, before its last rounding.
+/// 2^x for x from −1080 to 1080, before its last rounding.
 #[inline]
 #[function]
 fn binary(x: f64) -> Power {
@@ -218,7 +220,7 @@ pub fn far_power(x: f64) -> f64 {
     }
 }
 
-/// 2^x; measured within 0.51 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
+/// 2^x; measured within 0.51 ulp. −∞ gives 0, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn exp2(x: f64) -> f64 {
     if x.abs() < 960.0 {
@@ -230,8 +232,8 @@ pub fn exp2(x: f64) -> f64 {
     }
 }
 
-/// e^x − 1, without cancellation; measured within 0.76 ulp. ±0 gives ±0, −∞ gives −1, what
-/// overflows ∞, NaN gives NaN.
+/// e^x − 1, without cancellation; measured within 0.76 ulp. ±0 gives ±0, −∞ gives −1, an overflow gives ∞, NaN gives
+/// NaN.
 #[function]
 pub fn exp_m1(x: f64) -> f64 {
     let size = x.abs();

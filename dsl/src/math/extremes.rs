@@ -1,5 +1,5 @@
-//! Powers off the common path: of what is negative, zero or infinite, and those that overflow. In a
-//! file of its own, so that a compiler leaves them out of the common path.
+//! Powers outside the common path: of negative numbers, zero and infinity, and those that overflow. They are in a
+//! separate file so that a compiler does not inline them into the common path.
 
 // A NaN goes the way of what is not less.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
@@ -43,8 +43,8 @@ pub fn special_power(x: f64, y: f64) -> f64 {
     if odd && 1.0_f64.copysign(x) < 0.0 { -value } else { value }
 }
 
-/// x^y = e^(`high` + `low`) times the sign, where that may overflow or not be a normal number, or y is
-/// not finite.
+/// x^y = e^(`high` + `low`) times the sign, for results that may overflow or be subnormal, and for a y that is not
+/// finite.
 #[function]
 pub fn far_power(x: f64, y: f64, high: f64, low: f64) -> f64 {
     if !(y.abs() <= f64::MAX) {

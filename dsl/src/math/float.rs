@@ -1,4 +1,4 @@
-//! `Real`: what a model that is generic over its float may do with it.
+//! `Real`: the operations of a model that is generic over its float type.
 
 use nalgebra::RealField;
 
@@ -49,7 +49,7 @@ pub trait Real:
     const EPSILON: Self;
     /// The largest finite number.
     const MAX: Self;
-    /// The smallest finite number.
+    /// The lowest finite number.
     const MIN: Self;
     /// The smallest positive number that is not subnormal.
     const MIN_POSITIVE: Self;
@@ -63,7 +63,7 @@ pub trait Real:
     /// The nearest number of the type: [`real`].
     #[doc(hidden)]
     fn dsl_from_f64(value: f64) -> Self;
-    /// The number in double precision, which holds every one.
+    /// The number in double precision, which represents every `f32` exactly.
     fn as_f64(self) -> f64;
     /// Returns true if it is not a number.
     fn is_nan(self) -> bool;
@@ -80,7 +80,7 @@ pub fn real<T: Real>(value: f64) -> T {
     T::dsl_from_f64(value)
 }
 
-/// Carries the companion of [`real`].
+/// Contains the companion of [`real`].
 #[doc(hidden)]
 #[allow(non_camel_case_types)]
 pub struct real {}
@@ -128,7 +128,7 @@ macro_rules! floats {
 
 floats! { f32 f64 }
 
-/// Further properties of a float in a generation build.
+/// Additional supertraits of `Real` in a generation build.
 #[cfg(feature = "generate")]
 mod generated {
     use crate::generate::generic::ElementaryBuiltins;

@@ -1,10 +1,10 @@
 //! `x * a + b` with one rounding, on every machine.
 //!
-//! In double precision after S. Boldo and G. Melquiond, *Emulation of a FMA and correctly rounded sums:
-//! proved algorithms using rounding to odd* (IEEE Transactions on Computers 57, 2008), where no step
-//! leaves the range of normal numbers; elsewhere with integers of 128 bits. In single precision the
-//! product is exact in double, and the sum is rounded to odd before it is rounded to nearest. What is
-//! rounded once has one value, so a machine's own instruction gives the same bits.
+//! In double precision after S. Boldo and G. Melquiond, *Emulation of a FMA and correctly rounded sums: proved
+//! algorithms using rounding to odd* (IEEE Transactions on Computers 57, 2008), where every step stays in the range
+//! of normal numbers; otherwise with integers of 128 bits. In single precision the product is exact in double, and
+//! the sum is rounded to odd before it is rounded to nearest. A correctly rounded result is unique, so a machine's
+//! own instruction gives the same bits.
 
 // A NaN goes the way of what is not less.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
@@ -14,7 +14,7 @@ use super::pair::{product, sum};
 use super::reduction::upper_product;
 use crate::prelude::*;
 
-/// `a + b`, and where that rounds, the one of the two doubles next to it whose last bit is 1.
+/// `a + b`, rounded to odd: an inexact sum becomes the neighbouring double whose last bit is 1.
 #[inline]
 #[function]
 fn odd_sum(a: f64, b: f64) -> f64 {
@@ -50,7 +50,7 @@ pub fn mul_add(x: f64, a: f64, b: f64) -> f64 {
     }
 }
 
-/// A positive number: (`high` · 2⁶⁴ + `low`) · 2^`exponent`.
+/// The positive number (`high` · 2⁶⁴ + `low`) · 2^`exponent`.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wide {
@@ -58,11 +58,11 @@ pub struct Wide {
     pub high: u64,
     /// The lower 64 bits.
     pub low: u64,
-    /// The exponent.
+    /// Exponent of the number's last bit.
     pub exponent: i32,
 }
 
-/// The significand of a number that is neither zero nor infinite, its leading bit the highest, and the
+/// The significand of a finite number other than zero, shifted so that its leading bit is the highest, and the
 /// exponent of its last bit.
 #[function]
 pub fn whole(x: f64) -> Wide {
@@ -79,7 +79,7 @@ pub fn whole(x: f64) -> Wide {
     }
 }
 
-/// The number with its last `count` bits gone; if they were not all zero, its last bit is 1.
+/// The number without its last `count` bits; its new last bit is 1 if one of them was.
 #[function]
 pub fn shifted_right(number: Wide, count: i32) -> Wide {
     let exponent = number.exponent.wrapping_add(count);
@@ -103,7 +103,7 @@ pub fn shifted_right(number: Wide, count: i32) -> Wide {
     }
 }
 
-/// The number with its leading bit in the highest place.
+/// The number shifted so that its leading bit is the highest.
 #[function]
 pub fn normalized(number: Wide) -> Wide {
     let high = if number.high == 0 { number.low } else { number.high };
@@ -139,7 +139,7 @@ pub fn nearest(number: Wide) -> f64 {
     f64::from_bits(bits)
 }
 
-/// x · a + b, rounded once, whatever the numbers.
+/// x · a + b, rounded once, for all numbers.
 #[function]
 pub fn far_mul_add(x: f64, a: f64, b: f64) -> f64 {
     // Both are false for a NaN.

@@ -1,9 +1,10 @@
-//! The DSL's functions for code that is generic over `num_traits::Float` or nalgebra's `RealField`. Each float has the
-//! same bits as in code that names it.
+//! The DSL's functions for code that is generic over `num_traits::Float` or nalgebra's `RealField`. Each float gives
+//! the same bits as in code that names its type.
 //!
-//! The methods take their receiver by reference: where the type is known rustc finds the float's own, by value, first.
+//! The methods have `&self` receivers: if the type is known, rustc finds the methods of the float itself first, which
+//! have `self`.
 //!
-//! Invariant: each float that implements these traits is `f32`, or a number that `f64` holds exactly.
+//! Invariant: each float that implements these traits is `f32`, or a number that `f64` represents exactly.
 
 use nalgebra::RealField;
 use num_traits::Float;
@@ -11,7 +12,8 @@ use num_traits::Float;
 use super::methods::elementary;
 use super::{ElementaryMethods, FloatMethods, OrderMethods, RoundMethods, SignMethods};
 
-/// Calls a function of `f32` of what is as wide as one, and of `f64` of what is wider; `$to` and `$from` convert.
+/// Calls a function of `f32` for types of the width of `f32`, and one of `f64` for wider types; `$to` and `$from`
+/// convert.
 macro_rules! of_either {
     ($self:ident, $name:ident ($($argument:ident),*) [$($other:ident),*], $to:path, $from:path) => {
         match size_of_val($self) {
@@ -54,19 +56,19 @@ macro_rules! generic {
 macro_rules! generics {
     ($($name:ident($($argument:ident),*) [$($other:ident: $ty:ty),*];)*) => {
         generic! {
-            /// Methods of what is known to be a `num_traits::Float`.
+            /// Methods of a type parameter with the bound `num_traits::Float`.
             AnyFloatMethods: Float, float_as_f64, float_of;
             $($name($($argument),*) [$($other: $ty),*];)*
         }
         generic! {
-            /// Methods of what is known to be nalgebra's `RealField`.
+            /// Methods of a type parameter with nalgebra's bound `RealField`.
             AnyRealMethods: RealField, real_as_f64, real_of;
             $($name($($argument),*) [$($other: $ty),*];)*
         }
     };
 }
 
-/// The elementary functions, and those that are exact.
+/// Lists all methods: the elementary functions, and the exact ones.
 macro_rules! all {
     ($(
         $(#[$doc:meta])*

@@ -1,8 +1,8 @@
 //! The hyperbolic functions.
 //!
-//! Sine and cosine from e^x and e^(−x), both before their last rounding, which share the even and the
-//! odd half of one polynomial. The tangent from a table by its theorem of sums, and from 4 on from
-//! e^(2x). Near zero, sine and tangent have polynomials.
+//! Sine and cosine come from e^x and e^(−x), both before their last rounding, which share the even and odd halves of
+//! one polynomial. The tangent comes from a table by the addition theorem, and from 4 on from e^(2x). Near zero, sine
+//! and tangent are polynomials.
 
 use super::RawBits as _;
 use super::exponential::{E2, E3, E4, E5, NORMAL, far, power, step, step_rest};
@@ -27,7 +27,7 @@ const T7: f64 = -17.0 / 315.0;
 #[crate::data]
 const T9: f64 = 62.0 / 2_835.0;
 
-/// Half of e^x + `sign` · e^(−x) for 0 to 660; with a `sign` of −1, from 0.3.
+/// Half of e^x + `sign` · e^(−x) for x from 0 to 660, or from 0.3 if `sign` is −1.
 #[inline]
 #[function]
 fn half_of_both(x: f64, sign: f64) -> f64 {
@@ -46,7 +46,7 @@ fn half_of_both(x: f64, sign: f64) -> f64 {
     lead.high + (lead.low + rest)
 }
 
-/// The hyperbolic sine; measured within 0.53 ulp. ±0 gives ±0, what overflows ±∞, NaN gives NaN.
+/// The hyperbolic sine; measured within 0.53 ulp. ±0 gives ±0, an overflow gives ±∞, NaN gives NaN.
 #[function]
 pub fn sinh(x: f64) -> f64 {
     let size = x.abs();
@@ -61,14 +61,14 @@ pub fn sinh(x: f64) -> f64 {
     if x < 0.0 { -value } else { value }
 }
 
-/// The hyperbolic cosine; measured within 0.52 ulp. ±0 gives 1, what overflows ∞, NaN gives NaN.
+/// The hyperbolic cosine; measured within 0.52 ulp. ±0 gives 1, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn cosh(x: f64) -> f64 {
     let size = x.abs();
     if size < NORMAL { half_of_both(size, 1.0) } else { far(size, 0.0, -1) }
 }
 
-/// The hyperbolic tangent of 4 and more, and of NaN.
+/// The hyperbolic tangent of numbers from 4 on, and of NaN.
 #[function]
 pub fn far_tangent(size: f64) -> f64 {
     if size < 22.0 {

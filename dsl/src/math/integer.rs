@@ -1,19 +1,19 @@
-//! Powers of integers, and what saturates or wraps besides.
+//! Powers of integers, and saturating and wrapping operations that the IR lacks.
 //!
-//! Powers go by squaring: a factor for each bit of the exponent. Where the result fits, so does each step on the
-//! way to it, so a fault means what Rust's own means.
+//! Powers are computed by squaring, with a factor for each bit of the exponent. If the result fits, so do all
+//! intermediate products, so these functions fault exactly where Rust's do.
 
 use crate::prelude::*;
 
 macro_rules! magnitudes {
     ($($int:ident $neg:ident $abs:ident;)*) => {$(
-        /// `-a`, or the largest value where that is none.
+        /// `-a`, or the largest value if that overflows.
         #[function(expand)]
         pub fn $neg(a: $int) -> $int {
             $int::saturating_sub(0, a)
         }
 
-        /// The magnitude, or the largest value where that is none.
+        /// The magnitude, or the largest value if that overflows.
         #[function(expand)]
         pub fn $abs(a: $int) -> $int {
             if a < 0 { $int::saturating_sub(0, a) } else { a }
@@ -31,13 +31,13 @@ magnitudes! {
 
 macro_rules! with_signed {
     ($($int:ident $signed:ident $saturating:ident $wrapping:ident;)*) => {$(
-        /// `a + b`, or the nearest value that there is; `b` has a sign.
+        /// `a + b` for a signed `b`, or the nearest value of the type.
         #[function]
         pub fn $saturating(a: $int, b: $signed) -> $int {
             if b < 0 { a.saturating_sub(b.unsigned_abs()) } else { a.saturating_add(b.unsigned_abs()) }
         }
 
-        /// `a + b`, modulo what the type holds; `b` has a sign.
+        /// `a + b` for a signed `b`, wrapped to the type's width.
         #[function(expand)]
         pub fn $wrapping(a: $int, b: $signed) -> $int {
             a.wrapping_add(b as $int)
@@ -74,7 +74,7 @@ macro_rules! powers {
             result
         }
 
-        /// `base` to the power of `exponent`, modulo what the type holds.
+        /// `base` to the power of `exponent`, wrapped to the type's width.
         #[function]
         pub fn $wrapping_pow(base: $int, exponent: u32) -> $int {
             let mut result: $int = 1;

@@ -1,4 +1,4 @@
-//! `Integer`: what a model that is generic over its integer may do with it.
+//! `Integer`: the operations of a model that is generic over its integer type.
 
 use core::ops::{BitAnd, BitOr, BitXor, Div, Rem, Shl, Shr};
 
@@ -44,38 +44,38 @@ pub trait Integer:
     const MIN: Self;
     /// Number of bits.
     const BITS: u32;
-    /// The lower four bits of each byte.
+    /// The mask of the lower four bits of each byte.
     #[doc(hidden)]
     const NIBBLES: Self;
-    /// The lower two of each four bits.
+    /// The mask of the lower two of each four bits.
     #[doc(hidden)]
     const PAIRS: Self;
-    /// The lower of each two bits.
+    /// The mask of the lower of each two bits.
     #[doc(hidden)]
     const ODDS: Self;
 
-    /// `self + other`, modulo what the type holds.
+    /// `self + other`, wrapped to the type's width.
     #[must_use]
     fn wrapping_add(self, other: Self) -> Self;
-    /// `self - other`, modulo what the type holds.
+    /// `self - other`, wrapped to the type's width.
     #[must_use]
     fn wrapping_sub(self, other: Self) -> Self;
-    /// `self * other`, modulo what the type holds.
+    /// `self * other`, wrapped to the type's width.
     #[must_use]
     fn wrapping_mul(self, other: Self) -> Self;
-    /// `self / other`, modulo what the type holds.
+    /// `self / other`, wrapped to the type's width.
     ///
     /// # Panics
     /// For a divisor of 0.
     #[must_use]
     fn wrapping_div(self, other: Self) -> Self;
-    /// The bits moved up by `bits`, modulo the width.
+    /// Shifts left by `bits` modulo the width.
     #[must_use]
     fn wrapping_shl(self, bits: u32) -> Self;
-    /// The bits moved down by `bits`, modulo the width; a sign is kept.
+    /// Shifts right by `bits` modulo the width; a signed number keeps its sign.
     #[must_use]
     fn wrapping_shr(self, bits: u32) -> Self;
-    /// The bytes from the last to the first.
+    /// The number with its bytes in reverse order.
     #[must_use]
     fn swap_bytes(self) -> Self;
     /// Number of bits that are 1.
@@ -135,7 +135,7 @@ integers! {
     i8 u8 i16 u16 i32 u32 i64 u64 isize usize u8 u8 u16 u16 u32 u32 u64 u64 usize usize
 }
 
-/// Further bounds of an integer in a generation build.
+/// Additional supertraits of `Integer` in a generation build.
 #[cfg(feature = "generate")]
 mod generated {
     use crate::generate::numbers::{DivisionBuiltins, IntegerBuiltins, OrderBuiltins};
@@ -152,7 +152,7 @@ mod generated {
     }
 }
 
-/// Further bounds of an integer in a generation build: none here.
+/// Additional supertraits of `Integer` in a generation build: none if this is not one.
 #[cfg(not(feature = "generate"))]
 mod generated {
     pub trait Generated {}

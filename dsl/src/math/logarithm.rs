@@ -1,15 +1,14 @@
 //! The logarithms.
 //!
-//! After P. T. P. Tang, *Table-driven implementation of the logarithm function in IEEE floating-point
-//! arithmetic* (ACM TOMS 16, 1990): x = 2^k · m with m around 1, and c near m from a table with 1/c and
-//! its logarithm; m − c is exact, and with r = (m − c)/c, ln x = k · ln 2 + ln c + ln(1 + r), the last
-//! from a polynomial. The c are chosen so that ln c fits in a double with nothing left over (S. Gal,
-//! *Computing elementary functions*, 1986). So k · ln 2 + ln c is exact but for what the head of ln 2
-//! leaves out, and one sum rounds.
+//! After P. T. P. Tang, *Table-driven implementation of the logarithm function in IEEE floating-point arithmetic*
+//! (ACM TOMS 16, 1990): x = 2^k · m with m around 1, and a c near m from a table with 1/c and its logarithm. Then m −
+//! c is exact, and with r = (m − c)/c, ln x = k · ln 2 + ln c + ln(1 + r), the last from a polynomial. Each c is
+//! chosen so that ln c is very nearly a double (S. Gal, *Computing elementary functions*, 1986). So k · ln 2 + ln c
+//! is exact except for the error of the leading part of ln 2, and one sum rounds.
 //!
-//! From 15/16 to 17/16 that would lose too much: there ln(1 + r) is r − r²/2 in two doubles and a longer
-//! polynomial. [`powf`] needs more everywhere: the logarithm in two doubles, [`logarithm`], from c whose
-//! reciprocals have so few bits that r is exact.
+//! From 15/16 to 17/16 that would lose too much: there ln(1 + r) is r − r²/2 in two doubles and a longer polynomial.
+//! [`powf`] needs more precision everywhere: [`logarithm`] is in two doubles, with c whose reciprocals have so few
+//! bits that r is exact.
 //!
 //! [`powf`]: super::power::powf
 
@@ -23,11 +22,11 @@ use super::tables::{
 };
 use crate::prelude::*;
 
-/// Within this of 1, logarithms are those next to 1.
+/// Numbers within this distance of 1 have the longer polynomial.
 #[crate::data]
 const NEAR: f64 = 0.0625;
 
-/// A positive number as 2^`exponent` · `significand`, that from 0.705 to 1.410.
+/// A positive number as 2^`exponent` · `significand`, with the significand from 0.705 to 1.410.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parts {
@@ -39,7 +38,7 @@ pub struct Parts {
     pub significand: f64,
 }
 
-/// The parts of a normal number, from its bits.
+/// The parts of a normal number, given its bits.
 #[inline]
 #[function]
 pub fn parts(bits: u64) -> Parts {
@@ -53,21 +52,21 @@ pub fn parts(bits: u64) -> Parts {
     }
 }
 
-/// Returns true if a number is positive, normal and finite, from its bits.
+/// Returns true if the bits are those of a positive, normal and finite number.
 #[inline]
 #[function]
 pub fn is_plain(bits: u64) -> bool {
     ((bits >> 32) as u32).wrapping_sub(0x0010_0000) < 0x7fe0_0000
 }
 
-/// The bits of a positive number, of one below the normal ones times 2⁵⁴.
+/// The bits of a positive number; a subnormal number is multiplied by 2⁵⁴ first.
 #[inline]
 #[function]
 fn normal_bits(x: f64) -> u64 {
     if x < f64::MIN_POSITIVE { (x * 18_014_398_509_481_984.0).raw_bits() } else { x.raw_bits() }
 }
 
-/// ln(1 + `r`) for −1/16 to 1/16: r − r²/2, rounded, and what is added to it.
+/// ln(1 + `r`) for r from −1/16 to 1/16, as two summands: r − r²/2 rounded, and the rest.
 #[function]
 pub fn ln_near_one(r: f64) -> Pair {
     let z = r * r;
@@ -91,7 +90,7 @@ fn offset(parts: Parts) -> f64 {
     parts.significand - LN_CENTRES[parts.row & 127]
 }
 
-/// The natural logarithm of 2^`exponent` times what is `offset` from the c of `row`, and not next to 1.
+/// The natural logarithm of 2^`exponent` · (c + `offset`) for the c of `row`; the number must not be near 1.
 #[inline]
 #[function]
 fn ln_of_offset(row: usize, exponent: f64, offset: f64) -> f64 {
@@ -103,7 +102,7 @@ fn ln_of_offset(row: usize, exponent: f64, offset: f64) -> f64 {
     lead + (r + (z * (r * tail - 0.5) + exponent * LN_2_LOW))
 }
 
-/// The logarithm where its argument is zero, negative, infinite or NaN.
+/// The logarithm of zero, negative numbers, infinity and NaN.
 #[function]
 pub fn at_limit(x: f64) -> f64 {
     if x.abs() <= 0.0 {
@@ -115,7 +114,7 @@ pub fn at_limit(x: f64) -> f64 {
     }
 }
 
-/// Returns true if a number is below the normal ones, and above zero.
+/// Returns true if a number is positive and subnormal.
 #[inline]
 #[function]
 fn is_small(x: f64) -> bool {
@@ -143,7 +142,7 @@ pub fn ln(x: f64) -> f64 {
     }
 }
 
-/// ln(1 + `r`) next to 1, times the logarithm of e to another base: its head of 31 bits and the rest.
+/// ln(1 + `r`) for a small `r`, times the logarithm of e to another base: its leading 31 bits and the rest.
 #[function]
 pub fn near_one_in_base(r: f64, e_high: f64, e_low: f64) -> f64 {
     let near = ln_near_one(r);
@@ -153,7 +152,7 @@ pub fn near_one_in_base(r: f64, e_high: f64, e_low: f64) -> f64 {
     upper * e_high + (rest * (e_high + e_low) + upper * e_low)
 }
 
-/// The logarithm to base 2 of 2^`exponent` · `parts` that is not next to 1.
+/// The logarithm to base 2 of 2^`exponent` · `parts`, which must not be near 1.
 #[inline]
 #[function]
 fn log2_of_parts(parts: Parts, exponent: f64) -> f64 {
@@ -186,7 +185,7 @@ pub fn log2(x: f64) -> f64 {
     }
 }
 
-/// The logarithm to base 10 of 2^`exponent` · `parts` that is not next to 1.
+/// The logarithm to base 10 of 2^`exponent` · `parts`, which must not be near 1.
 #[inline]
 #[function]
 fn log10_of_parts(parts: Parts, exponent: f64) -> f64 {
@@ -241,13 +240,13 @@ pub fn ln_1p(x: f64) -> f64 {
     }
 }
 
-/// ln(1 + x) of what is next to zero, huge, or out of range.
+/// ln(1 + x) for an x that is nearly zero, huge, or out of range.
 #[function]
 pub fn far_ln_1p(x: f64) -> f64 {
     if x.abs() < 0.5 { x } else { ln(1.0 + x) }
 }
 
-/// ln x of 2^`exponent` · `parts`, in two doubles that need not be apart, to some 68 bits.
+/// ln x of 2^`exponent` · `parts`, as a sum of two doubles that may overlap, to about 68 bits.
 #[inline]
 #[function]
 pub fn logarithm(parts: Parts, exponent: f64) -> Pair {

@@ -1,4 +1,4 @@
-//! Methods of matrices that go by the name of one of a scalar, which the attributes redirect.
+//! Methods of matrices that have the name of a method of scalars, which the attributes redirect.
 
 use nalgebra::linalg::UDU;
 use nalgebra::{Const, Matrix, RawStorage, SMatrix};
@@ -10,7 +10,7 @@ use crate::linear::factored::udu::Udu;
 pub trait MatrixMethods {
     /// The type of an element.
     type Element;
-    /// A matrix of the same shape that is nobody's part.
+    /// The matrix of the same shape that owns its elements.
     type Owned;
     /// The magnitude of each element.
     #[must_use]
@@ -23,14 +23,15 @@ pub trait MatrixMethods {
     fn dsl_lp_norm(&self, p: i32) -> Self::Element;
 }
 
-/// Methods of square matrices that are the DSL's in the simulation, too.
+/// Methods of square matrices that the simulation takes from the DSL, too.
 pub trait SquareMethods: Sized {
-    /// The type of U D Uᵀ.
+    /// The type of the factorisation U D Uᵀ.
     type Udu;
-    /// The exponential: see [`exp`](crate::linear::matrix_powers::exp).
+    /// The matrix exponential: see [`exp`](crate::linear::matrix_powers::exp).
     #[must_use]
     fn dsl_exp(&self) -> Self;
-    /// U D Uᵀ. nalgebra squares by a product with std, and without it by `pow`, which rounds otherwise.
+    /// The factorisation U D Uᵀ. nalgebra's own squares by a product if it has std, and by `pow` without it, which
+    /// rounds differently.
     fn dsl_udu(self) -> Option<Self::Udu>;
 }
 

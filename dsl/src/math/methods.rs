@@ -1,11 +1,12 @@
-//! The methods of floats that are elementary functions: what `x.sin()` in an annotated item means.
+//! The methods of floats that are elementary functions: the meaning of `x.sin()` in an annotated item.
 
 use super::{
     arctangent, exponential, fused, hyperbolic, logarithm, of_f32, power, roots, sine, tangent,
 };
 
-/// Passes the elementary functions to a macro. Each has the type of its companion, the names of method and companion,
-/// operands of its own type and of another, and its functions in double and single precision.
+/// Passes the list of elementary functions to a macro. Each entry has the companion's type, the names of the method
+/// and the companion, operands of the method's own type and of other types, and the functions in double and single
+/// precision.
 macro_rules! elementary {
     ($then:ident) => {
         $then! {
@@ -47,7 +48,7 @@ macro_rules! elementary {
             Atan2: dsl_atan2 __b_atan2(x) [] = arctangent::atan2, of_f32::atan2f;
             /// self^y.
             Powf: dsl_powf __b_powf(y) [] = power::powf, of_f32::powff;
-            /// √(self² + y²), without overflow on the way.
+            /// √(self² + y²), without intermediate overflow.
             Hypot: dsl_hypot __b_hypot(y) [] = roots::hypot, of_f32::hypotf;
             /// self^n, by squaring in the order of [`power::powi`].
             Powi: dsl_powi __b_powi() [n: i32] = power::powi, of_f32::powif;
@@ -70,7 +71,7 @@ macro_rules! methods {
                 $(#[$doc])*
                 fn $method(self $(, $operand: Self)* $(, $other: $ty)*) -> Self;
             )*
-            /// Sine and cosine of an angle in rad: the bits of either function.
+            /// Sine and cosine of an angle in rad, with the bits of the two separate functions.
             fn dsl_sin_cos(self) -> (Self, Self);
         }
 
@@ -128,7 +129,7 @@ pub trait AbsentMethods: Copy {
 impl AbsentMethods for f64 {}
 impl AbsentMethods for f32 {}
 
-/// A type with `asinh`: none.
+/// Implemented by no type, so that a call of `asinh` is an error.
 #[diagnostic::on_unimplemented(
     message = "`asinh` is not supported",
     label = "not supported",
@@ -136,7 +137,7 @@ impl AbsentMethods for f32 {}
 )]
 pub trait HasAsinh {}
 
-/// A type with `acosh`: none.
+/// Implemented by no type, so that a call of `acosh` is an error.
 #[diagnostic::on_unimplemented(
     message = "`acosh` is not supported",
     label = "not supported",
@@ -144,7 +145,7 @@ pub trait HasAsinh {}
 )]
 pub trait HasAcosh {}
 
-/// A type with `atanh`: none.
+/// Implemented by no type, so that a call of `atanh` is an error.
 #[diagnostic::on_unimplemented(
     message = "`atanh` is not supported",
     label = "not supported",
@@ -152,7 +153,7 @@ pub trait HasAcosh {}
 )]
 pub trait HasAtanh {}
 
-/// A type with `log`: none.
+/// Implemented by no type, so that a call of `log` is an error.
 #[diagnostic::on_unimplemented(
     message = "`log` is not supported",
     label = "not supported",

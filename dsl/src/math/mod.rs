@@ -1,17 +1,16 @@
-//! The scalar functions, owned by the DSL so that every target computes the same bits.
+//! The scalar functions, defined by the DSL so that every target computes the same bits.
 //!
-//! In an annotated item `x.sin()` is rewritten to `x.dsl_sin()`, and the traits here answer it. What
-//! hardware gives exactly (`sqrt`, `abs`, `floor`, …) is an operation of the IR; the elementary
-//! functions are written in the DSL itself, so that the C that a target runs is made from the Rust
-//! that the simulation runs.
+//! In an annotated item `x.sin()` is rewritten to `x.dsl_sin()`, a method of the traits here. Functions that hardware
+//! computes exactly (`sqrt`, `abs`, `floor`, …) are operations of the IR. The elementary functions are written in the
+//! DSL itself, so that a target's C is generated from the Rust that the simulation runs.
 //!
-//! Defined here where Rust leaves room: `min` and `max` take −0 for less than +0, and a NaN gives the
-//! other operand; a NaN has a positive sign and canonical bits for `copysign` and `to_bits`.
+//! Where Rust does not define a result, it is defined here: `min` and `max` treat −0 as less than +0, and return the
+//! other operand for a NaN; a NaN has a positive sign and canonical bits for `copysign` and `to_bits`.
 //!
-//! No float is compared by `==`, here and in the C: some teams' compilers take that for an error (`-Wfloat-equal`). `x <= 0.0` of
-//! what is not negative says the same.
+//! Floats are not compared by `==`, here or in the C, because some compilers report that as an error
+//! (`-Wfloat-equal`). For a number that is not negative, `x <= 0.0` has the same meaning.
 //!
-//! Accuracy: `docs/mathematics.md` has the worst point found of each function.
+//! Accuracy: `docs/mathematics.md` lists the largest error found for each function.
 
 pub mod arctangent;
 pub mod ascii;
@@ -41,7 +40,7 @@ pub mod tables;
 pub mod tangent;
 pub mod whole;
 
-/// The functions of `f32` in either form, as the feature `single` says: computed in double, or in `f32` alone.
+/// The functions of `f32`, as chosen by the feature `single`: computed in double precision, or in `f32` alone.
 #[cfg(feature = "single")]
 pub(crate) use narrow as of_f32;
 #[cfg(not(feature = "single"))]
@@ -74,20 +73,20 @@ pub trait FloatMethods: Copy {
     type Bits;
     /// The square root, correctly rounded.
     fn dsl_sqrt(self) -> Self;
-    /// The largest integer not above.
+    /// The largest integer that is not above the number.
     fn dsl_floor(self) -> Self;
-    /// This magnitude with the sign of `sign`.
+    /// The number's magnitude with the sign of `sign`.
     fn dsl_copysign(self, sign: Self) -> Self;
-    /// The bits; every NaN has the canonical ones.
+    /// The bits; every NaN has the same bits.
     fn dsl_to_bits(self) -> Self::Bits;
 }
 
-/// The bits of a float without a look at whether it is a NaN; for the functions of this module.
+/// The bits of a float without a test for NaN, for the functions of this module.
 #[doc(hidden)]
 pub trait RawBits {
     /// The unsigned integer of the same width.
     type Bits;
-    /// The bits of a number that is not a NaN; those of a NaN differ between machines.
+    /// The bits of a number that is not a NaN; the bits of a NaN differ between machines.
     fn raw_bits(self) -> Self::Bits;
 }
 
@@ -105,11 +104,11 @@ impl RawBits for f32 {
     }
 }
 
-/// The least and the greatest of floats, which the attributes redirect to the DSL.
+/// Minimum, maximum and limits of floats, which the attributes redirect to the DSL.
 pub trait OrderMethods: Copy {
-    /// The smaller of two: −0 < +0, and a NaN gives the other.
+    /// The smaller of two numbers: −0 is less than +0, and a NaN gives the other number.
     fn dsl_min(self, other: Self) -> Self;
-    /// The larger of two: −0 < +0, and a NaN gives the other.
+    /// The larger of two numbers: −0 is less than +0, and a NaN gives the other number.
     fn dsl_max(self, other: Self) -> Self;
     /// The nearest value from `low` to `high`; NaN stays NaN.
     ///
@@ -118,14 +117,14 @@ pub trait OrderMethods: Copy {
     fn dsl_clamp(self, low: Self, high: Self) -> Self;
 }
 
-/// Methods of all types with a total order by `Ord`: integers, plain enums, references to such.
+/// Methods of all types with a total order by `Ord`: integers, plain enums, and references to them.
 ///
-/// It is implemented for what `Ord` is implemented for, so that rustc looks for the methods where it looks for `Ord`'s:
-/// what is not compared there is not compared here.
+/// They are implemented for every type with `Ord`, so that rustc finds these methods exactly where it finds those of
+/// `Ord`.
 pub trait RankMethods: Copy + Ord {
-    /// The lesser of two; of equal ones the first.
+    /// The lesser of two values; the first if they are equal.
     fn dsl_min(self, other: Self) -> Self;
-    /// The greater of two; of equal ones the second.
+    /// The greater of two values; the second if they are equal.
     fn dsl_max(self, other: Self) -> Self;
     /// The nearest value from `low` to `high`.
     ///
@@ -146,24 +145,27 @@ impl<T: Copy + Ord> RankMethods for T {
     }
 }
 
-/// Searching in a sorted slice: of equal elements the same one is found in the simulation and in the C.
+/// Binary search in a sorted slice: among equal elements, the simulation and the C find the same one.
 pub trait SearchMethods<T> {
-    /// The index of the first element that is `wanted`.
+    /// The index of an element equal to `wanted`.
     ///
     /// # Errors
-    /// Where it would have to be put in, if no element is `wanted`.
+    ///
+    /// The index at which it could be inserted, if no element is equal.
     fn dsl_binary_search(&self, wanted: &T) -> Result<usize, usize>
     where
         T: Ord;
-    /// The index of an element that `order` calls `Equal`.
+    /// The index of an element for which `order` returns `Equal`.
     ///
     /// # Errors
-    /// Where one would have to be put in, if there is none.
+    ///
+    /// The index at which one could be inserted, if there is no such element.
     fn dsl_binary_search_by(&self, order: impl Fn(&T) -> Ordering) -> Result<usize, usize>;
     /// The index of an element with this key.
     ///
     /// # Errors
-    /// Where one would have to be put in, if there is none.
+    ///
+    /// The index at which one could be inserted, if there is no such element.
     fn dsl_binary_search_by_key<B: Copy + Ord>(
         &self,
         wanted: &B,
@@ -195,9 +197,10 @@ impl<T: Copy> SearchMethods<T> for [T] {
     }
 }
 
-/// The order of all floats.
+/// The total order of floats.
 pub trait TotalMethods {
-    /// As core's, save that any NaN stands behind all others: the sign of a NaN differs between machines.
+    /// As core's `total_cmp`, except that any NaN is greater than all numbers: the sign of a NaN differs between
+    /// machines.
     fn dsl_total_cmp(&self, other: &Self) -> Ordering;
 }
 
@@ -256,13 +259,13 @@ floats! {
     f32, u32, sqrtf, floorf, 0x7fc0_0000;
 }
 
-/// Bytes of numbers, which the attributes redirect to the DSL: a NaN has one payload.
+/// The bytes of numbers, which the attributes redirect to the DSL: every NaN has the same bytes.
 pub trait ByteMethods: Copy {
-    /// As many bytes as the number has.
+    /// An array with one `u8` for each byte of the number.
     type Bytes;
-    /// The lowest first.
+    /// The bytes, the least significant first.
     fn dsl_to_le_bytes(self) -> Self::Bytes;
-    /// The highest first.
+    /// The bytes, the most significant first.
     fn dsl_to_be_bytes(self) -> Self::Bytes;
 }
 

@@ -1,44 +1,50 @@
-//! Methods of numbers that one instruction or a few give, where core and std leave room or have none.
+//! Methods of numbers that take one instruction or a few, where core and std leave a result open or lack the method.
 
-/// Rounding to whole numbers and turning of angles, which floats have.
+/// Rounding to whole numbers, conversion of angles, and signs of floats.
 pub trait RoundMethods: Copy {
-    /// The smallest whole number not below.
+    /// The smallest whole number that is not below the number.
     fn dsl_ceil(self) -> Self;
-    /// The whole part, towards zero.
+    /// The number without its fractional part.
     fn dsl_trunc(self) -> Self;
-    /// The nearest whole number; halves go away from zero.
+    /// The nearest whole number; halves are rounded away from zero.
     fn dsl_round(self) -> Self;
-    /// The fractional part, with the sign of the number.
+    /// The fractional part, with the number's sign.
     fn dsl_fract(self) -> Self;
-    /// An angle in rad, in degrees.
+    /// Converts an angle from rad to degrees.
     fn dsl_to_degrees(self) -> Self;
-    /// An angle in degrees, in rad.
+    /// Converts an angle from degrees to rad.
     fn dsl_to_radians(self) -> Self;
-    /// Returns true if the sign is negative, of a zero too; never of a NaN.
+    /// Returns true if the sign is negative, also for −0; false for a NaN.
     fn dsl_is_sign_negative(self) -> bool;
-    /// Returns true if the sign is positive, of a zero too; always of a NaN.
+    /// Returns true if the sign is positive, also for +0; true for a NaN.
     fn dsl_is_sign_positive(self) -> bool;
 }
 
-/// The magnitude, and the sign as a number, of floats and signed integers.
+/// Magnitude and sign of floats and signed integers.
 pub trait SignMethods: Copy {
-    /// The magnitude; of the least signed integer a panic, as Rust's.
+    /// The magnitude.
+    ///
+    /// # Panics
+    ///
+    /// For the lowest signed integer, as in Rust.
     fn dsl_abs(self) -> Self;
-    /// −1 or 1, for the integer 0 itself; a zero float's sign counts; NaN for a NaN.
+    /// The sign as −1 or 1; 0 for the integer 0, ±1 for a float ±0, NaN for a NaN.
     fn dsl_signum(self) -> Self;
 }
 
-/// Division with a remainder of 0 or more.
+/// Euclidean division: the remainder is not negative.
 pub trait DivisionMethods: Copy {
     /// The quotient that leaves a remainder of 0 or more.
     ///
     /// # Panics
-    /// Integers: where `/` does.
+    ///
+    /// For integers under the conditions of `/`.
     fn dsl_div_euclid(self, by: Self) -> Self;
-    /// The remainder of 0 or more.
+    /// The remainder, which is 0 or more.
     ///
     /// # Panics
-    /// Integers: where `%` does.
+    ///
+    /// For integers under the conditions of `%`.
     fn dsl_rem_euclid(self, by: Self) -> Self;
 }
 

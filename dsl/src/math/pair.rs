@@ -6,17 +6,17 @@
 
 use crate::prelude::*;
 
-/// The bits of the upper half of a double: what they leave of it has a product with its like without loss.
+/// Mask of the upper half of a double's bits: the product of two doubles masked by it is exact.
 #[crate::data]
 pub const UPPER: u64 = 0xffff_ffff_0000_0000;
-/// All bits of a double but the last 27: what they leave of it has a square without loss.
+/// Mask of all bits of a double except the last 27: the square of a double masked by it is exact.
 #[crate::data]
 pub const LEADING: u64 = 0xffff_ffff_f800_0000;
-/// 2²⁷ + 1: a product by it splits a double into halves of 26 bits (Veltkamp).
+/// 2²⁷ + 1: a product with it splits a double into halves of 26 bits (Veltkamp).
 #[crate::data]
 pub const SPLITTER: f64 = 134_217_729.0;
 
-/// A number as a double and what that leaves out.
+/// A number as the sum of a double and a correction.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pair {
@@ -26,7 +26,7 @@ pub struct Pair {
     pub low: f64,
 }
 
-/// `a + b` without loss (Knuth).
+/// The exact sum `a + b` (Knuth).
 #[inline]
 #[function]
 pub fn sum(a: f64, b: f64) -> Pair {
@@ -35,7 +35,7 @@ pub fn sum(a: f64, b: f64) -> Pair {
     Pair { high, low: (a - (high - from_b)) + (b - from_b) }
 }
 
-/// `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker).
+/// The exact sum `a + b`, if `a` is zero or not the smaller in magnitude (Dekker).
 #[inline]
 #[function]
 pub fn ordered_sum(a: f64, b: f64) -> Pair {
@@ -43,7 +43,7 @@ pub fn ordered_sum(a: f64, b: f64) -> Pair {
     Pair { high, low: b - (high - a) }
 }
 
-/// `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp).
+/// The exact product `a * b`, below 2⁹⁹⁶ and without underflow (Dekker, Veltkamp).
 #[inline]
 #[function]
 pub fn product(a: f64, b: f64) -> Pair {

@@ -1,7 +1,7 @@
 //! Powers.
 //!
-//! x^y = e^(y · ln x) with the logarithm and the product in two doubles; special values as C99
-//! Annex F has them. Integer powers are products by squaring, in the order that [`powi`] states.
+//! x^y = e^(y · ln x), with the logarithm and the product in two doubles; special values are those of C99, Annex F.
+//! Integer powers are products by squaring, in the order that [`powi`] states.
 
 // A NaN goes the way of what is not less.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
@@ -13,8 +13,8 @@ use super::logarithm::{logarithm, parts};
 use super::pair::UPPER;
 use crate::prelude::*;
 
-/// x^y; measured within 0.51 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is
-/// whole; the rest as in C99, F.9.4.4.
+/// x^y; measured within 0.51 ulp. `y` = ±0 and `x` = 1 give 1; a negative x gives NaN unless y is a whole number;
+/// otherwise as in C99, F.9.4.4.
 #[function]
 pub fn powf(x: f64, y: f64) -> f64 {
     let size = x.abs();
@@ -47,8 +47,10 @@ pub fn powf(x: f64, y: f64) -> f64 {
     special_power(x, y)
 }
 
-/// x^n by squaring. With b = x, for each binary digit of |n| from the last on, the result, initially 1, is multiplied
-/// by b if the digit is 1, and then b by itself; a negative n divides 1 by the result.
+/// x^n by squaring.
+///
+/// The result is 1 at first, and b = x. For each binary digit of |n|, from the last on, the result is multiplied by b
+/// if the digit is 1, and then b by itself; for a negative n, the result is 1 divided by that.
 #[function]
 pub fn powi(x: f64, n: i32) -> f64 {
     let mut digits = if n < 0 { 0u32.wrapping_sub(n as u32) } else { n as u32 };

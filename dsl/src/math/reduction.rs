@@ -1,11 +1,10 @@
-//! Angles brought to a quarter turn, in two doubles.
+//! Reduction of angles to at most a quarter turn, in two doubles.
 //!
-//! Moderate ones after Cody and Waite, *Software Manual for the Elementary Functions* (1980), with π/2
-//! in four parts. Huge ones after M. Payne and R. Hanek, *Radian reduction for trigonometric
-//! functions* (SIGNUM Newsletter 18, 1983): of 2/π, 192 bits are taken from where they no longer make
-//! whole turns of the angle's last bit. The angle's 53 bits and two bits of the quadrant leave 137
-//! bits behind the point; no double is nearer than 2⁻⁶² to a multiple of π/2 (J.-M. Muller,
-//! *Elementary Functions*, chapter 11). The work is the same for every angle.
+//! Moderate angles are reduced after Cody and Waite, *Software Manual for the Elementary Functions* (1980), with π/2
+//! in four parts. Huge angles are reduced after M. Payne and R. Hanek, *Radian reduction for trigonometric functions*
+//! (SIGNUM Newsletter 18, 1983), with 192 bits of 2/π from the first that does not only add whole turns. The angle's
+//! 53 bits and two bits of the quadrant leave 137 fractional bits; no double is nearer than 2⁻⁶² to a multiple of π/2
+//! (J.-M. Muller, *Elementary Functions*, chapter 11). The work is the same for every angle.
 
 use core::f64::consts::FRAC_2_PI;
 
@@ -18,7 +17,7 @@ use super::tables::{
 };
 use crate::prelude::*;
 
-/// An angle as quarter turns and what is left.
+/// An angle as a number of quarter turns and a remainder.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReducedAngle {
@@ -26,15 +25,15 @@ pub struct ReducedAngle {
     pub high: f64,
     /// The error of `high`.
     pub low: f64,
-    /// Quarter turns modulo four: 0, 1, 2 or 3.
+    /// Number of quarter turns modulo four: 0, 1, 2 or 3.
     pub quadrant: u64,
 }
 
-/// Up to here quarter turns are fewer than 2²⁰, rad.
+/// Up to this angle, in rad, the number of quarter turns is below 2²⁰.
 #[crate::data]
 const FEW_TURNS: f64 = 1_600_000.0;
 
-/// Takes whole quarter turns off `x`, rad.
+/// Subtracts whole quarter turns from `x`, rad.
 #[function]
 pub fn reduce(x: f64) -> ReducedAngle {
     let size = x.abs();
@@ -76,7 +75,7 @@ pub fn upper_product(a: u64, b: u64) -> u64 {
     a_high.wrapping_mul(b_high).wrapping_add(first >> 32).wrapping_add(second >> 32)
 }
 
-/// 64 bits of 2/π from bit `shift` of a word on; the next word follows.
+/// 64 bits of 2/π, from bit `shift` of `word` on; `next` is the word after it.
 #[inline]
 #[function]
 fn window(word: u64, next: u64, shift: u64) -> u64 {
@@ -84,7 +83,7 @@ fn window(word: u64, next: u64, shift: u64) -> u64 {
     (word << shift) | ((next >> 1) >> (63 - shift))
 }
 
-/// Takes whole quarter turns off an angle of 2²⁰ rad or more.
+/// Subtracts whole quarter turns from an angle of 2²⁰ rad or more.
 #[function]
 pub fn reduce_huge(x: f64) -> ReducedAngle {
     let bits = x.raw_bits();

@@ -1,11 +1,13 @@
-//! The cube root and the length of two coordinates.
+//! The cube root, and the length of a vector of two coordinates.
 
 use super::RawBits as _;
 use super::tables::CUBE_ROOT;
 use crate::prelude::*;
 
-/// A number within 4 % of the cube root, from its upper bits. It has a third of the exponent, with the significand as
-/// its continuation. `bias` is two thirds of the stored exponent's bias, in the same place, and balances the error.
+/// A number within 4 % of the cube root, computed from the number's upper bits.
+///
+/// The exponent and the significand are taken as one number and divided by three. `bias` is two thirds of the
+/// exponent's bias, in the same place, and balances the error.
 #[inline]
 #[function]
 pub fn coarse_root(upper: u32, bias: u32) -> f64 {
@@ -14,8 +16,8 @@ pub fn coarse_root(upper: u32, bias: u32) -> f64 {
 
 /// The cube root; measured within 0.83 ulp. ±0 and ±∞ give themselves, NaN gives NaN.
 ///
-/// The coarse one, better by a polynomial in the ratio of its cube to `x`, cut to 26
-/// bits so that its square is exact, and then by one step of Halley's method.
+/// [`coarse_root`] is improved by a polynomial in the ratio of its cube to `x`, cut to 26 bits so that its square is
+/// exact, and then improved by one step of Halley's method.
 #[function]
 pub fn cbrt(x: f64) -> f64 {
     let size = x.abs();
@@ -46,8 +48,8 @@ pub fn cbrt(x: f64) -> f64 {
 #[crate::data]
 pub(crate) const COARSE: u32 = 0x2a9f_7100;
 
-/// √(x² + y²) for 2^−500 to 2^500, the larger first. The root of the sum is corrected by exact differences (C. F.
-/// Borges, *An improved algorithm for hypot(a, b)*, 2019).
+/// √(x² + y²) for `large` and `small` from 2^−500 to 2^500. The root of the sum is corrected by exact differences (C.
+/// F. Borges, *An improved algorithm for hypot(a, b)*, 2019).
 #[inline]
 #[function]
 fn length(large: f64, small: f64) -> f64 {
@@ -62,7 +64,7 @@ fn length(large: f64, small: f64) -> f64 {
     guess - off / (2.0 * guess)
 }
 
-/// √(x² + y²) where a square could leave the range; the larger first, and neither negative.
+/// √(x² + y²) where a square could overflow or underflow; neither number is negative.
 #[function]
 pub fn far_length(large: f64, small: f64) -> f64 {
     if large > f64::MAX || small > f64::MAX {
@@ -86,8 +88,8 @@ pub fn far_length(large: f64, small: f64) -> f64 {
     }
 }
 
-/// √(x² + y²), without overflow on the way; measured within 0.66 ulp. An infinite `x` or `y` gives
-/// ∞, else a NaN gives NaN.
+/// √(x² + y²), without intermediate overflow; measured within 0.66 ulp. An infinite `x` or `y` gives ∞, otherwise a
+/// NaN gives NaN.
 #[function]
 pub fn hypot(x: f64, y: f64) -> f64 {
     let width = x.abs();
@@ -97,7 +99,7 @@ pub fn hypot(x: f64, y: f64) -> f64 {
     if large < 1e150 && small > 1e-130 { length(large, small) } else { far_length(large, small) }
 }
 
-/// The square root, where there is one; as nalgebra, of ±0 that is ±0.
+/// The square root; `None` for a negative number. As in nalgebra, ±0 gives ±0.
 #[function(expand)]
 pub fn try_sqrt<T: Real>(x: T) -> Option<T> {
     if x >= T::ZERO { Some(x.sqrt()) } else { None }

@@ -1,27 +1,27 @@
 //! Sine and cosine.
 //!
-//! With π/64 in two parts (Cody and Waite, *Software Manual for the Elementary Functions*, 1980) an
-//! angle is brought within π/128 of a row of a table of sines, and added to it by the theorem of sums
-//! with two short Taylor polynomials (P. T. P. Tang, *Table-lookup algorithms for elementary
-//! functions*, ARITH-10, 1991). Next to a multiple of π, and beyond 50 000 rad, the angle is reduced
-//! in two doubles: [`super::reduction`].
+//! An angle is split into a multiple of π/64, which is in two parts (Cody and Waite, *Software Manual for the
+//! Elementary Functions*, 1980), and a remainder of at most π/128. The multiple has a row in a table of sines; the
+//! remainder is added by the addition theorem with two short Taylor polynomials (P. T. P. Tang, *Table-lookup
+//! algorithms for elementary functions*, ARITH-10, 1991). Near a multiple of π, and beyond 50 000 rad, the angle is
+//! reduced in two doubles: [`super::reduction`].
 
 use super::RawBits as _;
 use super::reduction::reduce;
 use super::tables::{SINE_POLYNOMIAL, SINE_ROWS, STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN};
 use crate::prelude::*;
 
-/// Up to here steps of π/64 are fewer than 2²⁰, rad.
+/// Up to this angle, in rad, the number of steps of π/64 is below 2²⁰.
 #[crate::data]
 pub(crate) const MODERATE: f64 = 50_000.0;
 /// 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits.
 #[crate::data]
 pub const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
-/// Below this an angle is its own sine and tangent: 2⁻²⁷.
+/// 2⁻²⁷: a smaller angle equals its sine and its tangent to the last bit.
 #[crate::data]
 pub(crate) const TINY: f64 = 7.450580596923828e-9;
 
-/// Up to here an odd polynomial is the sine, rad.
+/// Up to this angle, in rad, the sine is computed by an odd polynomial.
 #[crate::data]
 const NEAR_ZERO: f64 = 0.27;
 
@@ -44,14 +44,14 @@ pub(crate) const C4: f64 = 1.0 / 24.0;
 #[crate::data]
 const C6: f64 = -1.0 / 720.0;
 
-/// `value`, negated where `row` is in the second half of a turn, which has 128 rows.
+/// `value`, negated if `row` is in the second half of a turn; a turn has 128 rows.
 #[inline]
 #[function]
 pub(crate) fn signed(value: f64, row: u64) -> f64 {
     if (row & 64) == 0 { value } else { -value }
 }
 
-/// Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more.
+/// Sine of `row`·π/64 + `rest` for |rest| ≤ π/128, if the sine is at least 1/4.
 #[inline]
 #[function]
 fn from_row(row: u64, rest: f64) -> f64 {
@@ -64,7 +64,7 @@ fn from_row(row: u64, rest: f64) -> f64 {
     signed(lead + (SINE_ROWS[index][1] + (slope * sine + lead * versine)), row)
 }
 
-/// Sine of `high` + `low` for −0.27 to 0.27.
+/// Sine of `high` + `low`, which is from −0.27 to 0.27.
 #[inline]
 #[function]
 fn near_zero(high: f64, low: f64) -> f64 {
@@ -75,7 +75,8 @@ fn near_zero(high: f64, low: f64) -> f64 {
     high + (low + high * z * tail)
 }
 
-/// Sine of `x` + `quarter_turns` · π/2, by reducing the angle in two doubles; of a tiny `x`, with 0 or 1 quarter turns.
+/// Sine of `x` + `quarter_turns` · π/2, by reducing the angle in two doubles. For a tiny `x`, `quarter_turns` must be
+/// 0 or 1.
 #[function]
 pub fn by_reduction(x: f64, quarter_turns: u64) -> f64 {
     if x.abs() < TINY {
@@ -126,7 +127,7 @@ pub fn cos(x: f64) -> f64 {
     turned(x, 1)
 }
 
-/// Sine and cosine of an angle in rad: the bits of [`sin`] and of [`cos`], with one reduction.
+/// Sine and cosine of an angle in rad, with the bits of [`sin`] and [`cos`] and one reduction.
 #[function]
 pub fn sin_cos(x: f64) -> (f64, f64) {
     let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;

@@ -1,5 +1,5 @@
-//! The elementary functions in single precision: computed in double to some 33 bits, and rounded
-//! once. Where that saves much they have shorter polynomials and tables of their own.
+//! The elementary functions in single precision: computed in double precision to about 33 bits, and rounded once.
+//! They have their own shorter polynomials and tables where that saves much time.
 
 use core::f64::consts::{LN_2, LOG2_E, LOG10_2, PI};
 
@@ -57,7 +57,7 @@ pub fn cosf(x: f32) -> f32 {
     }
 }
 
-/// Sine and cosine of an angle in rad: the bits of [`sinf`] and of [`cosf`].
+/// Sine and cosine of an angle in rad, with the bits of [`sinf`] and [`cosf`].
 #[function]
 pub fn sin_cosf(x: f32) -> (f32, f32) {
     (sinf(x), cosf(x))
@@ -70,7 +70,7 @@ pub fn tanf(x: f32) -> f32 {
     tan(x as f64) as f32
 }
 
-/// (asin √z)/√z for 0 to 1/4.
+/// (asin √z)/√z for z from 0 to 1/4.
 #[inline]
 #[function]
 fn arcsine_ratio(z: f64) -> f64 {
@@ -113,7 +113,7 @@ pub fn atanf(x: f32) -> f32 {
     atan(x as f64) as f32
 }
 
-/// 2^`x` for a normal number.
+/// 2^`x`, if that is a normal number.
 #[inline]
 #[function]
 fn power_of_two(x: f64) -> f64 {
@@ -123,20 +123,20 @@ fn power_of_two(x: f64) -> f64 {
     lead + lead * r * (EXPONENTIAL_F32[0] + r * EXPONENTIAL_F32[1])
 }
 
-/// e^x; measured within 0.53 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
+/// e^x; measured within 0.53 ulp. −∞ gives 0, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn expf(x: f32) -> f32 {
     if x.abs() < 100.0 { power_of_two(x as f64 * LOG2_E) as f32 } else { exp(x as f64) as f32 }
 }
 
-/// 2^x; measured within 0.53 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
+/// 2^x; measured within 0.53 ulp. −∞ gives 0, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn exp2f(x: f32) -> f32 {
     if x.abs() < 150.0 { power_of_two(x as f64) as f32 } else { exp2(x as f64) as f32 }
 }
 
-/// e^x − 1, without cancellation; measured within 0.50 ulp. ±0 gives ±0, −∞ gives −1, what
-/// overflows ∞, NaN gives NaN.
+/// e^x − 1, without cancellation; measured within 0.50 ulp. ±0 gives ±0, −∞ gives −1, an overflow gives ∞, NaN gives
+/// NaN.
 #[function]
 pub fn exp_m1f(x: f32) -> f32 {
     exp_m1(x as f64) as f32
@@ -149,7 +149,7 @@ fn is_plain(x: f32) -> bool {
     x.raw_bits().wrapping_sub(0x0080_0000) < 0x7f00_0000
 }
 
-/// A positive number as 2^`exponent` · `significand`, that from 0.705 to 1.410.
+/// A positive number as 2^`exponent` · `significand`, with the significand from 0.705 to 1.410.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PartsF32 {
@@ -194,8 +194,7 @@ fn binary_logarithm(x: f32) -> f64 {
     logarithm_in_row(parts.exponent, parts.row, parts.significand as f64)
 }
 
-/// `unit` times the logarithm to base 2 of what is zero, negative, infinite, NaN, or below the normal
-/// numbers.
+/// `unit` times the logarithm to base 2 of a number that is zero, negative, infinite, NaN or subnormal.
 #[function]
 pub fn far_logarithm(x: f32, unit: f64) -> f32 {
     if x > 0.0 && x < f32::MIN_POSITIVE {
@@ -240,13 +239,13 @@ pub fn ln_1pf(x: f32) -> f32 {
     }
 }
 
-/// The hyperbolic sine; measured within 0.50 ulp. ±0 gives ±0, what overflows ±∞, NaN gives NaN.
+/// The hyperbolic sine; measured within 0.50 ulp. ±0 gives ±0, an overflow gives ±∞, NaN gives NaN.
 #[function]
 pub fn sinhf(x: f32) -> f32 {
     sinh(x as f64) as f32
 }
 
-/// The hyperbolic cosine; measured within 0.50 ulp. ±0 gives 1, what overflows ∞, NaN gives NaN.
+/// The hyperbolic cosine; measured within 0.50 ulp. ±0 gives 1, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn coshf(x: f32) -> f32 {
     cosh(x as f64) as f32
@@ -260,7 +259,7 @@ pub fn tanhf(x: f32) -> f32 {
 
 /// The cube root; measured within 0.51 ulp. ±0 and ±∞ give themselves, NaN gives NaN.
 ///
-/// The coarse one, better by a polynomial in the ratio of its cube to `x`.
+/// The coarse root is improved by a polynomial in the ratio of its cube to `x`.
 #[function]
 pub fn cbrtf(x: f32) -> f32 {
     let size = (x as f64).abs();
@@ -284,10 +283,10 @@ pub fn atan2f(y: f32, x: f32) -> f32 {
     atan2(y as f64, x as f64) as f32
 }
 
-/// x^y; measured within 0.53 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is
-/// whole; the rest as in C99, F.9.4.4.
+/// x^y; measured within 0.53 ulp. `y` = ±0 and `x` = 1 give 1; a negative x gives NaN unless y is a whole number;
+/// otherwise as in C99, F.9.4.4.
 ///
-/// 2^(y · log₂ x), the logarithm to some 38 bits.
+/// It is 2^(y · log₂ x), with the logarithm to about 38 bits.
 #[function]
 pub fn powff(x: f32, y: f32) -> f32 {
     if is_plain(x) {
@@ -308,10 +307,10 @@ pub fn powff(x: f32, y: f32) -> f32 {
     powf(x as f64, y as f64) as f32
 }
 
-/// √(x² + y²), without overflow on the way; measured within 0.50 ulp. An infinite `x` or `y` gives
-/// ∞, else a NaN gives NaN.
+/// √(x² + y²), without intermediate overflow; measured within 0.50 ulp. An infinite `x` or `y` gives ∞, otherwise a
+/// NaN gives NaN.
 ///
-/// The squares are exact in double.
+/// The squares are exact in double precision.
 #[function]
 pub fn hypotf(x: f32, y: f32) -> f32 {
     let length = (x as f64 * x as f64 + y as f64 * y as f64).sqrt();

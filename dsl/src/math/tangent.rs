@@ -1,7 +1,7 @@
 //! The tangent.
 //!
-//! An angle is brought within π/128 of a row of a table of tangents T, as for the sine, and
-//! tan(c + t) = T + u + u·T·(T + u) / (1 − u·T) with u = tan t. Next to the zeros and poles, and beyond
+//! An angle is split into a row of a table of tangents T, as for the sine, and a remainder of at most π/128. With u
+//! the tangent of the remainder, tan(c + t) = T + u + u·T·(T + u) / (1 − u·T). Near the zeros and poles, and beyond
 //! 50 000 rad, the angle is reduced in two doubles.
 
 use super::RawBits as _;
@@ -24,7 +24,7 @@ const T7: f64 = 17.0 / 315.0;
 #[crate::data]
 const T9: f64 = 62.0 / 2_835.0;
 
-/// Tangent of `row`·π/64 + `rest` for |rest| ≤ π/128, 2½ rows and more away from zero, 4½ from the pole.
+/// Tangent of `row`·π/64 + `rest` for |rest| ≤ π/128, at least 2½ rows from zero and 4½ from the pole.
 #[inline]
 #[function]
 fn from_row(row: u64, rest: f64) -> f64 {
@@ -36,7 +36,7 @@ fn from_row(row: u64, rest: f64) -> f64 {
     lead + (TANGENT_ROWS[index][1] + (tangent + product * (lead + tangent) / (1.0 - product)))
 }
 
-/// Tangent of `x`, by way of the reduced angle in two doubles.
+/// Tangent of `x`, by reducing the angle in two doubles.
 #[function]
 pub fn by_reduction(x: f64) -> f64 {
     if x.abs() < TINY {

@@ -1,6 +1,6 @@
-//! Methods of integers that are functions of the DSL in the C, once for all types.
+//! Methods of integers that are functions of the DSL in the C, written once for all types.
 //!
-//! Each gives what core's method gives, and faults where that panics.
+//! Each returns the result of core's method, and faults where that panics.
 
 use crate::library;
 use crate::prelude::*;
@@ -19,7 +19,7 @@ impl<T: Integer> T {
         if rest == T::ZERO { a } else { a + (b - rest) }
     }
 
-    /// Returns true if `a` is a multiple of `b`; of 0, only 0 is.
+    /// Returns true if `a` is a multiple of `b`; for `b` = 0, if `a` is 0.
     pub fn is_multiple_of(a: Self, b: Self) -> bool {
         if b == T::ZERO { a == T::ZERO } else { a % b == T::ZERO }
     }
@@ -29,7 +29,7 @@ impl<T: Integer> T {
         filled(a) + T::ONE
     }
 
-    /// The next power of two; none if the type cannot hold it.
+    /// The smallest power of two that is not below `a`; `None` if the type cannot represent it.
     pub fn checked_next_power_of_two(a: Self) -> Option<Self> {
         let below = filled(a);
         if below == T::MAX { None } else { Some(below.wrapping_add(T::ONE)) }
@@ -41,12 +41,12 @@ impl<T: Integer> T {
         T::BITS - 1 - a.leading_zeros()
     }
 
-    /// The logarithm to base 2, rounded down; none for 0 and below.
+    /// The logarithm to base 2, rounded down; `None` for 0 and negative numbers.
     pub fn checked_ilog2(a: Self) -> Option<u32> {
         if a > T::ZERO { Some(T::BITS - 1 - a.leading_zeros()) } else { None }
     }
 
-    /// The square root, rounded down: a bit of it after another, from the highest.
+    /// The square root, rounded down: one bit after another, from the highest.
     pub fn isqrt(a: Self) -> Self {
         assert!(a >= T::ZERO);
         let mut rest = a;
@@ -63,33 +63,33 @@ impl<T: Integer> T {
         root
     }
 
-    /// Half of `a + b`, which may leave the type; rounded towards zero.
+    /// Half of `a + b`, rounded towards zero; the sum itself may overflow the type.
     pub fn midpoint(a: Self, b: Self) -> Self {
         let differing = a ^ b;
         let middle = (a & b).wrapping_add(differing >> 1);
         if middle < T::ZERO { middle.wrapping_add(differing & T::ONE) } else { middle }
     }
 
-    /// The bits from the last to the first: bytes, then halves, quarters and eighths of each.
+    /// The bits in reverse order: first the bytes, then the halves, quarters and eighths of each byte.
     pub fn reverse_bits(a: Self) -> Self {
         let bytes = a.swap_bytes();
         let halves = exchanged(bytes, T::NIBBLES, 4);
         exchanged(exchanged(halves, T::PAIRS, 2), T::ODDS, 1)
     }
 
-    /// `a + b` modulo what the type holds, and whether the sum is another.
+    /// `a + b` wrapped to the type's width, and whether the sum overflowed.
     pub fn overflowing_add(a: Self, b: Self) -> (Self, bool) {
         let sum = a.wrapping_add(b);
         (sum, (b < T::ZERO) != (sum < a))
     }
 
-    /// `a - b` modulo what the type holds, and whether the difference is another.
+    /// `a - b` wrapped to the type's width, and whether the difference overflowed.
     pub fn overflowing_sub(a: Self, b: Self) -> (Self, bool) {
         let difference = a.wrapping_sub(b);
         (difference, (b > T::ZERO) != (difference < a))
     }
 
-    /// `a * b` modulo what the type holds, and whether the product is another.
+    /// `a * b` wrapped to the type's width, and whether the product overflowed.
     pub fn overflowing_mul(a: Self, b: Self) -> (Self, bool) {
         let product = a.wrapping_mul(b);
         if a == T::ZERO {
@@ -100,18 +100,18 @@ impl<T: Integer> T {
         (product, hidden || product.wrapping_div(a) != b)
     }
 
-    /// `-a` modulo what the type holds, and whether the number is another.
+    /// `-a` wrapped to the type's width, and whether the result overflowed.
     pub fn overflowing_neg(a: Self) -> (Self, bool) {
         let negative = T::ZERO.wrapping_sub(a);
         (negative, a != T::ZERO && (a < T::ZERO) == (negative < T::ZERO))
     }
 
-    /// `a / b`, or the largest value where the quotient is larger.
+    /// `a / b`, or the largest value if the quotient overflows.
     pub fn saturating_div(a: Self, b: Self) -> Self {
         if a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) { T::MAX } else { a / b }
     }
 
-    /// `base` to the power of `exponent`, or the nearest value that the type holds.
+    /// `base` to the power of `exponent`, or the nearest value of the type.
     pub fn saturating_pow(base: Self, exponent: u32) -> Self {
         let nearest = if base < T::ZERO && exponent & 1 == 1 { T::MIN } else { T::MAX };
         let mut result = T::ONE;
@@ -135,7 +135,7 @@ impl<T: Integer> T {
         result
     }
 
-    /// The quotient with a remainder of 0 or more; none where the type does not hold it.
+    /// The quotient with a remainder of 0 or more; `None` for a divisor of 0 or an overflow.
     pub fn checked_div_euclid(a: Self, b: Self) -> Option<Self> {
         if b == T::ZERO || a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) {
             return None;
@@ -151,7 +151,7 @@ impl<T: Integer> T {
         })
     }
 
-    /// The remainder of 0 or more; none where the type does not hold the quotient.
+    /// The remainder of 0 or more; `None` for a divisor of 0 or an overflow of the quotient.
     pub fn checked_rem_euclid(a: Self, b: Self) -> Option<Self> {
         if b == T::ZERO || a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) {
             return None;
@@ -161,7 +161,7 @@ impl<T: Integer> T {
         Some(if rest < T::ZERO { rest.wrapping_add(step) } else { rest })
     }
 
-    /// The smallest multiple of `b` that is not below `a`; none where the type does not hold it.
+    /// The smallest multiple of `b` that is not below `a`; `None` for a `b` of 0 or an overflow.
     pub fn checked_next_multiple_of(a: Self, b: Self) -> Option<Self> {
         if b == T::ZERO {
             return None;
@@ -171,7 +171,7 @@ impl<T: Integer> T {
         if next < a { None } else { Some(next) }
     }
 
-    /// The square root, rounded down; none of what is below 0.
+    /// The square root, rounded down; `None` for a negative number.
     pub fn checked_isqrt(a: Self) -> Option<Self> {
         if a < T::ZERO { None } else { Some(isqrt(a)) }
     }
@@ -188,17 +188,17 @@ impl<T: Integer> T {
         digits
     }
 
-    /// The logarithm to base 10, rounded down; none for 0 and below.
+    /// The logarithm to base 10, rounded down; `None` for 0 and negative numbers.
     pub fn checked_ilog10(a: Self) -> Option<u32> {
         if a > T::ZERO { Some(ilog10(a)) } else { None }
     }
 
-    /// `a << bits`; all bits are moved out by as many as there are, or more.
+    /// `a << bits`; 0 if `bits` is not below the width.
     pub fn unbounded_shl(a: Self, bits: u32) -> Self {
         if bits < T::BITS { a << bits } else { T::ZERO }
     }
 
-    /// `a >> bits`; by as many bits as there are, or more, only the sign is left.
+    /// `a >> bits`; if `bits` is not below the width, 0 or, for a negative number, −1.
     pub fn unbounded_shr(a: Self, bits: u32) -> Self {
         if bits < T::BITS {
             a >> bits
@@ -210,7 +210,7 @@ impl<T: Integer> T {
     }
 }
 
-/// Ones in each place that `a - 1` reaches.
+/// `a - 1` with all bits below its highest 1 set.
 #[function]
 pub fn filled<T: Integer>(a: T) -> T {
     if a <= T::ONE {
@@ -220,7 +220,7 @@ pub fn filled<T: Integer>(a: T) -> T {
     }
 }
 
-/// Each group of `by` bits of `a` in the place of its neighbour; `low` has those of each lower one.
+/// Exchanges neighbouring groups of `by` bits; `low` is the mask of the lower group of each pair.
 #[function]
 pub fn exchanged<T: Integer>(a: T, low: T, by: u32) -> T {
     ((a & low).wrapping_shl(by)) | (a.wrapping_shr(by) & low)

@@ -10,11 +10,11 @@ use crate::{data, function};
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub struct CholeskyFactor<T: Real, const N: usize> {
-    /// L; above the diagonal what the matrix had there.
+    /// L; above the diagonal the elements of the matrix.
     factor: SMatrix<T, N, N>,
 }
 
-/// Factors a symmetric matrix, of which the lower triangle is read; none unless it is positive definite.
+/// Factors a symmetric matrix, of which only the lower triangle is read; none unless it is positive definite.
 #[function]
 pub fn factored<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> Option<CholeskyFactor<T, N>> {
     let factor = cholesky_lower(a);
@@ -48,7 +48,7 @@ impl<T: Real, const N: usize> CholeskyFactor<T, N> {
         self.factor.lower_triangle()
     }
 
-    /// L, and above the diagonal what the matrix had there.
+    /// L, with the elements of the matrix above the diagonal.
     pub fn unpack_dirty(&self) -> SMatrix<T, N, N> {
         self.factor
     }
@@ -62,7 +62,7 @@ impl<T: Real, const N: usize> CholeskyFactor<T, N> {
         product * product
     }
 
-    /// Makes it the factor of the matrix plus `sigma x xᵀ`.
+    /// Changes the factor to that of the matrix plus `sigma x xᵀ`.
     pub fn rank_one_update(&mut self, x: &SVector<T, N>, sigma: T) {
         let mut rest = *x;
         let mut beta = T::ONE;

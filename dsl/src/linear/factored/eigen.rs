@@ -1,7 +1,7 @@
-//! Eigenvalues of symmetric matrices, by Jacobi's rotations.
+//! Eigenvalues of symmetric matrices, by Jacobi rotations.
 //!
-//! nalgebra's own iterates without a bound; this has an order of its own and at most 30 sweeps, of which
-//! matrices up to 20 rows take about ten.
+//! nalgebra's function iterates without a bound. This one has its own order of operations and at most 30 sweeps;
+//! matrices up to 20 rows need about ten.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -9,17 +9,17 @@ use crate::linear::matrix_extremes::all_finite;
 use crate::math::{Real, real};
 use crate::{data, function};
 
-/// The eigenvalues of a symmetric matrix and their vectors.
+/// Eigenvalues and eigenvectors of a symmetric matrix.
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub struct Eigen<T: Real, const N: usize> {
-    /// The vectors, of length 1 and at right angles, as columns.
+    /// Eigenvectors as columns, orthonormal.
     pub eigenvectors: SMatrix<T, N, N>,
-    /// The values, the smallest first.
+    /// Eigenvalues in ascending order.
     pub eigenvalues: SVector<T, N>,
 }
 
-/// The angle of a rotation that makes the element between two of the diagonal zero: its tangent.
+/// Tangent of the angle of a rotation that makes the element between two diagonal elements zero.
 #[function]
 pub fn tangent<T: Real>(first: T, second: T, between: T) -> T {
     let difference = second - first;
@@ -32,7 +32,7 @@ pub fn tangent<T: Real>(first: T, second: T, between: T) -> T {
     if ratio < T::ZERO { -tangent } else { tangent }
 }
 
-/// Turns two columns against each other.
+/// Rotates two columns in their plane.
 #[function]
 pub fn turn<T: Real, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
@@ -50,7 +50,7 @@ pub fn turn<T: Real, const R: usize, const C: usize>(
     }
 }
 
-/// Turns two rows and the same two columns, so that the element where they cross becomes zero.
+/// Rotates two rows and the same two columns, so that the element between them becomes zero.
 #[function]
 pub fn turn_both<T: Real, const N: usize>(
     a: &mut SMatrix<T, N, N>,
@@ -78,10 +78,10 @@ pub fn turn_both<T: Real, const N: usize>(
     a[(second, first)] = T::ZERO;
 }
 
-/// The eigenvalues of a symmetric matrix, of which the lower triangle is read, and their vectors. NaN
-/// where an element is not finite.
+/// Eigenvalues and eigenvectors of a symmetric matrix, of which only the lower triangle is read. NaN if an element is
+/// not finite.
 ///
-/// An error of the values is about the largest of them times the rounding of the type.
+/// The error of a value is about the largest of them times the rounding unit of the type.
 #[function]
 pub fn symmetric<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> Eigen<T, N> {
     let mut rest = *a;

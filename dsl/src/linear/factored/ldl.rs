@@ -1,7 +1,7 @@
-//! L D Lᵀ of a symmetric matrix, without roots: for covariances and other matrices that need not be definite.
+//! L D Lᵀ of a symmetric matrix, without square roots: for covariances and other matrices that may be indefinite.
 //!
-//! nalgebra has none without pivots; this has an order of its own: column by column, each element takes the
-//! columns before in their order.
+//! nalgebra has no version without pivots. This one has its own order of operations: column by column; each element
+//! subtracts the products with earlier columns in ascending order.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -18,7 +18,7 @@ pub struct Ldl<T: Real, const N: usize> {
     pub d: SVector<T, N>,
 }
 
-/// Factors a symmetric matrix, of which the lower triangle is read; none where an element of D is zero or not
+/// Factors a symmetric matrix, of which only the lower triangle is read; none if an element of D is zero or not
 /// finite.
 #[function]
 pub fn factored<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> Option<Ldl<T, N>> {

@@ -11,12 +11,12 @@ use crate::{data, function};
 pub struct Lu<T: Real, const N: usize> {
     /// U, and below the diagonal L without its ones.
     factors: SMatrix<T, N, N>,
-    /// The row that each was exchanged with, in this order.
+    /// Row with which each row was exchanged, in order.
     pivots: [u32; N],
 }
 
-/// Factors a matrix by elimination. The pivot is the first of the largest magnitudes; where it is zero, the
-/// column stays as it is.
+/// Factors a matrix by elimination. The pivot is the first of the largest magnitudes; if it is zero, the column is
+/// unchanged.
 #[function]
 pub fn factored<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> Lu<T, N> {
     let mut factors = *a;
@@ -58,8 +58,7 @@ pub fn factored<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> Lu<T, N> {
 
 #[data]
 impl<T: Real, const N: usize> Lu<T, N> {
-    /// Solves for each column of `b`, in its place; `false` where the matrix is singular: then `b` is of no
-    /// use.
+    /// Solves for each column of `b`, in place. Returns false for a singular matrix; `b` is then unusable.
     pub fn solve_mut<const K: usize>(&self, b: &mut SMatrix<T, N, K>) -> bool {
         for k in 0..N {
             let pivot = (self.pivots[k] as usize).min(N - 1);
@@ -93,13 +92,13 @@ impl<T: Real, const N: usize> Lu<T, N> {
         true
     }
 
-    /// The solution for each column of `b`; none where the matrix is singular.
+    /// The solution for each column of `b`; none for a singular matrix.
     pub fn solve<const K: usize>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
         let mut x = *b;
         if self.solve_mut(&mut x) { Some(x) } else { None }
     }
 
-    /// The inverse; none where the matrix is singular.
+    /// The inverse; none for a singular matrix.
     pub fn try_inverse(&self) -> Option<SMatrix<T, N, N>> {
         let mut inverse = SMatrix::<T, N, N>::identity();
         if self.solve_mut(&mut inverse) { Some(inverse) } else { None }

@@ -1,11 +1,11 @@
-//! Decompositions as values, written in the DSL for the C. nalgebra's `lu`, `cholesky`, `qr` and `udu` have its order
-//! of operations; eigenvalues and singular values have an order of their own.
+//! Decompositions as values, written in the DSL for the C. nalgebra's `lu`, `cholesky`, `qr` and `udu` have
+//! nalgebra's order of operations; eigenvalues and singular values have their own.
 //!
-//! In the simulation such a value is nalgebra's own; in the C it is a struct of these modules. Both go by
-//! the same methods, and a model holds them in locals.
+//! Such a value is nalgebra's type in the simulation, and a struct of these modules in the C. Both have the same
+//! methods, and models hold them in locals.
 //!
-//! An index that is computed is kept within its bounds by `min`, which changes nothing and leaves no check:
-//! so an infallible entry point may factor matrices.
+//! A computed index is limited by `min`, which changes no value and makes its check provable. So an infallible entry
+//! point may factor matrices.
 
 pub mod cholesky;
 pub mod eigen;

@@ -1,4 +1,4 @@
-//! QR by Householder's reflections.
+//! QR by Householder reflections.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -9,7 +9,7 @@ use crate::{data, function};
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub struct Qr<T: Real, const R: usize, const C: usize> {
-    /// R above the diagonal; from the diagonal down the axis of each reflection.
+    /// R above the diagonal; on and below it the axis of each reflection.
     factors: SMatrix<T, R, C>,
     /// The diagonal of R, each element with the sign of its reflection.
     diagonal: SVector<T, C>,
@@ -41,7 +41,7 @@ pub fn dot_below<T: Real, const R: usize, const C: usize>(
     sum
 }
 
-/// Reflects the columns of `b` from one on, in the rows from one on, at an axis of length 1; times `sign`.
+/// Reflects the columns of `b` from one on, in the rows from one on, at a unit axis; multiplied by `sign`.
 #[function]
 pub fn reflect<T: Real, const R: usize, const C: usize>(
     b: &mut SMatrix<T, R, C>,
@@ -135,7 +135,7 @@ impl<T: Real, const R: usize, const C: usize> Qr<T, R, C> {
     }
 }
 
-/// Solves for each column of `b`, in its place; `false` where the matrix is singular: then `b` is of no use.
+/// Solves for each column of `b`, in place. Returns false for a singular matrix; `b` is then unusable.
 #[function]
 pub fn solve_mut<T: Real, const N: usize, const K: usize>(
     qr: &Qr<T, N, N>,
@@ -158,7 +158,7 @@ pub fn solve_mut<T: Real, const N: usize, const K: usize>(
     true
 }
 
-/// The solution for each column of `b`; none where the matrix is singular.
+/// The solution for each column of `b`; none for a singular matrix.
 #[function]
 pub fn solve<T: Real, const N: usize, const K: usize>(
     qr: &Qr<T, N, N>,
@@ -168,7 +168,7 @@ pub fn solve<T: Real, const N: usize, const K: usize>(
     if solve_mut(qr, &mut x) { Some(x) } else { None }
 }
 
-/// The inverse; none where the matrix is singular.
+/// The inverse; none for a singular matrix.
 #[function]
 pub fn try_inverse<T: Real, const N: usize>(qr: &Qr<T, N, N>) -> Option<SMatrix<T, N, N>> {
     let mut inverse = SMatrix::<T, N, N>::identity();

@@ -1,7 +1,7 @@
-//! Singular values, by Jacobi's rotations of columns.
+//! Singular values, by Jacobi rotations of columns.
 //!
-//! nalgebra's own asks the platform for angles and iterates without a bound; this has an order of its own
-//! and at most 30 sweeps, of which matrices up to 20 columns take about ten.
+//! nalgebra's function uses the platform's angles and iterates without a bound. This one has its own order of
+//! operations and at most 30 sweeps; matrices up to 20 columns need about ten.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -10,15 +10,15 @@ use crate::linear::matrix_extremes::all_finite;
 use crate::math::{Real, real};
 use crate::{data, function};
 
-/// The singular values of a matrix with no more columns than rows, and their vectors.
+/// Singular values and vectors of a matrix with at most as many columns as rows.
 #[data]
 #[derive(Clone, Copy, Debug)]
 pub struct Svd<T: Real, const R: usize, const C: usize> {
-    /// The left vectors, as columns: of length 1 and at right angles; zero where the value is.
+    /// Left singular vectors as columns, orthonormal; zero for a zero value.
     pub u: SMatrix<T, R, C>,
-    /// The values, the largest first.
+    /// Singular values in descending order.
     pub singular_values: SVector<T, C>,
-    /// The right vectors, as rows.
+    /// Right singular vectors as rows.
     pub v_t: SMatrix<T, C, C>,
 }
 
@@ -38,10 +38,10 @@ pub fn dot_of_columns<T: Real, const R: usize, const C: usize>(
     sum
 }
 
-/// The singular values of a matrix with no more columns than rows (else take its transpose), and their
-/// vectors. NaN where an element is not finite.
+/// Singular values and vectors of a matrix with at most as many columns as rows (for others use the transpose). NaN
+/// if an element is not finite.
 ///
-/// An error of the values is about the largest of them times the rounding of the type.
+/// The error of a value is about the largest of them times the rounding unit of the type.
 #[function]
 pub fn jacobi<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> Svd<T, R, C> {
     assert!(C <= R, "take the transpose");
@@ -125,8 +125,7 @@ impl<T: Real, const R: usize, const C: usize> Svd<T, R, C> {
         rank
     }
 
-    /// The solution of least squares for each column of `b`, the shortest of all; values up to `least` count
-    /// as zero.
+    /// The least-squares solution of smallest norm for each column of `b`; values up to `least` count as zero.
     pub fn solve<const K: usize>(&self, b: &SMatrix<T, R, K>, least: T) -> SMatrix<T, C, K> {
         let mut parts = self.u.tr_mul(b);
         for column in 0..K {
@@ -139,7 +138,7 @@ impl<T: Real, const R: usize, const C: usize> Svd<T, R, C> {
         self.v_t.tr_mul(&parts)
     }
 
-    /// The inverse of Moore and Penrose; values up to `least` count as zero.
+    /// The Moore–Penrose inverse; values up to `least` count as zero.
     pub fn pseudo_inverse(&self, least: T) -> SMatrix<T, C, R> {
         let mut parts = self.u.transpose();
         for column in 0..R {

@@ -1,5 +1,5 @@
-//! Systems of equations with a triangular matrix, of which only the triangle is read. None (or `false`,
-//! and `b` of no use) where the diagonal has a zero.
+//! Solves with a triangular matrix, of which only the triangle is read. If the diagonal has a zero, the result is
+//! none (or `false`, with an unusable `b`).
 
 use nalgebra::SMatrix;
 
@@ -11,7 +11,7 @@ use crate::math::Real;
 
 #[library(TriangularCompanions)]
 impl<T: Real, const N: usize> SMatrix<T, N, N> {
-    /// The solution of `a x = b`, of `a` the lower triangle.
+    /// The solution of `a x = b` with the lower triangle of `a`.
     pub fn solve_lower_triangular<const K: usize>(
         a: &Self,
         b: &SMatrix<T, N, K>,
@@ -20,7 +20,7 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
         if solve_lower_mut(a, &mut x) { Some(x) } else { None }
     }
 
-    /// The solution of `a x = b`, of `a` the upper triangle.
+    /// The solution of `a x = b` with the upper triangle of `a`.
     pub fn solve_upper_triangular<const K: usize>(
         a: &Self,
         b: &SMatrix<T, N, K>,
@@ -29,7 +29,7 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
         if solve_upper_mut(a, &mut x) { Some(x) } else { None }
     }
 
-    /// The solution of `aᵀ x = b`, of `a` the lower triangle.
+    /// The solution of `aᵀ x = b` with the lower triangle of `a`.
     #[method(tr_solve_lower_triangular, ad_solve_lower_triangular)]
     pub fn tr_solve_lower_triangular<const K: usize>(
         a: &Self,
@@ -39,7 +39,7 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
         if tr_solve_lower_mut(a, &mut x) { Some(x) } else { None }
     }
 
-    /// The solution of `aᵀ x = b`, of `a` the upper triangle.
+    /// The solution of `aᵀ x = b` with the upper triangle of `a`.
     #[method(tr_solve_upper_triangular, ad_solve_upper_triangular)]
     pub fn tr_solve_upper_triangular<const K: usize>(
         a: &Self,
@@ -49,7 +49,7 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
         if tr_solve_upper_mut(a, &mut x) { Some(x) } else { None }
     }
 
-    /// Solves `a x = b` in place of `b`, of `a` the lower triangle.
+    /// Solves `a x = b` in place of `b`, with the lower triangle of `a`.
     pub fn solve_lower_triangular_mut<const K: usize>(a: &Self, b: &mut SMatrix<T, N, K>) -> bool {
         for column in 0..K {
             for k in 0..N {
@@ -67,7 +67,7 @@ impl<T: Real, const N: usize> SMatrix<T, N, N> {
         true
     }
 
-    /// Solves `a x = b` in place of `b`, of `a` the upper triangle.
+    /// Solves `a x = b` in place of `b`, with the upper triangle of `a`.
     pub fn solve_upper_triangular_mut<const K: usize>(a: &Self, b: &mut SMatrix<T, N, K>) -> bool {
         for column in 0..K {
             for k in (0..N).rev() {

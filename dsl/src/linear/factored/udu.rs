@@ -1,4 +1,4 @@
-//! U D Uᵀ of a symmetric matrix, as Bierman's filters keep their covariance.
+//! U D Uᵀ of a symmetric matrix, the form in which Bierman's filters store a covariance.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,7 +15,7 @@ pub struct Udu<T: Real, const N: usize> {
     pub d: SVector<T, N>,
 }
 
-/// Factors a symmetric matrix, of which the upper triangle is read; none where an element of D is zero.
+/// Factors a symmetric matrix, of which only the upper triangle is read; none if an element of D is zero.
 #[function]
 pub fn factored<T: Real, const N: usize>(p: &SMatrix<T, N, N>) -> Option<Udu<T, N>> {
     let mut u = SMatrix::<T, N, N>::zeros();

@@ -1,4 +1,4 @@
-//! Quaternions of any length.
+//! Quaternions, not necessarily of length 1.
 
 use nalgebra::{Quaternion as Native, Vector3, Vector4};
 
@@ -21,13 +21,13 @@ pub struct Quaternion<T> {
 
 #[library(QuaternionCompanions)]
 impl<T: Real> Native<T> {
-    /// From the real part and the factors of 𝐢, 𝐣 and 𝐤.
+    /// Builds a quaternion from its real part and its factors of 𝐢, 𝐣 and 𝐤.
     #[by_value(vector)]
     pub fn from_parts(scalar: T, vector: &Vector3<T>) -> Self {
         Native::new(scalar, vector.x, vector.y, vector.z)
     }
 
-    /// With these factors of 𝐢, 𝐣 and 𝐤, and no real part.
+    /// Builds the quaternion with these factors of 𝐢, 𝐣 and 𝐤 and the real part 0.
     #[by_value(vector)]
     pub fn from_imag(vector: &Vector3<T>) -> Self {
         Native::new(T::ZERO, vector.x, vector.y, vector.z)
@@ -61,7 +61,7 @@ impl<T: Real> Native<T> {
         Vector3::new(q.i, q.j, q.k)
     }
 
-    /// The sum of the products of the parts.
+    /// The dot product: the sum of the products of the four parts.
     pub fn dot(a: &Self, b: &Self) -> T {
         (a.i * b.i + a.k * b.k) + (a.j * b.j + a.w * b.w)
     }
@@ -78,7 +78,7 @@ impl<T: Real> Native<T> {
         (q.i * q.i + q.k * q.k) + (q.j * q.j + q.w * q.w)
     }
 
-    /// The quaternion at length 1.
+    /// The quaternion divided by its length.
     pub fn normalize(q: &Self) -> Self {
         unscaled(q, norm(q))
     }
@@ -96,7 +96,7 @@ impl<T: Real> Native<T> {
         if squared >= T::EPSILON { Some(unscaled(&conjugate(q), squared)) } else { None }
     }
 
-    /// `share` of the way from `a` to `b`.
+    /// Linear interpolation between `a` (`share` 0) and `b` (`share` 1).
     pub fn lerp(a: &Self, b: &Self, share: T) -> Self {
         sum(&scaled(a, T::ONE - share), &scaled(b, share))
     }
@@ -106,19 +106,19 @@ impl<T: Real> Native<T> {
         product(q, q)
     }
 
-    /// Half of it.
+    /// The quaternion with each part halved.
     pub fn half(q: &Self) -> Self {
         unscaled(q, real(2.0))
     }
 }
 
-/// From the factors of 𝐢, 𝐣 and 𝐤, and then the real part.
+/// Builds a quaternion from its parts in the order 𝐢, 𝐣, 𝐤, real.
 #[function]
 pub fn from_vector<T: Real>(parts: Vector4<T>) -> Native<T> {
     Native::new(parts.w, parts.x, parts.y, parts.z)
 }
 
-/// Quaternion from an array.
+/// Builds a quaternion from an array in the order 𝐢, 𝐣, 𝐤, real.
 #[function]
 pub fn from_array<T: Real>(parts: [T; 4]) -> Native<T> {
     Native::new(parts[3], parts[0], parts[1], parts[2])
@@ -147,7 +147,7 @@ pub fn difference<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
     Native::new(a.w - b.w, a.i - b.i, a.j - b.j, a.k - b.k)
 }
 
-/// Each part times a number.
+/// The quaternion with each part multiplied by a number.
 #[function]
 pub fn scaled<T: Real>(q: &Native<T>, factor: T) -> Native<T> {
     Native::new(q.w * factor, q.i * factor, q.j * factor, q.k * factor)
@@ -159,13 +159,13 @@ pub fn scaled_by<T: Real>(factor: T, q: &Native<T>) -> Native<T> {
     Native::new(factor * q.w, factor * q.i, factor * q.j, factor * q.k)
 }
 
-/// Each part over a number.
+/// The quaternion with each part divided by a number.
 #[function]
 pub fn unscaled<T: Real>(q: &Native<T>, divisor: T) -> Native<T> {
     Native::new(q.w / divisor, q.i / divisor, q.j / divisor, q.k / divisor)
 }
 
-/// The opposite.
+/// The quaternion with each part negated.
 #[function]
 pub fn negative<T: Real>(q: &Native<T>) -> Native<T> {
     Native::new(-q.w, -q.i, -q.j, -q.k)

@@ -14,9 +14,9 @@ use crate::{data, function, library};
 pub struct UnitQuaternion<T> {
     /// sin(angle/2) times the first component of the axis.
     pub i: T,
-    /// The second.
+    /// sin(angle/2) times the second component of the axis.
     pub j: T,
-    /// The third.
+    /// sin(angle/2) times the third component of the axis.
     pub k: T,
     /// cos(angle/2).
     pub w: T,
@@ -24,7 +24,7 @@ pub struct UnitQuaternion<T> {
 
 #[library(UnitQuaternionCompanions)]
 impl<T: Real> Native<T> {
-    /// The quaternion at length 1.
+    /// The unit quaternion in the direction of `q`.
     #[method(from_quaternion)]
     #[by_value(q)]
     pub fn new_normalize(q: &Quaternion<T>) -> Self {
@@ -37,7 +37,7 @@ impl<T: Real> Native<T> {
         ))
     }
 
-    /// The rotation back.
+    /// The inverse rotation: by the same angle in the opposite direction.
     #[method(inverse, conjugate)]
     pub fn inverse(q: &Self) -> Self {
         Native::new_unchecked(Quaternion::new(q.w, -q.i, -q.j, -q.k))
@@ -54,7 +54,7 @@ impl<T: Real> Native<T> {
         quotient(to, from)
     }
 
-    /// The vector turned.
+    /// Rotates a vector.
     pub fn transform_vector(q: &Self, vector: &Vector3<T>) -> Vector3<T> {
         let axis = Vector3::new(q.i, q.j, q.k);
         let across = axis.cross(vector) * real::<T>(2.0);
@@ -62,12 +62,12 @@ impl<T: Real> Native<T> {
         across * q.w + twice + vector
     }
 
-    /// The vector turned back.
+    /// Rotates a vector by the inverse rotation.
     pub fn inverse_transform_vector(q: &Self, vector: &Vector3<T>) -> Vector3<T> {
         transform_vector(&inverse(q), vector)
     }
 
-    /// The matrix that turns vectors so.
+    /// The 3 × 3 matrix of the rotation.
     #[by_value(q)]
     pub fn to_rotation_matrix(q: &Self) -> Rotation3<T> {
         let two: T = real(2.0);
@@ -107,7 +107,7 @@ impl<T: Real> Native<T> {
         homogeneous
     }
 
-    /// The quaternion of the rotation of a matrix; the divisor is the largest of the four.
+    /// The quaternion of a rotation matrix. It is computed by way of its largest part, which is the divisor.
     pub fn from_rotation_matrix(m: &Rotation3<T>) -> Self {
         let trace = m[(0, 0)] + m[(1, 1)] + m[(2, 2)];
         let two: T = real(2.0);
@@ -147,12 +147,12 @@ impl<T: Real> Native<T> {
         }
     }
 
-    /// `share` of the way from `a` to `b`, straight, and brought to length 1.
+    /// Linear interpolation between `a` (`share` 0) and `b` (`share` 1), normalised to length 1.
     pub fn nlerp(a: &Self, b: &Self, share: T) -> Self {
         new_normalize(&quaternion::lerp(a, b, share))
     }
 
-    /// The axis, pointing so that the angle is at most π; none of no rotation.
+    /// The axis, in the direction for which the angle is at most π; `None` for the identity.
     pub fn axis(q: &Self) -> Option<UnitVector3<T>> {
         let vector = if q.w >= T::ZERO {
             Vector3::new(q.i, q.j, q.k)
@@ -163,14 +163,15 @@ impl<T: Real> Native<T> {
         if squared > T::ZERO { Some(Unit::new_unchecked(vector / squared.sqrt())) } else { None }
     }
 
-    /// The rotation turned on by a small one: its axis times its angle, rad, to first order.
+    /// The rotation `q` followed by a small rotation, to first order. `axis` is the small rotation's axis times its
+    /// angle, in rad.
     pub fn append_axisangle_linearized(q: &Self, axis: &Vector3<T>) -> Self {
         let half = axis * real::<T>(0.5);
         let change = quaternion::product(&quaternion::from_imag(&half), q);
         new_normalize(&quaternion::sum(q, &change))
     }
 
-    /// Brings it to length 1 again; the length that it had.
+    /// Normalises to length 1 in place and returns the length before.
     pub fn renormalize(q: &mut Self) -> T {
         let length = norm_squared(q).sqrt();
         *q = Native::new_unchecked(Quaternion::new(
@@ -182,7 +183,7 @@ impl<T: Real> Native<T> {
         length
     }
 
-    /// Normalises in place without a root or a division, for a length near 1.
+    /// Normalises a length near 1 in place, by one Newton step without a square root or a division.
     pub fn renormalize_fast(q: &mut Self) {
         let factor = real::<T>(0.5) * (real::<T>(3.0) - norm_squared(q));
         *q = Native::new_unchecked(Quaternion::new(
@@ -194,7 +195,7 @@ impl<T: Real> Native<T> {
     }
 }
 
-/// `second`, and then `first`.
+/// The rotation that applies `second` and then `first`.
 #[function]
 pub fn product<T: Real>(first: &Native<T>, second: &Native<T>) -> Native<T> {
     let (a, b) = (first, second);
@@ -206,31 +207,31 @@ pub fn product<T: Real>(first: &Native<T>, second: &Native<T>) -> Native<T> {
     ))
 }
 
-/// `second` back, and then `first`.
+/// The rotation that applies the inverse of `second` and then `first`.
 #[function]
 pub fn quotient<T: Real>(first: &Native<T>, second: &Native<T>) -> Native<T> {
     product(first, &inverse(second))
 }
 
-/// The rotation after that of a matrix.
+/// The rotation that applies `matrix` and then `q`.
 #[function]
 pub fn product_with_matrix<T: Real>(q: &Native<T>, matrix: &Rotation3<T>) -> Native<T> {
     product(q, &from_rotation_matrix(matrix))
 }
 
-/// The rotation after that of a matrix back.
+/// The rotation that applies the inverse of `matrix` and then `q`.
 #[function]
 pub fn quotient_by_matrix<T: Real>(q: &Native<T>, matrix: &Rotation3<T>) -> Native<T> {
     quotient(q, &from_rotation_matrix(matrix))
 }
 
-/// The rotation of a matrix after another.
+/// The rotation that applies `q` and then `matrix`.
 #[function]
 pub fn product_of_matrix<T: Real>(matrix: &Rotation3<T>, q: &Native<T>) -> Native<T> {
     product(&from_rotation_matrix(matrix), q)
 }
 
-/// The rotation of a matrix after another back.
+/// The rotation that applies the inverse of `q` and then `matrix`.
 #[function]
 pub fn quotient_of_matrix<T: Real>(matrix: &Rotation3<T>, q: &Native<T>) -> Native<T> {
     quotient(&from_rotation_matrix(matrix), q)

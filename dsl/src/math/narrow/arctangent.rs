@@ -1,8 +1,8 @@
 //! The inverse trigonometric functions.
 //!
-//! The arctangent by way of the nearest c of a table, four for each octave from 1/4 to 4:
-//! atan x = atan c + atan((x − c) / (1 + x·c)), and a polynomial. Of two coordinates, the same with (y − c·x) / (x + c·y).
-//! Arcsine and arccosine have a polynomial up to 1/2, and beyond by way of asin x = π/2 − 2·asin √((1 − x)/2).
+//! The arctangent: for the nearest c of a table, with four entries for each octave from 1/4 to 4, atan x = atan c +
+//! atan((x − c) / (1 + x·c)), and the last is a polynomial. For two coordinates the argument is (y − c·x) / (x +
+//! c·y). Arcsine and arccosine are a polynomial up to 1/2, and from there on asin x = π/2 − 2·asin √((1 − x)/2).
 
 use super::super::RawBits as _;
 use super::super::tables::{
@@ -73,8 +73,8 @@ pub fn atanf(x: f32) -> f32 {
     }
 }
 
-/// Angle of a point in the first quadrant, as a sum of two, from 0 to π/2 rad. `ratio` is `height`/`width`, and all are
-/// from 2⁻⁶⁰ to 2⁶⁰.
+/// Angle of a point in the first quadrant, from 0 to π/2 rad, as a sum of two floats. `ratio` is `height`/`width`;
+/// all three are from 2⁻⁶⁰ to 2⁶⁰.
 #[inline]
 #[function]
 fn angle_of_ratio(height: f32, width: f32, ratio: f32) -> PairF32 {
@@ -110,7 +110,8 @@ fn angle_on_side(angle: PairF32, left: bool) -> f32 {
     }
 }
 
-/// The angle of the point (`x`, `y`) in rad: special values, and coordinates far from 1 or from each other.
+/// The angle of the point (`x`, `y`) in rad, outside the common path. This is for special values and for coordinates
+/// that are very large, very small or of very different size.
 #[function]
 pub fn far_atan2(y: f32, x: f32) -> f32 {
     let width = x.abs();
@@ -155,7 +156,7 @@ pub fn atan2f(y: f32, x: f32) -> f32 {
     }
 }
 
-/// (asin √z − √z)/z^(3/2) for 0 to 1/4.
+/// (asin √z − √z)/z^(3/2) for z from 0 to 1/4.
 #[inline]
 #[function]
 fn arcsine_curve(z: f32) -> f32 {
@@ -163,7 +164,8 @@ fn arcsine_curve(z: f32) -> f32 {
     NARROW_ARCSINE[0] + z * (NARROW_ARCSINE[1] + z * upper)
 }
 
-/// Half the arccosine of `size` from 1/2 to 1: the rounded root r of (1 − `size`)/2, and its correction.
+/// Half the arccosine of `size`, for `size` from 1/2 to 1, as the rounded root r of (1 − `size`)/2 and its
+/// correction.
 #[inline]
 #[function]
 fn half_arccosine(size: f32) -> PairF32 {

@@ -1,5 +1,5 @@
-//! The exponentials: whole powers of two, by their bits, 128ths from a table, and a short polynomial for what is left. Those that
-//! leave 1 out take whole powers alone, and a longer one.
+//! The exponential functions: a power of two by its bits, 128ths of an exponent from a table, and a short polynomial
+//! for the remainder. e^x − 1 and the hyperbolic functions use no table and a longer polynomial.
 
 use core::f32::consts::{LN_2, LOG2_E};
 
@@ -11,7 +11,7 @@ use super::super::tables::{
 use super::{TO_INTEGER, ordered_sum};
 use crate::prelude::*;
 
-/// 2^`steps` times a number that stays normal; of `steps` the last nine bits count.
+/// 2^`steps` times a number whose result is normal; only the last nine bits of `steps` count.
 #[inline]
 #[function]
 pub fn scaled(x: f32, steps: u32) -> f32 {
@@ -29,19 +29,19 @@ pub fn far_scaled(x: f32, steps: i32) -> f32 {
     }
 }
 
-/// An exponent as whole powers of two and what is left of it.
+/// An exponent as a multiple of ln 2 and a remainder.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepsF32 {
-    /// Whole powers of two.
+    /// The multiple: the exponent of a power of two.
     pub steps: i32,
-    /// The exponent that is left, −0.35 to 0.35: exact.
+    /// The leading part of the remainder, −0.35 to 0.35: exact.
     pub high: f32,
-    /// The lower part, to be subtracted.
+    /// The rest of the remainder, to be subtracted.
     pub low: f32,
 }
 
-/// Takes multiples of ln 2 off an exponent from −120 to 120.
+/// Splits an exponent from −120 to 120 into a multiple of ln 2 and a remainder.
 #[inline]
 #[function]
 pub fn steps_of(x: f32) -> StepsF32 {
@@ -73,17 +73,19 @@ pub(crate) const TO_STEPS: f32 = 98_304.0;
 #[crate::data]
 const NO_STEPS: u32 = 0x47c0_0000;
 
-/// An exponent as 128ths and what is left of it.
+/// An exponent as a number of 128ths and a remainder.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ExponentF32 {
-    /// The bits of the number of 128ths with `TO_STEPS` added: the last seven choose a row, the rest is whole powers of two.
+    /// The bits of the number of 128ths plus `TO_STEPS`: the last seven choose a row, the others are the exponent of
+    /// a power of two.
     pub bits: u32,
     /// The remainder.
     pub rest: f32,
 }
 
-/// 2^(`steps`/128) · (1 + `beyond`): of `steps` the last seven bits choose a row, and the others are whole powers of two.
+/// 2^(`steps`/128) · (1 + `beyond`): the last seven bits of `steps` choose a row, the others are the exponent of a
+/// power of two.
 #[inline]
 #[function]
 pub fn step_power(steps: u32, beyond: f32) -> f32 {
@@ -92,19 +94,19 @@ pub fn step_power(steps: u32, beyond: f32) -> f32 {
     base + base * (f32::from_bits(NARROW_OF_TWO[row][0]) + beyond)
 }
 
-/// The power where it is not a normal number, for an exponent's bits.
+/// [`step_power`] for a result that is not a normal number; `bits` is that of [`ExponentF32`].
 #[function]
 pub fn far_step_power(bits: u32, beyond: f32) -> f32 {
     let whole = bits.wrapping_sub(NO_STEPS) as i32 >> 7;
     far_scaled(step_power(bits & 127, beyond), whole)
 }
 
-/// Coefficient of r in the Taylor series of e^r, including the best fraction of r³. Up to |r| = (ln 2)/256 the error is
-/// below 2⁻³⁰.
+/// Coefficient of r in the Taylor series of e^r, including the best linear approximation of r³'s term. Up to |r| =
+/// (ln 2)/256 the error is below 2⁻³⁰.
 #[crate::data]
 const FIRST: f32 = 1.0 + LN_2 * LN_2 / 8.0 / 65_536.0;
 
-/// Takes 128ths of ln 2 off an exponent from −120 to 120: to (ln 2)/256 is left.
+/// Splits an exponent from −120 to 120 into 128ths of ln 2 and a remainder of at most (ln 2)/256.
 #[inline]
 #[function]
 fn natural_steps(x: f32) -> ExponentF32 {
@@ -114,14 +116,14 @@ fn natural_steps(x: f32) -> ExponentF32 {
     ExponentF32 { bits: shifted.raw_bits(), rest }
 }
 
-/// e^r minus 1, for −(ln 2)/256 to (ln 2)/256.
+/// e^r − 1 for r from −(ln 2)/256 to (ln 2)/256.
 #[inline]
 #[function]
 fn natural_beyond(r: f32) -> f32 {
     r * (FIRST + 0.5 * r)
 }
 
-/// e^x next to the normal numbers' limits and beyond.
+/// e^x where the result is near the limits of the normal numbers, or beyond.
 #[function]
 pub fn far_exponential(x: f32) -> f32 {
     if x > 88.73 {
@@ -136,7 +138,7 @@ pub fn far_exponential(x: f32) -> f32 {
     }
 }
 
-/// e^x; within 1 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
+/// e^x; within 1 ulp. −∞ gives 0, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn expf(x: f32) -> f32 {
     // Beyond, what is added to a row's power could lose bits below the normal numbers.
@@ -148,22 +150,22 @@ pub fn expf(x: f32) -> f32 {
     }
 }
 
-/// Coefficient of r in the Taylor series of 2^r, including the best fraction of r³. Up to |r| = 1/256 the error is
-/// below 2⁻³⁰.
+/// Coefficient of r in the Taylor series of 2^r, including the best linear approximation of r³'s term. Up to |r| =
+/// 1/256 the error is below 2⁻³⁰.
 #[crate::data]
 const BINARY_FIRST: f32 = LN_2 + LN_2 * LN_2 * LN_2 / 8.0 / 65_536.0;
 /// Coefficient of r².
 #[crate::data]
 const BINARY_SECOND: f32 = LN_2 * LN_2 / 2.0;
 
-/// 2^r minus 1, for −1/256 to 1/256.
+/// 2^r − 1 for r from −1/256 to 1/256.
 #[inline]
 #[function]
 pub fn binary_beyond(r: f32) -> f32 {
     r * (BINARY_FIRST + BINARY_SECOND * r)
 }
 
-/// 2^x next to the normal numbers' limits and beyond.
+/// 2^x where the result is near the limits of the normal numbers, or beyond.
 #[function]
 pub fn far_binary(x: f32) -> f32 {
     if x >= 128.0 {
@@ -178,7 +180,7 @@ pub fn far_binary(x: f32) -> f32 {
     }
 }
 
-/// 2^x; within 1 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
+/// 2^x; within 1 ulp. −∞ gives 0, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn exp2f(x: f32) -> f32 {
     // Beyond, what is added to a row's power could lose bits below the normal numbers.
@@ -190,8 +192,7 @@ pub fn exp2f(x: f32) -> f32 {
     }
 }
 
-/// e^x − 1, without cancellation; within 1 ulp. ±0 gives ±0, −∞ gives −1, what overflows ∞, NaN
-/// gives NaN.
+/// e^x − 1, without cancellation; within 1 ulp. ±0 gives ±0, −∞ gives −1, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn exp_m1f(x: f32) -> f32 {
     let size = x.abs();

@@ -1,4 +1,4 @@
-//! The hyperbolic functions: polynomials near zero, and beyond from the exponentials before their last rounding.
+//! The hyperbolic functions: polynomials near zero, and otherwise from the exponentials before their last rounding.
 
 use super::super::tables::{NARROW_SINH, NARROW_TANH};
 use super::exponential::{StepsF32, beyond, far_scaled, scaled, steps_of};
@@ -26,18 +26,18 @@ const E6: f32 = 1.0 / 720.0;
 #[crate::data]
 const E7: f32 = 1.0 / 5_040.0;
 
-/// Up to here the smaller of e^x and e^(−x) counts.
+/// Up to this number e^(−x) changes the sum with e^x.
 #[crate::data]
 const BOTH: f32 = 9.0;
 
-/// The even part of e^r less 1, for r² to 0.12.
+/// The even part of e^r, less 1, for `z` = r² up to 0.12.
 #[inline]
 #[function]
 fn even_part(z: f32) -> f32 {
     z * (E2 + z * (E4 + z * E6))
 }
 
-/// Half of e^x + `sign` · e^(−x), of the larger's exponent, from 0.35 to 9; with a `sign` of −1, from 1.04.
+/// Half of e^x + `sign` · e^(−x), for x from 0.35 to 9, or from 1.04 if `sign` is −1; `exponent` is that of e^x.
 #[inline]
 #[function]
 fn half_of_both(exponent: StepsF32, sign: f32) -> f32 {
@@ -52,7 +52,7 @@ fn half_of_both(exponent: StepsF32, sign: f32) -> f32 {
     lead.high + (lead.low + rest)
 }
 
-/// Half of e^x from 9 on, and of NaN.
+/// Half of e^x for x from 9 on, and for NaN.
 #[function]
 pub fn far_half(size: f32) -> f32 {
     if size < 90.0 {
@@ -65,7 +65,7 @@ pub fn far_half(size: f32) -> f32 {
     }
 }
 
-/// The hyperbolic sine; within 1 ulp. ±0 gives ±0, what overflows ±∞, NaN gives NaN.
+/// The hyperbolic sine; within 1 ulp. ±0 gives ±0, an overflow gives ±∞, NaN gives NaN.
 #[function]
 pub fn sinhf(x: f32) -> f32 {
     let size = x.abs();
@@ -79,7 +79,7 @@ pub fn sinhf(x: f32) -> f32 {
     if x < 0.0 { -value } else { value }
 }
 
-/// The hyperbolic cosine; within 1 ulp. ±0 gives 1, what overflows ∞, NaN gives NaN.
+/// The hyperbolic cosine; within 1 ulp. ±0 gives 1, an overflow gives ∞, NaN gives NaN.
 #[function]
 pub fn coshf(x: f32) -> f32 {
     let size = x.abs();

@@ -1,8 +1,11 @@
-//! The logarithms. Natural and to base 2, a significand is c · (1 + r) with c and its logarithm from a table; a short polynomial is for r
-//! (P. T. P. Tang). The leading parts of the logarithms of c are such that their sums with the exponent's are exact.
+//! The logarithms.
 //!
-//! Of 1 + x and to base 10: with f = m − 1 of a significand m from 0.705 to 1.410 and s = f/(2 + f), ln m is the series of
-//! 2 artanh s, written as f − f²/2 + s · (f²/2 + R(s²)) so that what is large is exact.
+//! Natural logarithm and base 2: a significand is c · (1 + r), with c and its logarithm from a table; a short
+//! polynomial is for r (P. T. P. Tang). The leading parts of the logarithms of c have so few bits that their sums
+//! with the exponent's part are exact.
+//!
+//! ln(1 + x) and base 10: with f = m − 1 of a significand m from 0.705 to 1.410 and s = f/(2 + f), ln m is the series
+//! of 2 artanh s, written as f − f²/2 + s · (f²/2 + R(s²)) so that the large terms are exact.
 
 use super::super::RawBits as _;
 use super::super::tables::{
@@ -13,17 +16,17 @@ use super::super::tables::{
 use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
 
-/// A positive number as 2^`exponent` · (1 + `rest`), that from −0.295 to 0.410.
+/// A positive number as 2^`exponent` · (1 + `rest`), with `rest` from −0.295 to 0.410.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SplitF32 {
     /// The exponent.
     pub exponent: f32,
-    /// The significand less 1: exact.
+    /// The significand minus 1: exact.
     pub rest: f32,
 }
 
-/// The parts of a normal number; of its exponent, `less` is taken off.
+/// The parts of a normal number; `less` is subtracted from its exponent.
 #[inline]
 #[function]
 fn split(x: f32, less: i32) -> SplitF32 {
@@ -36,7 +39,7 @@ fn split(x: f32, less: i32) -> SplitF32 {
     }
 }
 
-/// s · (f²/2 + R(s²)) for a half square f²/2.
+/// s · (f²/2 + R(s²)), where `half` is f²/2.
 #[inline]
 #[function]
 fn beyond_square(f: f32, half: f32) -> f32 {
@@ -46,7 +49,7 @@ fn beyond_square(f: f32, half: f32) -> f32 {
     s * (half + tail)
 }
 
-/// The natural logarithm of 2^`exponent` · (1 + `rest`), and `lost` with it.
+/// The natural logarithm of 2^`exponent` · (1 + `rest`), plus the correction `lost`.
 #[inline]
 #[function]
 fn natural(parts: SplitF32, lost: f32) -> f32 {
@@ -57,7 +60,7 @@ fn natural(parts: SplitF32, lost: f32) -> f32 {
     lead.high + (small - half)
 }
 
-/// ln(1 + `f`) as a sum of two, the first of 12 bits.
+/// ln(1 + `f`) as a sum of two floats, the first of 12 bits.
 #[inline]
 #[function]
 fn natural_pair(f: f32) -> PairF32 {
@@ -73,7 +76,7 @@ pub fn is_plain(x: f32) -> bool {
     x.raw_bits().wrapping_sub(0x0080_0000) < 0x7f00_0000
 }
 
-/// Logarithms of what is no positive, normal number.
+/// Logarithms of numbers that are not positive and normal.
 #[inline]
 #[function]
 fn limit(x: f32) -> f32 {
@@ -86,14 +89,14 @@ fn limit(x: f32) -> f32 {
     }
 }
 
-/// Returns true if a number is positive and below the normal ones.
+/// Returns true if a number is positive and subnormal.
 #[inline]
 #[function]
 pub fn is_subnormal(x: f32) -> bool {
     x > 0.0 && x < f32::MIN_POSITIVE
 }
 
-/// A positive number as 2^`exponent` · `significand`, that from 0.703 to 1.406.
+/// A positive number as 2^`exponent` · `significand`, with the significand from 0.703 to 1.406.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RowF32 {
@@ -101,11 +104,11 @@ pub struct RowF32 {
     pub exponent: f32,
     /// The significand.
     pub significand: f32,
-    /// The row of the significand, of which the last six bits count.
+    /// The row of the significand in the table; only the last six bits count.
     pub row: u32,
 }
 
-/// The parts of a normal number; of its exponent, `less` is taken off.
+/// The parts of a normal number; `less` is subtracted from its exponent.
 #[inline]
 #[function]
 fn row_of(x: f32, less: i32) -> RowF32 {
@@ -131,7 +134,7 @@ fn natural_of_row(parts: RowF32) -> f32 {
     (parts.exponent * NARROW_LN_2_HIGH + NARROW_LN_ROWS[row][2]) + (r + (rest + curve))
 }
 
-/// The natural logarithm of what is no positive, normal number.
+/// The natural logarithm of a number that is not positive and normal.
 #[function]
 pub fn far_lnf(x: f32) -> f32 {
     if is_subnormal(x) { natural_of_row(row_of(x * 8_388_608.0, 23)) } else { limit(x) }
@@ -176,7 +179,7 @@ fn binary_of_row(parts: RowF32) -> f32 {
     (parts.exponent + NARROW_BINARY_LOG_ROWS[row][2]) + (r + (rest + curve))
 }
 
-/// The logarithm to base 2 of what is no positive, normal number.
+/// The logarithm to base 2 of a number that is not positive and normal.
 #[function]
 pub fn far_log2f(x: f32) -> f32 {
     if is_subnormal(x) { binary_of_row(row_of(x * 8_388_608.0, 23)) } else { limit(x) }

@@ -1,9 +1,9 @@
-//! The elementary functions of `f32` in `f32` arithmetic alone: for processors that have no other in hardware.
+//! The elementary functions of `f32` in `f32` arithmetic alone, for processors without `f64` in hardware.
 //!
-//! The feature `single` of this crate puts them in the place of [`super::single`]'s, which compute in double:
-//! `docs/design/numbers.md`. No `f64` and no integer of 64 bits takes part, and a fused multiply-add only where nothing is
-//! rounded, so that halves of the factors give the same. At most one unit in the last place is lost; where a plain sum would
-//! lose more, its rest is kept beside it.
+//! The feature `single` of this crate replaces those of [`super::single`], which compute in double precision, by
+//! these: see `docs/design/numbers.md`. They use no `f64` and no 64-bit integers. A fused multiply-add is used only
+//! where it rounds nothing, so that splitting the factors into halves gives the same result. The error is at most one
+//! unit in the last place; where a single sum would lose more, its rounding error is kept in a second float.
 
 pub mod arctangent;
 pub mod exponential;
@@ -37,17 +37,17 @@ pub fn leading(x: f32) -> f32 {
     f32::from_bits(x.raw_bits() & 0xffff_f000)
 }
 
-/// A number as a sum of two.
+/// A number as a sum of two floats.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PairF32 {
-    /// The number to a float.
+    /// The number rounded to a float.
     pub high: f32,
     /// The error of `high`.
     pub low: f32,
 }
 
-/// The sum and its rounding error, where |`a`| ≥ |`b`| or nothing is lost (T. J. Dekker).
+/// The sum and its rounding error, if |`a`| ≥ |`b`| or the sum is exact (T. J. Dekker).
 #[inline]
 #[function]
 pub fn ordered_sum(a: f32, b: f32) -> PairF32 {
@@ -55,9 +55,11 @@ pub fn ordered_sum(a: f32, b: f32) -> PairF32 {
     PairF32 { high, low: b - (high - a) }
 }
 
-/// `x * a + b` where that is a float, such as the rounding error of a product. It comes from halves of the factors (T. J. Dekker),
-/// or from a processor's fused instruction, which has nothing to round there. Below 2⁻¹⁰⁰ and beyond 2¹²⁷ the two may differ: a
-/// caller lets no bit of its result depend on that.
+/// `x * a + b` where that is exactly a float, such as the rounding error of a product.
+///
+/// It is computed from halves of the factors (T. J. Dekker), or by a processor's fused instruction, which rounds
+/// nothing there. Below 2⁻¹⁰⁰ and beyond 2¹²⁷ the two may differ: callers do not let a bit of their results depend on
+/// that.
 #[inline]
 #[function]
 pub fn exact_mul_addf(x: f32, a: f32, b: f32) -> f32 {

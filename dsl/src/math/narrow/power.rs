@@ -1,7 +1,8 @@
-//! Powers: x^y = 2^(y · log₂ x) with the logarithm and the product as sums of floats: ten bits more than a float has.
+//! Powers: x^y = 2^(y · log₂ x), with the logarithm and the product as sums of floats that have ten bits more than a
+//! float.
 //!
-//! For the logarithm, a factor c of so few bits that r = m·c − 1 is exact comes from a table, and what is left is the series of
-//! log₂(1 + r). Special values are those of C99, Annex F.
+//! For the logarithm, a table has factors c of so few bits that r = m·c − 1 is exact, and a series gives log₂(1 + r).
+//! Special values are those of C99, Annex F.
 
 use super::super::RawBits as _;
 use super::super::tables::{NARROW_LOG2_E_HIGH, NARROW_LOG2_E_LOW, NARROW_LOG2_ROWS};
@@ -45,15 +46,15 @@ pub fn special_power(x: f32, y: f32) -> f32 {
     if odd && 1.0_f32.copysign(x) < 0.0 { -value } else { value }
 }
 
-/// A number as a sum of three.
+/// A number as a sum of three floats.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TripleF32 {
-    /// The number, to 2⁻⁷ of it.
+    /// The number, with a relative error of 2⁻⁷.
     pub high: f32,
-    /// The larger part of what `high` leaves out: with it, the steps of a power can be chosen.
+    /// The larger part of the error of `high`: with it, the steps of a power can be chosen.
     pub middle: f32,
-    /// The error of the two.
+    /// The error of `high` + `middle`.
     pub low: f32,
 }
 
@@ -62,7 +63,8 @@ pub struct TripleF32 {
 #[crate::data]
 const THIRD: f32 = 0.666_680_3;
 
-/// The logarithm to base 2 of a positive, normal number, to 2⁻³² of it; of its exponent, `less` is taken off.
+/// The logarithm to base 2 of a positive, normal number, with a relative error of 2⁻³²; `less` is subtracted from its
+/// exponent.
 #[inline]
 #[function]
 fn binary_logarithm(x: f32, less: i32) -> TripleF32 {
@@ -100,7 +102,7 @@ fn exponent_of(power: TripleF32) -> ExponentF32 {
     ExponentF32 { bits: shifted.raw_bits(), rest }
 }
 
-/// y · log₂ x of a positive, normal x; of its exponent, `less` is taken off.
+/// y · log₂ x for a positive, normal x; `less` is subtracted from its exponent.
 #[inline]
 #[function]
 fn binary_power(x: f32, less: i32, y: f32) -> TripleF32 {
@@ -110,7 +112,8 @@ fn binary_power(x: f32, less: i32, y: f32) -> TripleF32 {
     TripleF32 { high, middle: y * logarithm.middle, low: lost + y * logarithm.low }
 }
 
-/// x^y of any two numbers: next to the largest and the smallest powers, of a subnormal or negative x, and special values.
+/// x^y for any two numbers: results near the largest and smallest powers, subnormal or negative x, and special
+/// values.
 #[function]
 pub fn far_powff(x: f32, y: f32) -> f32 {
     let size = x.abs();
@@ -133,8 +136,8 @@ pub fn far_powff(x: f32, y: f32) -> f32 {
     special_power(x, y)
 }
 
-/// x^y; within 1 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is whole; the rest
-/// as in C99, F.9.4.4.
+/// x^y; within 1 ulp. `y` = ±0 and `x` = 1 give 1; a negative x gives NaN unless y is a whole number; otherwise as in
+/// C99, F.9.4.4.
 #[function]
 pub fn powff(x: f32, y: f32) -> f32 {
     if is_plain(x) {

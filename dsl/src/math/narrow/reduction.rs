@@ -1,9 +1,10 @@
-//! Angles brought to a quarter turn, or to a 64th of half a turn, as a sum of two floats.
+//! Reduction of angles to at most a quarter turn, or to a 64th of half a turn, as a sum of two floats.
 //!
-//! Moderate ones after Cody and Waite, *Software Manual for the Elementary Functions* (1980), with π/2 in three parts. Huge
-//! ones after M. Payne and R. Hanek, *Radian reduction for trigonometric functions* (SIGNUM Newsletter 18, 1983): of 2/π,
-//! 96 bits are taken from where they no longer make whole turns of the angle's last bit. The angle's 24 bits and two bits of
-//! the quadrant leave 70 behind the point; no float is nearer than 2⁻³⁰ to a multiple of π/2.
+//! Moderate angles are reduced after Cody and Waite, *Software Manual for the Elementary Functions* (1980), with π/2
+//! in three parts. Huge angles are reduced after M. Payne and R. Hanek, *Radian reduction for trigonometric
+//! functions* (SIGNUM Newsletter 18, 1983), with 96 bits of 2/π from the first that does not only add whole turns.
+//! The angle's 24 bits and two bits of the quadrant leave 70 fractional bits; no float is nearer than 2⁻³⁰ to a
+//! multiple of π/2.
 
 use core::f32::consts::{FRAC_1_PI, FRAC_2_PI};
 
@@ -16,7 +17,7 @@ use super::super::tables::{
 use super::{PairF32, TO_INTEGER, leading, ordered_sum};
 use crate::prelude::*;
 
-/// An angle as quarter turns and what is left.
+/// An angle as a number of quarter turns and a remainder.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReducedF32 {
@@ -24,15 +25,15 @@ pub struct ReducedF32 {
     pub high: f32,
     /// The error of `high`.
     pub low: f32,
-    /// Quarter turns, of which the last two bits count.
+    /// Number of quarter turns; only the last two bits count.
     pub quadrant: u32,
 }
 
-/// Up to here quarter turns are fewer than 2⁸, rad.
+/// Up to this angle, in rad, the number of quarter turns is below 2⁸.
 #[crate::data]
 pub(crate) const FEW_TURNS: f32 = 400.0;
 
-/// Takes whole quarter turns off `x`, rad, of up to [`FEW_TURNS`].
+/// Subtracts whole quarter turns from `x`, rad, for |x| up to [`FEW_TURNS`].
 #[inline]
 #[function]
 fn reduced_moderate(x: f32) -> ReducedF32 {
@@ -47,7 +48,7 @@ fn reduced_moderate(x: f32) -> ReducedF32 {
     ReducedF32 { high, low: (lead - high) + lost, quadrant: shifted.raw_bits() }
 }
 
-/// Takes whole quarter turns off `x`, rad, of more than [`FEW_TURNS`], or no number.
+/// Subtracts whole quarter turns from `x`, rad, for |x| above [`FEW_TURNS`], infinities and NaN.
 #[function]
 pub fn reduced_far(x: f32) -> ReducedF32 {
     if x.abs() <= f32::MAX {
@@ -57,30 +58,30 @@ pub fn reduced_far(x: f32) -> ReducedF32 {
     }
 }
 
-/// Takes whole quarter turns off `x`, rad; of −0 it makes 0.
+/// Subtracts whole quarter turns from `x`, rad; −0 becomes 0.
 #[inline]
 #[function]
 pub fn reduced_angle(x: f32) -> ReducedF32 {
     if x.abs() <= FEW_TURNS { reduced_moderate(x) } else { reduced_far(x) }
 }
 
-/// An angle as 64ths of half a turn and what is left.
+/// An angle as a number of 64ths of half a turn and a remainder.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SteppedF32 {
     /// The remainder, rad, −π/128 to π/128.
     pub high: f32,
-    /// The error of `high`: next to whole half turns it may be the larger one.
+    /// The error of `high`; near whole half turns it may be larger than `high`.
     pub low: f32,
-    /// 64ths of half a turn, of which the last seven bits count.
+    /// Number of 64ths of half a turn; only the last seven bits count.
     pub steps: u32,
 }
 
-/// 64/π, per rad.
+/// 64/π, the steps per rad.
 #[crate::data]
 const STEPS_PER_RADIAN: f32 = 64.0 * FRAC_1_PI;
 
-/// Takes 64ths of half a turn off `x`, rad, of up to 100.
+/// Subtracts 64ths of half a turn from `x`, rad, for |x| up to 100.
 #[inline]
 #[function]
 pub fn stepped(x: f32) -> SteppedF32 {
@@ -94,7 +95,7 @@ pub fn stepped(x: f32) -> SteppedF32 {
     SteppedF32 { high, low, steps: shifted.raw_bits() }
 }
 
-/// Takes 64ths of half a turn off any number of rad.
+/// Subtracts 64ths of half a turn from any angle, rad.
 #[function]
 pub fn stepped_far(x: f32) -> SteppedF32 {
     let angle = reduced_angle(x);
@@ -119,7 +120,7 @@ pub fn upper_product(a: u32, b: u32) -> u32 {
     a_high.wrapping_mul(b_high).wrapping_add(first >> 16).wrapping_add(second >> 16)
 }
 
-/// 32 bits of 2/π from bit `shift` of a word on; the next word follows.
+/// 32 bits of 2/π, from bit `shift` of `word` on; `next` is the word after it.
 #[inline]
 #[function]
 fn window(word: u32, next: u32, shift: u32) -> u32 {
@@ -127,7 +128,7 @@ fn window(word: u32, next: u32, shift: u32) -> u32 {
     (word << shift) | ((next >> 1) >> (31 - shift))
 }
 
-/// A fraction of a quarter turn, of 64 bits behind the point, in rad.
+/// A fraction of a quarter turn, with 64 fractional bits, converted to rad.
 #[inline]
 #[function]
 fn radians(head: u32, tail: u32) -> PairF32 {
@@ -145,7 +146,7 @@ fn radians(head: u32, tail: u32) -> PairF32 {
     ordered_sum(upper * NARROW_QUARTER_1, small + least)
 }
 
-/// Takes whole quarter turns off an angle of 2⁸ rad or more.
+/// Subtracts whole quarter turns from an angle of 2⁸ rad or more.
 #[function]
 pub fn reduced_huge(x: f32) -> ReducedF32 {
     let bits = x.raw_bits();

@@ -1,16 +1,18 @@
-//! The cube root and the length of two coordinates.
+//! The cube root, and the length of a vector of two coordinates.
 
 use super::super::RawBits as _;
 use super::super::tables::NARROW_CUBE_ROOT;
 use crate::prelude::*;
 
-/// Constant that centres the error of a third of the bits.
+/// Constant that balances the error of the first guess of the cube root, which is a third of the number's bits.
 #[crate::data]
 const COARSE: u32 = 0x2a51_3000;
 
-/// The cube root of a normal number of 2⁻¹²⁵ or more; the exponent of the result is `less` below that. The first guess g is a third
-/// of the exponent, and of the significand as if it went on from it, cut to eight bits so that its cube is exact. With
-/// w = (x − g³)/(x + 2g³), Halley's step is g + g·w; what that leaves out is a polynomial's.
+/// The cube root of a normal number from 2⁻¹²⁵ on; `less` is subtracted from the exponent of the result.
+///
+/// The first guess g is a third of the number's bits, with the exponent and the significand taken as one number, cut
+/// to eight bits so that its cube is exact. With w = (x − g³)/(x + 2g³), Halley's step is g + g·w, and a polynomial
+/// gives the rest.
 #[inline]
 #[function]
 fn plain_root(x: f32, less: u32) -> f32 {
@@ -26,7 +28,7 @@ fn plain_root(x: f32, less: u32) -> f32 {
     lead + (step + step * (w * w * (NARROW_CUBE_ROOT[0] + w * NARROW_CUBE_ROOT[1])))
 }
 
-/// The cube root of what is next to the subnormal numbers or below, next to the largest, zero or no number.
+/// The cube root of numbers near or below the smallest normal number, near the largest, zero, infinities and NaN.
 #[function]
 pub fn far_root(x: f32) -> f32 {
     let size = x.abs();
@@ -48,15 +50,16 @@ pub fn cbrtf(x: f32) -> f32 {
     if plain { plain_root(x, 0) } else { far_root(x) }
 }
 
-/// A number without the lower half of its bits: twelve of them remain, whose square is exact.
+/// A number without the lower half of its bits: the twelve that remain have an exact square.
 #[inline]
 #[function]
 fn upper(x: f32) -> f32 {
     f32::from_bits(x.raw_bits() & 0xffff_f000)
 }
 
-/// x² + y², off by little more than one rounding: the squares of the upper halves are exact (T. J. Dekker, *A floating-point
-/// technique for extending the available precision*, 1971), and so is what their sum loses (D. E. Knuth's two-sum).
+/// x² + y², with an error of little more than one rounding. The squares of the upper halves are exact (T. J. Dekker,
+/// *A floating-point technique for extending the available precision*, 1971), and so is the rounding error of their
+/// sum (D. E. Knuth's two-sum).
 #[inline]
 #[function]
 fn squares(x: f32, y: f32) -> f32 {
@@ -71,7 +74,7 @@ fn squares(x: f32, y: f32) -> f32 {
     sum + (lost + rest)
 }
 
-/// √(x² + y²) where a square could leave the range, or where there is no number.
+/// √(x² + y²) where a square could overflow or underflow, and for infinities and NaN.
 #[function]
 pub fn far_length(x: f32, y: f32) -> f32 {
     let width = x.abs();
@@ -96,8 +99,8 @@ pub fn far_length(x: f32, y: f32) -> f32 {
     }
 }
 
-/// √(x² + y²), without overflow on the way; within 1 ulp. An infinite `x` or `y` gives ∞, else a
-/// NaN gives NaN.
+/// √(x² + y²), without intermediate overflow; within 1 ulp. An infinite `x` or `y` gives ∞, otherwise a NaN gives
+/// NaN.
 #[function]
 pub fn hypotf(x: f32, y: f32) -> f32 {
     let sum = squares(x, y);

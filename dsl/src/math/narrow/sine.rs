@@ -1,27 +1,27 @@
-//! Sine and cosine: 64ths of half a turn come from a table, and a short polynomial is for what is left (P. T. P. Tang). No branch depends
-//! on the quadrant.
+//! Sine and cosine: a table has 64ths of half a turn, and a short polynomial gives the remainder (P. T. P. Tang). No
+//! branch depends on the quadrant.
 
 use super::super::RawBits as _;
 use super::super::tables::{NARROW_SINE_CUBE, NARROW_SINE_ROWS};
 use super::reduction::{SteppedF32, stepped, stepped_far};
 use crate::prelude::*;
 
-/// Below this an angle is its own sine and tangent: 2⁻¹².
+/// 2⁻¹²: a smaller angle equals its sine and its tangent to the last bit.
 #[crate::data]
 pub(crate) const TINY: f32 = 2.4414063e-4;
 
-/// Up to here the steps are fewer than 2¹¹, rad.
+/// Up to this angle, in rad, the number of steps is below 2¹¹.
 #[crate::data]
 const FEW_STEPS: f32 = 100.0;
 
-/// Steps from the first row to the sine of 0.
+/// Number of steps from the first row of the table to the row for the sine of 0.
 #[crate::data]
 const SINE_ROW: u32 = 32;
-/// Steps from the first row to the sine of π/2, the cosine of 0.
+/// Number of steps from the first row of the table to the row for the sine of π/2, which is the cosine of 0.
 #[crate::data]
 const COSINE_ROW: u32 = 64;
 
-/// Sine of an angle as steps, counted from that of the first row.
+/// Sine of an angle given as steps; `from` is the number of steps from the first row to the row for an angle of 0.
 #[inline]
 #[function]
 fn sine_of_steps(angle: SteppedF32, from: u32) -> f32 {
@@ -38,7 +38,7 @@ fn sine_of_steps(angle: SteppedF32, from: u32) -> f32 {
     f32::from_bits(value.raw_bits() ^ ((steps & 64) << 25))
 }
 
-/// Sine of an angle in rad that is next to 0 or more than [`FEW_STEPS`].
+/// Sine of an angle in rad that is nearly 0 or above [`FEW_STEPS`].
 #[function]
 pub fn far_sine(x: f32) -> f32 {
     if x.abs() < TINY {
@@ -51,14 +51,14 @@ pub fn far_sine(x: f32) -> f32 {
     }
 }
 
-/// Cosine of an angle in rad of more than [`FEW_STEPS`].
+/// Cosine of an angle in rad above [`FEW_STEPS`].
 #[function]
 pub fn far_cosine(x: f32) -> f32 {
     if x.abs() <= f32::MAX { sine_of_steps(stepped_far(x), COSINE_ROW) } else { f32::NAN }
 }
 
-/// Returns true if an angle is from [`TINY`] to [`FEW_STEPS`] rad: one comparison of bits, which those of a float are
-/// in the order of.
+/// Returns true if an angle is from [`TINY`] to [`FEW_STEPS`] rad, by one comparison: the bits of floats have the
+/// order of the floats.
 #[inline]
 #[function]
 fn is_moderate(x: f32) -> bool {
@@ -77,7 +77,7 @@ pub fn cosf(x: f32) -> f32 {
     if x.abs() <= FEW_STEPS { sine_of_steps(stepped(x), COSINE_ROW) } else { far_cosine(x) }
 }
 
-/// Sine and cosine of an angle in rad: the bits of [`sinf`] and of [`cosf`], with one reduction.
+/// Sine and cosine of an angle in rad, with the bits of [`sinf`] and [`cosf`] and one reduction.
 #[function]
 pub fn sin_cosf(x: f32) -> (f32, f32) {
     if is_moderate(x) {

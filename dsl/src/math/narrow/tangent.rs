@@ -1,4 +1,4 @@
-//! The tangent: the angle reduced to a quarter turn, a polynomial, and in odd quarters its reciprocal.
+//! The tangent: a polynomial of the angle reduced to a quarter turn, or the reciprocal of one in odd quarters.
 
 use super::super::tables::{NARROW_HALF_PI_HIGH, NARROW_HALF_PI_LOW, NARROW_TANGENT};
 use super::reduction::reduced_angle;
@@ -17,11 +17,11 @@ const T5: f32 = 2.0 / 15.0;
 #[crate::data]
 const T7: f32 = 17.0 / 315.0;
 
-/// Up to here the polynomial loses little, rad.
+/// Up to this angle, in rad, the polynomial loses little precision.
 #[crate::data]
 const MODERATE: f32 = 0.62;
 
-/// Tangent of `high` + `low` for −0.62 to 0.62.
+/// Tangent of `high` + `low`, which is from −0.62 to 0.62.
 #[inline]
 #[function]
 fn near_tangent(high: f32, low: f32) -> PairF32 {
@@ -36,7 +36,8 @@ fn near_tangent(high: f32, low: f32) -> PairF32 {
     ordered_sum(high, curve + low * (1.0 + value * value))
 }
 
-/// Tangent of `high` + `low` for 0.62 to π/4: with t the tangent of what is left to π/4, 1 − 2t/(1 + t).
+/// Tangent of `high` + `low`, which is from 0.62 to π/4. It is 1 − 2t/(1 + t), where t is the tangent of π/4 less the
+/// angle.
 #[inline]
 #[function]
 fn steep_tangent(high: f32, low: f32) -> PairF32 {

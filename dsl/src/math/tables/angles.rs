@@ -26,13 +26,13 @@ pub const STEP_LOW: f64 = 1.899093908283185e-12;
 /// π/2, to a double.
 #[crate::data]
 pub const HALF_PI_HIGH: f64 = 1.5707963267948966;
-/// π/2, less its high part.
+/// π/2, minus its high part.
 #[crate::data]
 pub const HALF_PI_LOW: f64 = 6.123233995736766e-17;
 /// π, to a double.
 #[crate::data]
 pub const WHOLE_PI_HIGH: f64 = 3.141592653589793;
-/// π, less its high part.
+/// π, minus its high part.
 #[crate::data]
 pub const WHOLE_PI_LOW: f64 = 1.2246467991473532e-16;
 /// The bits of 2/π after 64 zeros, most significant first.
@@ -75,7 +75,7 @@ pub(crate) const TWO_OVER_PI: [u64; 36] = [
     0xfa6ed5772d30433b,
     0x15c614b59d19c3c2,
 ];
-/// sin(k·π/64) to a double, what that leaves out, and cos(k·π/64).
+/// sin(k·π/64) to a double, the rounding error, and cos(k·π/64).
 #[crate::data]
 pub(crate) const SINE_ROWS: [[f64; 3]; 64] = [
     [0.0, 0.0, 1.0],
@@ -143,7 +143,7 @@ pub(crate) const SINE_ROWS: [[f64; 3]; 64] = [
     [0.0980171403295606, -1.634582362244256e-18, -0.9951847266721969],
     [0.049067674327418015, -6.79610372051828e-19, -0.9987954562051724],
 ];
-/// tan(k·π/64) to a double, and what that leaves out; at its pole 0.
+/// tan(k·π/64) to a double, and its rounding error; 0 at the pole.
 #[crate::data]
 pub(crate) const TANGENT_ROWS: [[f64; 2]; 64] = [
     [0.0, 0.0],
@@ -211,7 +211,7 @@ pub(crate) const TANGENT_ROWS: [[f64; 2]; 64] = [
     [-0.09849140335716425, -5.3100671162822435e-18],
     [-0.049126849769467254, -9.097765655528944e-20],
 ];
-/// (sin x − x)/x³ in powers of x², to 0.27, through the 5 Chebyshev points; off by less than 2⁻⁵⁶.
+/// (sin x − x)/x³ in powers of x², to 0.27. Interpolated at 5 Chebyshev points; the error is below 2⁻⁵⁶.
 #[crate::data]
 pub(crate) const SINE_POLYNOMIAL: [f64; 5] = [
     -0.16666666666666666,
@@ -220,7 +220,7 @@ pub(crate) const SINE_POLYNOMIAL: [f64; 5] = [
     2.7557299180899876e-6,
     -2.5021788914235078e-8,
 ];
-/// (tan x − x)/x³ in powers of x², to 0.22, through the 8 Chebyshev points; off by less than 2⁻⁵⁵.
+/// (tan x − x)/x³ in powers of x², to 0.22. Interpolated at 8 Chebyshev points; the error is below 2⁻⁵⁵.
 #[crate::data]
 pub(crate) const TANGENT_POLYNOMIAL: [f64; 8] = [
     0.3333333333333333,
@@ -232,7 +232,7 @@ pub(crate) const TANGENT_POLYNOMIAL: [f64; 8] = [
     0.0014515187098262862,
     0.0006412845378130403,
 ];
-/// c, atan c to a double, and what that leaves out: eight c for each octave from 1/16 to 16.
+/// c, atan c to a double, and its rounding error, for eight c in each octave from 1/16 to 16.
 #[crate::data]
 pub(crate) const ARCTANGENT_ROWS: [[f64; 3]; 64] = [
     [0.06640625, 0.06630889491982349, -4.885923989304001e-19],
@@ -300,7 +300,7 @@ pub(crate) const ARCTANGENT_ROWS: [[f64; 3]; 64] = [
     [14.5, 1.501939837493852, 6.061899584075814e-17],
     [15.5, 1.5063694873693432, -1.0553391013319709e-16],
 ];
-/// (atan x − x)/x³ in powers of x², to 1/16, through the 6 Chebyshev points; off by less than 2⁻⁵⁵.
+/// (atan x − x)/x³ in powers of x², to 1/16. Interpolated at 6 Chebyshev points; the error is below 2⁻⁵⁵.
 #[crate::data]
 pub(crate) const ARCTANGENT_POLYNOMIAL: [f64; 6] = [
     -0.3333333333333333,
@@ -310,7 +310,7 @@ pub(crate) const ARCTANGENT_POLYNOMIAL: [f64; 6] = [
     -0.09090568687313817,
     0.07614684924721683,
 ];
-/// (asin x − x)/x³ in powers of x², to 1/2, through the 13 Chebyshev points; off by less than 2⁻⁵⁵.
+/// (asin x − x)/x³ in powers of x², to 1/2. Interpolated at 13 Chebyshev points; the error is below 2⁻⁵⁵.
 #[crate::data]
 pub(crate) const ARCSINE_POLYNOMIAL: [f64; 13] = [
     0.16666666666666669,
@@ -327,7 +327,7 @@ pub(crate) const ARCSINE_POLYNOMIAL: [f64; 13] = [
     -0.014851887071247204,
     0.028757851367421566,
 ];
-/// (asin x − x)/x³ in powers of x², to 1/2, for single precision, through the 6 Chebyshev points; off by less than 2⁻²⁷.
+/// (asin x − x)/x³ in powers of x², to 1/2, for single precision. Interpolated at 6 Chebyshev points; the error is below 2⁻²⁷.
 #[crate::data]
 pub(crate) const ARCSINE_F32: [f64; 6] = [
     0.16666666337430908,

@@ -2,7 +2,7 @@
 //!
 //! Written by `dsl/coefficients/tables.py`: change that.
 
-/// 1/c to a double and the logarithm of c, c as in `LOG10_CENTRES` (Gal): the logarithm is off by less than 2⁻⁶¹.
+/// 1/c to a double and the logarithm of c, c as in `LOG10_CENTRES` (Gal): the error of the logarithm is below 2⁻⁶¹.
 #[crate::data]
 pub(crate) const LOG10_ROWS: [[f64; 2]; 128] = [
     [1.4141449179070607, -0.15049391711465887],
@@ -134,7 +134,7 @@ pub(crate) const LOG10_ROWS: [[f64; 2]; 128] = [
     [0.7151746999057277, 0.14558785758697468],
     [0.7111352593180222, 0.14804778775317118],
 ];
-/// c near the middle of the row's significands, of which the logarithm is next to a double.
+/// c near the middle of the row's significands, chosen so that its logarithm is very nearly a double.
 #[crate::data]
 pub(crate) const LOG10_CENTRES: [f64; 128] = [
     0.7071411050856113,
@@ -266,7 +266,7 @@ pub(crate) const LOG10_CENTRES: [f64; 128] = [
     1.3982597540598363,
     1.4062022475991398,
 ];
-/// log(1 + r)/r in powers of r, −0.00404 to 0.00404, which is a row, through the 6 Chebyshev points; off by less than 2⁻⁵⁴.
+/// log(1 + r)/r in powers of r, −0.00404 to 0.00404, the range of a row. Interpolated at 6 Chebyshev points; the error is below 2⁻⁵⁴.
 #[crate::data]
 pub(crate) const LOG10_POLYNOMIAL: [f64; 6] = [
     0.4342944819032518,
@@ -279,12 +279,12 @@ pub(crate) const LOG10_POLYNOMIAL: [f64; 6] = [
 /// The logarithm of e, to 31 bits.
 #[crate::data]
 pub(crate) const LOG10_E_HIGH: f64 = 0.4342944819945842;
-/// The logarithm of e, less its high part.
+/// The logarithm of e, minus its high part.
 #[crate::data]
 pub(crate) const LOG10_E_LOW: f64 = -9.133237511528954e-11;
 /// The logarithm of 2 to a multiple of 2⁻⁴².
 #[crate::data]
 pub(crate) const LOG10_2_HIGH: f64 = 0.3010299956640665;
-/// The logarithm of 2 less its high part.
+/// The logarithm of 2 minus its high part.
 #[crate::data]
 pub(crate) const LOG10_2_LOW: f64 = -8.532344317057107e-14;

@@ -134,7 +134,7 @@ pub(crate) const COARSE_ROWS: [[f64; 2]; 128] = [
     [0.71484375, 0.3356912916381134],
     [0.7109375, 0.3411707574027787],
 ];
-/// ln c less the second of `COARSE_ROWS`, to a double.
+/// ln c minus the second column of `COARSE_ROWS`, to a double.
 #[crate::data]
 pub(crate) const COARSE_REST: [f64; 128] = [
     -1.077574303757264e-13,
@@ -266,7 +266,7 @@ pub(crate) const COARSE_REST: [f64; 128] = [
     2.8136969901227338e-14,
     -1.156568624616423e-14,
 ];
-/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, which is such a row, through the 7 Chebyshev points; off by less than 2⁻⁵⁵.
+/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, the range of a row of `COARSE_ROWS`. Interpolated at 7 Chebyshev points; the error is below 2⁻⁵⁵.
 #[crate::data]
 pub(crate) const FINER_LN: [f64; 7] = [
     0.3333333333333333,
@@ -409,11 +409,11 @@ pub(crate) const LOG2_ROWS_F32: [[f64; 2]; 128] = [
     [0.7150837988826816, 0.4838157772642564],
     [0.7111111111111111, 0.49185309632967467],
 ];
-/// log₂(1 + r)/r in powers of r, −0.00392 to 0.00392, which is a row, through the 4 Chebyshev points; off by less than 2⁻³⁶.
+/// log₂(1 + r)/r in powers of r, −0.00392 to 0.00392, the range of a row. Interpolated at 4 Chebyshev points; the error is below 2⁻³⁶.
 #[crate::data]
 pub(crate) const LOG2_F32: [f64; 4] =
     [1.4426950408804469, -0.7213475204373846, 0.48090278081138577, -0.3606774550976801];
-/// r^(−1/3) in powers of r, 0.9 to 1.1, through the 5 Chebyshev points; off by less than 2⁻²³.
+/// r^(−1/3) in powers of r, 0.9 to 1.1. Interpolated at 5 Chebyshev points; the error is below 2⁻²³.
 #[crate::data]
 pub(crate) const CUBE_ROOT: [f64; 5] = [
     1.872549478487711,
@@ -422,7 +422,7 @@ pub(crate) const CUBE_ROOT: [f64; 5] = [
     -0.7443227903277848,
     0.14244851743273745,
 ];
-/// r^(−1/3) in powers of r, 0.9 to 1.1, finer, through the 7 Chebyshev points; off by less than 2⁻³¹.
+/// r^(−1/3) in powers of r, 0.9 to 1.1, finer. Interpolated at 7 Chebyshev points; the error is below 2⁻³¹.
 #[crate::data]
 pub(crate) const CUBE_ROOT_F32: [f64; 7] = [
     2.1084056847876265,

@@ -2,7 +2,7 @@
 //!
 //! Written by `dsl/coefficients/tables.py`: change that.
 
-/// 1/c to a double and the logarithm of c, c as in `LN_CENTRES` (Gal): the logarithm is off by less than 2⁻⁶¹.
+/// 1/c to a double and the logarithm of c, c as in `LN_CENTRES` (Gal): the error of the logarithm is below 2⁻⁶¹.
 #[crate::data]
 pub(crate) const LN_ROWS: [[f64; 2]; 128] = [
     [1.4143870923074604, -0.3466962869457575],
@@ -134,7 +134,7 @@ pub(crate) const LN_ROWS: [[f64; 2]; 128] = [
     [0.7151980018264747, 0.3351958489935214],
     [0.7110106954988128, 0.34106780639638146],
 ];
-/// c near the middle of the row's significands, of which the logarithm is next to a double.
+/// c near the middle of the row's significands, chosen so that its logarithm is very nearly a double.
 #[crate::data]
 pub(crate) const LN_CENTRES: [f64; 128] = [
     0.707020026864484,
@@ -269,14 +269,14 @@ pub(crate) const LN_CENTRES: [f64; 128] = [
 /// The logarithm of 2 to a multiple of 2⁻⁴².
 #[crate::data]
 pub(crate) const LN_2_HIGH: f64 = 0.6931471805598903;
-/// The logarithm of 2 less its high part.
+/// The logarithm of 2 minus its high part.
 #[crate::data]
 pub(crate) const LN_2_LOW: f64 = 5.497923018708371e-14;
-/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.00404 to 0.00404, which is a row, through the 4 Chebyshev points; off by less than 2⁻³⁷.
+/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.00404 to 0.00404, the range of a row. Interpolated at 4 Chebyshev points; the error is below 2⁻³⁷.
 #[crate::data]
 pub(crate) const LN_POLYNOMIAL: [f64; 4] =
     [0.33333333332857623, -0.24999999999583752, 0.20000233168304263, -0.16666870688997648];
-/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −1/16 to 1/16, through the 11 Chebyshev points; off by less than 2⁻⁵⁵.
+/// (ln(1 + r) − r + r²/2)/r³ in powers of r, −1/16 to 1/16. Interpolated at 11 Chebyshev points; the error is below 2⁻⁵⁵.
 #[crate::data]
 pub(crate) const LN_NEAR_ONE: [f64; 11] = [
     0.3333333333333333,
@@ -291,7 +291,7 @@ pub(crate) const LN_NEAR_ONE: [f64; 11] = [
     -0.08410640534223801,
     0.07760500948205412,
 ];
-/// 1/c to a double and the logarithm of c, c as in `LOG2_CENTRES` (Gal): the logarithm is off by less than 2⁻⁶⁰.
+/// 1/c to a double and the logarithm of c, c as in `LOG2_CENTRES` (Gal): the error of the logarithm is below 2⁻⁶⁰.
 #[crate::data]
 pub(crate) const LOG2_ROWS: [[f64; 2]; 128] = [
     [1.414319105849628, -0.5001076650462437],
@@ -423,7 +423,7 @@ pub(crate) const LOG2_ROWS: [[f64; 2]; 128] = [
     [0.7152016536483358, 0.48357802264536076],
     [0.7111472590889242, 0.49177976154123826],
 ];
-/// c near the middle of the row's significands, of which the logarithm is next to a double.
+/// c near the middle of the row's significands, chosen so that its logarithm is very nearly a double.
 #[crate::data]
 pub(crate) const LOG2_CENTRES: [f64; 128] = [
     0.7070540133863688,
@@ -555,7 +555,7 @@ pub(crate) const LOG2_CENTRES: [f64; 128] = [
     1.3982070579659194,
     1.4061785195954144,
 ];
-/// log(1 + r)/r in powers of r, −0.00404 to 0.00404, which is a row, through the 6 Chebyshev points; off by less than 2⁻⁵³.
+/// log(1 + r)/r in powers of r, −0.00404 to 0.00404, the range of a row. Interpolated at 6 Chebyshev points; the error is below 2⁻⁵³.
 #[crate::data]
 pub(crate) const LOG2_POLYNOMIAL: [f64; 6] = [
     1.4426950408889634,
@@ -568,6 +568,6 @@ pub(crate) const LOG2_POLYNOMIAL: [f64; 6] = [
 /// The logarithm of e, to 31 bits.
 #[crate::data]
 pub(crate) const LOG2_E_HIGH: f64 = 1.4426950411871076;
-/// The logarithm of e, less its high part.
+/// The logarithm of e, minus its high part.
 #[crate::data]
 pub(crate) const LOG2_E_LOW: f64 = -2.9814415565887414e-10;

@@ -1,6 +1,6 @@
 //! Tables and split constants of the elementary functions.
 //!
-//! The modules below are written by `dsl/coefficients/tables.py`.
+//! The modules of this directory are written by `dsl/coefficients/tables.py`.
 
 #![allow(clippy::approx_constant)]
 

@@ -35,7 +35,7 @@ pub(crate) const NARROW_LN_2_LOW: f32 = 1.4286068e-6;
 /// ln 2 to a multiple of 2⁻⁹: a multiple of it by up to 2¹⁵ is exact.
 #[crate::data]
 pub(crate) const NARROW_STEP_LN_2_HIGH: f32 = 0.6933594;
-/// ln 2 less its high part.
+/// ln 2 minus its high part.
 #[crate::data]
 pub(crate) const NARROW_STEP_LN_2_LOW: f32 = -0.00021219444;
 /// log₁₀ 2 in 16 and 24 bits, part 1.
@@ -62,19 +62,19 @@ pub(crate) const TWO_OVER_PI_WORDS: [u32; 11] = [
     0x00000000, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab,
     0xdebbc561, 0xb7246e3a, 0x424dd2e0,
 ];
-/// π/64 in 13, 18 and 24 bits: a multiple of the first by up to 2¹¹ is exact, and of the second by 64 times up to 2⁵, part 1.
+/// π/64 in 13, 18 and 24 bits: multiples of the first by up to 2¹¹ are exact. Multiples of the second by 64 times up to 2⁵ are exact, part 1.
 #[crate::data]
 pub(crate) const NARROW_ANGLE_STEP_1: f32 = 0.049079895;
-/// π/64 in 13, 18 and 24 bits: a multiple of the first by up to 2¹¹ is exact, and of the second by 64 times up to 2⁵, part 2.
+/// π/64 in 13, 18 and 24 bits: multiples of the first by up to 2¹¹ are exact. Multiples of the second by 64 times up to 2⁵ are exact, part 2.
 #[crate::data]
 pub(crate) const NARROW_ANGLE_STEP_2: f32 = 7.490191e-6;
-/// π/64 in 13, 18 and 24 bits: a multiple of the first by up to 2¹¹ is exact, and of the second by 64 times up to 2⁵, part 3.
+/// π/64 in 13, 18 and 24 bits: multiples of the first by up to 2¹¹ are exact. Multiples of the second by 64 times up to 2⁵ are exact, part 3.
 #[crate::data]
 pub(crate) const NARROW_ANGLE_STEP_3: f32 = 1.899094e-12;
-/// Of the sine of r, to |r| = π/128, r³: with the share of r⁵ it is off by less than 2⁻³¹ of r.
+/// Coefficient of r³ of the sine of r, up to |r| = π/128, adjusted for the missing r⁵. The error is below 2⁻³¹ of r.
 #[crate::data]
 pub(crate) const NARROW_SINE_CUBE: f32 = -0.16666251;
-/// For k = j − 32 the sine of k·π/64 to a float, what that leaves out, its cosine less 1, and the factor of r² in sin k·π/64 · (cos r − 1): off by less than 2⁻²⁸.
+/// For k = j − 32: sin(k·π/64) to a float, its rounding error, cos(k·π/64) − 1, and a factor. The factor of r² approximates sin(k·π/64) · (cos r − 1) with an error below 2⁻²⁸.
 #[crate::data]
 pub(crate) const NARROW_SINE_ROWS: [[f32; 4]; 64] = [
     [-1.0, 0.0, -1.0, 0.49997923],
@@ -142,14 +142,14 @@ pub(crate) const NARROW_SINE_ROWS: [[f32; 4]; 64] = [
     [0.9951847, 7.109666e-9, -0.90198284, -0.49757168],
     [0.99879545, 6.471438e-9, -0.9509323, -0.49937698],
 ];
-/// (tan x − x)/x³ in powers of x², to 0.62, through the 7 Chebyshev points; off by less than 2⁻²⁶.
+/// (tan x − x)/x³ in powers of x², to 0.62. Interpolated at 7 Chebyshev points; the error is below 2⁻²⁶.
 #[crate::data]
 pub(crate) const NARROW_TANGENT: [f32; 7] =
     [0.33333334, 0.1333333, 0.05396993, 0.021843739, 0.009049244, 0.0029179866, 0.002600698];
-/// (atan x − x)/x³ in powers of x², to 1/4, through the 4 Chebyshev points; off by less than 2⁻²⁵.
+/// (atan x − x)/x³ in powers of x², to 1/4. Interpolated at 4 Chebyshev points; the error is below 2⁻²⁵.
 #[crate::data]
 pub(crate) const NARROW_ARCTANGENT: [f32; 4] = [-0.3333333, 0.199995, -0.14245269, 0.10052391];
-/// c, atan c to a float, and what that leaves out: four c for each octave from 1/4 to 4.
+/// c, atan c to a float, and its rounding error, for four c in each octave from 1/4 to 4.
 #[crate::data]
 pub(crate) const NARROW_ARCTANGENT_ROWS: [[f32; 3]; 16] = [
     [0.28125, 0.27416745, 2.837417e-9],
@@ -169,21 +169,21 @@ pub(crate) const NARROW_ARCTANGENT_ROWS: [[f32; 3]; 16] = [
     [3.25, 1.2722974, 1.2853981e-8],
     [3.75, 1.3101939, 3.8753914e-8],
 ];
-/// (asin x − x)/x³ in powers of x², to 1/2, through the 5 Chebyshev points; off by less than 2⁻²³.
+/// (asin x − x)/x³ in powers of x², to 1/2. Interpolated at 5 Chebyshev points; the error is below 2⁻²³.
 #[crate::data]
 pub(crate) const NARROW_ARCSINE: [f32; 5] =
     [0.16666673, 0.07498855, 0.04500138, 0.026554542, 0.038085025];
-/// (e^x − 1 − x)/x² in powers of x, to (ln 2)/2, through the 6 Chebyshev points; off by less than 2⁻²⁷.
+/// (e^x − 1 − x)/x² in powers of x, to (ln 2)/2. Interpolated at 6 Chebyshev points; the error is below 2⁻²⁷.
 #[crate::data]
 pub(crate) const NARROW_EXPONENTIAL: [f32; 6] =
     [0.5, 0.16666667, 0.041666463, 0.008333308, 0.0013933687, 0.00019893616];
-/// (2·artanh s − 2s)/s³ in powers of s², to 0.1726, through the 3 Chebyshev points; off by less than 2⁻²².
+/// (2·artanh s − 2s)/s³ in powers of s², to 0.1726. Interpolated at 3 Chebyshev points; the error is below 2⁻²².
 #[crate::data]
 pub(crate) const NARROW_LOGARITHM: [f32; 3] = [0.66666687, 0.39988506, 0.295924];
-/// (sinh x − x)/x³ in powers of x², to 1.05, through the 4 Chebyshev points; off by less than 2⁻²⁷.
+/// (sinh x − x)/x³ in powers of x², to 1.05. Interpolated at 4 Chebyshev points; the error is below 2⁻²⁷.
 #[crate::data]
 pub(crate) const NARROW_SINH: [f32; 4] = [0.16666667, 0.008333342, 0.00019837415, 2.8115119e-6];
-/// (tanh x − x)/x³ in powers of x², to 0.85, through the 7 Chebyshev points; off by less than 2⁻²⁵.
+/// (tanh x − x)/x³ in powers of x², to 0.85. Interpolated at 7 Chebyshev points; the error is below 2⁻²⁵.
 #[crate::data]
 pub(crate) const NARROW_TANH: [f32; 7] =
     [-0.33333334, 0.13333294, -0.0539593, 0.021792842, -0.008543423, 0.0028763562, -0.00057571434];
@@ -319,7 +319,7 @@ pub(crate) const NARROW_LOG2_ROWS: [[f32; 3]; 128] = [
     [0.71484375, 0.4842987, 1.4556613e-6],
     [0.7109375, 0.49220276, 2.6010123e-6],
 ];
-/// 2^(j/128): what the float leaves out, as a fraction; its bits less j·2¹⁶.
+/// For 2^(j/128) as a float, its rounding error as a fraction of it, and its bits minus j·2¹⁶.
 #[crate::data]
 pub const NARROW_OF_TWO: [[u32; 2]; 128] = [
     [0x00000000, 0x3f800000],
@@ -451,7 +451,7 @@ pub const NARROW_OF_TWO: [[u32; 2]; 128] = [
     [0x31518a42, 0x3f7f3e0c],
     [0x32b9f83c, 0x3f7f9e11],
 ];
-/// c near the middle of a row of significands, 1/c, and the logarithm of c to a multiple of 2⁻¹⁷, and the rest.
+/// c near the middle of a row of significands, 1/c, the logarithm of c to a multiple of 2⁻¹⁷, and the rest.
 #[crate::data]
 pub(crate) const NARROW_LN_ROWS: [[f32; 4]; 64] = [
     [0.70710677, 1.4142135, -0.34657288, -7.314177e-7],
@@ -519,10 +519,10 @@ pub(crate) const NARROW_LN_ROWS: [[f32; 4]; 64] = [
     [1.3829973, 0.7230672, 0.32424927, 3.8143135e-6],
     [1.3985289, 0.71503705, 0.3354187, 2.2212444e-6],
 ];
-/// (ln(1 + r) − r)/r² in powers of r, −0.0159 to 0.0159, through the 3 Chebyshev points; off by less than 2⁻²².
+/// (ln(1 + r) − r)/r² in powers of r, −0.0159 to 0.0159. Interpolated at 3 Chebyshev points; the error is below 2⁻²².
 #[crate::data]
 pub(crate) const NARROW_LN: [f32; 3] = [-0.5, 0.3333713, -0.25002685];
-/// c near the middle of a row of significands, 1/c, and the logarithm of c to a multiple of 2⁻¹⁶, and the rest.
+/// c near the middle of a row of significands, 1/c, the logarithm of c to a multiple of 2⁻¹⁶, and the rest.
 #[crate::data]
 pub(crate) const NARROW_BINARY_LOG_ROWS: [[f32; 4]; 64] = [
     [0.70710677, 1.4142135, -0.5, -2.4690674e-8],
@@ -590,9 +590,9 @@ pub(crate) const NARROW_BINARY_LOG_ROWS: [[f32; 4]; 64] = [
     [1.3829973, 0.7230672, 0.46780396, -5.64184e-6],
     [1.3985289, 0.71503705, 0.48391724, -7.1349477e-6],
 ];
-/// log₂(1 + r)/r − 23/16 in powers of r, −0.0159 to 0.0159, through the 4 Chebyshev points; off by less than 2⁻²⁸.
+/// log₂(1 + r)/r − 23/16 in powers of r, −0.0159 to 0.0159. Interpolated at 4 Chebyshev points; the error is below 2⁻²⁸.
 #[crate::data]
 pub(crate) const NARROW_BINARY_LOG: [f32; 4] = [0.0051950384, -0.7213475, 0.4809713, -0.36073455];
-/// (((1 + 2w)/(1 − w))^(1/3) − 1 − w)/w³ in powers of w, −0.0495 to 0.0495, through the 2 Chebyshev points; off by less than 2⁻⁹.
+/// (((1 + 2w)/(1 − w))^(1/3) − 1 − w)/w³ in powers of w, −0.0495 to 0.0495. Interpolated at 2 Chebyshev points; the error is below 2⁻⁹.
 #[crate::data]
 pub(crate) const NARROW_CUBE_ROOT: [f32; 2] = [0.66789514, -0.3346996];

@@ -11,7 +11,7 @@ pub const UNIT_STEP_HIGH: f64 = 0.005415212348111709;
 /// The rest of (ln 2)/128.
 #[crate::data]
 pub const UNIT_STEP_LOW: f64 = 1.2864023111638346e-14;
-/// 2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵.
+/// For 2^(k/128) as a double, its rounding error as a fraction of it, and its bits minus k·2⁴⁵.
 #[crate::data]
 pub const OF_TWO: [[u64; 2]; 128] = [
     [0x0000000000000000, 0x3ff0000000000000],
@@ -143,10 +143,10 @@ pub const OF_TWO: [[u64; 2]; 128] = [
     [0x3c77893b4d91cd9c, 0x3fefe7c1819e90d8],
     [0x3c5305c14160cc89, 0x3feff3c22b8f71f1],
 ];
-/// (2^r − 1)/r in powers of r, −1/256 to 1/256, through the 2 Chebyshev points; off by less than 2⁻²¹.
+/// (2^r − 1)/r in powers of r, −1/256 to 1/256. Interpolated at 2 Chebyshev points; the error is below 2⁻²¹.
 #[crate::data]
 pub(crate) const EXPONENTIAL_F32: [f64; 2] = [0.693147604022766, 0.2402265803396113];
-/// (e^x − 1 − x − x²/2)/x³ in powers of x, −0.3 to 0.3, through the 11 Chebyshev points; off by less than 2⁻⁵⁶.
+/// (e^x − 1 − x − x²/2)/x³ in powers of x, −0.3 to 0.3. Interpolated at 11 Chebyshev points; the error is below 2⁻⁵⁶.
 #[crate::data]
 pub(crate) const EXP_M1: [f64; 11] = [
     0.16666666666666666,
@@ -161,7 +161,7 @@ pub(crate) const EXP_M1: [f64; 11] = [
     2.0905165731718337e-9,
     1.607798216856748e-10,
 ];
-/// (sinh x − x)/x³ in powers of x², to 0.3, through the 5 Chebyshev points; off by less than 2⁻⁵⁵.
+/// (sinh x − x)/x³ in powers of x², to 0.3. Interpolated at 5 Chebyshev points; the error is below 2⁻⁵⁵.
 #[crate::data]
 pub(crate) const SINH_POLYNOMIAL: [f64; 5] = [
     0.16666666666666666,
@@ -170,7 +170,7 @@ pub(crate) const SINH_POLYNOMIAL: [f64; 5] = [
     2.7557286749640008e-6,
     2.5090718942569802e-8,
 ];
-/// tanh((k + 1/2)/16) to a double, and what that leaves out.
+/// tanh((k + 1/2)/16) to a double, and its rounding error.
 #[crate::data]
 pub(crate) const TANH_ROWS: [[f64; 2]; 64] = [
     [0.031239831446031256, 5.446619868927016e-19],
@@ -238,7 +238,7 @@ pub(crate) const TANH_ROWS: [[f64; 2]; 64] = [
     [0.9991910370043159, -4.6803442105837255e-17],
     [0.9992860587299247, -2.5507568119468237e-17],
 ];
-/// (tanh x − x)/x³ in powers of x², to 1/4, through the 8 Chebyshev points; off by less than 2⁻⁵⁵.
+/// (tanh x − x)/x³ in powers of x², to 1/4. Interpolated at 8 Chebyshev points; the error is below 2⁻⁵⁵.
 #[crate::data]
 pub(crate) const TANH_POLYNOMIAL: [f64; 8] = [
     -0.3333333333333333,
