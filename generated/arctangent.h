@@ -24,8 +24,8 @@ extern "C" {
 void arctangent_far_angle(double height, double width, double ratio, pair_t *pair);
 
 /**
- * The angle of the point (`x`, `y`) in rad: special values, and coordinates far from 1 or from each
- * other.
+ * The angle of the point (`x`, `y`) in rad, outside the common path. This is for special values and for coordinates
+ * that are very large, very small or of very different size.
  */
 double arctangent_far_atan2(double y, double x);
 

@@ -19,7 +19,7 @@ static const double AIRFRAME_GRAVITY = 9.81;
 /** π/2, to a double. */
 static const double ANGLES_HALF_PI_HIGH = 1.5707963267948966;
 
-/** π/2, less its high part. */
+/** π/2, minus its high part. */
 static const double ANGLES_HALF_PI_LOW = 6.123233995736766e-17;
 
 /** 64/π. */
@@ -34,7 +34,7 @@ static const double ANGLES_STEP_LOW = 1.899093908283185e-12;
 /** π, to a double. */
 static const double ANGLES_WHOLE_PI_HIGH = 3.141592653589793;
 
-/** π, less its high part. */
+/** π, minus its high part. */
 static const double ANGLES_WHOLE_PI_LOW = 1.2246467991473532e-16;
 
 /**
@@ -59,18 +59,19 @@ static const double EXPONENTIAL_E5 = 0.008333333333333333;
 static const double EXPONENTIAL_E6 = 0.001388888888888889;
 
 /**
- * To here e^x is normal, and so is what its last rounding takes in: e^−660 is above 2⁻⁹⁵³, its last place above 2⁻¹⁰⁰⁶.
+ * Up to this |x|, e^x and the summands of its last addition are normal numbers. e^−660 is above 2⁻⁹⁵³, its last place
+ * above 2⁻¹⁰⁰⁶.
  */
 static const double EXPONENTIAL_NORMAL = 660.0;
 
-/** ln c less the second of `FINER_COARSE_ROWS`, to a double. */
+/** ln c minus the second column of `FINER_COARSE_ROWS`, to a double. */
 extern const double FINER_COARSE_REST[128];
 
 /** 1/c, of ten bits at most, and ln c to multiples of 2⁻⁴². */
 extern const double FINER_COARSE_ROWS[128][2];
 
 /**
- * (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, which is such a row, through the 7 Chebyshev points; off by less than 2⁻⁵⁵.
+ * (ln(1 + r) − r + r²/2)/r³ in powers of r, −0.0068 to 0.0068, the range of a row of `FINER_COARSE_ROWS`. Interpolated at 7 Chebyshev points; the error is below 2⁻⁵⁵.
  */
 static const double FINER_FINER_LN[7] = {
     0.3333333333333333, -0.2500000000000011, 0.19999999999998155, -0.16666666647591571,
@@ -89,18 +90,16 @@ static const double GEOMETRY_LEAST_PITCH_COSINE = 0.01;
 /** The logarithm of 2 to a multiple of 2⁻⁴². */
 static const double LOGARITHMS_LN_2_HIGH = 0.6931471805598903;
 
-/** The logarithm of 2 less its high part. */
+/** The logarithm of 2 minus its high part. */
 static const double LOGARITHMS_LN_2_LOW = 5.497923018708371e-14;
 
-/** 2²⁷ + 1: a product by it splits a double into halves of 26 bits (Veltkamp). */
+/** 2²⁷ + 1: a product with it splits a double into halves of 26 bits (Veltkamp). */
 static const double PAIR_SPLITTER = 134217729.0;
 
-/**
- * The bits of the upper half of a double: what they leave of it has a product with its like without loss.
- */
+/** Mask of the upper half of a double's bits: the product of two doubles masked by it is exact. */
 static const uint64_t PAIR_UPPER = UINT64_C(0xFFFFFFFF00000000);
 
-/** 2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵. */
+/** For 2^(k/128) as a double, its rounding error as a fraction of it, and its bits minus k·2⁴⁵. */
 extern const uint64_t POWERS_OF_TWO[128][2];
 
 /** 128/ln 2. */

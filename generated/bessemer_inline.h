@@ -17,7 +17,7 @@
 #include "logarithm.h"
 #include "pair.h"
 
-/** `value`, negated where `row` is in the second half of a turn, which has 128 rows. */
+/** `value`, negated if `row` is in the second half of a turn; a turn has 128 rows. */
 static inline double sine_signed(double value, uint64_t row)
 {
     if ((row & UINT64_C(0x40)) == UINT64_C(0)) {
@@ -39,7 +39,7 @@ static inline uint64_t reduction_upper_product(uint64_t a, uint64_t b)
     return a_high * b_high + (first >> 32) + (second >> 32);
 }
 
-/** `a + b` without loss (Knuth). */
+/** The exact sum `a + b` (Knuth). */
 static inline void pair_sum(double a, double b, pair_t *pair)
 {
     const double high = a + b;
@@ -48,7 +48,7 @@ static inline void pair_sum(double a, double b, pair_t *pair)
     pair->low = a - (high - from_b) + (b - from_b);
 }
 
-/** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
+/** The exact sum `a + b`, if `a` is zero or not the smaller in magnitude (Dekker). */
 static inline void pair_ordered_sum(double a, double b, pair_t *pair)
 {
     const double high = a + b;
@@ -56,7 +56,7 @@ static inline void pair_ordered_sum(double a, double b, pair_t *pair)
     pair->low = b - (high - a);
 }
 
-/** `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp). */
+/** The exact product `a * b`, below 2⁹⁹⁶ and without underflow (Dekker, Veltkamp). */
 static inline void pair_product(double a, double b, pair_t *pair)
 {
     const double a_scaled = PAIR_SPLITTER * a;
@@ -93,7 +93,7 @@ static inline void pair_quotient(const pair_t *a, const pair_t *b, pair_t *pair)
     pair_ordered_sum(high, rest / below.high, pair);
 }
 
-/** The parts of a normal number, from its bits. */
+/** The parts of a normal number, given its bits. */
 static inline void logarithm_parts(uint64_t bits, parts_t *parts)
 {
     /* Above 1 + 52.5/128 a significand is halved. */
@@ -104,7 +104,7 @@ static inline void logarithm_parts(uint64_t bits, parts_t *parts)
     parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
 }
 
-/** ln x of 2^`exponent` · `parts`, in two doubles that need not be apart, to some 68 bits. */
+/** ln x of 2^`exponent` · `parts`, as a sum of two doubles that may overlap, to about 68 bits. */
 static inline void logarithm_logarithm(const parts_t *parts, double exponent, pair_t *pair)
 {
     const uint64_t row = parts->row & UINT64_C(0x7F);
@@ -134,13 +134,15 @@ static inline void logarithm_logarithm(const parts_t *parts, double exponent, pa
     pair->low = r * z * tail + (rest + lead.low + (next.low - cross));
 }
 
-/** The error of `step`, as a fraction. */
+/** The rounding error of `step`, as a fraction of it. */
 static inline double exponential_step_rest(uint64_t steps)
 {
     return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
 }
 
-/** e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding. */
+/**
+ * e^(`high` + `low`) for `high` from −750 to 750 and |`low`| up to 1/200, before its last rounding.
+ */
 static inline void exponential_power_of_pair(double high, double low, power_t *power)
 {
     const double shifted = high * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
@@ -156,7 +158,7 @@ static inline void exponential_power_of_pair(double high, double low, power_t *p
     power->rest = exponential_step_rest(steps_2) + r + z * tail;
 }
 
-/** The double next to 2^(`steps`/128), for a normal number. */
+/** The double nearest to 2^(`steps`/128), where that is a normal number. */
 static inline double exponential_step(uint64_t steps)
 {
     /* The upper half alone changes: one addition where a word has 32 bits. */
@@ -175,7 +177,7 @@ static inline void exponential_step_power(uint64_t steps, double r, power_t *pow
     power->rest = exponential_step_rest(steps) + r + z * tail;
 }
 
-/** e^x for −750 to 750, before its last rounding. */
+/** e^x for x from −750 to 750, before its last rounding. */
 static inline void exponential_power(double x, power_t *power)
 {
     const double shifted = x * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;

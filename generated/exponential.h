@@ -20,20 +20,24 @@
 extern "C" {
 #endif
 
-/** A power: s · (1 + `rest`), where s is the double next to 2^(`steps`/128). */
+/**
+ * A power of e or 2 before its last rounding: s · (1 + `rest`), where s is the double nearest to 2^(`steps`/128).
+ */
 typedef struct {
-    /** An integer in the last 19 bits, signed; the bits above mean nothing. */
+    /** A signed integer in the last 19 bits; the bits above are arbitrary. */
     uint64_t steps;
-    /** The error of s, and the part of the power beyond 2^(`steps`/128), as a fraction of s. */
+    /**
+     * The sum of the rounding error of s and the part of the power beyond 2^(`steps`/128), as a fraction of s.
+     */
     double rest;
 } power_t;
 
 /**
- * e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN; `low` is at most 1/200, `more` 0 or −1.
+ * e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN; |`low`| is at most 1/200, `more` 0 or −1.
  */
 double exponential_far(double x, double low, int32_t more);
 
-/** e^x; measured within 0.51 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN. */
+/** e^x; measured within 0.51 ulp. −∞ gives 0, an overflow gives ∞, NaN gives NaN. */
 double exponential_exp(double x);
 
 #ifdef __cplusplus

@@ -13,7 +13,7 @@
 #ifndef PAIR_H
 #define PAIR_H
 
-/** A number as a double and what that leaves out. */
+/** A number as the sum of a double and a correction. */
 typedef struct {
     /** The leading part. */
     double high;

@@ -19,8 +19,8 @@ extern "C" {
 #endif
 
 /**
- * x^y; measured within 0.51 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is
- * whole; the rest as in C99, F.9.4.4.
+ * x^y; measured within 0.51 ulp. `y` = ±0 and `x` = 1 give 1; a negative x gives NaN unless y is a whole number;
+ * otherwise as in C99, F.9.4.4.
  */
 double power_powf(double x, double y);
 

@@ -21,7 +21,8 @@ extern "C" {
 #endif
 
 /**
- * Sine of `x` + `quarter_turns` · π/2, by reducing the angle in two doubles; of a tiny `x`, with 0 or 1 quarter turns.
+ * Sine of `x` + `quarter_turns` · π/2, by reducing the angle in two doubles. For a tiny `x`, `quarter_turns` must be
+ * 0 or 1.
  */
 double sine_by_reduction(double x, uint64_t quarter_turns);
 

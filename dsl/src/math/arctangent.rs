@@ -1,8 +1,8 @@
 //! The inverse trigonometric functions.
 //!
-//! The arctangent: for the nearest c of a table, with eight entries for each octave from 1/16 to 16, atan x = atan c
-//! + atan((x − c) / (1 + x·c)), and the last is a polynomial. For two coordinates the argument is (y − c·x) / (x +
-//! c·y).
+//! The arctangent uses the nearest c of a table, with eight entries for each octave from 1/16 to 16. There
+//! atan x = atan c + atan((x − c) / (1 + x·c)), and the last is a polynomial. For two coordinates the argument is
+//! (y − c·x) / (x + c·y).
 //!
 //! Arcsine and arccosine are a polynomial up to 1/2, and from there on asin x = π/2 − 2·asin √((1 − x)/2).
 

@@ -76,7 +76,7 @@
 #include "unit_quaternion.h"
 #include "unit_quaternions.h"
 
-/** `value`, negated where `row` is in the second half of a turn, which has 128 rows. */
+/** `value`, negated if `row` is in the second half of a turn; a turn has 128 rows. */
 static inline double sine_signed(double value, uint64_t row)
 {
     if ((row & UINT64_C(0x40)) == UINT64_C(0)) {
@@ -98,7 +98,7 @@ static inline uint64_t reduction_upper_product(uint64_t a, uint64_t b)
     return a_high * b_high + (first >> 32) + (second >> 32);
 }
 
-/** `a + b` without loss (Knuth). */
+/** The exact sum `a + b` (Knuth). */
 static inline void pair_sum(double a, double b, pair_pair_t *pair)
 {
     const double high = a + b;
@@ -107,7 +107,7 @@ static inline void pair_sum(double a, double b, pair_pair_t *pair)
     pair->low = a - (high - from_b) + (b - from_b);
 }
 
-/** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
+/** The exact sum `a + b`, if `a` is zero or not the smaller in magnitude (Dekker). */
 static inline void pair_ordered_sum(double a, double b, pair_pair_t *pair)
 {
     const double high = a + b;
@@ -115,7 +115,7 @@ static inline void pair_ordered_sum(double a, double b, pair_pair_t *pair)
     pair->low = b - (high - a);
 }
 
-/** `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp). */
+/** The exact product `a * b`, below 2⁹⁹⁶ and without underflow (Dekker, Veltkamp). */
 static inline void pair_product(double a, double b, pair_pair_t *pair)
 {
     const double a_scaled = PAIR_SPLITTER * a;
@@ -153,7 +153,7 @@ static inline void pair_quotient(const pair_pair_t *a, const pair_pair_t *b, pai
 }
 
 /**
- * Returns true if `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.
+ * Returns true if `one` is less than `other` in the order of `total_cmp`: −0 before +0, NaN last.
  */
 static inline bool sort_below_f64(double one, double other)
 {
@@ -212,7 +212,7 @@ static inline bool comparison_is_greater(ordering_t order)
 }
 
 /**
- * Returns true if `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.
+ * Returns true if `one` is less than `other` in the order of `total_cmp`: −0 before +0, NaN last.
  */
 static inline bool sort_below_f32(float one, float other)
 {
@@ -1003,7 +1003,9 @@ static inline bool heading_equal(const heading_t *one, const heading_t *other)
     return all_holds && option_lever_equal(&one->next, &other->next);
 }
 
-/** The index of the first element that is not among the first ones. */
+/**
+ * The index of the first element for which `is_first` does not hold; it must hold for all elements before.
+ */
 static inline uint64_t bessemer_search_partition_point_in_binary_search_u8(const uint8_t values[],
     uint64_t values_length, uint8_t wanted)
 {
@@ -1027,11 +1029,12 @@ static inline uint64_t bessemer_search_partition_point_in_binary_search_u8(const
 }
 
 /**
- * The index of an element that is `wanted`, or where it would have to be put in. Inline, so that it stands beside the
- * type, which may be an author's.
+ * The index of an element equal to `wanted`. The function is inlined, since the type of the elements may be an
+ * author's.
  *
  * # Errors
- * That index, if no element is `wanted`.
+ *
+ * The index at which `wanted` could be inserted, if no element is equal.
  */
 static inline void bessemer_search_binary_search_u8(const uint8_t values[], uint64_t values_length,
     uint8_t wanted, result_usize_usize_t *result)
@@ -1721,7 +1724,7 @@ static inline bool bounded_matrix_f32_2_3_equal(const bounded_matrix_f32_2_3_t *
     return all_holds;
 }
 
-/** The larger of two; the second where they do not compare. */
+/** The larger of two; the second if they are unordered. */
 static inline double matrix_extremes_upper_f64(double a, double b)
 {
     if (a >= b) {
@@ -1731,7 +1734,7 @@ static inline double matrix_extremes_upper_f64(double a, double b)
     }
 }
 
-/** The smaller of two; the second where they do not compare. */
+/** The smaller of two; the second if they are unordered. */
 static inline double matrix_extremes_lower_f64(double a, double b)
 {
     if (a <= b) {
@@ -1741,7 +1744,7 @@ static inline double matrix_extremes_lower_f64(double a, double b)
     }
 }
 
-/** The larger of two; the second where they do not compare. */
+/** The larger of two; the second if they are unordered. */
 static inline float matrix_extremes_upper_f32(float a, float b)
 {
     if (a >= b) {
@@ -1751,7 +1754,7 @@ static inline float matrix_extremes_upper_f32(float a, float b)
     }
 }
 
-/** The larger of two; the second where they do not compare. */
+/** The larger of two; the second if they are unordered. */
 static inline int32_t matrix_extremes_upper_i32(int32_t a, int32_t b)
 {
     if (a >= b) {
@@ -1761,7 +1764,7 @@ static inline int32_t matrix_extremes_upper_i32(int32_t a, int32_t b)
     }
 }
 
-/** The smaller of two; the second where they do not compare. */
+/** The smaller of two; the second if they are unordered. */
 static inline int32_t matrix_extremes_lower_i32(int32_t a, int32_t b)
 {
     if (a <= b) {
@@ -1793,7 +1796,7 @@ static inline bool attitudes_equal(const attitudes_t *one, const attitudes_t *ot
         && unit_quaternion_f64_equal(&one->camera, &other->camera);
 }
 
-/** The error of `step`, as a fraction. */
+/** The rounding error of `step`, as a fraction of it. */
 static inline double exponential_step_rest(uint64_t steps)
 {
     return f64_from_bits(POWERS_OF_TWO[steps & UINT64_C(0x7F)][0]);
@@ -1809,7 +1812,7 @@ static inline void exponential_step_power(uint64_t steps, double r, power_t *pow
     power->rest = exponential_step_rest(steps) + r + z * tail;
 }
 
-/** e^x for −750 to 750, before its last rounding. */
+/** e^x for x from −750 to 750, before its last rounding. */
 static inline void exponential_power(double x, power_t *power)
 {
     const double shifted = x * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
@@ -1818,7 +1821,7 @@ static inline void exponential_power(double x, power_t *power)
         x - steps * POWERS_UNIT_STEP_HIGH - steps * POWERS_UNIT_STEP_LOW, power);
 }
 
-/** The double next to 2^(`steps`/128), for a normal number. */
+/** The double nearest to 2^(`steps`/128), where that is a normal number. */
 static inline double exponential_step(uint64_t steps)
 {
     /* The upper half alone changes: one addition where a word has 32 bits. */
@@ -1827,7 +1830,9 @@ static inline double exponential_step(uint64_t steps)
     return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
 }
 
-/** e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding. */
+/**
+ * e^(`high` + `low`) for `high` from −750 to 750 and |`low`| up to 1/200, before its last rounding.
+ */
 static inline void exponential_power_of_pair(double high, double low, power_t *power)
 {
     const double shifted = high * POWERS_STEPS_PER_UNIT + SINE_TO_INTEGER;
@@ -1843,13 +1848,13 @@ static inline void exponential_power_of_pair(double high, double low, power_t *p
     power->rest = exponential_step_rest(steps_2) + r + z * tail;
 }
 
-/** Returns true if a number is positive, normal and finite, from its bits. */
+/** Returns true if the bits are those of a positive, normal and finite number. */
 static inline bool logarithm_is_plain(uint64_t bits)
 {
     return (uint32_t)(bits >> 32) - 0x100000U < 0x7FE00000U;
 }
 
-/** The parts of a normal number, from its bits. */
+/** The parts of a normal number, given its bits. */
 static inline void logarithm_parts(uint64_t bits, logarithm_parts_t *parts)
 {
     /* Above 1 + 52.5/128 a significand is halved. */

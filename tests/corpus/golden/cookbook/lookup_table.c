@@ -18,7 +18,9 @@ float lookup_table_interpolated_10(const float axis[10], const float values[10],
     return values[below] + clamp_f32(share, 0.0F, 1.0F) * (values[above] - values[below]);
 }
 
-/** The index of the first element that is not among the first ones. */
+/**
+ * The index of the first element for which `is_first` does not hold; it must hold for all elements before.
+ */
 static uint64_t lookup_table_partition_point_in_interpolated_10(const float values[],
     uint64_t values_length, float place)
 {

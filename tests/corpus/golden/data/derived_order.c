@@ -65,7 +65,9 @@ void derived_order_sorted(const derived_order_key_t keys[4], derived_order_key_t
     derived_order_sort_by_in_sorted(sorted, UINT64_C(4));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void derived_order_sort_by_in_sorted(derived_order_key_t values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {

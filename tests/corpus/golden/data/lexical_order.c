@@ -23,7 +23,9 @@ void lexical_order_queue(message_t messages[4])
     lexical_order_sort_by_in_queue(messages, UINT64_C(4));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void lexical_order_sort_by_in_queue(message_t values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {
@@ -48,7 +50,9 @@ void lexical_order_archive(message_t messages[4])
     lexical_order_sort_by_in_archive(messages, UINT64_C(4));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void lexical_order_sort_by_in_archive(message_t values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {

@@ -43,7 +43,9 @@ void orders_scheduled(const orders_task_t tasks[4], orders_task_t sorted[4])
     orders_sort_by_in_scheduled(sorted, UINT64_C(4));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {

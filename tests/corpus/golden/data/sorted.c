@@ -15,7 +15,9 @@ double sorted_median(const double values[9])
     return sorted[4];
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void sorted_sort_by_in_median(double values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {
@@ -50,7 +52,9 @@ void sorted_schedule(list5_switching_t *edges)
     sorted_sort_by_in_schedule(edges->items, min_u64(edges->length, UINT64_C(5)));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void sorted_sort_by_in_schedule(switching_t values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {
@@ -74,7 +78,9 @@ void sorted_latest_first(switching_t edges[6])
     sorted_sort_by_in_latest_first(edges, UINT64_C(6));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void sorted_sort_by_in_latest_first(switching_t values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {
@@ -96,7 +102,9 @@ void sorted_downwards(float values[5])
     sorted_sort_by_in_downwards(&values[1], UINT64_C(4));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void sorted_sort_by_in_downwards(float values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {

@@ -14,7 +14,9 @@ uint64_t sorted_searches_below(const double steps[6], double x)
     return sorted_searches_partition_point_in_below(steps, UINT64_C(6), x);
 }
 
-/** The index of the first element that is not among the first ones. */
+/**
+ * The index of the first element for which `is_first` does not hold; it must hold for all elements before.
+ */
 static uint64_t sorted_searches_partition_point_in_below(const double values[],
     uint64_t values_length, double x)
 {
@@ -68,10 +70,11 @@ bessemer_status_t sorted_searches_value(const list5_sorted_searches_point_t *poi
 }
 
 /**
- * The index of an element whose key is `wanted`, or where one would have to be put in.
+ * The index of an element whose key is `wanted`.
  *
  * # Errors
- * That index, if there is no such element.
+ *
+ * The index at which such an element could be inserted, if there is none.
  */
 static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_point_t values[],
     uint64_t values_length, uint16_t wanted, result_usize_usize_t *result)
@@ -123,10 +126,11 @@ bessemer_status_t sorted_searches_nearest(const float sorted[5], float x, uint64
 }
 
 /**
- * The index of an element that is `Equal`, or where one would have to be put in.
+ * The index of an element for which the function returns `Equal`.
  *
  * # Errors
- * That index, if no element is `Equal`.
+ *
+ * The index at which such an element could be inserted, if there is none.
  */
 static void sorted_searches_binary_search_by_in_nearest(const float values[],
     uint64_t values_length, float x, result_usize_usize_t *result)

@@ -10,7 +10,9 @@ void turned_orders_planned(turned_orders_job_t jobs[5])
     turned_orders_sort_by_in_planned(jobs, UINT64_C(5));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void turned_orders_sort_by_in_planned(turned_orders_job_t values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {
@@ -42,7 +44,9 @@ void turned_orders_put_off(turned_orders_job_t jobs[5])
     turned_orders_sort_by_in_put_off(jobs, UINT64_C(5));
 }
 
-/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+/**
+ * Sorts `values` so that no element is `below` the one before it; equal elements keep their order.
+ */
 static void turned_orders_sort_by_in_put_off(turned_orders_job_t values[], uint64_t values_length)
 {
     for (uint64_t i = UINT64_C(1); i < values_length; i++) {

@@ -66,10 +66,11 @@ bessemer_status_t inner_functions_extra(uint8_t message, option_u8_t *result)
 }
 
 /**
- * The index of an element whose key is `wanted`, or where one would have to be put in.
+ * The index of an element whose key is `wanted`.
  *
  * # Errors
- * That index, if there is no such element.
+ *
+ * The index at which such an element could be inserted, if there is none.
  */
 static void inner_functions_binary_search_by_key_in_extra(const pair_u8_u8_t values[],
     uint64_t values_length, uint8_t wanted, result_usize_usize_t *result)
